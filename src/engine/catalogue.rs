@@ -26,7 +26,10 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                 | Kind::Skeleton
                 | Kind::Motion
                 | Kind::Weights
+                | Kind::AssetWeights
+                | Kind::Clothes
                 | Kind::Material
+                | Kind::AssetMesh
                 | Kind::Image
         ),
         Application::Mpfb => matches!(

@@ -1,5 +1,6 @@
 //! What is kept of a file's content.
 
+use super::asset_mesh::AssetMesh;
 use super::base_json::BaseJson;
 use super::bvh::Motion;
 use super::geometry::Geometry;
@@ -46,6 +47,8 @@ pub enum Content {
     Weights(Box<Weights>),
     /// `.obj` of a base mesh.
     Mesh(Box<Mesh>),
+    /// `.obj` of an asset, without its vertices.
+    AssetMesh(Box<AssetMesh>),
     /// `base.mhbin`: its mesh, or why it cannot be loaded.
     MeshArchive(Box<Result<Mesh, MeshFault>>),
     /// `.target`.

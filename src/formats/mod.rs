@@ -4,6 +4,7 @@
 //! pass everything rules ask about. Nothing is checked here; other files are not known here.
 #![warn(clippy::indexing_slicing)]
 
+pub mod asset_mesh;
 pub mod base_json;
 pub mod bvh;
 mod content;

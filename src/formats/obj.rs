@@ -179,6 +179,10 @@ impl Parser {
             let name = |mesh: &Mesh| format!("vt {}", mesh.uvs.len());
             self.bad(line, "a texture coordinate needs two numbers", name);
         }
+        if uv.is_some_and(|uv| uv.iter().any(|part| !part.is_finite())) {
+            let index = i64::try_from(self.mesh.uvs.len()).unwrap_or(i64::MAX);
+            self.mesh.facts.non_finite_uvs.add(self.line, index);
+        }
         self.mesh.uvs.push(uv.unwrap_or_default());
     }
 

@@ -36,6 +36,8 @@ pub struct MeshFacts {
     pub repeating: Vec<Repeating>,
     /// Vertices with NaN or infinity (line, vertex).
     pub non_finite: Tally,
+    /// Texture coordinates with NaN or infinity (line, number from 0).
+    pub non_finite_uvs: Tally,
     /// Vertices no face uses (no line, vertex).
     pub unused: Tally,
     /// Groups that mix faces with and without texture coordinates.

@@ -2,6 +2,7 @@
 
 use xxhash_rust::xxh3::xxh3_64;
 
+use super::asset_mesh::AssetMesh;
 use super::inline_ignore::{self, InlineIgnore};
 use super::json_file::{self, JsonFacts, JsonFault};
 use super::table::{Format, Reader, Syntax};
@@ -133,6 +134,15 @@ pub(super) fn mesh(input: &Input<'_>) -> Parsed {
     let mut parsed = hashed(input);
     if !input.encoding.blank && !input.encoding.only_comments {
         parsed.content = Content::Mesh(Box::new(obj::parse(input.bytes)));
+    }
+    parsed
+}
+
+/// The mesh of an asset.
+pub(super) fn asset_mesh(input: &Input<'_>) -> Parsed {
+    let mut parsed = hashed(input);
+    if !input.encoding.blank && !input.encoding.only_comments {
+        parsed.content = Content::AssetMesh(Box::new(AssetMesh::of(obj::parse(input.bytes))));
     }
     parsed
 }

@@ -1,7 +1,9 @@
 //! The table of formats: what is to be known of each kind of file before and while it is read.
 
 use super::picture::{HEAD, TAIL};
-use super::readers::{archive, clothes, material, mesh, mesh_archive, motion, packed, picture, target, weights, zip};
+use super::readers::{
+    archive, asset_mesh, clothes, material, mesh, mesh_archive, motion, packed, picture, target, weights, zip,
+};
 use super::{Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, target_cat, target_catalog};
 use crate::discover::Kind;
 use crate::json::Document;
@@ -114,7 +116,7 @@ pub(crate) static FORMATS: [Format; 26] = [
     text(Kind::Model, &["#"]),
     read(Kind::Motion, "motion", Syntax::Text, motion),
     text(Kind::MotionMeta, &[]),
-    text(Kind::AssetMesh, &[]),
+    read(Kind::AssetMesh, "mesh", Syntax::Text, asset_mesh),
     read(Kind::Packed, "file", Syntax::Binary, zip),
     plain(Kind::Json, "JSON", Syntax::Json),
     Format { reader: Some(Reader::Ends(picture)), ..plain(Kind::Image, "picture", Syntax::Binary) },

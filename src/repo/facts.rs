@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::diag::Application;
 use crate::discover::{Kind, Use, kind_in, owner_of};
+use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::bvh::Motion;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
@@ -144,6 +145,11 @@ impl FileFacts {
     /// The skeleton, if it is one that could be read.
     pub fn skeleton(&self) -> Option<&Skeleton> {
         if let Content::Skeleton(skeleton) = &*self.content { Some(skeleton) } else { None }
+    }
+
+    /// The mesh of an asset, if it is one that could be read.
+    pub fn asset_mesh(&self) -> Option<&AssetMesh> {
+        if let Content::AssetMesh(mesh) = &*self.content { Some(mesh) } else { None }
     }
 
     /// What is worn, if it is that and could be read.

@@ -3,7 +3,8 @@
 use super::{FileFacts, Layer, Reference, ReferenceKind, parent};
 use crate::diag::{Application, Place};
 use crate::discover::Kind;
-use crate::formats::mhclo::Entry;
+use crate::formats::asset_mesh::AssetMesh;
+use crate::formats::mhclo::{Clothes, Entry};
 
 /// An asset that a body wears.
 #[derive(Debug)]
@@ -12,6 +13,8 @@ pub(crate) struct Worn<'a> {
     pub file: &'a FileFacts,
     /// The body that it is for.
     pub base: &'a str,
+    /// The archive beside it, which MakeHuman 2 reads in its place unless the text is newer.
+    pub binary: Option<&'a FileFacts>,
     /// What it names, with what is there; `None` where that cannot be read.
     pub references: Option<Vec<Reference<'a>>>,
 }
@@ -45,7 +48,30 @@ impl<'a> Worn<'a> {
             let material = named("material", ReferenceKind::AssetMaterial, own);
             [mesh, weights, material].into_iter().flatten().collect()
         });
-        Self { file, base, references }
+        let binary = layer.file(&format!("{own}/{}.mhbin", file.stem()));
+        Self { file, base, binary, references }
+    }
+
+    /// What is in its text, if that can be relied on.
+    pub(crate) fn clothes(&self) -> Option<&'a Clothes> {
+        let encoding = &self.file.encoding;
+        self.file.clothes().filter(|_| encoding.invalid_utf8_at.is_none() && !encoding.blank && !encoding.only_comments)
+    }
+
+    /// The last name of a kind in it.
+    pub(crate) fn reference(&self, kind: ReferenceKind) -> Option<&Reference<'a>> {
+        self.references.as_ref()?.iter().find(|reference| reference.kind == kind)
+    }
+
+    /// Its mesh, if that could be read at all.
+    pub(crate) fn mesh(&self) -> Option<(&'a FileFacts, &'a AssetMesh)> {
+        let file = self.reference(ReferenceKind::AssetMesh)?.meant()?;
+        Some((file, file.asset_mesh().filter(|_| file.encoding.invalid_utf8_at.is_none())?))
+    }
+
+    /// Whether it stands for the skin of the body.
+    pub(crate) fn is_topology(&self) -> bool {
+        self.file.rel.starts_with("proxy/")
     }
 
     /// The weights that it names.

@@ -17,6 +17,7 @@ mod modelling;
 mod numeric;
 mod overlay;
 mod pose;
+mod proxy;
 mod rule;
 mod skeleton;
 mod target;
@@ -117,6 +118,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &mesh::face_out_of_range::RULE,
     &mesh::group_name::RULE,
     &mesh::no_faces::RULE,
+    &mesh::no_uv::RULE,
     &mesh::non_finite::RULE,
     &mesh::partial_uv::RULE,
     &mesh::reopened_group::RULE,
@@ -165,6 +167,28 @@ pub(crate) static RULES: &[&Rule] = &[
     &overlay::user_target_too_deep::RULE,
     &pose::non_finite::RULE,
     &pose::unknown_bone::RULE,
+    &proxy::custom_weights::RULE,
+    &proxy::delete_range::RULE,
+    &proxy::deprecated_keyword::RULE,
+    &proxy::hides_body::RULE,
+    &proxy::keyword_spelling::RULE,
+    &proxy::missing_material::RULE,
+    &proxy::missing_mesh::RULE,
+    &proxy::missing_name::RULE,
+    &proxy::missing_uuid::RULE,
+    &proxy::missing_weights::RULE,
+    &proxy::non_finite::RULE,
+    &proxy::scale::RULE,
+    &proxy::section_keyword::RULE,
+    &proxy::shifted_rows::RULE,
+    &proxy::syntax::RULE,
+    &proxy::tag::RULE,
+    &proxy::topology::RULE,
+    &proxy::unknown_keyword::RULE,
+    &proxy::vertex_count::RULE,
+    &proxy::vertex_out_of_range::RULE,
+    &proxy::weights_sum::RULE,
+    &proxy::z_depth::RULE,
     &skeleton::cycle::RULE,
     &skeleton::degenerate_plane::RULE,
     &skeleton::empty_joint::RULE,

@@ -51,6 +51,10 @@ pub struct Scanned {
     pub author: Option<Value>,
     /// What is behind the first word of each line with `tag` anywhere in it.
     pub tags: Vec<Value>,
+    /// A comment that is meant to say who the author is and is not read, for want of a blank behind its `#`.
+    pub glued_author: Option<Value>,
+    /// A comment of one word with `author` in it, of which a second word is asked for.
+    pub lone_author: Option<Value>,
     /// Whether the rows were reached.
     is_over: bool,
 }
@@ -106,6 +110,11 @@ impl Header {
 
     /// Takes a comment, if it says something of the asset.
     pub(super) fn remark(&mut self, words: Words<'_>, section: Section) {
+        match words.words {
+            [(_, only)] if holds(only, b"author") => self.scanned.lone_author = rest(words, 0),
+            [(_, first), ..] if first.starts_with(b"#author") => self.scanned.glued_author = rest(words, 0),
+            _ => {}
+        }
         let [(_, b"#"), (_, second), ..] = words.words else { return };
         if REMARKS.iter().any(|known| known.as_bytes() == second.strip_suffix(b":").unwrap_or(second)) {
             let rest = words.words.get(1..).unwrap_or_default();

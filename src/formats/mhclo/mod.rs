@@ -73,6 +73,27 @@ pub struct Reference {
 }
 
 impl Clothes {
+    /// The vertices to hide as runs that do not overlap, of a mesh with so many. Negative numbers count from the end.
+    pub fn merged_deletes(&self, vertices: usize) -> Vec<std::ops::Range<usize>> {
+        let end = i64::try_from(vertices).unwrap_or(i64::MAX);
+        let from_start = |vertex: i64| if vertex < 0 { vertex.saturating_add(end) } else { vertex };
+        let run = |(first, last): &(i64, i64)| {
+            let first = usize::try_from(from_start(*first)).ok()?;
+            let last = usize::try_from(from_start(*last)).ok()?;
+            Some(first..last.saturating_add(1).min(vertices)).filter(|run| run.start < run.end)
+        };
+        let mut runs: Vec<_> = self.deleted.iter().filter_map(run).collect();
+        runs.sort_by_key(|run| run.start);
+        let mut merged: Vec<std::ops::Range<usize>> = Vec::new();
+        for run in runs {
+            match merged.last_mut().filter(|last| run.start <= last.end) {
+                Some(last) => last.end = last.end.max(run.end),
+                None => merged.push(run),
+            }
+        }
+        merged
+    }
+
     /// The last line of a keyword that has a value, comments aside.
     pub fn last(&self, keyword: &str) -> Option<&Entry> {
         self.all(keyword).next_back()

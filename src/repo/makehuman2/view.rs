@@ -41,6 +41,7 @@ impl<'a> View<'a> {
         let mut references: Vec<Reference<'a>> = bases.iter().flat_map(of_base).collect();
         // Assets for a base that no layer has.
         references.extend(textures.into_values().flatten());
+        references.extend(worn.iter().flat_map(|worn| worn.references.iter().flatten()).cloned());
         let references = References::new(references);
         let usage = Usage::of(layers, &bases, &references);
         Self { layers, bases, references, worn, surfaces, usage, known_names: OnceLock::new() }

@@ -42,7 +42,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
     }
     capitals(view, out);
-    let own = view.assets().iter().filter(|worn| layers.is_checked(worn.file) && !is_topology(worn.file));
+    let own = view.assets().iter().filter(|worn| layers.is_checked(worn.file) && !worn.is_topology());
     let meshes = own.filter_map(|worn| Some((worn, mesh(worn)?)));
     let by_folder = grouped(meshes.map(|(worn, mesh)| (parent(&mesh.rel), (worn, mesh))));
     for (folder, assets) in by_folder {
@@ -70,20 +70,15 @@ fn capitals(view: &View<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// A topology wears the skin.
-fn is_topology(file: &FileFacts) -> bool {
-    file.rel.starts_with("proxy/")
-}
-
 /// The mesh of an asset, which is there.
 fn mesh<'w, 'a>(worn: &'w Worn<'a>) -> Option<&'w Reference<'a>> {
-    let mesh = worn.references.iter().flatten().find(|one| one.kind == ReferenceKind::AssetMesh)?;
+    let mesh = worn.reference(ReferenceKind::AssetMesh)?;
     mesh.found().map(|_| mesh)
 }
 
 /// The material that it names.
 fn own_material<'a>(worn: &Worn<'a>) -> Option<&'a str> {
-    let material = worn.references.iter().flatten().find(|one| one.kind == ReferenceKind::AssetMaterial)?;
+    let material = worn.reference(ReferenceKind::AssetMaterial)?;
     material.found().map(|file| file.rel.as_str())
 }
 

@@ -1,7 +1,7 @@
 //! Faces must use what exists.
 
-use super::super::cause::mesh::weigh;
 use super::super::{Check, Rule, RuleCx, counted};
+use super::{ASSET_INDEX, ASSET_OVERFLOW, read};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, Tally};
 use crate::discover::Kind;
 use crate::formats::obj::Mesh;
@@ -24,22 +24,22 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 const BELOW_ONE: Case = &[(Makehuman2, Level::Error, "crashes with `OverflowError` while loading the base mesh")];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(mesh) = file.mesh() else { return };
+    let Some(mesh) = read(view, file) else { return };
     let tally = &mesh.facts.face_out_of_range;
     let Some((line, number)) = tally.first.first() else { return };
-    if file.kind == Kind::MeshArchive {
-        return out.push(packed(file, mesh, tally, *number));
+    if let Some(packed_mesh) = file.mesh().filter(|_| file.kind == Kind::MeshArchive) {
+        return out.push(packed(file, packed_mesh, tally, *number));
     }
-    let (vertices, uvs) = (mesh.facts.vertices, mesh.uvs.len());
+    let (vertices, uvs) = (mesh.facts.vertices, mesh.uvs);
     let uvs = counted(uvs, "texture coordinate");
     let message = format!("{} {number}, but the mesh has {vertices} vertices and {uvs}", uses(tally, "number"));
     let lines = tally.first.iter().map(|(line, _)| format!("line {line}"));
     let finding = RULE
         .at(file, Place::Line(*line), message)
         .help("count from 1, without negative numbers; export the mesh again if lines are missing")
-        .evidence(tally.evidence(mesh.faces.len()).showing(lines));
+        .evidence(tally.evidence(mesh.faces).showing(lines));
     let finding = if *number < 1 { finding.case(BELOW_ONE) } else { finding };
-    out.push(weigh(view, file, finding));
+    out.push(mesh.weigh(view, file, finding, if *number < 1 { ASSET_OVERFLOW } else { ASSET_INDEX }));
 }
 
 /// Packed faces are numbered from 0, with the copies of vertices at seams behind the vertices.

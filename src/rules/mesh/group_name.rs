@@ -2,7 +2,8 @@
 
 use super::super::cause::mesh::weigh;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use super::of_asset;
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 
@@ -15,14 +16,24 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     ..RuleInfo::new("mesh-group-name", Level::Error, "a group name is not ASCII")
 });
 
+const OF_ASSET: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes with `UnicodeEncodeError` when the asset is put on; a model that wears it is only half loaded",
+)];
+
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if let Some(mesh) = of_asset(view, file) {
+        return out.extend(mesh.odd_groups.iter().map(|(name, line)| finding(file, name, *line).case(OF_ASSET)));
+    }
     // An archive has them packed, and unpacking does not mind.
     let Some(mesh) = file.mesh().filter(|_| file.kind == Kind::BaseMesh) else { return };
     for group in mesh.groups.iter().filter(|group| group.faces > 0 && !group.name.is_ascii()) {
-        let finding = RULE
-            .at(file, Place::Line(group.line), format!("group name `{}` is not ASCII", group.name))
-            .key(&group.name)
-            .help("rename the group with letters a to z, digits, `-` and `_` only");
-        out.push(weigh(view, file, finding));
+        out.push(weigh(view, file, finding(file, &group.name, group.line)));
     }
+}
+
+fn finding(file: &FileFacts, name: &str, line: u32) -> Finding {
+    let finding = RULE.at(file, Place::Line(line), format!("group name `{name}` is not ASCII")).key(name);
+    finding.help("rename the group with letters a to z, digits, `-` and `_` only")
 }

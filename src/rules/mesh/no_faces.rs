@@ -3,8 +3,9 @@
 use super::super::cause::is_unmet;
 use super::super::cause::mesh::{is_in_archive, weigh};
 use super::super::{Check, Rule, RuleCx};
+use super::of_asset;
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
-use crate::formats::obj::Mesh;
+use crate::formats::obj::{Mesh, MeshFacts};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
@@ -20,7 +21,23 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 
 const NO_MESH: Case = &[(Makehuman2, Level::Error, "crashes at start with `IndexError` while loading the base mesh")];
 
+/// Of an asset it is the export that fails.
+const OF_ASSET: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "shows nothing; the glTF export of a figure that wears the asset crashes with `ValueError`",
+)];
+const NO_ASSET: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes with `IndexError` when the asset is put on; a model that wears it is only half loaded",
+)];
+
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if let Some(mesh) = of_asset(view, file) {
+        let is_cloud = mesh.faces == 0 && is_read(&mesh.facts) && mesh.facts.short_faces.is_empty();
+        return out.extend(is_cloud.then(|| of_worn(file, mesh.facts.vertices)));
+    }
     let Some(mesh) = file.mesh().filter(|mesh| is_cloud(mesh)) else { return };
     if is_in_archive(view, file, is_cloud) {
         return;
@@ -44,8 +61,22 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
 
 /// Faces that could not be read would be some, too.
 fn is_cloud(mesh: &Mesh) -> bool {
-    let facts = &mesh.facts;
-    mesh.faces.is_empty() && facts.unreadable_lines == 0 && facts.face_out_of_range.count == 0
+    mesh.faces.is_empty() && is_read(&mesh.facts)
+}
+
+fn is_read(facts: &MeshFacts) -> bool {
+    facts.unreadable_lines == 0 && facts.face_out_of_range.count == 0
+}
+
+/// The finding on the mesh of an asset.
+fn of_worn(file: &FileFacts, vertices: usize) -> Finding {
+    if vertices == 0 {
+        let message = format!("`{}` is not an OBJ file: it has neither vertices nor faces", file.file_name());
+        let help = "restore the mesh: this file is something else, such as a web page";
+        return RULE.at(file, Place::File, message).case(NO_ASSET).help(help);
+    }
+    let finding = RULE.at(file, Place::File, format!("the mesh has {vertices} vertices but no faces")).case(OF_ASSET);
+    finding.help("export the mesh again, with its faces").evidence(Evidence::counted(vertices).out_of(vertices))
 }
 
 /// Whether there is a text of which the loader takes no line. An empty file, and one that is not UTF-8, have findings of

@@ -2,7 +2,9 @@
 
 use super::super::cause::mesh::{is_in_archive, weigh};
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Element, Finding, Level, Place, RuleInfo};
+use super::of_asset;
+use crate::diag::{Application::Makehuman2, Case, Element, Finding, Level, Place, RuleInfo};
+use crate::formats::obj::MeshFacts;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
@@ -15,22 +17,42 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     ..RuleInfo::new("mesh-non-finite", Level::Error, "the position of a vertex is not finite")
 });
 
+/// Each vertex of an asset is fitted to the base mesh, wherever it lies.
+const FITTED: Case = &[(Makehuman2, Level::Info, "fits the vertex to the base mesh, wherever the OBJ has it")];
+const UV: Case =
+    &[(Makehuman2, Level::Error, "crashes with `ValueError` in the glTF export of every figure that wears the asset")];
+
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(mesh) = file.mesh() else { return };
-    let tally = &mesh.facts.non_finite;
-    let Some((line, vertex)) = tally.first.first() else { return };
-    if is_in_archive(view, file, |mesh| mesh.facts.non_finite.count > 0) {
-        return;
+    if let Some(asset) = of_asset(view, file) {
+        out.extend(of_worn(file, &asset.facts));
+        return out.extend(positions(file, &asset.facts).map(|finding| finding.case(FITTED)));
     }
+    let Some(mesh) = file.mesh() else { return };
+    if !is_in_archive(view, file, |mesh| mesh.facts.non_finite.count > 0) {
+        out.extend(positions(file, &mesh.facts).map(|finding| weigh(view, file, finding)));
+    }
+}
+
+/// Texture coordinates of an asset.
+fn of_worn(file: &FileFacts, facts: &MeshFacts) -> Option<Finding> {
+    let (line, _) = facts.non_finite_uvs.first.first()?;
+    let message = match facts.non_finite_uvs.count {
+        1 => "a texture coordinate is not finite".to_owned(),
+        count => format!("{count} texture coordinates are not finite"),
+    };
+    let finding = RULE.at(file, Place::Line(*line), message).key("uv").case(UV);
+    Some(finding.help("give it finite numbers, or export the mesh again"))
+}
+
+fn positions(file: &FileFacts, facts: &MeshFacts) -> Option<Finding> {
+    let tally = &facts.non_finite;
+    let (line, vertex) = tally.first.first()?;
     let message = match tally.count {
         1 => format!("the position of vertex {vertex} is not finite"),
         count => format!("the positions of {count} vertices are not finite, first vertex {vertex}"),
     };
     let element = Element { kind: "vertex", index: vertex.unsigned_abs() };
     let place = if *line == 0 { Place::Element(element) } else { Place::Row(*line, element) };
-    let finding = RULE
-        .at(file, place, message)
-        .help("give the vertex a finite position")
-        .evidence(tally.evidence(mesh.facts.vertices));
-    out.push(weigh(view, file, finding));
+    let finding = RULE.at(file, place, message).help("give the vertex a finite position");
+    Some(finding.evidence(tally.evidence(facts.vertices)))
 }

@@ -1,7 +1,7 @@
 //! Texture coordinates must be complete in a group.
 
-use super::super::cause::mesh::weigh;
 use super::super::{Check, Rule, RuleCx};
+use super::{ASSET_INDEX, read};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
 
@@ -15,7 +15,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(mesh) = file.mesh() else { return };
+    let Some(mesh) = read(view, file) else { return };
     for group in &mesh.facts.partial_uv {
         let message =
             format!("group `{}` has no texture coordinates on {} of {} faces", group.name, group.without, group.faces);
@@ -25,6 +25,6 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
             .key(&group.name)
             .help("unwrap only the faces without texture coordinates, or move them to a group of their own: skins need the others")
             .evidence(evidence.out_of(group.faces));
-        out.push(weigh(view, file, finding));
+        out.push(mesh.weigh(view, file, finding, ASSET_INDEX));
     }
 }

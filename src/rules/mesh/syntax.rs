@@ -1,9 +1,8 @@
 //! Every line of a mesh must be readable.
 
-use super::super::cause::mesh::weigh;
 use super::super::{Check, Rule, RuleCx};
+use super::{ASSET_INDEX, ASSET_VALUE, ReadMesh, read};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
-use crate::formats::obj::Mesh;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
@@ -12,14 +11,16 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         `vertex//normal` or `vertex/uv/normal` in whole numbers, and a face that is drawn has at least three \
         corners. Fewer corners are harmless in hidden groups. Lines other than these and `g name` are ignored.\n\n\
         MakeHuman 2 reads the numbers without checking them and crashes on the first one that is missing or not a \
-        number.\n\n\
+        number: at start for a base mesh, and when an asset is put on for its mesh. A line cannot be continued with \
+        `\\`.\n\n\
         Export the mesh again, or fix the line.",
     ..RuleInfo::new("mesh-syntax", Level::Error, "a line of a mesh cannot be read")
 });
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(mesh) = file.mesh() else { return };
-    out.extend(short_face(view, file, mesh).map(|finding| weigh(view, file, finding)));
+    let Some(mesh) = read(view, file) else { return };
+    let short = short_face(view, file, &mesh);
+    out.extend(short.map(|finding| mesh.weigh(view, file, finding, ASSET_INDEX)));
     let Some(first) = mesh.facts.unreadable.first() else { return };
     let more = if mesh.facts.unreadable_lines > 1 {
         format!(" ({} lines cannot be read)", mesh.facts.unreadable_lines)
@@ -34,12 +35,12 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         .help("fix the line, or export the mesh again")
         .parts(mesh.facts.unreadable_names.names())
         .evidence(evidence);
-    out.push(weigh(view, file, finding));
+    out.push(mesh.weigh(view, file, finding, ASSET_VALUE));
 }
 
 /// The first face with one or two corners among those that are drawn.
-fn short_face(view: &View<'_>, file: &FileFacts, mesh: &Mesh) -> Option<Finding> {
-    let mut drawn = mesh.facts.short_faces.iter().filter(|face| view.draws(file, &face.group));
+fn short_face(view: &View<'_>, file: &FileFacts, mesh: &ReadMesh<'_>) -> Option<Finding> {
+    let mut drawn = mesh.facts.short_faces.iter().filter(|face| mesh.draws(view, file, &face.group));
     let first = drawn.next()?;
     let message = format!("`{}`: a face needs at least three corners", first.text);
     let help = "fix the line, or export the mesh again without edges and points";

@@ -15,7 +15,9 @@ use Damage::{
     Special, Syntax, TooDeep,
 };
 use Moment::{Never, Scan, Start, Tools, Use};
-use ReferenceKind::{Decr, Icon, Incr, MacroTarget, Model, PoseSkeleton, Texture, WeightsFile};
+use ReferenceKind::{
+    AssetMaterial, AssetMesh, AssetWeights, Decr, Icon, Incr, MacroTarget, Model, PoseSkeleton, Texture, WeightsFile,
+};
 use Single::{BesideBase, Expressions, Poses, ScriptedRanges, SelectionFilter, Shaders, Version};
 
 pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_general: IN_GENERAL, unfound: UNFOUND };
@@ -197,6 +199,9 @@ const UNFOUND: &[(&[ReferenceKind], Consequence)] = &[
     (&[WeightsFile], Consequence::new(Error, "rejects the skeleton and logs a line")),
     (&[PoseSkeleton], Consequence::new(Error, NO_POSE_SKELETON)),
     (&[Model], Consequence::new(Error, TYPE_ERROR)),
+    (&[AssetMesh], Consequence::new(Error, "refuses the asset with a message: it cannot be put on")),
+    (&[AssetWeights], Consequence::new(Warning, "puts the asset on without bone weights: in a pose it collapses to the origin")),
+    (&[AssetMaterial], Consequence::new(Warning, "silently shows the asset in plain white")),
     (&[Texture], Consequence::new(Warning, "silently goes without the texture")),
 ];
 

@@ -1,0 +1,145 @@
+//! The mesh of an asset (formats/makehuman2.md §8, §15.2): what is counted of it, and a print to compare it by. Where its
+//! vertices lie does not matter: they are fitted to the base mesh.
+
+use xxhash_rust::xxh3::xxh3_64;
+
+use super::obj::{Face, Mesh, MeshFacts, NO_UV};
+
+/// A mesh without its vertices and faces.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct AssetMesh {
+    /// What was counted.
+    pub facts: MeshFacts,
+    /// Faces with three corners or more.
+    pub faces: usize,
+    /// Texture coordinates.
+    pub uvs: usize,
+    /// Whether any face has some.
+    pub has_uvs: bool,
+    /// Names of groups with faces that are not ASCII, with the lines where they are opened.
+    pub odd_groups: Vec<(String, u32)>,
+    /// What it is compared by.
+    pub print: MeshPrint,
+}
+
+/// Tells meshes with other faces apart, in whatever order these stand.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct MeshPrint {
+    /// Vertices, without UV-seam duplicates.
+    pub vertices: usize,
+    /// Faces.
+    pub faces: usize,
+    /// Of the corners of all faces.
+    corners: u64,
+    /// Of their texture coordinates.
+    uvs: u64,
+}
+
+impl AssetMesh {
+    /// What is kept of a mesh.
+    pub fn of(mut mesh: Mesh) -> Self {
+        let mut facts = std::mem::take(&mut mesh.facts);
+        facts.repeating = Vec::new();
+        let odd = mesh.groups.iter().filter(|group| group.faces > 0 && !group.name.is_ascii());
+        Self {
+            faces: mesh.faces.len(),
+            uvs: mesh.uvs.len(),
+            has_uvs: mesh.corner_uvs.iter().any(|uv| *uv != NO_UV),
+            odd_groups: odd.map(|group| (group.name.clone(), group.line)).collect(),
+            print: MeshPrint::of(&mesh),
+            facts,
+        }
+    }
+
+    /// Whether the application gets through the file.
+    pub fn is_sound(&self) -> bool {
+        let facts = &self.facts;
+        let stops = facts.unreadable_lines > 0 || facts.face_out_of_range.count > 0 || !facts.short_faces.is_empty();
+        !stops && facts.vertices > 0 && facts.partial_uv.is_empty()
+    }
+}
+
+impl MeshPrint {
+    /// The print of a mesh.
+    pub fn of(mesh: &Mesh) -> Self {
+        let mut print = Self { vertices: mesh.positions.len(), faces: mesh.faces.len(), corners: 0, uvs: 0 };
+        for face in &mesh.faces {
+            let (corners, uvs) = prints(mesh, *face);
+            print.corners = print.corners.wrapping_add(corners);
+            print.uvs = print.uvs.wrapping_add(uvs);
+        }
+        print
+    }
+
+    /// Whether another mesh has other corners.
+    pub fn has_other_corners(&self, other: &Self) -> bool {
+        self.corners != other.corners
+    }
+
+    /// Whether another mesh of the same corners has other texture coordinates.
+    pub fn has_other_uvs(&self, other: &Self) -> bool {
+        self.uvs != other.uvs
+    }
+}
+
+/// The prints of a face: of its vertices, and of these with their texture coordinates to about a thousandth.
+fn prints(mesh: &Mesh, face: Face) -> (u64, u64) {
+    let run = face.start as usize..(face.start as usize).saturating_add(face.len as usize);
+    let corners = mesh.corners.get(run.clone()).unwrap_or_default();
+    let mut bytes: Vec<u8> = corners.iter().flat_map(|corner| corner.to_le_bytes()).collect();
+    let of_corners = xxh3_64(&bytes);
+    let first = |uv: &u32| mesh.uvs.get(*uv as usize);
+    for uv in mesh.corner_uvs.get(run).unwrap_or_default() {
+        bytes.extend(first(uv).into_iter().flatten().flat_map(|part| (part * 100.0).round().to_le_bytes()));
+    }
+    (of_corners, xxh3_64(&bytes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formats::obj;
+
+    fn of(text: &str) -> AssetMesh {
+        AssetMesh::of(obj::parse(text.as_bytes()))
+    }
+
+    const FACES: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n";
+
+    #[test]
+    fn prints_differ_with_faces_and_not_with_their_order_or_places() {
+        let mesh = of(&format!("{FACES}f 1/1 2/2 3/3\nf 1/1 3/3 4/2\n"));
+        let turned = of(&format!("{}f 1/1 3/3 4/2\nf 1/1 2/2 3/3\n", FACES.replace("v 1 0 0", "v 9 0 nan")));
+        assert_eq!(mesh.print, turned.print);
+        let other = of(&format!("{FACES}f 1/1 2/2 3/3\nf 1/1 3/3 4/1\n"));
+        assert!(!mesh.print.has_other_corners(&other.print) && mesh.print.has_other_uvs(&other.print));
+        assert!(mesh.print.has_other_corners(&of(&format!("{FACES}f 1/1 2/2 3/3\nf 1/1 2/2 4/1\n")).print));
+    }
+
+    #[test]
+    fn what_the_loader_stops_at_is_not_sound() {
+        for (faces, is_sound) in [
+            ("f 1 2 3\n", true),
+            ("f 1/1 2/2 3/3\nf 1 2 3\n", false),
+            ("f 1 2\n", false),
+            ("f 1 2 9\n", false),
+            ("f 1 2 -1\n", false),
+            ("f 1 2 3%\n", false),
+            ("f 1/nan 2 3\n", false),
+            ("vt 0,5 1\nf 1 2 3\n", false),
+            ("vt nan 1\nf 1 2 3 4\n", true),
+            ("f 1 2 3 \\\n 4\n", false),
+        ] {
+            assert_eq!(of(&format!("{FACES}{faces}")).is_sound(), is_sound, "{faces}");
+        }
+        assert!(!of("<html>\n").is_sound());
+    }
+
+    #[test]
+    fn a_mesh_of_a_million_lines_is_counted() {
+        let text = "v 1 2 3\nf 1 2 99999999\nf 1\n".repeat(330_000);
+        let mesh = of(&text);
+        assert_eq!((mesh.facts.vertices, mesh.facts.face_out_of_range.count), (330_000, 330_000));
+        assert!(mesh.facts.short_faces.len() < 2);
+    }
+}

@@ -1,0 +1,75 @@
+//! The list of vertices to hide consists of numbers and ranges.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{Text, VALUE, lines, more, section_keyword, texts};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, Tally};
+use crate::formats::mhclo::FaultKind;
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "crashes with `ValueError` when the asset is put on; a model that wears it is only half loaded")],
+    docs: "Below `delete_verts` stand vertices of the base mesh that the asset hides: numbers, and ranges such as \
+        `12 - 18` with spaces around the dash. Both ends are included.\n\n\
+        MakeHuman 2 crashes on anything else: `12-18`, commas, `12.0`, a comment behind numbers. A comment in a line of \
+        its own is fine. It crashes with `UnboundLocalError` if the list begins with a dash.\n\n\
+        A dash at the end of a line is forgotten: of the range only both ends are hidden. Of a range from a higher to a \
+        lower number only the first one is hidden (warnings).\n\n\
+        Write ranges in one line, the lower number first.",
+    ..RuleInfo::new("proxy-delete-range", Level::Error, "a list of vertices to hide that cannot be read")
+});
+
+const LEADING: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes with `UnboundLocalError` when the asset is put on; a model that wears it is only half loaded",
+)];
+const CUT: Case = &[(Makehuman2, Level::Warning, "forgets the dash and hides only both ends of the range")];
+const REVERSED: Case = &[(Makehuman2, Level::Warning, "hides only the first vertex of the range")];
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for text in texts(body) {
+        out.extend(word(&text));
+        out.extend(leading_dash(&text));
+        let deletes = &text.clothes.deletes;
+        out.extend(range(&text, &deletes.cut_ranges, CUT, "cut", |at| {
+            format!("the range from {at} ends with its line")
+        }));
+        out.extend(range(&text, &deletes.reversed, REVERSED, "reversed", |at| {
+            format!("the range from {at} ends with a lower number")
+        }));
+    }
+}
+
+fn word(text: &Text<'_, '_>) -> Option<Finding> {
+    // A keyword there has a finding of its own, and ends what can be read.
+    if section_keyword::keyword_below_list(text).is_some() {
+        return None;
+    }
+    let (faults, count) = text.clothes.faults.of(|kind| kind == FaultKind::DeleteWord)?;
+    let first = faults.first()?;
+    let message = format!("`{}` among the vertices to hide is not a whole number{}", first.word, more(count));
+    let help = match &*first.word {
+        word if word.starts_with('#') => "move the comment to a line of its own",
+        word if word.contains(',') => "separate numbers with spaces only",
+        word if word.contains('-') => "put spaces around the dash",
+        _ => "write whole numbers, and ranges with spaces around the dash",
+    };
+    let finding = RULE.at(text.file, Place::Span(first.span.clone()), message).case(VALUE).help(help);
+    Some(finding.evidence(lines(faults, count)))
+}
+
+fn leading_dash(text: &Text<'_, '_>) -> Option<Finding> {
+    let (faults, _) = text.clothes.faults.of(|kind| kind == FaultKind::OpenRange)?;
+    let first = faults.first()?;
+    let message = "the list of vertices to hide begins with a dash";
+    let finding = RULE.at(text.file, Place::Span(first.span.clone()), message).key("-").case(LEADING);
+    Some(finding.help("write the first vertex of the range before the dash"))
+}
+
+fn range(text: &Text<'_, '_>, tally: &Tally, case: Case, key: &str, what: fn(i64) -> String) -> Option<Finding> {
+    let (line, vertex) = tally.first.first()?;
+    let message = format!("{}{}", what(*vertex), more(tally.count));
+    let finding = RULE.at(text.file, Place::Line(*line), message).key(key).case(case);
+    let finding = finding.evidence(tally.evidence(text.clothes.deleted.len()));
+    Some(finding.help("write the range in one line, the lower number first"))
+}

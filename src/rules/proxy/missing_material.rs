@@ -1,0 +1,52 @@
+//! The material of an asset must be found.
+
+use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::missing_mesh::neighbours;
+use super::{Text, texts};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::repo::{Body, Reference, ReferenceKind, Resolution};
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "silently shows the asset in plain white")],
+    docs: "An asset names a material that does not exist, or none at all.\n\n\
+        MakeHuman 2 looks for `material` in the folder of the asset; `../materials/x.mhmat` is a file beside it. If it \
+        is not found, the asset is white, without a message. The name is one word: it ends at the first space.\n\n\
+        Topologies wear the skin of the body and need no material.\n\n\
+        Correct the name, or add the file.",
+    ..RuleInfo::new("proxy-missing-material", Level::Warning, "the material of an asset does not exist")
+});
+
+const NONE: Case = &[(Makehuman2, Level::Warning, "shows the asset in plain white until a material is chosen")];
+
+fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for text in texts(body).filter(|text| !text.worn.is_topology()) {
+        out.extend(match text.worn.reference(ReferenceKind::AssetMaterial) {
+            Some(reference) => absent(body, &text, reference, cx),
+            None => unnamed(body, &text),
+        });
+    }
+}
+
+fn absent(body: &Body<'_>, text: &Text<'_, '_>, reference: &Reference<'_>, cx: &RuleCx<'_>) -> Option<Finding> {
+    let what = match reference.resolution {
+        Resolution::Missing => "does not exist",
+        Resolution::Unusable => "cannot be opened as a file",
+        _ => return None,
+    };
+    let message = format!("material `{}` {what}", reference.text);
+    let near = cx.suggestions.nearest(reference.text, neighbours(body, text, "mhmat"));
+    let help = did_you_mean(near, "correct the name, or add the material");
+    Some(RULE.at(text.file, reference.place.clone(), message).key(reference.text).help(help))
+}
+
+/// A misspelt keyword has a finding of its own, and one in front of which a mark stands.
+fn unnamed(body: &Body<'_>, text: &Text<'_, '_>) -> Option<Finding> {
+    if text.misspelt("material").is_some() || text.has_hidden("material") {
+        return None;
+    }
+    let help = match neighbours(body, text, "mhmat").first() {
+        Some(name) => format!("add a line `material {name}`"),
+        None => "add a line `material` with the name of a material".to_owned(),
+    };
+    Some(RULE.at(text.file, Place::File, "no `material` is named").key("material").case(NONE).help(help))
+}

@@ -1,0 +1,63 @@
+//! The mesh of an asset must be found.
+
+use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::{Text, missing_name::missing, section_keyword, texts};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, RuleInfo};
+use crate::repo::{Body, FileFacts, Reference, ReferenceKind, Resolution};
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "refuses the asset with a message: it cannot be put on")],
+    docs: "The mesh of an asset is not where `obj_file` says, or the line is missing.\n\n\
+        MakeHuman 2 looks for `obj_file` in the folder of the asset. It is one word: a name with a space ends there. If \
+        the file does not exist, a message appears and the asset is not put on; models go on without it, but as part \
+        of the start model MakeHuman 2 exits with code 21. Without the line it crashes with `AttributeError`.\n\n\
+        An `.mhbin` beside the asset that is not older has the mesh in it; then the text cannot be loaded any more \
+        (info).\n\n\
+        Correct the name, or restore the file.",
+    ..RuleInfo::new("proxy-missing-mesh", Level::Error, "the mesh of an asset does not exist")
+});
+
+const NO_LINE: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes with `AttributeError` when the asset is put on; a model that wears it is only half loaded",
+)];
+const PACKED: Case = &[(Makehuman2, Level::Info, "loads the `.mhbin` beside it, as long as the text is not newer")];
+
+fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for text in texts(body) {
+        let finding = match text.worn.reference(ReferenceKind::AssetMesh) {
+            Some(reference) => absent(body, &text, reference, cx),
+            // Below a misplaced list it is not read at all.
+            None if section_keyword::keyword_below_list(&text).is_some() => None,
+            None => missing(&text, "obj_file", "name of the mesh")
+                .map(|(place, message, help)| RULE.at(text.file, place, message).case(NO_LINE).help(help)),
+        };
+        let finding = finding.map(|finding| if text.worn.binary.is_some() { finding.case(PACKED) } else { finding });
+        out.extend(finding);
+    }
+}
+
+fn absent(body: &Body<'_>, text: &Text<'_, '_>, reference: &Reference<'_>, cx: &RuleCx<'_>) -> Option<Finding> {
+    let what = match reference.resolution {
+        Resolution::Missing => "does not exist",
+        Resolution::Unusable => "cannot be opened as a file",
+        _ => return None,
+    };
+    let message = format!("mesh `{}` {what}", reference.text);
+    let names = neighbours(body, text, "obj");
+    let with_spaces = text.clothes.last("obj_file").filter(|entry| entry.value.contains(' '));
+    let help = match with_spaces.filter(|entry| names.contains(&&*entry.value)) {
+        Some(entry) => format!("rename `{}` without spaces: a name ends at the first space", entry.value),
+        None => did_you_mean(cx.suggestions.nearest(reference.text, names), "correct the name, or restore the mesh"),
+    };
+    Some(RULE.at(text.file, reference.place.clone(), message).key(reference.text).help(help))
+}
+
+/// Names of the files of a sort beside the asset, as it would write them.
+pub(super) fn neighbours<'v>(body: &Body<'v>, text: &Text<'_, '_>, extension: &str) -> Vec<&'v str> {
+    let folder = crate::repo::parent(&text.file.rel);
+    let beside = body.layers.checked.below(folder);
+    let own = beside.filter(|file| crate::discover::extension(&file.rel) == extension);
+    own.filter_map(|file: &FileFacts| file.rel.strip_prefix(folder)?.strip_prefix('/')).collect()
+}

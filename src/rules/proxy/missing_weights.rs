@@ -1,0 +1,30 @@
+//! The bone weights of an asset must be found.
+
+use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::missing_mesh::neighbours;
+use super::texts;
+use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
+use crate::repo::{Body, ReferenceKind, Resolution, parent};
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "puts the asset on without bone weights: in a pose it collapses to the origin")],
+    docs: "The file that `vertexboneweights_file` names does not exist.\n\n\
+        MakeHuman 2 looks for it in the folder of the mesh. If it is missing, the asset has no bone weights at all: \
+        nothing is taken from the body in its place, and in a pose all vertices collapse to the origin.\n\n\
+        Correct the name, restore the file, or remove the line: then the weights are taken from the body.",
+    ..RuleInfo::new("proxy-missing-weights", Level::Warning, "the bone weights of an asset do not exist")
+});
+
+fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for text in texts(body) {
+        let Some(reference) = text.worn.reference(ReferenceKind::AssetWeights) else { continue };
+        if !matches!(reference.resolution, Resolution::Missing | Resolution::Unusable) {
+            continue;
+        }
+        let folder = parent(&reference.rel);
+        let message = format!("bone weights `{}` do not exist in `{folder}`", reference.text);
+        let near = cx.suggestions.nearest(reference.text, neighbours(body, &text, "mhw"));
+        let help = did_you_mean(near, "correct the name, restore the file, or remove the line");
+        out.push(RULE.at(text.file, reference.place.clone(), message).key(reference.text).help(help));
+    }
+}

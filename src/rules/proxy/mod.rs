@@ -1,0 +1,107 @@
+//! Assets that are worn: `.mhclo` and `.proxy` with what they name, as MakeHuman 2 loads them (formats/makehuman2.md §15).
+
+pub(super) mod custom_weights;
+pub(super) mod delete_range;
+pub(super) mod deprecated_keyword;
+pub(super) mod hides_body;
+pub(super) mod keyword_spelling;
+mod keywords;
+pub(super) mod missing_material;
+pub(super) mod missing_mesh;
+pub(super) mod missing_name;
+pub(super) mod missing_uuid;
+pub(super) mod missing_weights;
+pub(super) mod non_finite;
+pub(super) mod scale;
+pub(super) mod section_keyword;
+pub(super) mod shifted_rows;
+pub(super) mod syntax;
+pub(super) mod tag;
+pub(super) mod topology;
+pub(super) mod unknown_keyword;
+pub(super) mod vertex_count;
+pub(super) mod vertex_out_of_range;
+pub(super) mod weights_sum;
+pub(super) mod z_depth;
+
+use crate::diag::{Application::Makehuman2, Case, Evidence, Level};
+use crate::formats::mhclo::{Clothes, Entry, Fault, FaultKind, Section};
+use crate::formats::target::MeshSize;
+use crate::repo::{Body, FileFacts, Worn};
+
+/// An asset of the checked layer with its text.
+#[derive(Clone, Copy)]
+struct Text<'b, 'v> {
+    worn: &'b Worn<'v>,
+    file: &'v FileFacts,
+    clothes: &'v Clothes,
+}
+
+/// The assets of the checked layer of which the text can be relied on.
+fn texts<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Text<'b, 'v>> {
+    let own = body.worn.iter().filter(|worn| body.layers.is_checked(worn.file));
+    own.filter_map(|worn| Some(Text { worn, file: worn.file, clothes: worn.clothes()? }))
+}
+
+impl<'v> Text<'_, 'v> {
+    /// Whether a byte order mark hides the keyword of the first line; that has a finding of its own.
+    fn has_hidden(&self, keyword: &str) -> bool {
+        let first = self.clothes.entries.first().filter(|_| self.file.encoding.byte_order_mark);
+        first.is_some_and(|entry| entry.keyword.trim_start_matches('\u{feff}') == keyword)
+    }
+
+    /// A line that is meant to have this keyword and has it spelt in another way, or without a value.
+    fn misspelt(&self, keyword: &str) -> Option<&'v Entry> {
+        self.clothes.entries.iter().find(|entry| keywords::meant(entry) == Some(keyword))
+    }
+
+    /// The rows are those of the base mesh as it is: nothing keeps them from being counted against it.
+    fn size_of_base(&self, body: &Body<'_>) -> Option<MeshSize> {
+        let size = body.whole_mesh()?.size();
+        (self.clothes.rows.mesh == Some(size)).then_some(size)
+    }
+
+    /// A fault at which the loader stops, before anything is put on.
+    fn stops(&self) -> bool {
+        use FaultKind::{DeleteWord, FieldCount, NotWhole, OldFormat, OpenRange, RowWord, ScaleWord, ShortScale};
+        let stops = |fault: &Fault| {
+            matches!(
+                fault.kind,
+                DeleteWord | FieldCount(_) | NotWhole | OldFormat | OpenRange | RowWord | ScaleWord | ShortScale
+            )
+        };
+        self.clothes.faults.iter().any(stops)
+    }
+
+    /// Whether the section of the rows was ever opened.
+    fn has_rows_section(&self) -> bool {
+        self.clothes.entries.iter().any(|entry| &*entry.keyword == "verts" && entry.section == Section::Vertices)
+    }
+}
+
+/// How many lines have a fault, with the first of them.
+fn lines(faults: &[Fault], count: u64) -> Evidence {
+    let told = Evidence::of_unnamed(faults.iter().map(|fault| format!("line {}", fault.line)));
+    Evidence { count, ..told }
+}
+
+/// ` (3 lines)` behind a message on the first of several.
+fn more(count: u64) -> String {
+    if count > 1 { format!(" ({count} such lines)") } else { String::new() }
+}
+
+const VALUE: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes with `ValueError` when the asset is put on; a model that wears it is only half loaded",
+)];
+const INDEX: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes with `IndexError` when the asset is put on; a model that wears it is only half loaded",
+)];
+const OVERFLOW: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes with `OverflowError` when the asset is put on; a model that wears it is only half loaded",
+)];

@@ -1,0 +1,28 @@
+//! Numbers of vertex rows must be finite.
+
+use super::super::{Check, Rule, RuleCx};
+use super::texts;
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "loses the vertex; the glTF export of the whole figure crashes with `ValueError`")],
+    docs: "A weight or an offset of a vertex row is `nan` or infinite.\n\n\
+        Python reads `nan` and `inf` as numbers, so the asset can be put on, but the vertex is nowhere. The glTF export \
+        of a figure that wears the asset crashes with `ValueError`.\n\n\
+        Make the asset anew, or give the row finite numbers.",
+    ..RuleInfo::new("proxy-non-finite", Level::Error, "a number of a vertex row is not finite")
+});
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for text in texts(body).filter(|text| !text.stops()) {
+        let tally = &text.clothes.rows.non_finite;
+        let Some((line, vertex)) = tally.first.first() else { continue };
+        let message = match tally.count {
+            1 => format!("a number in the row of vertex {vertex} is not finite"),
+            count => format!("numbers in the rows of {count} vertices are not finite, first vertex {vertex}"),
+        };
+        let finding = RULE.at(text.file, Place::Line(*line), message).evidence(tally.evidence(text.clothes.rows.count));
+        out.push(finding.help("give the row finite numbers, or make the asset anew"));
+    }
+}

@@ -1,0 +1,116 @@
+//! Offsets are scaled by three distances on the base mesh.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{INDEX, Text, VALUE, texts};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::formats::mhclo::{FaultKind, Scale};
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "does not scale the offsets along any axis: the asset keeps its distance on every figure")],
+    docs: "`x_scale`, `y_scale` and `z_scale` name two vertices of the base mesh and the distance that they had along \
+        the axis when the asset was made. MakeHuman 2 divides their distance on the figure by that number, and scales \
+        the offsets of all rows with it.\n\n\
+        - All three are needed. If one is missing, or its distance is below 0.01, nothing is scaled.\n\
+        - If both vertices have the same place along the axis, because one was named twice or two lines were exchanged, \
+        the factor is 0 and all offsets along that axis vanish.\n\
+        - A line with too few words crashes with `IndexError`, one with a word in it with `ValueError`, both when the \
+        asset is put on. A vertex beyond the mesh crashes with `IndexError`, a distance of `nan` in the glTF export.\n\
+        - A negative vertex counts from the end.\n\n\
+        Topologies are never scaled. Assets whose rows have no offsets need no scale.\n\n\
+        Make the asset anew, or correct the lines.",
+    ..RuleInfo::new("proxy-scale", Level::Warning, "a scale that is not applied as written")
+});
+
+const FLAT: Case = &[(Makehuman2, Level::Warning, "scales by 0: all offsets along the axis vanish")];
+const LOST: Case =
+    &[(Makehuman2, Level::Error, "loses all vertices; the glTF export of the figure crashes with `ValueError`")];
+const FROM_END: Case = &[(Makehuman2, Level::Warning, "counts from the end and scales by another distance")];
+
+const AXES: [&str; 3] = ["x_scale", "y_scale", "z_scale"];
+/// Below this the loader turns scaling off.
+const SMALLEST: f32 = 0.01;
+/// Two vertices of a scale lie at least so far apart along its axis, as a share of what the line says.
+const NOTHING: f32 = 0.001;
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for text in texts(body) {
+        out.extend(unreadable(&text));
+        if text.stops() || text.worn.is_topology() {
+            continue;
+        }
+        for (axis, scale) in text.clothes.scales.iter().enumerate() {
+            let Some(scale) = scale else { continue };
+            out.extend(fault(body, &text, axis, scale));
+        }
+        out.extend(missing(&text));
+    }
+}
+
+fn unreadable(text: &Text<'_, '_>) -> Option<Finding> {
+    let short = text.clothes.faults.of(|kind| kind == FaultKind::ShortScale).and_then(|(faults, _)| faults.first());
+    let word = text.clothes.faults.of(|kind| kind == FaultKind::ScaleWord).and_then(|(faults, _)| faults.first());
+    let finding = match (short, word) {
+        (Some(fault), _) => {
+            let message = format!("`{}` needs two vertices and a distance", fault.word);
+            RULE.at(text.file, Place::Span(fault.span.clone()), message).key(&*fault.word).case(INDEX)
+        }
+        (None, Some(fault)) => {
+            let message = format!("`{}` in a scale is not a number of the kind that belongs there", fault.word);
+            RULE.at(text.file, Place::Span(fault.span.clone()), message).key("word").case(VALUE)
+        }
+        (None, None) => return None,
+    };
+    Some(finding.help("write two vertices of the base mesh and a distance with a decimal point"))
+}
+
+fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Option<Finding> {
+    let name = AXES.get(axis)?;
+    let told = |message: String| RULE.at(text.file, Place::Line(scale.line), message).key(*name);
+    let [a, b] = scale.vertices;
+    let help = "write the distance that the two vertices have along the axis";
+    if scale.distance.is_nan() {
+        return Some(told(format!("the distance of `{name}` is not a number")).case(LOST).help(help));
+    }
+    if scale.distance < SMALLEST {
+        return Some(told(format!("the distance of `{name}` is {}, below 0.01", scale.distance)).help(help));
+    }
+    let size = text.size_of_base(body)?;
+    let last = size.vertices.saturating_sub(1);
+    let names = "name two vertices of the base mesh that are far apart along the axis";
+    let outside = |vertex: i64| usize::try_from(vertex.unsigned_abs()).is_ok_and(|vertex| vertex >= size.with_seams);
+    if let Some(vertex) = [a, b].into_iter().find(|vertex| outside(*vertex)) {
+        let message = format!("vertex {vertex} of `{name}` does not exist; the base mesh has 0 to {last}");
+        return Some(told(message).case(INDEX).help(names));
+    }
+    if let Some(vertex) = [a, b].into_iter().find(|vertex| *vertex < 0) {
+        return Some(told(format!("vertex {vertex} of `{name}` is negative")).case(FROM_END).help(names));
+    }
+    let mesh = body.whole_mesh()?;
+    let at = |vertex: i64| mesh.positions.get(usize::try_from(vertex).ok()?)?.get(axis).copied();
+    let distance = (at(a)? - at(b)?).abs();
+    if a != b && distance >= NOTHING * scale.distance {
+        return None;
+    }
+    let message = if a == b {
+        format!("`{name}` names vertex {a} twice")
+    } else {
+        format!("vertices {a} and {b} of `{name}` do not differ along that axis")
+    };
+    Some(told(message).case(FLAT).help(names))
+}
+
+/// Some axes have a line and others have none.
+fn missing(text: &Text<'_, '_>) -> Option<Finding> {
+    let is_there = |axis: &&&str| text.clothes.last(axis).is_some();
+    let written = AXES.iter().find(is_there)?;
+    let lacking = AXES.iter().find(|axis| !is_there(axis))?;
+    // A misspelt one has a finding of its own.
+    if text.misspelt(lacking).is_some() || text.has_hidden(lacking) {
+        return None;
+    }
+    let entry = text.clothes.last(written)?;
+    let message = format!("`{lacking}` is missing beside `{written}`");
+    let finding = RULE.at(text.file, Place::Line(entry.line), message).key(*lacking);
+    Some(finding.help("write a line for each of the three axes, or for none"))
+}

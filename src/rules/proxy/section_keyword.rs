@@ -1,0 +1,102 @@
+//! The two sections of an asset must be opened by their keywords.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{INDEX, Text, VALUE, texts};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::formats::mhclo::{Entry, FaultKind, Section};
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "reads the numbers as something else and crashes when the asset is put on")],
+    docs: "`verts` opens the vertex rows of an asset, `delete_verts` the list of body vertices that it hides. One of \
+        the two is misspelt, missing or in the wrong place. Capitals count: `Verts` is not `verts`.\n\n\
+        Without `verts` MakeHuman 2 has no rows and crashes with `IndexError`. Without `delete_verts` it reads \
+        the list as vertex rows and crashes at the first dash, or because there are more rows than vertices. Below \
+        `delete_verts` every line must consist of numbers until `verts`: a keyword there, such as `name`, crashes \
+        with `ValueError`.\n\n\
+        Write the keyword in a line of its own above its numbers, and put `delete_verts` at the end of the file.",
+    ..RuleInfo::new("proxy-section-keyword", Level::Error, "a section keyword is misspelt, missing or misplaced")
+});
+
+/// The rows go on, and the numbers of the list are rows as well.
+const MORE_ROWS: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "reads the list as vertex rows and crashes when the asset is put on; a model that wears it is only half loaded",
+)];
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for text in texts(body) {
+        out.extend(rows(&text));
+        out.extend(list(&text).or_else(|| dash_among_rows(&text)));
+        out.extend(keyword_in_list(&text));
+    }
+}
+
+/// The first line from which on rows are meant as something else; beyond the end if there is none.
+pub(super) fn misplaced_from(text: &Text<'_, '_>) -> u32 {
+    let misspelt = misspelt_list(text).map(|entry| entry.line);
+    let dash = text
+        .clothes
+        .faults
+        .of(|kind| kind == FaultKind::RowWord)
+        .and_then(|(faults, _)| faults.iter().find(|fault| &*fault.word == "-").map(|fault| fault.line));
+    misspelt.into_iter().chain(dash).min().unwrap_or(u32::MAX)
+}
+
+/// Whether the rows are lost as a whole.
+pub(super) fn has_no_rows(text: &Text<'_, '_>) -> bool {
+    !text.has_rows_section()
+}
+
+fn rows(text: &Text<'_, '_>) -> Option<Finding> {
+    if text.has_rows_section() || text.has_hidden("verts") {
+        return None;
+    }
+    let numbers = text.clothes.faults.of(|kind| kind == FaultKind::NumbersInHeader);
+    if let Some(entry) = text.misspelt("verts") {
+        let message = format!("`{}` is not the keyword `verts`: the asset has no vertex rows", entry.keyword);
+        return Some(told(text, entry, message, INDEX).help("write `verts`"));
+    }
+    let message = "the keyword `verts` is missing: the asset has no vertex rows";
+    let place = numbers.and_then(|(faults, _)| faults.first()).map_or(Place::File, |fault| Place::Line(fault.line));
+    let help = if numbers.is_some() { "add a line `verts` above the vertex rows" } else { "export the asset again" };
+    Some(RULE.at(text.file, place, message).key("verts").case(INDEX).help(help))
+}
+
+fn misspelt_list<'v>(text: &Text<'_, 'v>) -> Option<&'v Entry> {
+    text.misspelt("delete_verts").filter(|entry| entry.section == Section::Vertices)
+}
+
+fn list(text: &Text<'_, '_>) -> Option<Finding> {
+    let entry = misspelt_list(text)?;
+    let message = format!("`{}` is not the keyword `delete_verts`: its numbers are read as vertex rows", entry.keyword);
+    Some(told(text, entry, message, MORE_ROWS).help("write `delete_verts`"))
+}
+
+/// A range is no row.
+fn dash_among_rows(text: &Text<'_, '_>) -> Option<Finding> {
+    let (faults, _) = text.clothes.faults.of(|kind| kind == FaultKind::RowWord)?;
+    let first = faults.iter().find(|fault| &*fault.word == "-")?;
+    let message = "a range of vertices stands among the vertex rows: `delete_verts` is missing above it";
+    let finding = RULE.at(text.file, Place::Line(first.line), message).key("delete_verts").case(VALUE);
+    Some(finding.help("add a line `delete_verts` above the vertices to hide"))
+}
+
+/// A line of the head that stands in the list.
+fn keyword_in_list(text: &Text<'_, '_>) -> Option<Finding> {
+    let entry = keyword_below_list(text)?;
+    let message = format!("`{}` stands below `delete_verts`, where only numbers can", entry.keyword);
+    Some(told(text, entry, message, VALUE).help("move `delete_verts` with its numbers to the end of the file"))
+}
+
+/// The first line in the list that begins with a letter.
+pub(super) fn keyword_below_list<'v>(text: &Text<'_, 'v>) -> Option<&'v Entry> {
+    let in_list = |entry: &&Entry| entry.section == Section::Deleted && &*entry.keyword != "delete_verts";
+    let mut entries = text.clothes.entries.iter().filter(|entry| !entry.is_comment);
+    entries.find(|entry| in_list(entry) && entry.keyword.starts_with(char::is_alphabetic))
+}
+
+fn told(text: &Text<'_, '_>, entry: &Entry, message: String, case: Case) -> Finding {
+    RULE.at(text.file, Place::Span(entry.keyword_span.clone()), message).key(&*entry.keyword).case(case)
+}

@@ -1,0 +1,82 @@
+//! Numbers must be where numbers belong.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{INDEX, Text, VALUE, lines, more, section_keyword, texts};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::formats::mhclo::{Fault, FaultKind};
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "crashes when the asset is put on")],
+    docs: "A line of an asset lacks numbers, or has something else in their place.\n\n\
+        A vertex row below `verts` is one number (a vertex of the base mesh), or three of these with three weights, \
+        or both with three offsets: 1, 6 or 9 words. Further words are ignored. Numbers have a decimal point, no \
+        comma, unit or comment. `z_depth` and `version` are whole numbers.\n\n\
+        MakeHuman 2 crashes at the first such line when the asset is put on. A model that wears the asset stops \
+        loading there: what it names after it is missing, and none of its sliders is set. If it is the start model, \
+        MakeHuman 2 crashes at start.\n\n\
+        A comment line with `author` in it needs a second word: `# author Ann`.\n\n\
+        Correct the line, or export the asset again.",
+    ..RuleInfo::new("proxy-syntax", Level::Error, "a line of an asset cannot be read")
+});
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for text in texts(body) {
+        out.extend(row_words(&text));
+        out.extend(short_rows(&text));
+        out.extend(whole_numbers(&text));
+        out.extend(lone_author(&text));
+    }
+}
+
+/// The rows with a fault, without those that belong to a section whose keyword is wrong.
+fn of_rows<'t>(text: &'t Text<'_, '_>, wanted: fn(FaultKind) -> bool) -> Option<(Vec<&'t Fault>, u64)> {
+    let (faults, count) = text.clothes.faults.of(wanted)?;
+    let end = section_keyword::misplaced_from(text);
+    let own: Vec<&Fault> = faults.iter().filter(|fault| fault.line < end).collect();
+    if own.is_empty() { None } else { Some((own, if end == u32::MAX { count } else { 1 })) }
+}
+
+fn row_words(text: &Text<'_, '_>) -> Option<Finding> {
+    let (faults, count) = of_rows(text, |kind| kind == FaultKind::RowWord)?;
+    let first = faults.first()?;
+    let message = format!("`{}` in a vertex row is not a number{}", first.word, more(count));
+    let help = match &*first.word {
+        word if word.contains(',') => "write decimal points instead of commas",
+        word if word.starts_with('#') => "move the comment to a line of its own",
+        _ => "write a number",
+    };
+    Some(told(text, first, message, VALUE, help).evidence(lines(&cloned(&faults), count)))
+}
+
+fn short_rows(text: &Text<'_, '_>) -> Option<Finding> {
+    let (faults, count) = of_rows(text, |kind| matches!(kind, FaultKind::FieldCount(_)))?;
+    let first = faults.first()?;
+    let FaultKind::FieldCount(words) = first.kind else { return None };
+    let message = format!("a vertex row has {words} words, expected 1, 6 or 9{}", more(count));
+    let help = "restore the missing numbers, or export the asset again";
+    Some(told(text, first, message, INDEX, help).key("words").evidence(lines(&cloned(&faults), count)))
+}
+
+fn whole_numbers(text: &Text<'_, '_>) -> Option<Finding> {
+    let (faults, _) = text.clothes.faults.of(|kind| kind == FaultKind::NotWhole)?;
+    let first = faults.first()?;
+    let entry = text.clothes.entries.iter().find(|entry| entry.line == first.line)?;
+    let message = format!("`{}` of `{}` is not a whole number", first.word, entry.keyword);
+    Some(told(text, first, message, VALUE, "write a whole number").key(&*entry.keyword))
+}
+
+fn lone_author(text: &Text<'_, '_>) -> Option<Finding> {
+    let comment = text.clothes.scanned.lone_author.as_ref()?;
+    let message = format!("the comment `{}` has `author` in it but no second word", comment.text);
+    let finding = RULE.at(text.file, Place::Span(comment.span.clone()), message).key("author").case(INDEX);
+    Some(finding.help("write `# author` with a name behind it, or remove the comment"))
+}
+
+fn told(text: &Text<'_, '_>, fault: &Fault, message: String, case: Case, help: &str) -> Finding {
+    RULE.at(text.file, Place::Span(fault.span.clone()), message).case(case).help(help)
+}
+
+fn cloned(faults: &[&Fault]) -> Vec<Fault> {
+    faults.iter().map(|fault| (*fault).clone()).collect()
+}

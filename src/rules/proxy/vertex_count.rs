@@ -1,0 +1,62 @@
+//! An asset has a row for each vertex of its mesh.
+
+use super::super::{Check, Rule, RuleCx, counted};
+use super::{Text, section_keyword, texts};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::mhclo::FaultKind;
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(
+        Makehuman2,
+        "crashes with `IndexError` when the asset is put on; a model that wears it is only half loaded",
+    )],
+    docs: "The number of vertex rows of an asset differs from the number of vertices of its mesh. The rows are in the \
+        order of the vertices.\n\n\
+        With more rows than vertices, or none, MakeHuman 2 crashes with `IndexError` when the asset is put on. With \
+        fewer rows, the last vertices stay where the OBJ has them, follow no slider, and hang on the root bone \
+        (warning).\n\n\
+        Usually the mesh was exported again without the asset, or by a program that joins, splits or sorts vertices. \
+        Make the asset anew from this mesh, or restore the mesh.",
+    ..RuleInfo::new("proxy-vertex-count", Level::Error, "rows and vertices of an asset differ in number")
+});
+
+const FEWER: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "leaves the last vertices where the OBJ has them: they follow no slider and hang on the root bone",
+)];
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for text in texts(body).filter(|text| !text.stops()) {
+        out.extend(finding(&text));
+    }
+}
+
+fn finding(text: &Text<'_, '_>) -> Option<Finding> {
+    let rows = text.clothes.rows.count;
+    let dropped = text.clothes.faults.of(|kind| kind == FaultKind::DroppedRow).map_or(0, |(_, count)| count);
+    let help = "make the asset anew from this mesh, or restore the mesh that it was made from";
+    let verts = text.clothes.entries.iter().find(|entry| &*entry.keyword == "verts");
+    let place = verts.map_or(Place::File, |entry| Place::Line(entry.line));
+    if rows == 0 {
+        // Without the keyword, or with each row dropped, the cause is told.
+        let is_told = dropped > 0 || section_keyword::has_no_rows(text);
+        let message = "there are no vertex rows below `verts`";
+        return (!is_told).then(|| RULE.at(text.file, place, message).key("none").help(help));
+    }
+    let (file, mesh) = text.worn.mesh().filter(|(_, mesh)| mesh.is_sound())?;
+    let vertices = mesh.facts.vertices;
+    if rows == vertices || rows as u64 + dropped == vertices as u64 {
+        return None;
+    }
+    let message = format!("{} for {} of `{}`", counted(rows, "vertex row"), vertices_of(vertices), file.file_name());
+    let evidence = Evidence::counted(rows.abs_diff(vertices));
+    let finding = RULE.at(text.file, place, message).related(file.path.clone(), Place::File, "the mesh");
+    let finding = finding.evidence(evidence).help(help);
+    Some(if rows < vertices { finding.case(FEWER) } else { finding })
+}
+
+fn vertices_of(count: usize) -> String {
+    if count == 1 { "1 vertex".to_owned() } else { format!("{count} vertices") }
+}

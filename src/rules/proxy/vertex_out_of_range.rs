@@ -1,0 +1,75 @@
+//! Rows and lists of an asset name vertices that the base mesh has.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{OVERFLOW, Text, texts};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, Tally};
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(
+        Makehuman2,
+        "crashes with `IndexError` when the asset is put on, and again at every move of a slider and in the glTF export",
+    )],
+    docs: "An asset names a vertex that the base mesh does not have. Vertices are counted from 0.\n\n\
+        A row with such a vertex is the worst: MakeHuman 2 crashes only after the asset was added to what is worn. From \
+        then on every move of a slider crashes again, and so does the glTF export, until a new character is loaded. \
+        Negative numbers and those beyond 32 bits crash with `OverflowError` before that.\n\n\
+        A row with the number of a UV-seam duplicate loads, but the vertex flies to another place (warning).\n\n\
+        Below `delete_verts` a number beyond the last vertex crashes with `IndexError`, UV-seam duplicates included. \
+        Negative numbers count from the end (warning).\n\n\
+        Usually the asset was made for another base mesh: `basemesh` is not compared. Use the asset with its own base, \
+        or make it anew.",
+    ..RuleInfo::new("proxy-vertex-out-of-range", Level::Error, "an asset uses a vertex that the base mesh does not have")
+});
+
+const SEAM: Case = &[(Makehuman2, Level::Warning, "puts the vertex at the place of a UV-seam duplicate")];
+const LIST: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes with `IndexError` when the asset is put on; a model that wears it is only half loaded",
+)];
+const FROM_END: Case = &[(Makehuman2, Level::Warning, "counts from the end and hides another vertex")];
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for text in texts(body).filter(|text| !text.stops()) {
+        let (rows, deletes) = (&text.clothes.rows, &text.clothes.deletes);
+        let unstorable =
+            finding(&text, &rows.unstorable, "a vertex row", None).map(|one| one.key("unstorable").case(OVERFLOW));
+        out.extend(unstorable);
+        let Some(size) = text.size_of_base(body) else { continue };
+        let last = Some(size.vertices.saturating_sub(1));
+        out.extend(finding(&text, &rows.out_of_range, "a vertex row", last));
+        let seams = seam(&text, &rows.in_seams, size.vertices);
+        out.extend(seams.filter(|_| rows.out_of_range.count == 0));
+        let list = finding(&text, &deletes.out_of_range, "`delete_verts`", last);
+        out.extend(list.map(|one| one.key("deleted").case(LIST)));
+        let negative = finding(&text, &deletes.negative, "`delete_verts`", last);
+        out.extend(negative.map(|one| one.key("negative").case(FROM_END)));
+    }
+}
+
+fn finding(text: &Text<'_, '_>, tally: &Tally, place: &str, last: Option<usize>) -> Option<Finding> {
+    let (line, vertex) = tally.first.first()?;
+    let range = last.map(|last| format!("; the base mesh has 0 to {last}")).unwrap_or_default();
+    let message = match tally.count {
+        1 => format!("{place} names vertex {vertex}, which does not exist{range}"),
+        count => format!("{place} names vertex {vertex}, which does not exist ({count} such numbers){range}"),
+    };
+    let finding = RULE.at(text.file, Place::Line(*line), message).evidence(tally.evidence(text.clothes.rows.count));
+    Some(
+        finding.help("use vertices of this base mesh, counted from 0, or the asset with the base that it was made for"),
+    )
+}
+
+fn seam(text: &Text<'_, '_>, tally: &Tally, vertices: usize) -> Option<Finding> {
+    let (line, vertex) = tally.first.first()?;
+    let message = match tally.count {
+        1 => format!("a vertex row names {vertex}, a UV-seam duplicate: the base mesh has {vertices} vertices"),
+        count => format!(
+            "{count} vertex rows name UV-seam duplicates, first {vertex}; the base mesh has {vertices} vertices"
+        ),
+    };
+    let finding = RULE.at(text.file, Place::Line(*line), message).key("seam").case(SEAM);
+    let finding = finding.evidence(tally.evidence(text.clothes.rows.count));
+    Some(finding.help("name the vertex itself, counted from 0"))
+}

@@ -1,0 +1,34 @@
+//! The weights of a vertex row sum to 1.
+
+use super::super::{Check, Rule, RuleCx};
+use super::texts;
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "pulls the vertex towards the origin of the world, away from the body")],
+    docs: "The three weights of a vertex row do not sum to 1.\n\n\
+        MakeHuman 2 uses them as they are. A sum of 0.9 moves the vertex by a tenth of its distance from the origin, \
+        which lies between the feet: hardly noticeable at a shoe, but 15 cm (1.5) at the head. A sum of 0 puts it at \
+        the origin. Single weights may be negative or above 1.\n\n\
+        Sums that are off by less than 0.002 are reported as info.\n\n\
+        Make the asset anew, or correct the weights.",
+    ..RuleInfo::new("proxy-weights-sum", Level::Warning, "the weights of a vertex row do not sum to 1")
+});
+
+const SMALL: Case = &[(Makehuman2, Level::Info, "moves the vertices by a few millimetres at most")];
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for text in texts(body).filter(|text| !text.stops()) {
+        let rows = &text.clothes.rows;
+        let (Some((line, _)), Some((vertex, sum))) = (rows.off_sums.first.first(), rows.worst_sum) else { continue };
+        let message = match rows.off_sums.count {
+            1 => format!("the weights of vertex {vertex} sum to {sum:.3} instead of 1"),
+            count => format!("the weights of {count} vertices do not sum to 1, at worst {sum:.3} (vertex {vertex})"),
+        };
+        let evidence = rows.off_sums.evidence(rows.count).with_worst(sum, format!("vertex {vertex}"));
+        let finding = RULE.at(text.file, Place::Line(*line), message).evidence(evidence);
+        let finding = finding.help("make the asset anew, or correct the weights so that each row sums to 1");
+        out.push(if rows.visible_sums == 0 { finding.case(SMALL) } else { finding });
+    }
+}
