@@ -85,13 +85,14 @@ impl PictureFormat {
     }
 }
 
+/// What drawings begin with that are texts: SVG, XPM and XBM.
+const DRAWINGS: [&[u8]; 6] = [b"<svg", b"<?xml", b"<!--", b"<!DOCTYPE svg", b"/* XPM", b"#define"];
+
 /// Looks at the ends of a picture of `size` bytes; `tail` is empty where `head` is all of it.
 pub fn read(head: &[u8], tail: &[u8], size: u64) -> Picture {
     let is_whole = head.len() as u64 >= size;
     let Ok(kind) = image_type(head) else {
-        // A drawing in XML or in the words of C has no mark of its own.
-        let is_text = std::str::from_utf8(head.get(..32.min(head.len())).unwrap_or_default())
-            .is_ok_and(|text| text.trim_start().starts_with(['<', '#']) || text.starts_with("/*"));
+        let is_text = DRAWINGS.iter().any(|mark| head.trim_ascii_start().starts_with(mark));
         let fault = (!is_text).then_some(PictureFault::NotAPicture);
         return Picture { fault, ..Picture::default() };
     };
@@ -149,11 +150,11 @@ fn png_fault(head: &[u8], tail: &[u8], size: u64, (width, height): (u64, u64)) -
         return Some(PictureFault::TooManyPixels);
     }
     let end = if tail.is_empty() { head } else { tail };
-    let has_end = end.get(end.len().saturating_sub(TAIL)..).is_some_and(|end| holds(end, b"IEND"));
+    let has_end = end.get(end.len().saturating_sub(TAIL)..).is_some_and(|end| holds(end, *b"IEND"));
     (!has_end).then_some(PictureFault::CutOff)
 }
 
-fn holds(bytes: &[u8], word: &[u8; 4]) -> bool {
+fn holds(bytes: &[u8], word: [u8; 4]) -> bool {
     bytes.windows(word.len()).any(|window| window == word)
 }
 
@@ -281,6 +282,7 @@ mod tests {
         let good = png((4, 4), 8, 2, 40);
         assert_eq!(fault(b"just a text, nothing else"), Some(PictureFault::NotAPicture));
         assert_eq!(fault(b"short"), Some(PictureFault::NotAPicture));
+        assert_eq!(fault(b"<!DOCTYPE html><html></html>"), Some(PictureFault::NotAPicture));
         assert_eq!(fault(b"<svg xmlns='http://www.w3.org/2000/svg'/>"), None);
         assert_eq!(fault(&good[..20]), Some(PictureFault::Header));
         assert_eq!(fault(&good[..60]), Some(PictureFault::CutOff));

@@ -74,6 +74,8 @@ fn unknown<'t>(
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::indexing_slicing, reason = "tests know what there is")]
+
     use proptest::prelude::*;
 
     use super::*;
@@ -121,7 +123,7 @@ mod tests {
             unknown.iter().map(|one| (&*one.word.text, one.lines)).collect::<Vec<_>>(),
             [("diffuseColour", 2), ("DiffuseTexture", 1)]
         );
-        let many: String = (0..200).map(|number| format!("a{number} x\n")).collect();
+        let many = (0..200).map(|number| format!("a{number} x\n")).collect::<Vec<_>>().concat();
         let material = read(many.as_bytes());
         assert_eq!((material.unknown.len(), material.left_out), (MOST_UNKNOWN, 200 - MOST_UNKNOWN));
         let long = read("opacity 1\n".repeat(MOST_LINES + 3).as_bytes());
@@ -147,8 +149,8 @@ mod tests {
 
         #[test]
         fn every_line_that_is_written_is_found(values in proptest::collection::vec(("[a-z]{1,9}", -2.0_f64..9.0), 1..20)) {
-            let text: String = values.iter().map(|(word, number)| format!("shaderParam {word} {number}\n")).collect();
-            let lines = read(text.as_bytes()).lines;
+            let text = values.iter().map(|(word, number)| format!("shaderParam {word} {number}\n"));
+            let lines = read(text.collect::<Vec<_>>().concat().as_bytes()).lines;
             prop_assert_eq!(lines.len(), values.len());
             for (line, (word, number)) in lines.iter().zip(&values) {
                 prop_assert_eq!((line.word(0), line.number_at(1)), (word.as_str(), Some(*number)));

@@ -65,10 +65,10 @@ impl<'a> Assets<'a> {
         let folders: BTreeSet<&str> = worn.iter().filter(is_here).map(|worn| parent(&worn.file.rel)).collect();
         let bare = folders.iter().filter(|asset| !layer.below(asset).any(is_material));
         // A topology wears the skin.
-        let names = |worn: &&Worn<'a>| is_here(worn) && !worn.is_topology();
-        let references = worn.iter().filter(names).flat_map(|worn| worn.references.iter().flatten());
+        let has_own = |worn: &&Worn<'a>| is_here(worn) && !worn.is_topology();
+        let references = worn.iter().filter(has_own).flat_map(|worn| worn.references.iter().flatten());
         let materials = references.filter(|one| one.kind == ReferenceKind::AssetMaterial);
-        let named = materials.filter_map(|one| one.found()).map(|file| file.rel.as_str()).collect();
+        let named = materials.filter_map(Reference::found).map(|file| file.rel.as_str()).collect();
         Self { layer, with_bare: bare.map(|asset| parent(asset)).collect(), folders, named }
     }
 }

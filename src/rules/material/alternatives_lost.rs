@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::{Check, Rule, RuleCx, counted};
+use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::discover::{Kind, extension, material_of};
 use crate::repo::{FileFacts, Layer, Reference, ReferenceKind, View, Wearer, Worn, parent};
@@ -58,7 +58,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// have findings of their own.
 fn capitals(view: &View<'_>, out: &mut Vec<Finding>) {
     let named = view.assets().iter().flat_map(|worn| worn.references.iter().flatten());
-    let named: BTreeSet<&str> = named.filter_map(|one| one.meant()).map(|file| file.rel.as_str()).collect();
+    let named: BTreeSet<&str> = named.filter_map(Reference::meant).map(|file| file.rel.as_str()).collect();
     let is_written = |rel: &str| extension(rel) != "mhmat" && extension(rel).eq_ignore_ascii_case("mhmat");
     for file in view.layers().checked.files.values().filter(|file| is_written(&file.rel)) {
         let is_offered = material_of(&file.rel).is_some_and(|of| of.folder != "skins");
@@ -113,7 +113,10 @@ fn elsewhere(layer: &Layer, worn: &Worn<'_>, mesh: &Reference<'_>) -> Option<Fin
     let is_lost = |file: &&FileFacts| Some(file.rel.as_str()) != standard && !is_below(&file.rel, searched);
     let lost: Vec<&str> = materials(layer, own).filter(is_lost).map(|file| file.rel.as_str()).collect();
     lost.first()?;
-    let message = format!("{} next to the asset, but its mesh is in `{searched}`", counted(lost.len(), "material"));
+    let message = match lost.len() {
+        1 => format!("a material is not offered: the mesh is in `{searched}`"),
+        count => format!("{count} materials are not offered: the mesh is in `{searched}`"),
+    };
     let finding = RULE.at(worn.file, mesh.place.clone(), message).key("folder");
     let finding = finding.evidence(Evidence::of_cases(lost));
     Some(finding.help("keep asset, mesh and materials together in a folder of their own"))

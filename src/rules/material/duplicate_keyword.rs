@@ -50,16 +50,17 @@ fn meaning(line: &Line) -> Vec<&str> {
 fn finding(view: &View<'_>, surface: &Surface<'_>, keyword: &str, parameter: &str, lines: &[&Line]) -> Option<Finding> {
     // Of pictures those that are missing have findings of their own, and count for nothing.
     let is_picture = lines.iter().any(|line| line.keyword.value == Value::Picture);
-    let found = || view.references().of_file(surface.file).filter(|one| one.found().is_some());
-    let found: BTreeSet<usize> = found().filter_map(|one| start(&one.place)).collect();
+    let references = is_picture.then(|| view.references().of_file(surface.file));
+    let found = references.into_iter().flatten().filter(|one| one.found().is_some());
+    let found: BTreeSet<usize> = found.filter_map(|one| start(&one.place)).collect();
     let counts = |line: &&&Line| !is_picture || line.words.first().is_some_and(|word| found.contains(&word.span.start));
     let lines: Vec<&Line> = lines.iter().filter(counts).copied().collect();
     let (last, others) = lines.split_last()?;
-    let lost = others.iter().rev().find(|line| meaning(line) != meaning(last))?;
+    let unused = others.iter().rev().find(|line| meaning(line) != meaning(last))?;
     let what = if parameter.is_empty() { keyword.to_owned() } else { format!("{keyword} {parameter}") };
     let message = format!("`{what}` has {} lines with different values", lines.len());
     let finding = RULE.at(surface.file, Surface::place(last), message).key(what);
-    let finding = finding.related(surface.file.path.clone(), Surface::place(lost), "has no effect");
+    let finding = finding.related(surface.file.path.clone(), Surface::place(unused), "has no effect");
     Some(finding.help("remove the lines that are not meant"))
 }
 

@@ -6,6 +6,7 @@ use super::loader;
 use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::formats::mhmat::{Line, Material, Unknown};
 use crate::repo::{Surface, View};
+use crate::source::Guess;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "silently ignores the line")],
@@ -30,7 +31,10 @@ const SAME: [(&str, &str); 10] = [
 ];
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
+    let own = view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file));
+    // What is no text has a finding of its own.
+    let is_text = |surface: &&Surface<'_>| matches!(surface.file.encoding.guess, None | Some(Guess::SingleByte));
+    for surface in own.filter(is_text) {
         let material = surface.material;
         if material.lines.is_empty() && !is_marked(material) {
             out.extend(nothing_known(surface));
