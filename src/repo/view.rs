@@ -5,7 +5,7 @@ use super::{
     makehuman2, mpfb,
 };
 use crate::diag::Application;
-use crate::discover::{Kind, Layout};
+use crate::discover::{Kind, Layout, material_of};
 
 /// Layers that were connected as an application does it.
 #[derive(Debug)]
@@ -125,6 +125,11 @@ impl<'a> View<'a> {
     /// The materials that it opens, of all layers.
     pub(crate) fn surfaces(&self) -> &[Surface<'a>] {
         self.makehuman2().map(|view| view.surfaces.as_slice()).unwrap_or_default()
+    }
+
+    /// Whether a material at this path is offered for assets.
+    pub(crate) fn offers_material_at(&self, rel: &str) -> bool {
+        self.makehuman2().is_some() && material_of(rel).is_some_and(|material| material.folder != "skins")
     }
 
     /// The assets of all layers, sorted by base.

@@ -17,6 +17,9 @@ use crate::diag::grouped;
 /// Contents of files by path, where they are not those that lie there; `None`: there is no such file.
 pub(crate) type Contents<P> = BTreeMap<P, Option<Vec<u8>>>;
 
+/// The beginning and the end of a file.
+pub(crate) type Ends = (Vec<u8>, Vec<u8>);
+
 /// A listed tree. Paths are relative to its top, with forward slashes.
 #[derive(Debug)]
 pub struct Tree {
@@ -214,20 +217,12 @@ impl Tree {
         Ok(bytes)
     }
 
-    /// The first `head` bytes of a listed file and its last `tail` bytes, or all of it where that is not more.
-    ///
-    /// # Errors
-    /// As [`Tree::read`].
-    pub(crate) fn read_ends(
-        &self,
-        entry: &Entry,
-        (head, tail): (usize, usize),
-        limits: &Limits,
-    ) -> Result<(Vec<u8>, Vec<u8>), ReadFault> {
+    /// As many first and last bytes of a listed file, or all of it where that is not more.
+    pub(crate) fn read_ends(&self, entry: &Entry, ends: (usize, usize), limits: &Limits) -> Result<Ends, ReadFault> {
+        let (head, tail) = ends;
         let is_long = entry.size > (head + tail) as u64;
-        if let (true, Backend::Disk(root), false) = (is_long, &self.backend, self.changed.contains_key(&entry.path))
-            && entry.kind == EntryKind::File
-        {
+        let is_there = entry.kind == EntryKind::File && !self.changed.contains_key(&entry.path);
+        if let (Backend::Disk(root), true) = (&self.backend, is_long && is_there) {
             let ends = ends_of(&root.join(&entry.native), head, tail);
             return ends.map_err(|error| ReadFault::Unreadable(error.to_string()));
         }
@@ -355,7 +350,7 @@ pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadFau
     read_bounded(path, metadata.len(), limits)
 }
 
-fn ends_of(path: &Path, head: usize, tail: usize) -> io::Result<(Vec<u8>, Vec<u8>)> {
+fn ends_of(path: &Path, head: usize, tail: usize) -> io::Result<Ends> {
     let mut file = fs::File::open(path)?;
     let (mut first, mut last) = (Vec::with_capacity(head), Vec::with_capacity(tail));
     file.by_ref().take(head as u64).read_to_end(&mut first)?;

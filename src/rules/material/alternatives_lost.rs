@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
-use crate::discover::{Kind, extension, material_of};
+use crate::discover::{Kind, extension};
 use crate::repo::{FileFacts, Layer, Reference, ReferenceKind, View, Wearer, Worn, parent};
 use crate::source::is_below;
 
@@ -61,8 +61,7 @@ fn capitals(view: &View<'_>, out: &mut Vec<Finding>) {
     let named: BTreeSet<&str> = named.filter_map(Reference::meant).map(|file| file.rel.as_str()).collect();
     let is_written = |rel: &str| extension(rel) != "mhmat" && extension(rel).eq_ignore_ascii_case("mhmat");
     for file in view.layers().checked.files.values().filter(|file| is_written(&file.rel)) {
-        let is_offered = material_of(&file.rel).is_some_and(|of| of.folder != "skins");
-        if view.application() == Makehuman2 && is_offered && !named.contains(file.rel.as_str()) {
+        if view.offers_material_at(&file.rel) && !named.contains(file.rel.as_str()) {
             let message = format!("`{}` has its extension in capitals", file.file_name());
             let finding = RULE.at(file, Place::File, message).key("capitals");
             out.push(finding.help(format!("rename it to `{}.mhmat`", file.stem())));

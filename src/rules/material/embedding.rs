@@ -1,7 +1,7 @@
 //! Textures must be of a format that the glTF export can embed.
 
 use super::super::{Check, Rule, RuleCx};
-use super::unreadable_texture::is_readable;
+use super::picture::is_readable;
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, RuleInfo};
 use crate::discover::extension;
 use crate::repo::{FileFacts, View};

@@ -80,7 +80,7 @@ pub(super) fn number(surface: &Surface<'_>, keyword: &str) -> Option<f64> {
     surface.material.last(keyword)?.number_at(0)
 }
 
-/// How a diffuse texture is coloured anew, if it is.
+/// Whether the diffuse texture gets other colours.
 pub(super) fn is_coloured(surface: &Surface<'_>) -> bool {
     let line = surface.material.last("colorationMethod");
     line.is_some_and(|line| matches!(python_int(line.word(0).as_bytes()), Some(1 | 2)))

@@ -1,9 +1,8 @@
 //! A litsphere needs its picture.
 
 use super::super::{Check, Rule, RuleCx};
-use super::advice::file_name;
+use super::advice::{file_name, is_quoted};
 use super::loader;
-use super::path_quote::is_quoted;
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, RuleInfo, grouped};
 use crate::repo::{Picture, Surface, View};
 

@@ -3,8 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
-use super::advice::{Advice, file_name};
-use super::path_quote::is_quoted;
+use super::advice::{Advice, file_name, is_quoted};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, RuleInfo, grouped};
 use crate::repo::{Layer, Reference, ReferenceKind, Resolution, View, parent};
 

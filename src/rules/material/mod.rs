@@ -14,6 +14,7 @@ pub(in crate::rules) mod missing_litsphere;
 pub(in crate::rules) mod missing_shader;
 pub(in crate::rules) mod missing_texture;
 pub(in crate::rules) mod path_quote;
+mod picture;
 pub(in crate::rules) mod range;
 pub(in crate::rules) mod texture_format;
 pub(in crate::rules) mod unknown_keyword;

@@ -1,25 +1,19 @@
 //! Quotes belong to the name of a picture.
 
 use super::super::{Check, Rule, RuleCx};
+use super::advice::{QUOTES, is_quoted};
 use super::fault::{Fault, report};
 use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::{Reference, ReferenceKind, Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "takes the quotes for a part of the name, and silently drops the keyword")],
-    docs: "A material names a picture in quotes. They are no marks around the name but a part of it: no file is called so. \
+    docs: "A material names a picture in quotes. The quotes are a part of the name, and no file has such a name. \
         A name ends at the first space, in quotes as well.\n\n\
         MakeHuman 2 does not find the picture and shows the colour of the material instead.\n\n\
         Remove the quotes. If the name has a space, rename the picture.",
     ..RuleInfo::new("material-path-quote", Level::Warning, "a name of a picture in quotes")
 });
-
-const QUOTES: [char; 8] = ['"', '\'', '`', '\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}'];
-
-/// Whether a name begins or ends with a quote.
-pub(super) fn is_quoted(text: &str) -> bool {
-    text.starts_with(QUOTES) || text.ends_with(QUOTES)
-}
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {

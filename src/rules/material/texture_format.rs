@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use super::unreadable_texture::is_readable;
+use super::picture::is_readable;
 use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::discover::extension;
 use crate::formats::picture::PictureFormat;

@@ -37,7 +37,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for surface in own.filter(is_text) {
         let material = surface.material;
         if material.lines.is_empty() && !is_marked(material) {
-            out.extend(nothing_known(surface));
+            out.extend(nothing_known(view, surface));
             continue;
         }
         let foreign = material.lines.iter().filter_map(|line| of_others(surface, line));
@@ -56,12 +56,12 @@ fn is_marked(material: &Material) -> bool {
 }
 
 /// A file that is something else.
-fn nothing_known(surface: &Surface<'_>) -> Option<Finding> {
+fn nothing_known(view: &View<'_>, surface: &Surface<'_>) -> Option<Finding> {
     let first = surface.material.unknown.first()?;
     let place = Place::Span(first.word.span.clone());
     let finding = RULE.at(surface.file, place, "no line begins with a keyword of a material").key("all");
     let effect = "ignores all lines: the surface is white, without a name";
-    Some(finding.effect_in(Makehuman2, effect).help("restore the material, or export it again"))
+    Some(finding.effect_in(view.application(), effect).help("restore the material, or export it again"))
 }
 
 const fn start(place: &Place) -> usize {
