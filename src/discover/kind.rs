@@ -78,7 +78,7 @@ const BY_EXTENSION: [(Kind, &[&str]); 12] = [
     (Kind::MotionMeta, &["meta"]),
     (Kind::AssetMesh, &["obj"]),
     (Kind::Packed, &["npz", "mhbin", "mhpxy", "zip"]),
-    (Kind::Image, &["png", "jpg", "jpeg", "tif", "tiff", "thumb"]),
+    (Kind::Image, &["png", "jpg", "jpeg", "tif", "tiff", "bmp", "gif", "tga", "webp", "thumb"]),
 ];
 
 impl Kind {

@@ -18,6 +18,7 @@ use super::mhw::Weights;
 use super::modelling::Modelling;
 use super::npz::Archive;
 use super::obj::Mesh;
+use super::picture::Picture;
 use super::pose_units::PoseUnits;
 use super::program::{Shaders, Version};
 use super::selection_filter::SelectionFilter;
@@ -79,6 +80,8 @@ pub enum Content {
     Model(Box<Model>),
     /// `.meta`.
     Meta(Box<Meta>),
+    /// A picture, as far as its ends show it.
+    Picture(Box<Picture>),
     /// `.bvh`.
     Motion(Box<Motion>),
     /// `compressedtargets.npz`.

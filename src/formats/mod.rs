@@ -41,6 +41,7 @@ pub mod obj;
 mod obj_facts;
 pub(crate) mod obj_text;
 mod packed_rows;
+pub mod picture;
 pub mod pose_units;
 pub mod program;
 mod readers;

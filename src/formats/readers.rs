@@ -7,15 +7,19 @@ use super::inline_ignore::{self, InlineIgnore};
 use super::json_file::{self, JsonFacts, JsonFault};
 use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
-use super::{Content, bvh, meta as metadata, mhbin, mhbin_asset, mhclo, mhm, mhmat, mhpose, mhw, npz, obj};
+use super::{Content, bvh, meta as metadata, mhbin, mhbin_asset, mhclo, mhm, mhmat, mhpose, mhw, npz, obj, picture};
 use crate::json::{self, Document, SchemaFaults};
 use crate::source::{Encoding, GzipFault, Limits, try_gunzip, zip_bomb};
 
 /// What a reader is given.
 #[derive(Debug, Clone, Copy)]
 pub struct Input<'b> {
-    /// The content.
+    /// The content, or the beginning of it where the ends are enough.
     pub bytes: &'b [u8],
+    /// The end of it, where it is not all in `bytes`.
+    pub tail: &'b [u8],
+    /// Bytes of the whole.
+    pub size: u64,
     /// Its encoding.
     pub encoding: &'b Encoding,
     /// What is too much.
@@ -58,7 +62,7 @@ impl Format {
 
     fn parsed(&self, input: &Input<'_>) -> Parsed {
         match (self.reader, self.syntax) {
-            (Some(Reader::Bytes(read)), _) => read(input),
+            (Some(Reader::Bytes(read) | Reader::Ends(read)), _) => read(input),
             (Some(Reader::Tree(model)), _) => tree(input, self.schema, model),
             (None, Syntax::Json) => tree(input, self.schema, |_| Content::Json),
             (None, Syntax::Text | Syntax::Binary) => hashed(input),
@@ -108,6 +112,12 @@ pub(super) fn clothes(input: &Input<'_>) -> Parsed {
 /// A material. One without anything in it names nothing.
 pub(super) fn material(input: &Input<'_>) -> Parsed {
     Parsed { content: Content::Material(Box::new(mhmat::read(input.bytes))), ..hashed(input) }
+}
+
+/// A picture. One without anything in it is empty, and nothing more.
+pub(super) fn picture(input: &Input<'_>) -> Parsed {
+    let read = || Content::Picture(Box::new(picture::read(input.bytes, input.tail, input.size)));
+    Parsed { content: if input.size == 0 { Content::Unread } else { read() }, ..Parsed::default() }
 }
 
 /// A motion. Of one that is blank or is no UTF-8 the loader reads nothing.

@@ -1,7 +1,9 @@
 //! The table of formats: what is to be known of each kind of file before and while it is read.
 
+use super::picture::{HEAD, TAIL};
 use super::readers::{
-    archive, asset_mesh, clothes, material, mesh, mesh_archive, meta, model, motion, packed, pose, target, weights, zip,
+    archive, asset_mesh, clothes, material, mesh, mesh_archive, meta, model, motion, packed, picture, pose, target,
+    weights, zip,
 };
 use super::{
     Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, pose_units, program, selection_filter,
@@ -46,6 +48,8 @@ pub enum Reader {
     Tree(fn(&Document) -> Content),
     /// From the bytes.
     Bytes(fn(&Input<'_>) -> Parsed),
+    /// From the first and the last bytes: what is between does not matter.
+    Ends(fn(&Input<'_>) -> Parsed),
 }
 
 /// What has to be read before a file.
@@ -122,7 +126,7 @@ pub(crate) static FORMATS: [Format; 30] = [
     read(Kind::AssetMesh, "mesh", Syntax::Text, asset_mesh),
     Format { needs: Needs::Mesh, ..read(Kind::Packed, "file", Syntax::Binary, zip) },
     plain(Kind::Json, "JSON", Syntax::Json),
-    plain(Kind::Image, "picture", Syntax::Binary),
+    Format { reader: Some(Reader::Ends(picture)), ..plain(Kind::Image, "picture", Syntax::Binary) },
     OTHER,
 ];
 
@@ -155,7 +159,12 @@ impl Kind {
 impl Format {
     /// Whether the content matters, not only the size.
     pub fn is_read(&self) -> bool {
-        self.syntax != Syntax::Binary || self.reader.is_some()
+        self.syntax != Syntax::Binary || matches!(self.reader, Some(Reader::Tree(_) | Reader::Bytes(_)))
+    }
+
+    /// How much of the beginning and of the end is enough.
+    pub fn ends(&self) -> Option<(usize, usize)> {
+        matches!(self.reader, Some(Reader::Ends(_))).then_some((HEAD, TAIL))
     }
 }
 

@@ -19,6 +19,7 @@ use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
 use crate::formats::npz::Archive;
 use crate::formats::obj::Mesh;
+use crate::formats::picture::Picture;
 use crate::formats::pose_units::PoseUnits;
 use crate::formats::program::{Shaders, Version};
 use crate::formats::selection_filter::SelectionFilter;
@@ -171,6 +172,11 @@ impl FileFacts {
     /// The material, if it is one that could be read.
     pub fn material(&self) -> Option<&Material> {
         if let Content::Material(material) = &*self.content { Some(material) } else { None }
+    }
+
+    /// The picture, as far as its ends show it.
+    pub fn picture(&self) -> Option<&Picture> {
+        if let Content::Picture(picture) = &*self.content { Some(picture) } else { None }
     }
 
     /// The motion, as far as it could be read.

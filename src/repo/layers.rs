@@ -9,6 +9,8 @@ pub(crate) struct Layers<'a> {
     pub system: Option<&'a Layer>,
     /// User data. May be the same root as the system data when one root plays both parts.
     pub user: Option<&'a Layer>,
+    /// User data that is checked in the same run, where the system's alone is checked: what a system names may lie there.
+    pub beside: Option<&'a Layer>,
     /// The layer that findings are reported for: one of the two.
     pub checked: &'a Layer,
 }

@@ -15,6 +15,7 @@ pub(crate) mod mpfb;
 mod path;
 mod reference;
 mod references;
+mod surface;
 mod view;
 mod worn;
 
@@ -26,6 +27,7 @@ pub(crate) use layers::Layers;
 pub(crate) use path::shortened;
 pub(crate) use reference::{PictureFolders, Reference, ReferenceKind, Resolution};
 pub(crate) use references::References;
+pub(crate) use surface::{Picture, Surface, Wearer};
 pub(crate) use view::View;
 pub(crate) use worn::Worn;
 

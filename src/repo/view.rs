@@ -1,11 +1,11 @@
 //! The data of one application as it sees them.
 
 use super::{
-    Body, FileFacts, Landmarks, Layers, PictureFolders, Reference, References, Shown, Target, makehuman1, makehuman2,
-    mpfb,
+    Body, FileFacts, Landmarks, Layers, PictureFolders, Reference, References, Shown, Surface, Target, Worn,
+    makehuman1, makehuman2, mpfb,
 };
 use crate::diag::Application;
-use crate::discover::{Kind, Layout};
+use crate::discover::{Kind, Layout, material_of};
 
 /// Layers that were connected as an application does it.
 #[derive(Debug)]
@@ -128,6 +128,21 @@ impl<'a> View<'a> {
     /// Where the picture that a material names is looked for, if that is known.
     pub(crate) fn picture_folders<'r>(&self, reference: &Reference<'r>) -> Option<PictureFolders<'r>> {
         self.makehuman2().and_then(|_| makehuman2::picture_folders(reference.from, reference.base))
+    }
+
+    /// The materials that it opens, of all layers.
+    pub(crate) fn surfaces(&self) -> &[Surface<'a>] {
+        self.makehuman2().map(|view| view.surfaces.as_slice()).unwrap_or_default()
+    }
+
+    /// Whether a material at this path is offered for assets.
+    pub(crate) fn offers_material_at(&self, rel: &str) -> bool {
+        self.makehuman2().is_some() && material_of(rel).is_some_and(|material| material.folder != "skins")
+    }
+
+    /// The assets of all layers, sorted by base.
+    pub(crate) fn assets(&self) -> &[Worn<'a>] {
+        self.makehuman2().map(|view| view.worn.as_slice()).unwrap_or_default()
     }
 
     /// Whether the application makes the file at this path of the checked layer itself.

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::io::{self, Read};
+use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -16,6 +16,9 @@ use crate::diag::grouped;
 
 /// Contents of files by path, where they are not those that lie there; `None`: there is no such file.
 pub(crate) type Contents<P> = BTreeMap<P, Option<Vec<u8>>>;
+
+/// The beginning and the end of a file.
+pub(crate) type Ends = (Vec<u8>, Vec<u8>);
 
 /// A listed tree. Paths are relative to its top, with forward slashes.
 #[derive(Debug)]
@@ -214,6 +217,24 @@ impl Tree {
         Ok(bytes)
     }
 
+    /// As many first and last bytes of a listed file, or all of it where that is not more.
+    pub(crate) fn read_ends(&self, entry: &Entry, ends: (usize, usize), limits: &Limits) -> Result<Ends, ReadFault> {
+        let (head, tail) = ends;
+        let is_long = entry.size > (head + tail) as u64;
+        let is_there = entry.kind == EntryKind::File && !self.changed.contains_key(&entry.path);
+        if let (Backend::Disk(root), true) = (&self.backend, is_long && is_there) {
+            let ends = ends_of(&root.join(&entry.native), head, tail);
+            return ends.map_err(|error| ReadFault::Unreadable(error.to_string()));
+        }
+        let mut all = self.read(entry, limits)?;
+        if !is_long {
+            return Ok((all, Vec::new()));
+        }
+        let end = all.get(all.len().saturating_sub(tail)..).unwrap_or_default().to_vec();
+        all.truncate(head);
+        Ok((all, end))
+    }
+
     /// From now on the hash of what is read first of each file is kept.
     pub fn watch(&mut self) {
         self.seen = Some(Mutex::default());
@@ -329,6 +350,17 @@ pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadFau
     read_bounded(path, metadata.len(), limits)
 }
 
+fn ends_of(path: &Path, head: usize, tail: usize) -> io::Result<Ends> {
+    let mut file = fs::File::open(path)?;
+    let (mut first, mut last) = (Vec::with_capacity(head), Vec::with_capacity(tail));
+    file.by_ref().take(head as u64).read_to_end(&mut first)?;
+    // A file may have become shorter since it was listed.
+    let end = file.metadata()?.len().saturating_sub(tail as u64);
+    file.seek(SeekFrom::Start(end))?;
+    file.take(tail as u64).read_to_end(&mut last)?;
+    Ok((first, last))
+}
+
 fn read_bounded(path: &Path, expected: u64, limits: &Limits) -> Result<Vec<u8>, ReadFault> {
     let unreadable = |error: io::Error| ReadFault::Unreadable(error.to_string());
     let file = fs::File::open(path).map_err(unreadable)?;
@@ -385,6 +417,18 @@ mod tests {
             tree.entries().iter().map(line).collect()
         };
         assert_eq!(seen(&disk), seen(&memory));
+    }
+
+    #[test]
+    fn of_a_long_file_the_ends_are_read() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("a"), "abcdefgh").unwrap();
+        let memory = Tree::in_memory("", [("a".to_owned(), b"abcdefgh".to_vec())]);
+        for tree in [Tree::on_disk("", folder.path(), |_, _| false), memory] {
+            let ends = |head, tail| tree.read_ends(tree.entry("a").unwrap(), (head, tail), &Limits::default());
+            assert_eq!(ends(3, 2), Ok((b"abc".to_vec(), b"gh".to_vec())));
+            assert_eq!(ends(4, 4), Ok((b"abcdefgh".to_vec(), Vec::new())));
+        }
     }
 
     #[test]

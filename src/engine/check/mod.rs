@@ -89,7 +89,8 @@ fn check_view(
 /// What these rules find in the system data alone.
 fn alone(view: &View<'_>, rules: &[&Rule], names: &BTreeSet<&'static str>, options: &Config) -> Vec<Finding> {
     let Some(system) = view.layers().system else { return Vec::new() };
-    let view = View::connect(view.application(), Layers { system: Some(system), user: None, checked: system });
+    let view =
+        View::connect(view.application(), Layers { system: Some(system), user: None, beside: None, checked: system });
     let checked = Checked { view: &view, files: Vec::new(), bodies: view.bodies(), measures: None };
     let asked = rules.iter().filter(|rule| names.contains(rule.info.id));
     asked.flat_map(|rule| run_caught(|out| run_rule(rule, &checked, options, out)).findings).collect()

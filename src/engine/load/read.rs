@@ -20,15 +20,20 @@ pub(super) fn read(
     mesh: Option<MeshSize>,
 ) -> (FileFacts, Vec<Row>) {
     let format = file.kind().format();
-    if !format.is_read() && file.entry.size >= STAND_IN_BYTES {
+    if !format.is_read() && format.ends().is_none() && file.entry.size >= STAND_IN_BYTES {
         return (unread(tree, file), Vec::new());
     }
-    let bytes = match tree.read(file.entry, limits) {
-        Ok(bytes) => bytes,
+    let read = match format.ends() {
+        Some(ends) => tree.read_ends(file.entry, ends, limits),
+        None => tree.read(file.entry, limits).map(|bytes| (bytes, Vec::new())),
+    };
+    let (bytes, tail) = match read {
+        Ok(ends) => ends,
         Err(fault) => return (FileFacts { unreadable: Some(fault), ..unread(tree, file) }, Vec::new()),
     };
     let encoding = Encoding::of(&bytes);
-    let mut parsed = format.read(&Input { bytes: &bytes, encoding: &encoding, limits, mesh });
+    let mut parsed =
+        format.read(&Input { bytes: &bytes, tail: &tail, size: file.entry.size, encoding: &encoding, limits, mesh });
     let rows = std::mem::take(&mut parsed.rows);
     (facts(tree, file, encoding, parsed), rows)
 }

@@ -108,7 +108,8 @@ impl<'t> Data<'t> {
                 (None, Role::Both) => (Some(below().unwrap_or(&root.layer)), Some(&root.layer)),
                 (None, Role::User) => (below(), Some(&root.layer)),
             };
-            (application, Layers { system, user, checked: &root.layer })
+            let beside = if role == Role::System && user.is_none() { self.user_of(application) } else { None };
+            (application, Layers { system, user, beside, checked: &root.layer })
         };
         let stack = |root: &'a Loaded<'t>| {
             let seen = root.roles.iter().map(|(application, role)| layers(root, *application, *role));
@@ -116,6 +117,14 @@ impl<'t> Data<'t> {
         };
         let asked = self.roots.iter().enumerate().filter(|(number, _)| is_asked(*number));
         asked.map(|(number, root)| (number, stack(root))).collect()
+    }
+}
+
+impl Data<'_> {
+    /// The first of the user's roots.
+    fn user_of(&self, application: Application) -> Option<&Layer> {
+        let plays = |root: &&Loaded<'_>| matches!(root.role_in(application), Some(Role::User | Role::Both));
+        self.roots.iter().find(plays).map(|root| &root.layer)
     }
 }
 

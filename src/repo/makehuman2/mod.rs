@@ -16,6 +16,7 @@ mod references;
 mod rigs;
 mod shown;
 mod slider;
+mod surfaces;
 mod target_folder;
 mod textures;
 mod usage;

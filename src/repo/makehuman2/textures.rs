@@ -2,27 +2,46 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::OWN;
+use super::{OWN, surfaces};
 use crate::diag::Place;
 use crate::discover::{Kind, material_of};
 use crate::formats::mhmat::Texture;
 use crate::repo::path::{is_absolute, resolve};
-use crate::repo::{FileFacts, Layer, Layers, PictureFolders, Reference, ReferenceKind, Resolution, Worn, parent};
+use crate::repo::{
+    FileFacts, Layer, Layers, PictureFolders, Reference, ReferenceKind, Resolution, Surface, Wearer, Worn, parent,
+};
 use crate::source::normalized;
 
-/// The pictures of all materials that the application opens, by base mesh.
-pub(super) fn by_base<'a>(layers: Layers<'a>, worn: &[Worn<'a>]) -> BTreeMap<&'a str, Vec<Reference<'a>>> {
+/// The pictures of all materials that the application opens, by base mesh, and what becomes of the materials.
+pub(super) fn read<'a>(
+    layers: Layers<'a>,
+    worn: &[Worn<'a>],
+) -> (BTreeMap<&'a str, Vec<Reference<'a>>>, Vec<Surface<'a>>) {
     let mut by_base: BTreeMap<&str, Vec<Reference<'_>>> = BTreeMap::new();
+    let mut surfaces = Vec::new();
     let assets: Vec<_> = layers.strongest_first().map(|layer| Assets::of(layer, worn)).collect();
     for layer in layers.strongest_first() {
         for file in layer.files.values().filter(|file| is_material(file)) {
             let search = file.base_in(OWN).and_then(|base| Search::of(layers, layer, file, base));
-            if let Some(search) = search.filter(|search| search.is_opened(&assets)) {
-                by_base.entry(search.base).or_default().extend(search.references());
-            }
+            let Some(search) = search.filter(|search| search.is_opened(&assets)) else { continue };
+            let Some(material) = file.material() else { continue };
+            let references: Vec<_> = material.textures.iter().map(|texture| search.reference(texture)).collect();
+            surfaces.push(surfaces::surface(layers, file, material, search.wearer(&assets), &references));
+            by_base.entry(search.base).or_default().extend(in_use(references));
         }
     }
-    by_base
+    (by_base, surfaces)
+}
+
+/// The last line of a keyword with a picture wins: what stands above it counts for nothing. A name that leads out of
+/// the data is another matter: where a file is there, the application takes it.
+fn in_use(all: Vec<Reference<'_>>) -> impl Iterator<Item = Reference<'_>> {
+    let meant = all.iter().enumerate().filter(|(_, one)| one.meant().is_some());
+    let last: BTreeMap<&str, usize> = meant.map(|(line, one)| (one.owner, line)).collect();
+    all.into_iter().enumerate().filter_map(move |(line, one)| {
+        let is_taken = matches!(one.resolution, Resolution::Found(_) | Resolution::Escapes);
+        (is_taken || last.get(one.owner).is_none_or(|last| line >= *last)).then_some(one)
+    })
 }
 
 fn is_material(file: &FileFacts) -> bool {
@@ -36,6 +55,8 @@ struct Assets<'a> {
     folders: BTreeSet<&'a str>,
     /// Folders with an asset in them that has no material of its own.
     with_bare: BTreeSet<&'a str>,
+    /// Paths of the materials that they name.
+    named: BTreeSet<&'a str>,
 }
 
 impl<'a> Assets<'a> {
@@ -43,7 +64,12 @@ impl<'a> Assets<'a> {
         let is_here = |worn: &&Worn<'_>| layer.file(&worn.file.rel).is_some_and(|own| std::ptr::eq(own, worn.file));
         let folders: BTreeSet<&str> = worn.iter().filter(is_here).map(|worn| parent(&worn.file.rel)).collect();
         let bare = folders.iter().filter(|asset| !layer.below(asset).any(is_material));
-        Self { layer, with_bare: bare.map(|asset| parent(asset)).collect(), folders }
+        // A topology wears the skin.
+        let has_own = |worn: &&Worn<'a>| is_here(worn) && !worn.is_topology();
+        let references = worn.iter().filter(has_own).flat_map(|worn| worn.references.iter().flatten());
+        let materials = references.filter(|one| one.kind == ReferenceKind::AssetMaterial);
+        let named = materials.filter_map(Reference::found).map(|file| file.rel.as_str()).collect();
+        Self { layer, with_bare: bare.map(|asset| parent(asset)).collect(), folders, named }
     }
 }
 
@@ -92,7 +118,20 @@ impl<'a> Search<'a> {
             let is_own = std::ptr::eq(assets.layer, self.layer);
             is_own && self.is_below(&assets.folders) || (is_own || is_eye) && self.is_beside(assets)
         };
-        sort == "skins" || is_eye && self.is_open || assets.iter().any(offers)
+        sort == "skins" || is_eye && self.is_open || self.is_named(assets) || assets.iter().any(offers)
+    }
+
+    fn is_named(&self, assets: &[Assets<'_>]) -> bool {
+        let is_own = |assets: &&Assets<'_>| std::ptr::eq(assets.layer, self.layer);
+        assets.iter().filter(is_own).any(|assets| assets.named.contains(self.file.rel.as_str()))
+    }
+
+    fn wearer(&self, assets: &[Assets<'_>]) -> Wearer {
+        match self.folders.sort {
+            "skins" => Wearer::Skin,
+            _ if self.is_named(assets) => Wearer::Asset,
+            _ => Wearer::Choice,
+        }
     }
 
     fn is_below(&self, folders: &BTreeSet<&str>) -> bool {
@@ -103,20 +142,6 @@ impl<'a> Search<'a> {
     fn is_beside(&self, assets: &Assets<'_>) -> bool {
         let all = &self.folders.all;
         self.file.rel.starts_with(&format!("{all}/materials/")) && assets.with_bare.contains(all.as_str())
-    }
-
-    /// The last line of a keyword with a picture wins: what stands above it counts for nothing. A name that leads out of
-    /// the data is another matter: where a file is there, the application takes it.
-    fn references(&self) -> Vec<Reference<'a>> {
-        let Some(material) = self.file.material() else { return Vec::new() };
-        let all: Vec<_> = material.textures.iter().map(|texture| self.reference(texture)).collect();
-        let meant = all.iter().enumerate().filter(|(_, one)| one.meant().is_some());
-        let last: BTreeMap<&str, usize> = meant.map(|(line, one)| (one.owner, line)).collect();
-        let counts = |(line, one): &(usize, Reference<'a>)| {
-            matches!(one.resolution, Resolution::Found(_) | Resolution::Escapes)
-                || last.get(one.owner).is_none_or(|last| line >= last)
-        };
-        all.into_iter().enumerate().filter(counts).map(|(_, one)| one).collect()
     }
 
     fn reference(&self, texture: &'a Texture) -> Reference<'a> {

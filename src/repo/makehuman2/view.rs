@@ -12,7 +12,7 @@ use crate::diag::grouped;
 use crate::discover::{Kind, listed_in};
 use crate::formats::base_json::BaseJson;
 use crate::formats::selection_filter::SelectionFilter;
-use crate::repo::{Body, FileFacts, Landmarks, Layers, Reference, References, Target, Worn, parent};
+use crate::repo::{Body, FileFacts, Landmarks, Layers, Reference, References, Surface, Target, Worn, parent};
 
 /// `MakeHuman` 2's data, connected.
 #[derive(Debug)]
@@ -24,7 +24,7 @@ pub(crate) struct View<'a> {
     /// Everything that names a file, and what it leads to.
     pub references: References<'a>,
     /// What bodies can wear, sorted by base.
-    worn: Vec<Worn<'a>>,
+    pub(in crate::repo) worn: Vec<Worn<'a>>,
     /// Numbers of these by printed path.
     worn_by_path: BTreeMap<&'a str, usize>,
     /// What the lists of assets show.
@@ -33,6 +33,8 @@ pub(crate) struct View<'a> {
     models: BTreeMap<&'a str, Vec<SavedModel<'a>>>,
     /// The characters that wear an asset, by printed path of its files.
     wearers: BTreeMap<&'a str, Vec<SavedModel<'a>>>,
+    /// The materials that it opens.
+    pub(in crate::repo) surfaces: Vec<Surface<'a>>,
     usage: Usage<'a>,
     /// By base; made when a fix asks for them.
     pub(super) known_names: OnceLock<BTreeMap<String, KnownNames>>,
@@ -43,7 +45,7 @@ impl<'a> View<'a> {
     pub(crate) fn connect(layers: Layers<'a>) -> Self {
         let bases: Vec<Base<'a>> = base_names(layers).into_iter().map(|name| Base::resolve(name, layers)).collect();
         let worn = worn::worn(layers);
-        let mut textures = textures::by_base(layers, &worn);
+        let (mut textures, surfaces) = textures::read(layers, &worn);
         let of_base = |base| collect(base).into_iter().chain(textures.remove(base.name).unwrap_or_default());
         let mut references: Vec<Reference<'a>> = bases.iter().flat_map(of_base).collect();
         let library = Library::of(layers, &bases.iter().map(|base| base.name).collect());
@@ -66,6 +68,7 @@ impl<'a> View<'a> {
             references,
             worn_by_path: worn.iter().enumerate().map(|(at, worn)| (worn.file.path.as_str(), at)).collect(),
             worn,
+            surfaces,
             library,
             models: all_models,
             wearers,

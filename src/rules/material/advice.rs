@@ -114,3 +114,11 @@ const PICTURES: [&str; 10] = ["bmp", "gif", "jpeg", "jpg", "png", "svg", "tga", 
 fn is_picture(file: &FileFacts) -> bool {
     PICTURES.contains(&extension(&file.rel).to_lowercase().as_str())
 }
+
+/// Marks that people put around names.
+pub(super) const QUOTES: [char; 8] = ['"', '\'', '`', '\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}'];
+
+/// Whether a name begins or ends with a quote.
+pub(super) fn is_quoted(text: &str) -> bool {
+    text.starts_with(QUOTES) || text.ends_with(QUOTES)
+}

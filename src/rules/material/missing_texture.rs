@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
-use super::advice::{Advice, file_name};
+use super::advice::{Advice, file_name, is_quoted};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, RuleInfo, grouped};
 use crate::repo::{Layer, Reference, ReferenceKind, Resolution, View, parent};
 
@@ -36,6 +36,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         reference.kind == ReferenceKind::Texture
             && matches!(reference.resolution, Resolution::Missing)
             && layers.is_checked(reference.from)
+            && !is_quoted(reference.text)
     };
     // However many keywords and materials name it, or name pictures in it.
     let missing = view.references().iter().filter(is_missing);

@@ -3,6 +3,7 @@
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{Text, archives, neighbours, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
 use crate::repo::{Body, Reference, ReferenceKind, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -38,6 +39,7 @@ fn absent(body: &Body<'_>, text: &Text<'_, '_>, reference: &Reference<'_>, cx: &
     let what = match reference.resolution {
         Resolution::Missing => "does not exist",
         Resolution::Unusable => "cannot be opened as a file",
+        Resolution::Found(file) if file.kind != Kind::Material => "is not a `.mhmat` file",
         _ => return None,
     };
     let message = format!("material `{}` {what}", reference.text);

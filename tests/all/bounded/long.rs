@@ -14,6 +14,7 @@ pub(super) const INPUTS: &[Input] = &[
     input("long: a folder with heirs", 3000, heirs),
     input("materials of a picture that is not there", 3000, materials),
     input("pictures of one material", 3000, pictures),
+    input("faults of one material", 30_000, faults),
     input("macrodefs that list the same name", 250, pairs),
     input("targets that differ in capitals", 600, alike),
     Input { args: &["check", ".", "--diff"], exit: 0, ..input("diff: references in other capitals", 600, capitals) },
@@ -81,6 +82,12 @@ fn materials(times: usize) -> Files {
 fn pictures(times: usize) -> Files {
     let lines = (0..times).map(|number| format!("diffuseTexture t{number}.png\n")).collect::<Vec<_>>().concat();
     base(MESH, vec![("skins/b/a.mhmat", lines)])
+}
+
+fn faults(times: usize) -> Files {
+    let line =
+        |number| format!("roughnessFactor x\nshaderParam p{number} {number}\nword{number} 1\ntransparent maybe\n");
+    base(MESH, vec![("skins/b/a.mhmat", (0..times).map(line).collect::<Vec<_>>().concat())])
 }
 
 fn pairs(times: usize) -> Files {

@@ -1,0 +1,48 @@
+//! Yes and no have their words.
+
+use super::super::{Check, Rule, RuleCx};
+use super::fault::{Fault, report};
+use super::loader;
+use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
+use crate::formats::mhmat::{Line, Value};
+use crate::repo::{Surface, View};
+
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "takes it for false")],
+    docs: "A keyword such as `transparent` or `backfaceCull` has a word that MakeHuman 2 does not take for true, and that \
+        does not say false: `1`, `on`, `y`.\n\n\
+        MakeHuman 2 knows `true`, `yes` and `enabled`, in any capitals. Every other word is false, without a message. \
+        MPFB takes `1` and `t` for true, but not `yes`: `true` is the same in all applications.\n\n\
+        Write `True` or `False`.",
+    ..RuleInfo::new("material-boolean-spelling", Level::Warning, "a word for true that an application takes for false")
+});
+
+const TRUE: [&str; 3] = ["true", "yes", "enabled"];
+const FALSE: [&str; 8] = ["false", "no", "disabled", "off", "0", "f", "n", "none"];
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
+        let lines = surface.material.lines.iter().filter(|line| loader::reads(line.keyword.name));
+        let flags = lines.filter(|line| line.keyword.value == Value::Flag && line.count > 0);
+        let is_last =
+            |line: &&Line| surface.material.last(line.keyword.name).is_some_and(|last| std::ptr::eq(last, *line));
+        let faults = flags.filter(is_last).filter_map(fault).collect();
+        report(&RULE, surface, faults, "have words that count as false", out);
+    }
+}
+
+fn fault(line: &Line) -> Option<Fault> {
+    let (keyword, word) = (line.keyword.name, line.word(0).to_lowercase());
+    if TRUE.contains(&&*word) || FALSE.contains(&&*word) {
+        return None;
+    }
+    let text: String = line.word(0).chars().take(40).collect();
+    Some(Fault {
+        key: keyword.to_owned(),
+        place: Surface::place(line),
+        level: Level::Warning,
+        message: format!("`{keyword} {text}` counts as false"),
+        effect: "takes it for false: only `true`, `yes` and `enabled` are true".to_owned(),
+        help: format!("write `{keyword} True` or `{keyword} False`"),
+    })
+}

@@ -1,0 +1,61 @@
+//! Quotes belong to the name of a picture.
+
+use super::super::{Check, Rule, RuleCx};
+use super::advice::{QUOTES, is_quoted};
+use super::fault::{Fault, report};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::repo::{Reference, ReferenceKind, Resolution, View};
+
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "takes the quotes for a part of the name, and silently drops the keyword")],
+    docs: "A material names a picture in quotes. The quotes are a part of the name, and no file has such a name. \
+        A name ends at the first space, in quotes as well.\n\n\
+        MakeHuman 2 does not find the picture and shows the colour of the material instead.\n\n\
+        Remove the quotes. If the name has a space, rename the picture.",
+    ..RuleInfo::new("material-path-quote", Level::Warning, "a name of a picture in quotes")
+});
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
+        let textures = view.references().of_file(surface.file).filter(|one| is_lost(one));
+        let textures = textures.map(|one| fault(&one.place, one.text, lost(one), one.owner));
+        let litsphere = surface.litsphere.iter().filter(|one| one.file.is_none() && is_quoted(one.text));
+        let litsphere = litsphere.map(|one| fault(&one.place, one.text, "", "litsphereTexture"));
+        report(&RULE, surface, textures.chain(litsphere).collect(), "name pictures in quotes", out);
+    }
+}
+
+fn is_lost(one: &Reference<'_>) -> bool {
+    let is_texture = one.kind == ReferenceKind::Texture && one.meant().is_none();
+    is_texture && !matches!(one.resolution, Resolution::NeedsSystem) && is_quoted(one.text)
+}
+
+/// What stands behind the first word of the name.
+fn lost<'a>(one: &Reference<'a>) -> &'a str {
+    let (Some(material), Place::Span(span)) = (one.from.material(), &one.place) else { return "" };
+    // They stand in the order of the file.
+    let at = material.textures.partition_point(|texture| texture.span.start < span.start);
+    material.textures.get(at).filter(|texture| texture.span == *span).map_or("", |texture| &texture.lost)
+}
+
+fn fault(place: &Place, text: &str, lost: &str, keyword: &str) -> Fault {
+    let whole = if lost.is_empty() { text.to_owned() } else { format!("{text} {lost}") };
+    let plain = whole.trim_matches(QUOTES);
+    let shown: String = whole.chars().take(60).collect();
+    Fault {
+        key: keyword.to_owned(),
+        place: place.clone(),
+        level: Level::Warning,
+        message: format!("`{keyword}` has its name in quotes: `{shown}`"),
+        effect: match keyword {
+            "litsphereTexture" => "takes the quotes for a part of the name, and silently draws the surface with phong",
+            _ => "takes the quotes for a part of the name, and silently drops the keyword",
+        }
+        .to_owned(),
+        help: if plain.contains(' ') {
+            format!("rename `{plain}` without spaces, and write that name without quotes")
+        } else {
+            format!("write `{plain}`")
+        },
+    }
+}

@@ -1,0 +1,116 @@
+//! Keywords must be those that the application reads.
+
+use super::super::{Check, Rule, RuleCx};
+use super::fault::{Fault, report};
+use super::loader;
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::formats::mhmat::{Line, Material, Unknown};
+use crate::repo::{Surface, View};
+use crate::source::Guess;
+
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "silently ignores the line")],
+    docs: "A line of a material begins with a word that MakeHuman 2 does not know: a keyword with a slip of the pen or \
+        other capitals, or the name that another application has for it, such as `roughness` for `roughnessFactor` and \
+        `bumpmapTexture` for `normalmapTexture`.\n\n\
+        MakeHuman 2 ignores such lines without a message: the colour, number or texture has its default. If the file has \
+        its own keyword as well, the other application's one is not reported. A word that is like no keyword is an \
+        info. If no line begins with a keyword, the file is something else.\n\n\
+        Write the keyword, or put `#` and a space in front of a comment.",
+    ..RuleInfo::new("material-unknown-keyword", Level::Warning, "a keyword of a material that is not known")
+});
+
+/// Keywords of other applications, and those of MakeHuman 2 for the same.
+#[rustfmt::skip]
+const SAME: [(&str, &str); 10] = [
+    ("roughness", "roughnessFactor"), ("metallic", "metallicFactor"), ("emissionIntensity", "emissiveFactor"),
+    ("bumpmapTexture", "normalmapTexture"), ("bumpmapIntensity", "normalmapIntensity"),
+    ("roughnessmapTexture", "metallicRoughnessTexture"), ("metallicmapTexture", "metallicRoughnessTexture"),
+    ("emissionColorMapTexture", "emissiveTexture"), ("emissionStrengthMapTexture", "emissiveTexture"),
+    ("litsphereTexture", "shaderParam"),
+];
+
+fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let own = view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file));
+    // What is no text has a finding of its own.
+    let is_text = |surface: &&Surface<'_>| matches!(surface.file.encoding.guess, None | Some(Guess::SingleByte));
+    for surface in own.filter(is_text) {
+        let material = surface.material;
+        if material.lines.is_empty() && !is_marked(material) {
+            out.extend(nothing_known(view, surface));
+            continue;
+        }
+        let foreign = material.lines.iter().filter_map(|line| of_others(surface, line));
+        // A byte order mark has a finding of its own.
+        let unknown = material.unknown.iter().filter(|one| !one.word.text.starts_with(MARK));
+        let mut faults: Vec<Fault> = unknown.map(|one| unknown_word(cx, one)).chain(foreign).collect();
+        faults.sort_by_key(|fault| start(&fault.place));
+        report(&RULE, surface, faults, "begin with unknown words", out);
+    }
+}
+
+const MARK: char = '\u{feff}';
+
+fn is_marked(material: &Material) -> bool {
+    material.unknown.first().is_some_and(|one| one.word.text.starts_with(MARK))
+}
+
+/// A file that is something else.
+fn nothing_known(view: &View<'_>, surface: &Surface<'_>) -> Option<Finding> {
+    let first = surface.material.unknown.first()?;
+    let place = Place::Span(first.word.span.clone());
+    let finding = RULE.at(surface.file, place, "no line begins with a keyword of a material").key("all");
+    let effect = "ignores all lines: the surface is white, without a name";
+    Some(finding.effect_in(view.application(), effect).help("restore the material, or export it again"))
+}
+
+const fn start(place: &Place) -> usize {
+    if let Place::Span(span) = place { span.start } else { 0 }
+}
+
+fn unknown_word(cx: &RuleCx<'_>, one: &Unknown) -> Fault {
+    let text: String = one.word.text.chars().take(40).collect();
+    let near = cx.suggestions.nearest(&one.word.text, loader::keywords());
+    let (level, help) = match near {
+        Some(near) => (Level::Warning, format!("did you mean `{near}`?")),
+        None => (Level::Info, "remove the line, or put `# ` in front of it".to_owned()),
+    };
+    Fault {
+        message: format!("`{text}` is not a keyword of a material"),
+        effect: if near.is_some() { "silently ignores the line" } else { "ignores the line" }.to_owned(),
+        key: text,
+        place: Place::Span(one.word.span.clone()),
+        level,
+        help,
+    }
+}
+
+/// A keyword of another application for something that MakeHuman 2 calls otherwise, and that is not set by that name.
+fn of_others(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
+    let keyword = line.keyword.name;
+    if loader::reads(keyword) || line.count == 0 {
+        return None;
+    }
+    let meaning = line.keyword.alias_of.unwrap_or(keyword);
+    let own = SAME.iter().find(|(other, _)| *other == meaning).map(|(_, own)| *own);
+    let own = own.or(Some(meaning).filter(|meaning| loader::reads(meaning)))?;
+    let is_set = match own {
+        "shaderParam" => surface.litsphere.is_some(),
+        own => surface.material.last(own).is_some(),
+    };
+    (!is_set).then(|| Fault {
+        key: keyword.to_owned(),
+        place: Surface::place(line),
+        level: Level::Warning,
+        message: format!("`{keyword}` is a keyword of other applications"),
+        effect: format!("silently ignores the line: its own keyword is `{own}`"),
+        help: match own {
+            "shaderParam" => "write `shaderParam litsphereTexture` and the name".to_owned(),
+            "normalmapTexture" => "save the bumps as a normal map, and name that in `normalmapTexture`".to_owned(),
+            "metallicRoughnessTexture" => {
+                "save both maps as one picture, and name that in `metallicRoughnessTexture`".to_owned()
+            }
+            own => format!("add a line with `{own}`"),
+        },
+    })
+}

@@ -1,0 +1,36 @@
+//! Pictures that materials name must be pictures.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use super::picture::fault;
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::{FileFacts, View};
+
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "shows the surface without this picture, and copies the broken file into exports")],
+    docs: "A material names a file that is not a picture: a text or a web page that was saved under its name, a picture \
+        whose download was interrupted, a header that says no size or more than the file holds, or a format that only \
+        programs for artists read, such as Photoshop's.\n\n\
+        A missing picture is replaced by the colour of the material. One that cannot be read is not: the file exists, \
+        so MakeHuman 2 takes it, gets an empty picture, and copies or embeds the file in every export.\n\n\
+        Only the header and the end of the file are read. Empty files are reported by `file-empty`, pointers of Git \
+        LFS by `file-lfs-pointer`.\n\n\
+        Export the picture again as PNG, or restore it.",
+    ..RuleInfo::new("material-unreadable-texture", Level::Warning, "a texture that is not a picture")
+});
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let mut named: BTreeMap<&str, (&FileFacts, Vec<String>)> = BTreeMap::new();
+    for surface in view.surfaces() {
+        for (keyword, _, file) in surface.found().filter(|(_, _, file)| view.layers().is_checked(file)) {
+            let cases = &mut named.entry(&file.path).or_insert((file, Vec::new())).1;
+            cases.push(format!("{} {keyword}", surface.file.file_name()));
+        }
+    }
+    for (file, cases) in named.into_values() {
+        let Some(message) = fault(file) else { continue };
+        let finding = RULE.at(file, Place::File, message).evidence(Evidence::of_unnamed(cases));
+        out.push(finding.help("export it again as PNG, or restore it"));
+    }
+}
