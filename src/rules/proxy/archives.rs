@@ -44,6 +44,6 @@ pub(super) const fn rebuild(has_text: bool) -> &'static str {
     if has_text {
         "delete the `.mhbin`: MakeHuman 2 writes it again from the text and its mesh"
     } else {
-        "make the asset anew for this base mesh, or remove the `.mhbin`"
+        "export the asset again for this base mesh, or remove the `.mhbin`"
     }
 }

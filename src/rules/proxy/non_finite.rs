@@ -10,7 +10,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     docs: "A weight or an offset of a vertex row is `nan` or infinite.\n\n\
         Python reads `nan` and `inf` as numbers, so the asset can be put on, but the vertex is nowhere. The glTF export \
         of a figure that wears the asset crashes with `ValueError`.\n\n\
-        Make the asset anew, or give the row finite numbers.",
+        Export the asset again, or give the row finite numbers.",
     ..RuleInfo::new("proxy-non-finite", Level::Error, "a number of a vertex row is not finite")
 });
 
@@ -23,6 +23,6 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             count => format!("numbers in the rows of {count} vertices are not finite, first vertex {vertex}"),
         };
         let finding = RULE.at(text.file, Place::Line(*line), message).evidence(tally.evidence(text.clothes.rows.count));
-        out.push(finding.help("give the row finite numbers, or make the asset anew"));
+        out.push(finding.help("give the row finite numbers, or export the asset again"));
     }
 }

@@ -20,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         asset is put on. A vertex beyond the mesh crashes with `IndexError`, a distance of `nan` in the glTF export.\n\
         - A negative vertex counts from the end.\n\n\
         Topologies are never scaled. Assets whose rows have no offsets need no scale.\n\n\
-        Make the asset anew, or correct the lines.",
+        Export the asset again, or correct the lines.",
     ..RuleInfo::new("proxy-scale", Level::Warning, "a scale that is not applied as written")
 });
 

@@ -44,7 +44,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 fn above(text: &Text<'_, '_>) -> Option<Finding> {
     let (faults, count) = text.clothes.faults.of(|kind| kind == FaultKind::NumbersInHeader)?;
-    let first = faults.first().filter(|_| text.has_rows_section())?;
+    // The numbers of an old section belong to it.
+    let is_old = text.clothes.faults.of(|kind| kind == FaultKind::OldFormat).is_some();
+    let first = faults.first().filter(|_| text.has_rows_section() && !is_old)?;
     let message = format!("a line of numbers stands above `verts`{}", more(count));
     let finding = RULE.at(text.file, Place::Line(first.line), message).key("above").case(ABOVE);
     Some(finding.help("move `verts` above all vertex rows").evidence(lines(faults, count)))

@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         fewer rows, the last vertices stay where the OBJ has them, follow no slider, and hang on the root bone \
         (warning).\n\n\
         Usually the mesh was exported again without the asset, or by a program that joins, splits or sorts vertices. \
-        Make the asset anew from this mesh, or restore the mesh.",
+        Export the asset again from this mesh, or restore the mesh.",
     ..RuleInfo::new("proxy-vertex-count", Level::Error, "rows and vertices of an asset differ in number")
 });
 
@@ -36,7 +36,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn finding(text: &Text<'_, '_>) -> Option<Finding> {
     let rows = text.clothes.rows.count;
     let dropped = text.clothes.faults.of(|kind| kind == FaultKind::DroppedRow).map_or(0, |(_, count)| count);
-    let help = "make the asset anew from this mesh, or restore the mesh that it was made from";
+    let help = "export the asset again from this mesh, or restore the mesh that it was made from";
     let verts = text.clothes.entries.iter().find(|entry| &*entry.keyword == "verts");
     let place = verts.map_or(Place::File, |entry| Place::Line(entry.line));
     if rows == 0 {

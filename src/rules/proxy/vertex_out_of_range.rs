@@ -18,7 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         Below `delete_verts` a number beyond the last vertex crashes with `IndexError`, UV-seam duplicates included. \
         Negative numbers count from the end (warning).\n\n\
         Usually the asset was made for another base mesh: `basemesh` is not compared. Use the asset with its own base, \
-        or make it anew.",
+        or export it again for this one.",
     ..RuleInfo::new("proxy-vertex-out-of-range", Level::Error, "an asset uses a vertex that the base mesh does not have")
 });
 

@@ -12,7 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         which lies between the feet: hardly noticeable at a shoe, but 15 cm (1.5) at the head. A sum of 0 puts it at \
         the origin. Single weights may be negative or above 1.\n\n\
         Sums that are off by less than 0.002 are reported as info.\n\n\
-        Make the asset anew, or correct the weights.",
+        Export the asset again, or correct the weights.",
     ..RuleInfo::new("proxy-weights-sum", Level::Warning, "the weights of a vertex row do not sum to 1")
 });
 
@@ -28,7 +28,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let evidence = rows.off_sums.evidence(rows.count).with_worst(sum, format!("vertex {vertex}"));
         let finding = RULE.at(text.file, Place::Line(*line), message).evidence(evidence);
-        let finding = finding.help("make the asset anew, or correct the weights so that each row sums to 1");
+        let finding = finding.help("export the asset again, or correct the weights so that each row sums to 1");
         out.push(if rows.visible_sums == 0 { finding.case(SMALL) } else { finding });
     }
 }
