@@ -105,6 +105,8 @@ pub(crate) struct BodyPose<'v> {
     pub pose: &'v Pose,
     /// Whether it is an expression.
     pub is_expression: bool,
+    /// The unit of today that one of an older version becomes.
+    pub renewed: fn(&str) -> Option<&'static str>,
 }
 
 /// The units of poses, or those of expressions.

@@ -22,6 +22,8 @@ pub(crate) enum Check {
     Body(fn(&Body<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
     /// Each base mesh of `MakeHuman` 2, over all layers.
     Makehuman2(fn(&makehuman2::View<'_>, &makehuman2::Base<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
+    /// The data of `MakeHuman` 2 as a whole: what its lists show.
+    Makehuman2Library(fn(&makehuman2::View<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
     /// The data of `MakeHuman` 1.
     #[expect(dead_code, reason = "no rule yet")]
     Makehuman1(fn(&makehuman1::View<'_>, &RuleCx<'_>, &mut Vec<Finding>)),

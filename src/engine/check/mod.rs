@@ -148,6 +148,7 @@ fn run_rule(rule: &Rule, checked: &Checked<'_>, options: &Config, out: &mut Vec<
             let bases = bases.filter(|base| !(compares_macros && base.has_too_many_macros()));
             bases.for_each(|base| run(view, base, cx, out));
         }
+        (Check::Makehuman2Library(run), View::Makehuman2(view)) => run(view, cx, out),
         (Check::Makehuman1(run), View::Makehuman1(view)) => run(view, cx, out),
         (Check::Mpfb(run), View::Mpfb(view)) => run(view, cx, out),
         (Check::Numeric(run), _) => {
@@ -158,7 +159,15 @@ fn run_rule(rule: &Rule, checked: &Checked<'_>, options: &Config, out: &mut Vec<
             }
         }
         (Check::Repository(run), view) => run(view, cx, out),
-        (Check::File(_) | Check::Makehuman2(_) | Check::Makehuman1(_) | Check::Mpfb(_) | Check::Upkeep(_), _) => {}
+        (
+            Check::File(_)
+            | Check::Makehuman2(_)
+            | Check::Makehuman2Library(_)
+            | Check::Makehuman1(_)
+            | Check::Mpfb(_)
+            | Check::Upkeep(_),
+            _,
+        ) => {}
     }
 }
 

@@ -33,7 +33,6 @@ pub(crate) use meshes::{Lies, MeshFiles, UnreadMesh};
 pub(crate) use misnamed::MisnamedFolder;
 pub(crate) use models::SavedModel;
 pub(crate) use overlay::{Candidate, Overlaid};
-pub(crate) use poses::renewed;
 pub(crate) use slider::{BoundSlider, Pattern};
 pub(crate) use target_folder::TargetFolder;
 pub(in crate::repo) use textures::folders as picture_folders;

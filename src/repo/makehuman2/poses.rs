@@ -40,7 +40,7 @@ fn units_name(category: &str) -> &'static str {
 }
 
 /// The unit of today that an expression's unit of an older version becomes.
-pub(crate) fn renewed(unit: &str) -> Option<&'static str> {
+fn renewed(unit: &str) -> Option<&'static str> {
     OLD.iter().find(|(old, _)| *old == unit).map(|(_, new)| *new)
 }
 
@@ -65,7 +65,10 @@ pub(super) fn poses<'a>(files: impl Iterator<Item = &'a FileFacts>) -> Vec<BodyP
     let listed = files.filter(|file| file.kind_in(OWN) == Kind::Pose);
     let pose = |file: &'a FileFacts| {
         let category = listed_in(&file.rel)?;
-        Some(BodyPose { file, pose: file.pose()?, is_expression: category == "expressions" })
+        let is_expression = category == "expressions";
+        // Poses are younger than the new names.
+        let renewed = if is_expression { renewed } else { |_: &str| None };
+        Some(BodyPose { file, pose: file.pose()?, is_expression, renewed })
     };
     listed.filter_map(pose).collect()
 }

@@ -20,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 /// A path that is not in the tree, and the pointer to where it is written.
 type Dead = (String, String);
 
-fn run(_: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(filter) = file.filter().filter(|_| !file.json.falsy) else { return };
     let by_path = grouped(dead(filter));
     for (path, places) in by_path {
@@ -30,7 +30,7 @@ fn run(_: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) 
         let help = did_you_mean(nearest(filter, &path, cx), "name a path of the tree, or add the label");
         let mut finding = RULE.at(file, Place::Pointer(first.clone()), message).key(&path).help(help);
         if places.iter().all(|place| place.starts_with("/Shortcut/")) {
-            finding = finding.effect("shows nothing for this part of the button's rule");
+            finding = finding.effect_in(view.application(), "shows nothing for this part of the button's rule");
         }
         out.push(finding.evidence(Evidence::of_cases(&places)));
     }

@@ -2,10 +2,10 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, grouped};
-use crate::repo::makehuman2::Asset;
-use crate::repo::{View, parent};
+use crate::repo::makehuman2::{Asset, View};
+use crate::repo::parent;
 
-pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "lists both under one name, so that they cannot be told apart")],
     docs: "Two models, or two poses, of a base have the same name in different files. MakeHuman 2 lists both under this name.\n\n\
         It happens when a model was saved under another file name, or a motion was copied with its `.meta`. What is worn has \
@@ -14,7 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     ..RuleInfo::new("library-duplicate-name", Level::Warning, "two models or poses with the same name")
 });
 
-pub(in crate::rules) static OF_WORN: Rule = Check::Repository(run_worn).rule(RuleInfo {
+pub(in crate::rules) static OF_WORN: Rule = Check::Makehuman2Library(run_worn).rule(RuleInfo {
     breaks: &[(Makehuman2, "lists both under one name; a model whose uuid fits neither wears either of them")],
     docs: "Two assets of one category have the same name and different uuids. MakeHuman 2 lists both under this name.\n\n\
         A model finds its asset by name and uuid; if the uuid fits none, by the name alone, and then it wears either of \
@@ -23,7 +23,7 @@ pub(in crate::rules) static OF_WORN: Rule = Check::Repository(run_worn).rule(Rul
     ..RuleInfo::new("proxy-duplicate-name", Level::Warning, "two assets of one category with the same name")
 });
 
-pub(in crate::rules) static OF_UUID: Rule = Check::Repository(run_uuid).rule(RuleInfo {
+pub(in crate::rules) static OF_UUID: Rule = Check::Makehuman2Library(run_uuid).rule(RuleInfo {
     breaks: &[(Makehuman2, "keeps the user's tags by uuid, so those of one asset change the other")],
     docs: "Two assets have the same uuid and different names, mostly because one was made from the other.\n\n\
         MakeHuman 2 knows them by name and uuid together and lists both. Tags that a user gives to one are those of both, and \
@@ -62,7 +62,6 @@ fn find(
     help: &str,
     out: &mut Vec<Finding>,
 ) {
-    let View::Makehuman2(view) = view else { return };
     for base in view.library.bases() {
         let own = view.library.of_base(base).iter().filter(|asset| view.layers.is_checked(asset.file));
         for assets in grouped(own.filter_map(|asset| Some((key(asset)?, asset)))).into_values() {

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
-use crate::discover::{Kind, Layout};
+use crate::discover::Kind;
 use crate::formats::mhclo::{Clothes, Entry};
 use crate::repo::{FileFacts, View};
 
@@ -19,8 +19,8 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 /// What is written into the binary, beside the tags.
 const WRITTEN: [&str; 5] = ["name", "uuid", "author", "description", "license"];
 
-fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let is_listed = file.kind == Kind::Clothes && (Layout::of(Makehuman2).scans)(&file.rel);
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let is_listed = file.kind == Kind::Clothes && (view.layout().scans)(&file.rel);
     // Bytes that are no text are dropped; without them the asset cannot be listed.
     let is_text = file.encoding.invalid_utf8_at.is_none();
     let Some(clothes) = file.clothes().filter(|_| is_listed && is_text) else { return };

@@ -3,10 +3,9 @@
 use super::super::cause::copies::is_copy;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
-use crate::repo::View;
-use crate::repo::makehuman2::{self, Asset};
+use crate::repo::makehuman2::{Asset, View};
 
-pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
         "lists only one of them, whichever the file system returns first; the others cannot be chosen",
@@ -26,7 +25,6 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 const COPY: Case = &[(Makehuman2, Level::Warning, "lists only one of the copies and ignores the others")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let View::Makehuman2(view) = view else { return };
     for base in view.library.bases() {
         for clash in view.library.clashes(base) {
             out.extend(finding(view, &clash));
@@ -34,7 +32,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-fn finding(view: &makehuman2::View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
+fn finding(view: &View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
     // What lies in the other layer is replaced on purpose.
     let mut own: Vec<&Asset<'_>> = clash.iter().copied().filter(|one| view.layers.is_checked(one.file)).collect();
     // An asset without a name is known by nothing: that has a finding of its own.

@@ -5,10 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::discover::extension;
-use crate::repo::makehuman2::Asset;
-use crate::repo::{FileFacts, View, parent};
+use crate::repo::makehuman2::{Asset, View};
+use crate::repo::{FileFacts, parent};
 
-pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "shows a general picture in the list")],
     docs: "An asset has no picture: a PNG with the name of its file and the suffix `.thumb` beside it. MakeHuman 2 shows a \
         general picture instead.\n\n\
@@ -21,7 +21,6 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 const MISNAMED: Case = &[(Makehuman2, Level::Warning, "does not find the picture and shows a general one in the list")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let View::Makehuman2(view) = view else { return };
     let layer = view.layers.checked;
     let own = view.library.bases().into_iter().flat_map(|base| view.library.of_base(base));
     let own: Vec<&Asset<'_>> = own.filter(|asset| view.layers.is_checked(asset.file)).collect();

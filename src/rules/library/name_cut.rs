@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
-use crate::discover::{Kind, Layout};
+use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
@@ -18,8 +18,8 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     ..RuleInfo::new("library-name-cut", Level::Warning, "a name or uuid of an asset with several words")
 });
 
-fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let is_listed = file.kind == Kind::Clothes && (Layout::of(Makehuman2).scans)(&file.rel);
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let is_listed = file.kind == Kind::Clothes && (view.layout().scans)(&file.rel);
     let Some(clothes) = file.clothes().filter(|_| is_listed) else { return };
     for (keyword, taken) in [("name", &clothes.scanned.name), ("uuid", &clothes.scanned.uuid)] {
         let Some(entry) = clothes.last(keyword).filter(|entry| entry.value.contains(' ')) else { continue };

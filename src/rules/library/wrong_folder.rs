@@ -6,9 +6,10 @@ use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
 use super::suffix;
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::discover::{extension, in_place_of};
-use crate::repo::{FileFacts, View};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::View;
 
-pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "does not list it")],
     docs: "MakeHuman 2 looks for each kind of asset in folders of its own: `.mhclo` in `clothes`, `hair`, `eyes`, `eyebrows`, \
         `eyelashes`, `teeth` and `tongue`, `.proxy` in `proxy`, `.mhskel` in `rigs`, `.mhpose` in `poses` and \
@@ -37,8 +38,8 @@ const CATEGORIES: [&str; 13] = [
 ];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let bases: BTreeSet<&str> = view.body_names().into_iter().collect();
-    let layer = view.layers().checked;
+    let bases: BTreeSet<&str> = view.bases.iter().map(|base| base.name).collect();
+    let layer = view.layers.checked;
     // A folder that several categories have is that of a base mesh elsewhere.
     let is_elsewhere = |category: &str, folder: &str| {
         let mut others = CATEGORIES.iter().filter(|other| **other != category);
@@ -84,7 +85,6 @@ fn unread(view: &View<'_>, folder: &str, files: &[&FileFacts], bases: &BTreeSet<
 
 /// Whether a worn asset is listed nowhere under its name.
 fn is_lost(view: &View<'_>, file: &FileFacts) -> bool {
-    let View::Makehuman2(view) = view else { return false };
     let name = file.clothes().and_then(|clothes| clothes.scanned.name.as_ref());
     let base = view.library.bases().into_iter().find(|base| file.rel.split('/').nth(1) == Some(base));
     name.is_some_and(|name| base.is_none_or(|base| view.library.named(base, &name.text).next().is_none()))

@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::discover::extension;
-use crate::repo::makehuman2::{self, Asset};
-use crate::repo::{FileFacts, Layer, View, parent};
+use crate::repo::makehuman2::{Asset, View};
+use crate::repo::{FileFacts, Layer, parent};
 
-pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "lists the user's asset in place of the system's")],
     docs: "An asset of the user has the name and uuid of one of the system. MakeHuman 2 lists the user's. Its material and mesh \
         are looked for beside it, so the folder has to be complete.\n\n\
@@ -23,7 +23,6 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 const UNUSED: Case = &[(Makehuman2, Level::Warning, "never uses it: it takes what lies beside the system's asset")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let View::Makehuman2(view) = view else { return };
     let is_user = view.layers.user.is_some_and(|user| std::ptr::eq(user, view.layers.checked));
     if view.layers.is_one_root() || !is_user {
         return;
@@ -46,7 +45,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(idle.into_iter().filter_map(|(folder, files)| unused(view, folder, &files)));
 }
 
-fn replacing(view: &makehuman2::View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
+fn replacing(view: &View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
     let own = clash.iter().find(|asset| view.layers.is_checked(asset.file))?;
     let system = clash.iter().find(|asset| !view.layers.is_checked(asset.file))?;
     // Of skeletons the program itself says which it takes.
@@ -70,7 +69,7 @@ fn is_part(file: &FileFacts) -> bool {
     matches!(extension(&file.rel), "mhmat" | "obj") && file.rel.split('/').count() == 4
 }
 
-fn unused(view: &makehuman2::View<'_>, folder: &str, files: &[&FileFacts]) -> Option<Finding> {
+fn unused(view: &View<'_>, folder: &str, files: &[&FileFacts]) -> Option<Finding> {
     let first = files.first()?;
     let message = match files.len() {
         1 => format!("`{}` lies beside no asset: the system's is in its own folder", first.file_name()),

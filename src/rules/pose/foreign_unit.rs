@@ -1,6 +1,6 @@
 //! Units that are known elsewhere: those of the other folder, and old ones of the tongue.
 
-use super::unknown_unit::names;
+use super::names;
 use crate::repo::{Body, BodyPose};
 
 /// Units of older versions that are lost, and what to write instead.

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
-use crate::discover::{Kind, Layout};
+use crate::discover::Kind;
 use crate::formats::meta::{Misspelt, Name};
 use crate::repo::{FileFacts, View};
 
@@ -18,7 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let is_read = file.kind == Kind::MotionMeta && (Layout::of(Makehuman2).scans)(&file.rel);
+    let is_read = file.kind == Kind::MotionMeta && (view.layout().scans)(&file.rel);
     let Some(meta) = file.meta().filter(|_| is_read) else { return };
     let stem = file.rel.strip_suffix("meta").unwrap_or(&file.rel);
     let layer = view.layers().checked;
@@ -27,20 +27,20 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     if !has("bvh") {
         // One with other capitals has a finding of its own.
         let is_misnamed = layer.file_ignoring_case(&format!("{stem}bvh")).is_some();
-        out.extend((!has("mhpose") && !is_misnamed).then(|| orphan(file)));
+        out.extend((!has("mhpose") && !is_misnamed).then(|| orphan(view, file)));
         return;
     }
-    out.extend(meta.misspelt.as_ref().map(|misspelt| unread(file, misspelt)));
-    out.extend(meta.name.as_ref().and_then(|name| cut(file, name)));
+    out.extend(meta.misspelt.as_ref().map(|misspelt| unread(view, file, misspelt)));
+    out.extend(meta.name.as_ref().and_then(|name| cut(view, file, name)));
 }
 
-fn orphan(file: &FileFacts) -> Finding {
+fn orphan(view: &View<'_>, file: &FileFacts) -> Finding {
     let message = format!("there is no `{}.bvh` beside it", file.stem());
-    let finding = RULE.at(file, Place::File, message).key("orphan").effect("never reads it");
+    let finding = RULE.at(file, Place::File, message).key("orphan").effect_in(view.application(), "never reads it");
     finding.help("give it the name of the motion that it describes, or remove it")
 }
 
-fn unread(file: &FileFacts, misspelt: &Misspelt) -> Finding {
+fn unread(view: &View<'_>, file: &FileFacts, misspelt: &Misspelt) -> Finding {
     let Misspelt { word, meant, line, count } = misspelt;
     let message = match count {
         1 => format!("`{word}` is not recognised, expected `{meant}`"),
@@ -51,10 +51,13 @@ fn unread(file: &FileFacts, misspelt: &Misspelt) -> Finding {
         "tag" => "ignores the line: the motion has no such tag",
         _ => "ignores the line: the motion has no author",
     };
-    RULE.at(file, Place::Line(*line), message).key("keyword").effect(effect).help(format!("write `{meant}`"))
+    RULE.at(file, Place::Line(*line), message)
+        .key("keyword")
+        .effect_in(view.application(), effect)
+        .help(format!("write `{meant}`"))
 }
 
-fn cut(file: &FileFacts, name: &Name) -> Option<Finding> {
+fn cut(view: &View<'_>, file: &FileFacts, name: &Name) -> Option<Finding> {
     let Name { written, listed, line } = name;
     let (message, effect) = if listed.is_empty() {
         let what = if written.is_empty() { "`name` has no value" } else { "the name has no ASCII letter" };
@@ -64,6 +67,6 @@ fn cut(file: &FileFacts, name: &Name) -> Option<Finding> {
     } else {
         return None;
     };
-    let finding = RULE.at(file, Place::Line(*line), message).key("name").effect(effect);
+    let finding = RULE.at(file, Place::Line(*line), message).key("name").effect_in(view.application(), effect);
     Some(finding.help("write the name in plain letters from a to z"))
 }

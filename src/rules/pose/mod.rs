@@ -11,11 +11,18 @@ pub(in crate::rules) mod unknown_bone;
 pub(in crate::rules) mod unknown_unit;
 pub(in crate::rules) mod value_range;
 
+use std::collections::BTreeSet;
+
 use crate::diag::pointer;
 use crate::formats::pose_units::{PoseUnits, Turn, Unit};
 
 /// The key of `unit_poses` in a pose.
 const UNITS: &str = "unit_poses";
+
+/// The names of units.
+fn names(units: &PoseUnits) -> BTreeSet<&str> {
+    units.units.iter().map(|unit| unit.name.as_str()).collect()
+}
 
 /// Everything that the units turn, with the pointer to its matrix.
 fn turns(units: &PoseUnits) -> impl Iterator<Item = (&Unit, &'static str, &Turn)> {

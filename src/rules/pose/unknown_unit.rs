@@ -1,12 +1,8 @@
 //! Poses set units that exist, and units have counterparts that exist.
 
-use std::collections::BTreeSet;
-
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::{UNITS, foreign_unit};
+use super::{UNITS, foreign_unit, names};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
-use crate::formats::pose_units::PoseUnits;
-use crate::repo::makehuman2::renewed;
 use crate::repo::{Body, BodyPose};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -40,15 +36,11 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-pub(super) fn names(units: &PoseUnits) -> BTreeSet<&str> {
-    units.units.iter().map(|unit| unit.name.as_str()).collect()
-}
-
 fn of_pose(body: &Body<'_>, pose: &BodyPose<'_>, cx: &RuleCx<'_>) -> Option<Finding> {
     let (file, units) = body.units_of(pose)?;
     let known = names(units);
     let is_known = |unit: &str| {
-        let today = renewed(unit).filter(|_| pose.is_expression).unwrap_or(unit);
+        let today = (pose.renewed)(unit).unwrap_or(unit);
         known.contains(today)
     };
     let unknown: Vec<&str> = pose.pose.values.iter().map(|one| &*one.unit).filter(|unit| !is_known(unit)).collect();

@@ -23,7 +23,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     for (rel, code) in NEEDED.into_iter().filter(|(rel, _)| !exists(system, rel)) {
         let message = format!("`{rel}` does not exist");
-        let finding = RULE.in_layer(system, rel, message).effect(format!("exits at start with code {code}"));
+        let finding = RULE
+            .in_layer(system, rel, message)
+            .effect_in(view.application(), format!("exits at start with code {code}"));
         out.push(finding.help("restore the file from the program"));
     }
 }
