@@ -339,6 +339,7 @@ fn notes_go_to_stderr_for_programs_and_into_the_human_report() {
     let repository = example();
     fs::create_dir_all(repository.path().join("other/targets")).unwrap();
     fs::write(repository.path().join("other/targets/target.json"), "{}").unwrap();
+    fs::write(repository.path().join("data/models/figure/visitor.blend"), "").unwrap();
     let human = mhlint(repository.path(), &[]);
     let text = stdout(&human).replace('\n', " ");
     assert!(text.contains("1 file of MPFB data (not"), "{text}");

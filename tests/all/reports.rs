@@ -15,7 +15,13 @@ const FOLDER: &str = "data/target/figure/head/";
 fn broken() -> tempfile::TempDir {
     let repository = crate::scratch::broken();
     edit(repository.path(), "data/target/figure/head/head-oval.target", "339 0 .001 .001", "339 0 0,001 .001");
+    add_unchecked(repository.path());
     repository
+}
+
+/// A file of a kind that no rule is about.
+fn add_unchecked(root: &Path) {
+    fs::write(root.join("data/models/figure/visitor.blend"), "").unwrap();
 }
 
 fn run(root: &Path, args: &[&str]) -> String {
@@ -351,6 +357,7 @@ fn many(count: usize) -> tempfile::TempDir {
         let file = format!("data/target/figure/head/broken{number}.target");
         fs::write(repository.path().join(file), "1 2 x 4\n").unwrap();
     }
+    add_unchecked(repository.path());
     repository
 }
 

@@ -13,7 +13,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "silently shows the asset with its usual material")],
     docs: "A line `material` of a model (`.mhm`) chooses another material for an asset: name and uuid of the asset, exactly as \
         in the line that puts it on, and a `.mhmat`.\n\n\
-        The file is looked for in the folder of the asset; if it is not there, the first part of the path is left out and \
+        The file is looked for in the folder of the asset; if it is missing, the first part of the path is left out and \
         the rest looked for in the folder of the category (`eyes/materials/blue.mhmat`). A blank in the name of the file \
         makes two words of it.\n\n\
         If the asset or the file is not found, MakeHuman 2 silently shows the usual material.\n\n\
