@@ -1,5 +1,7 @@
 //! What the figure wears: clothes, hair, eyes, teeth, a topology, skins, their materials and pictures.
 
+use std::fmt::Write as _;
+
 use serde_json::json;
 
 use crate::figure::Body;
@@ -245,7 +247,7 @@ impl Material {
         let mut text =
             format!("# Material of the mhlint example repository, released as CC0\nname {name}\n{}", self.lines);
         for (keyword, picture, is_transparent) in self.textures {
-            text.push_str(&format!("{keyword} {picture}\n"));
+            let _ = writeln!(text, "{keyword} {picture}");
             tree.add(format!("data/{folder}/{picture}"), icon::texture(picture, *is_transparent));
         }
         tree.add(format!("data/{}.mhmat", self.path), text);

@@ -96,8 +96,8 @@ impl Worn {
         let [a, b] = self.patch.neighbours(number);
         let corners = [vertex, a, b].map(|corner| mesh.vertices[corner]);
         let middle = |axis: usize| SHARES.iter().zip(&corners).map(|(share, corner)| share * corner[axis]).sum::<f64>();
-        let [x, y, z] = [0, 1, 2].map(|axis| round(point[axis] - middle(axis), 4));
-        let [s, t, u] = SHARES;
-        format!("{vertex} {a} {b} {s:.4} {t:.4} {u:.4} {x:.4} {y:.4} {z:.4}")
+        let offset = [0, 1, 2].map(|axis| round(point[axis] - middle(axis), 4));
+        let numbers: Vec<String> = SHARES.iter().chain(&offset).map(|number| format!("{number:.4}")).collect();
+        format!("{vertex} {a} {b} {}", numbers.join(" "))
     }
 }

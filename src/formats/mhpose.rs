@@ -65,7 +65,7 @@ mod tests {
     fn values_are_numbers_and_truths() {
         let pose = of(r#"{"name": "bow", "tags": ["a", 1], "unit_poses": {"a": 0.5, "b": true, "c": "1", "a": -1}}"#);
         let values: Vec<_> = pose.values.iter().map(|one| (&*one.unit, one.value)).collect();
-        assert_eq!(values, [("b", Some(1.0)), ("c", None), ("a", Some(-1.0))]);
+        assert_eq!(values, [("a", Some(-1.0)), ("b", Some(1.0)), ("c", None)]);
         assert_eq!((pose.name.as_deref(), pose.tags.as_slice()), (Some("bow"), &["a".to_owned()][..]));
         assert!(pose.has_units && of(r#"{"unit_poses": []}"#).has_units && !of("[1]").has_units);
     }
