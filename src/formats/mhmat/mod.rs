@@ -19,9 +19,9 @@ use super::python_float;
 pub struct Material {
     /// The pictures that it names by keywords of which an application takes the last one that it finds, in file order.
     pub textures: Vec<Texture>,
-    /// Lines with a keyword, in file order, up to [`MOST_LINES`].
+    /// Lines with a keyword, in file order, up to `MOST_LINES`.
     pub lines: Vec<Line>,
-    /// Words that are no keyword and begin no comment, each once, up to [`MOST_UNKNOWN`].
+    /// Words that are no keyword and begin no comment, each once, up to `MOST_UNKNOWN`.
     pub unknown: Vec<Unknown>,
     /// How many more lines there are of both.
     pub left_out: usize,
