@@ -66,7 +66,9 @@ fn verdict(case: &Case, files: &Files, folder: &str, config: &Config) -> String 
     fresh.sort();
     // A fault may silence what can no longer be checked, and the case says what: nothing else may go.
     let gone = gone(&outcome);
-    let says = new.is_empty() || new.iter().any(|finding| finding.message.contains(case.says));
+    let mut texts =
+        new.iter().flat_map(|finding| finding.related.iter().map(|one| &one.message).chain([&finding.message]));
+    let says = new.is_empty() || texts.any(|text| text.contains(case.says));
     let fails = !outcome.passes(config);
     let is_expected = fails != case.fresh.is_empty();
     if fresh == each(case.fresh) && gone == each(case.gone) && says && is_expected && outcome.failed_rules.is_empty() {

@@ -6,7 +6,7 @@ use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::discover::extension;
 use crate::repo::makehuman2::{Asset, View};
-use crate::repo::{FileFacts, parent};
+use crate::repo::{FileFacts, Resolution, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "shows a general picture in the list")],
@@ -31,7 +31,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let rel = format!("{}.thumb", stem(&asset.file.rel));
         // Of copies that are known by the same one has a picture.
         let is_read = asset.file.encoding.invalid_utf8_at.is_none() && !asset.file.file_name().starts_with('.');
-        is_read && layer.file(&rel).is_none() && !copies.contains(asset.file.path.as_str())
+        // One that something names in other capitals has got the wrong name, not its picture.
+        let is_renamed =
+            view.references.to_file(asset.file).any(|one| matches!(one.resolution, Resolution::CaseOnly(_)));
+        is_read && layer.file(&rel).is_none() && !is_renamed && !copies.contains(asset.file.path.as_str())
     });
     let strays = layer.files.values().filter(|file| is_thumb(file) && !is_of_one(&file.rel, &stems, layer));
     let mut strays: BTreeMap<&str, &FileFacts> = strays.map(|file| (parent(&file.rel), file)).collect();

@@ -1,5 +1,7 @@
 //! A modifier of a model is the pattern of a slider and a value that the slider has.
 
+use std::collections::BTreeSet;
+
 use super::super::cause::overlay::has_sliders;
 use super::super::cause::schema::is_faulty;
 use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
@@ -73,8 +75,12 @@ type Line<'v> = (&'v SavedModel<'v>, &'v Modifier);
 /// Findings on patterns that no slider has: one for those that the same models set.
 fn unknown(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>) -> Vec<Finding> {
     let known = Known::of(view, base);
+    // What a component reads as well is reported there.
+    let macros = base.macro_file().into_iter().flat_map(|(_, file)| &file.components);
+    let told: BTreeSet<&str> = macros.filter_map(|component| component.pattern.as_deref()).collect();
+    let is_lost = |(_, one): &Line<'_>| known.lacks(one) && !told.contains(&*one.pattern.text);
     let lines = own(view, base).flat_map(|saved| saved.model.modifiers.iter().map(move |one| (saved, one)));
-    let by_pattern = grouped(lines.filter(|(_, one)| known.lacks(one)).map(|line| (&*line.1.pattern.text, line)));
+    let by_pattern = grouped(lines.filter(is_lost).map(|line| (&*line.1.pattern.text, line)));
     let models = |lines: &[Line<'_>]| lines.iter().map(|(saved, _)| saved.file.path.clone()).collect::<Vec<_>>();
     let by_models = grouped(by_pattern.into_values().map(|lines| (models(&lines), lines)));
     let told = by_models.into_values().filter_map(|patterns| unknown_in(base, &patterns, cx));
