@@ -112,6 +112,8 @@ pub struct NotChecked {
 pub enum Unchecked {
     /// What is in it: no rule is about files of its kind.
     Kind,
+    /// What is in it: it lies in no data folder.
+    Outside,
     /// Anything: this version does not check the application.
     Application,
     /// Vertex numbers: the base mesh is not known.

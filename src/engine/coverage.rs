@@ -114,7 +114,7 @@ impl<'r> Coverage<'r> {
 
 /// Whether nothing at all was checked of the files.
 const fn is_of_whole_files(what: Unchecked) -> bool {
-    matches!(what, Unchecked::Kind | Unchecked::Application)
+    matches!(what, Unchecked::Kind | Unchecked::Outside | Unchecked::Application)
 }
 
 impl Asked<'_> {

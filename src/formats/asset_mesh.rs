@@ -31,8 +31,6 @@ pub struct MeshPrint {
     pub faces: usize,
     /// Of the corners of all faces.
     corners: u64,
-    /// Of their texture coordinates.
-    uvs: u64,
 }
 
 impl AssetMesh {
@@ -62,37 +60,21 @@ impl AssetMesh {
 impl MeshPrint {
     /// The print of a mesh.
     pub fn of(mesh: &Mesh) -> Self {
-        let mut print = Self { vertices: mesh.positions.len(), faces: mesh.faces.len(), corners: 0, uvs: 0 };
-        for face in &mesh.faces {
-            let (corners, uvs) = prints(mesh, *face);
-            print.corners = print.corners.wrapping_add(corners);
-            print.uvs = print.uvs.wrapping_add(uvs);
-        }
-        print
+        let corners = mesh.faces.iter().map(|face| print_of(mesh, *face)).fold(0, u64::wrapping_add);
+        Self { vertices: mesh.positions.len(), faces: mesh.faces.len(), corners }
     }
 
     /// Whether another mesh has other corners.
     pub fn has_other_corners(&self, other: &Self) -> bool {
         self.corners != other.corners
     }
-
-    /// Whether another mesh of the same corners has other texture coordinates.
-    pub fn has_other_uvs(&self, other: &Self) -> bool {
-        self.uvs != other.uvs
-    }
 }
 
-/// The prints of a face: of its vertices, and of these with their texture coordinates to about a thousandth.
-fn prints(mesh: &Mesh, face: Face) -> (u64, u64) {
+/// The print of the vertices of a face.
+fn print_of(mesh: &Mesh, face: Face) -> u64 {
     let run = face.start as usize..(face.start as usize).saturating_add(face.len as usize);
-    let corners = mesh.corners.get(run.clone()).unwrap_or_default();
-    let mut bytes: Vec<u8> = corners.iter().flat_map(|corner| corner.to_le_bytes()).collect();
-    let of_corners = xxh3_64(&bytes);
-    let first = |uv: &u32| mesh.uvs.get(*uv as usize);
-    for uv in mesh.corner_uvs.get(run).unwrap_or_default() {
-        bytes.extend(first(uv).into_iter().flatten().flat_map(|part| (part * 100.0).round().to_le_bytes()));
-    }
-    (of_corners, xxh3_64(&bytes))
+    let corners = mesh.corners.get(run).unwrap_or_default();
+    xxh3_64(&corners.iter().flat_map(|corner| corner.to_le_bytes()).collect::<Vec<u8>>())
 }
 
 #[cfg(test)]
@@ -112,7 +94,7 @@ mod tests {
         let turned = of(&format!("{}f 1/1 3/3 4/2\nf 1/1 2/2 3/3\n", FACES.replace("v 1 0 0", "v 9 0 nan")));
         assert_eq!(mesh.print, turned.print);
         let other = of(&format!("{FACES}f 1/1 2/2 3/3\nf 1/1 3/3 4/1\n"));
-        assert!(!mesh.print.has_other_corners(&other.print) && mesh.print.has_other_uvs(&other.print));
+        assert!(!mesh.print.has_other_corners(&other.print));
         assert!(mesh.print.has_other_corners(&of(&format!("{FACES}f 1/1 2/2 3/3\nf 1/1 2/2 4/1\n")).print));
     }
 

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::expression::{self, Fault};
 use super::macro_json::{text, texts};
 use super::modelling::fault_in;
-use crate::json::{Document, Node, Value};
+use crate::json::{Document, Node};
 
 /// The file.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -98,11 +98,9 @@ pub fn read(document: &Document) -> BaseJson {
 
 /// Values go through `float()`, so numbers in quotes count.
 fn presets(node: &Node) -> Vec<(String, Option<f64>)> {
-    let value = |node: &Node| match &node.value {
-        Value::Number(number, _) => Some(*number),
-        Value::String(text) => super::python_float(text.trim().as_bytes()),
-        Value::Bool(value) => Some(f64::from(u8::from(*value))),
-        _ => None,
+    let value = |node: &Node| match node.as_str() {
+        Some(text) => super::python_float(text.trim().as_bytes()),
+        None => node.as_python_number(),
     };
     let members = node.effective_members().into_iter();
     members.map(|member| (member.key.clone(), value(&member.node))).collect()

@@ -50,6 +50,8 @@ pub fn read(text: &[u8]) -> Meta {
         let Some(((_, first), rest)) = words.split_first() else { continue };
         let rest = || rest.iter().map(|(_, word)| String::from_utf8_lossy(word));
         match *first {
+            // Without a value the line is passed over.
+            _ if words.len() < 2 => {}
             b"name" => meta.name = Some(name(&rest().collect::<Vec<_>>().join("_"), number)),
             b"tag" if meta.tags.len() < MOST => meta.tags.push(rest().collect::<Vec<_>>().join(" ")),
             word => {

@@ -160,8 +160,12 @@ fn rows(members: &mut Members<'_>, asset: &mut PackedAsset, size: Option<MeshSiz
     let vertices = members.read("ref_vIdxs", integers)?;
     let weights = members.read("weights", numbers)?;
     let offsets = if asset.is_exact { None } else { Some(members.read("offsets", numbers)?) };
-    let short = offsets.as_ref().map_or(weights.rows, |offsets| offsets.rows.min(weights.rows)) < vertices.rows;
-    if short {
+    // The weights of single vertices are copied into a column of that length.
+    let fits = match &offsets {
+        Some(offsets) => offsets.rows.min(weights.rows) >= vertices.rows,
+        None => weights.rows == vertices.rows,
+    };
+    if !fits {
         return Err(PackedFault::Member("weights", NpyFault::Shape));
     }
     asset.rows = RowFacts { mesh: size, ..RowFacts::default() };

@@ -12,9 +12,9 @@ use crate::source::lines;
 /// The file.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Model {
-    /// Its name: the rest of the line.
+    /// Its name: the rest of the line. The list reads the lines above the first modifier.
     pub name: Option<Box<str>>,
-    /// Its tags.
+    /// Its tags, from above the first modifier as well.
     pub tags: Vec<Box<str>>,
     /// Where the keyword of the tags stands, in bytes.
     pub tags_at: Range<usize>,
@@ -129,6 +129,7 @@ impl Model {
         }
         match &*keyword.text {
             "version" | "uuid" | "author" => {}
+            "name" | "tags" if !self.modifiers.is_empty() => {}
             "name" => self.name = Some(rest(line, &keyword.text).into()),
             "tags" => {
                 self.tags = rest(line, &keyword.text).split(';').take(MOST).map(Into::into).collect();
@@ -177,7 +178,7 @@ fn modifier(count: usize, word: &dyn Fn(usize) -> Word) -> Modifier {
 }
 
 fn rest(line: &[u8], keyword: &str) -> String {
-    let text = String::from_utf8_lossy(line);
+    let text: String = line.utf8_chunks().map(|chunk| chunk.valid()).collect();
     text.trim().strip_prefix(keyword).unwrap_or_default().trim().to_owned()
 }
 

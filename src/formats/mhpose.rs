@@ -1,7 +1,7 @@
 //! `.mhpose`: a pose or an expression as values of pose units (formats/makehuman2.md §13).
 
 use super::macro_json::text;
-use crate::json::{Document, Node, Value};
+use crate::json::{Document, Node};
 
 /// The file.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -35,16 +35,7 @@ pub fn read(document: &Document) -> Pose {
         name: text(root, "name"),
         tags: tags.iter().filter_map(Node::as_str).map(str::to_owned).collect(),
         has_units: units.is_some(),
-        values: members.map(|one| UnitValue { unit: one.key.clone(), value: number(&one.node) }).collect(),
-    }
-}
-
-/// To Python `true` is 1.
-fn number(node: &Node) -> Option<f64> {
-    match &node.value {
-        Value::Number(number, _) => Some(*number),
-        Value::Bool(value) => Some(f64::from(u8::from(*value))),
-        _ => None,
+        values: members.map(|one| UnitValue { unit: one.key.clone(), value: one.node.as_python_number() }).collect(),
     }
 }
 

@@ -9,7 +9,7 @@ use std::ops::Range;
 use super::mhw_facts::{SUM_TOLERANCE, THRESHOLD};
 use super::stored;
 use crate::diag::{Edit, grouped};
-use crate::json::{self, Member, Node, Value};
+use crate::json::{self, Member, Node};
 
 /// Steps in which the rounding of a sum is given to the largest weight; one is nearly always enough.
 const ROUNDING_STEPS: usize = 8;
@@ -154,13 +154,9 @@ impl<'d> Table<'d> {
 
 impl Entry {
     fn read(bone: usize, at: usize, pair: &Node) -> Option<Self> {
-        let [vertex, Node { span, value }] = pair.elements() else { return None };
-        let weight = match value {
-            Value::Number(weight, _) => *weight,
-            Value::Bool(weight) => f64::from(u8::from(*weight)),
-            _ => return None,
-        };
-        Some(Self { bone, at, vertex: vertex.as_i64()?, weight, number: span.clone() })
+        let [vertex, weight] = pair.elements() else { return None };
+        let number = weight.span.clone();
+        Some(Self { bone, at, vertex: vertex.as_i64()?, weight: weight.as_python_number()?, number })
     }
 
     fn token<'t>(&self, text: &'t [u8]) -> &'t [u8] {

@@ -1,7 +1,7 @@
 //! `body-poses.json` and `face-poses.json`: what poses and expressions are made of (formats/makehuman2.md §12).
 
 use super::macro_json::text;
-use crate::json::{Document, Member, Node, Value};
+use crate::json::{Document, Member, Node};
 
 /// The file: units in file order.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -76,7 +76,7 @@ fn fault(matrix: &Node) -> Option<TurnFault> {
     let is_nested = rows.iter().any(Node::is_array);
     let cells: Vec<&Node> =
         if is_nested { rows.iter().flat_map(Node::elements).collect() } else { rows.iter().collect() };
-    let numbers = cells.iter().filter_map(|cell| number(cell));
+    let numbers = cells.iter().filter_map(|cell| cell.as_python_number());
     let (known, finite) = numbers.fold((0, true), |(known, finite), one| (known + 1, finite && one.is_finite()));
     match cells.len() {
         NUMBERS if known < NUMBERS => Some(TurnFault::NotANumber),
@@ -84,14 +84,6 @@ fn fault(matrix: &Node) -> Option<TurnFault> {
             (!finite).then_some(TurnFault::NonFinite)
         }
         count => Some(TurnFault::Count(count)),
-    }
-}
-
-fn number(node: &Node) -> Option<f64> {
-    match &node.value {
-        Value::Number(number, _) => Some(*number),
-        Value::Bool(value) => Some(f64::from(u8::from(*value))),
-        _ => None,
     }
 }
 

@@ -14,14 +14,25 @@ pub struct SelectionFilter {
     pub paths: BTreeSet<String>,
     /// Labels at the ends of the tree, and their paths.
     pub leaves: BTreeMap<String, String>,
-    /// What tags are replaced by; `None` for those that are dropped.
-    pub translate: BTreeMap<String, Option<String>>,
-    /// Parts of names, and the paths that they stand for.
-    pub guess: BTreeMap<String, String>,
+    /// What tags, in small letters, are replaced by; `None` for those that are dropped.
+    pub translate: BTreeMap<String, Led<Option<String>>>,
+    /// Parts of names, in small letters, and the paths that they stand for.
+    pub guess: BTreeMap<String, Led<String>>,
     /// The rules of the buttons, by position.
     pub shortcuts: Vec<(usize, String)>,
     /// Keys that are special but for their spelling.
     pub misspelt: Vec<Misspelt>,
+    /// Whether the tree has more paths than are kept.
+    pub is_cut: bool,
+}
+
+/// Where something leads to.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Led<T> {
+    /// The key as it is written.
+    pub key: String,
+    /// What it leads to, as it is written.
+    pub to: T,
 }
 
 /// A special key that is not recognised.
@@ -31,18 +42,31 @@ pub struct Misspelt {
     pub key: String,
     /// The key that is meant.
     pub meant: &'static str,
-    /// Whether the program crashes when it takes the value for labels.
-    pub crashes: bool,
+    /// What the program does when it takes the value for labels.
+    pub outcome: Outcome,
+}
+
+/// What becomes of values that are no labels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// They become labels.
+    Labels,
+    /// The program crashes when it shows them.
+    CrashesInList,
+    /// The program crashes when it builds the lists.
+    CrashesAtStart,
 }
 
 /// Keys that are no labels.
 pub const SPECIAL: [&str; 3] = ["Translate", "GuessName", "Shortcut"];
 /// Longer paths of labels are no paths; together they would outgrow the file.
 const LONGEST: usize = 1000;
+/// Bytes of all paths that are kept.
+const ROOM: usize = 16 << 20;
 
 /// Takes what the program would take.
 pub fn read(document: &Document) -> SelectionFilter {
-    let mut filter = SelectionFilter::default();
+    let (mut filter, mut room) = (SelectionFilter::default(), ROOM);
     for member in document.root.effective_members() {
         match member.key.as_str() {
             "Translate" => filter.translate = translations(&member.node),
@@ -50,7 +74,7 @@ pub fn read(document: &Document) -> SelectionFilter {
             "Shortcut" => filter.shortcuts = shortcuts(&member.node),
             key => match meant(key) {
                 Some(meant) => filter.misspelt.push(misspelt(key, meant, &member.node)),
-                None => filter.add("", key, &member.node),
+                None => filter.add("", key, &member.node, &mut room),
             },
         }
     }
@@ -58,33 +82,41 @@ pub fn read(document: &Document) -> SelectionFilter {
 }
 
 impl SelectionFilter {
-    fn add(&mut self, above: &str, label: &str, node: &Node) {
+    fn add(&mut self, above: &str, label: &str, node: &Node, room: &mut usize) {
         let label = label.to_lowercase();
         let path = if above.is_empty() { label.clone() } else { format!("{above}:{label}") };
-        if path.len() > LONGEST {
+        if path.len() > LONGEST || path.len() > *room {
+            self.is_cut = true;
             return;
         }
+        *room -= path.len();
         for member in node.effective_members() {
-            self.add(&path, &member.key, &member.node);
+            self.add(&path, &member.key, &member.node, room);
         }
         for leaf in node.elements().iter().filter_map(Node::as_str).map(str::to_lowercase) {
             let below = format!("{path}:{leaf}");
+            let Some(left) = room.checked_sub(below.len()) else {
+                self.is_cut = true;
+                break;
+            };
+            *room = left;
             self.paths.insert(below.clone());
             self.leaves.insert(leaf, below);
         }
         self.paths.insert(path);
     }
 
-    /// Whether what a tag or a part of a name leads to is no label.
+    /// Whether what a tag or a part of a name leads to is no label. Labels are in small letters, paths as they are
+    /// written.
     pub fn is_dead(&self, target: &str) -> bool {
         let path = target.strip_prefix('=').unwrap_or(target);
-        !path.is_empty() && !self.paths.contains(&path.to_lowercase())
+        !path.is_empty() && !self.is_cut && !self.paths.contains(path)
     }
 
     /// The path that a tag leads to; `None` if it is dropped.
     pub fn path_of(&self, tag: &str) -> Option<String> {
         let tag = tag.trim().to_lowercase();
-        match self.translate.get(&tag) {
+        match self.translate.get(&tag).map(|led| &led.to) {
             Some(None) => None,
             Some(Some(target)) => Some(match target.strip_prefix('=') {
                 Some(path) => path.to_owned(),
@@ -97,23 +129,27 @@ impl SelectionFilter {
     /// The path that the name of an asset stands for: that of its longest part.
     pub fn guessed(&self, name: &str) -> Option<&str> {
         let parts = self.guess.iter().filter(|(part, _)| name.contains(part.as_str()));
-        parts.max_by_key(|(part, _)| part.len()).map(|(_, path)| path.as_str())
+        parts.max_by_key(|(part, _)| part.len()).map(|(_, led)| led.to.as_str())
     }
 }
 
-fn translations(node: &Node) -> BTreeMap<String, Option<String>> {
+fn translations(node: &Node) -> BTreeMap<String, Led<Option<String>>> {
     let value = |node: &Node| match &node.value {
         Value::Null => Some(None),
         Value::String(text) => Some(Some(text.clone())),
         _ => None,
     };
-    let members = node.effective_members().into_iter();
-    members.filter_map(|member| Some((member.key.clone(), value(&member.node)?))).collect()
+    led(node, value)
 }
 
-fn guesses(node: &Node) -> BTreeMap<String, String> {
+fn guesses(node: &Node) -> BTreeMap<String, Led<String>> {
+    led(node, |node| node.as_str().map(str::to_owned))
+}
+
+fn led<T>(node: &Node, value: impl Fn(&Node) -> Option<T>) -> BTreeMap<String, Led<T>> {
     let members = node.effective_members().into_iter();
-    members.filter_map(|member| Some((member.key.clone(), member.node.as_str()?.to_owned()))).collect()
+    let all = members.filter_map(|one| Some(Led { key: one.key.clone(), to: value(&one.node)? }));
+    all.map(|led| (led.key.to_lowercase(), led)).collect()
 }
 
 fn shortcuts(node: &Node) -> Vec<(usize, String)> {
@@ -133,9 +169,14 @@ fn meant(key: &str) -> Option<&'static str> {
 
 fn misspelt(key: &str, meant: &'static str, node: &Node) -> Misspelt {
     // Labels are texts; a list in a list is none, and neither is null.
-    let crashes = node.elements().iter().any(|element| element.as_str().is_none())
-        || node.effective_members().iter().any(|member| member.node.value == Value::Null);
-    Misspelt { key: key.to_owned(), meant, crashes }
+    let outcome = if node.elements().iter().any(|element| element.as_str().is_none()) {
+        Outcome::CrashesAtStart
+    } else if node.effective_members().iter().any(|member| member.node.value == Value::Null) {
+        Outcome::CrashesInList
+    } else {
+        Outcome::Labels
+    };
+    Misspelt { key: key.to_owned(), meant, outcome }
 }
 
 #[cfg(test)]
@@ -169,10 +210,14 @@ mod tests {
     #[test]
     fn special_keys_are_written_in_one_way() {
         let filter = of(r#"{"shortcut": [["a", "b", "c"]], "translate": {"a": "b"}, "Shortcuts": []}"#);
-        let told: Vec<_> = filter.misspelt.iter().map(|one| (&*one.key, one.meant, one.crashes)).collect();
+        let told: Vec<_> = filter.misspelt.iter().map(|one| (&*one.key, one.meant, one.outcome)).collect();
         assert_eq!(
             told,
-            [("shortcut", "Shortcut", true), ("translate", "Translate", false), ("Shortcuts", "Shortcut", false)]
+            [
+                ("shortcut", "Shortcut", Outcome::CrashesAtStart),
+                ("translate", "Translate", Outcome::Labels),
+                ("Shortcuts", "Shortcut", Outcome::Labels)
+            ]
         );
         assert!(filter.paths.is_empty());
     }

@@ -147,6 +147,15 @@ impl Node {
         }
     }
 
+    /// The value of a number; `true` counts 1 and `false` 0, as they do in Python.
+    pub fn as_python_number(&self) -> Option<f64> {
+        match &self.value {
+            Value::Number(number, _) => Some(*number),
+            Value::Bool(value) => Some(f64::from(u8::from(*value))),
+            _ => None,
+        }
+    }
+
     /// The value of a number.
     pub fn as_f64(&self) -> Option<f64> {
         if let Value::Number(number, _) = self.value { Some(number) } else { None }

@@ -148,13 +148,16 @@ impl Layer {
 
     /// Whether something other than a file stands at a path, or above it something that could not be walked.
     pub(crate) fn has_unusable(&self, rel: &str) -> bool {
-        let is_fault = |path: &str| self.walk_faults.binary_search_by(|fault| fault.path.as_str().cmp(path)).is_ok();
-        let mut above = rel.match_indices('/').filter_map(|(end, _)| rel.get(..end));
         // Folders with other names, such as those of images, are not reported.
         let is_folder = || self.folders.binary_search_by(|folder| folder.as_str().cmp(rel)).is_ok();
-        is_fault(rel)
-            || above.any(is_fault)
-            || uses_of(rel, &self.layouts).iter().any(|one| one.kind.is_text()) && is_folder()
+        self.has_fault(rel) || uses_of(rel, &self.layouts).iter().any(|one| one.kind.is_text()) && is_folder()
+    }
+
+    /// Whether a path, or something above it, could not be walked. That has a finding of its own.
+    pub(crate) fn has_fault(&self, rel: &str) -> bool {
+        let is_fault = |path: &str| self.walk_faults.binary_search_by(|fault| fault.path.as_str().cmp(path)).is_ok();
+        let mut above = rel.match_indices('/').filter_map(|(end, _)| rel.get(..end));
+        is_fault(rel) || above.any(is_fault)
     }
 
     /// Whether a path as reports print it lies in this layer.

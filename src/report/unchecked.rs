@@ -33,6 +33,7 @@ fn clause(entry: &NotChecked) -> String {
     let files = count(entry.count, "file");
     match entry.what {
         Unchecked::Kind => format!("{} (no rules yet)", by_extension(entry)),
+        Unchecked::Outside => format!("{} (not in a data folder)", by_extension(entry)),
         Unchecked::Application => {
             let application = entry.application.map_or_else(String::new, |application| format!("{application} "));
             format!("{files} of {application}data (not supported yet)")

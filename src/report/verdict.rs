@@ -133,6 +133,10 @@ pub(crate) fn why_nothing(outcome: &Outcome, what: Option<Unchecked>) -> String 
             let others: Vec<Application> = others.map(|root| root.application).collect();
             format!("this version cannot check {} data yet", titles(&others))
         }
+        Some(Unchecked::Outside) => format!(
+            "these files are in no {} data folder; name the folder that contains `clothes/`, `rigs/` or `target/`",
+            titles(&outcome.looked_for)
+        ),
         Some(_) => "there are no rules for files of these kinds yet".to_owned(),
         None => format!(
             "no {} data found; name the folder that contains `base/`, `target/`, `contarget/` or `rigs/`",

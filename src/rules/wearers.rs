@@ -11,16 +11,14 @@ pub(crate) fn name_wearers(view: &View<'_>, findings: &mut [Finding]) {
         finding.breaks.iter().any(|one| one.application == Application::Makehuman2 && one.level == Level::Error)
     };
     for finding in findings.iter_mut().filter(|finding| is_error(finding)) {
-        let wearers = own.wearers(&finding.path);
+        let is_told = |path: &str| finding.path == path || finding.related.iter().any(|one| one.path == path);
+        let wearers: Vec<_> = own.wearers(&finding.path).iter().filter(|one| !is_told(&one.file.path)).collect();
         for (number, wearer) in wearers.iter().take(EXAMPLES).enumerate() {
             let what = if wearer.is_start { "the start model wears it" } else { "this model wears it" };
             let more = wearers.len().saturating_sub(EXAMPLES);
             let is_last = number + 1 == EXAMPLES && more > 0;
             let what = if is_last { format!("{what}, and {}", counted(more, "more model")) } else { what.to_owned() };
-            let path = wearer.file.path.clone();
-            if finding.related.iter().all(|one| one.path != path) && finding.path != path {
-                finding.add_related(path, Place::File, what);
-            }
+            finding.add_related(wearer.file.path.clone(), Place::File, what);
         }
     }
 }

@@ -164,7 +164,7 @@ fn files_that_nothing_reads_do_not_count() {
     write(loose.path(), "shirt/a.mhclo", "name a\n");
     let alone = mhlint(loose.path(), &["shirt"]);
     assert_eq!(code(&alone), Some(3));
-    assert!(stderr(&alone).contains("Not checked: 1 .mhclo clothes file (no rules yet)"), "{}", stderr(&alone));
+    assert!(stderr(&alone).contains("Not checked: 1 .mhclo clothes file (not in a data folder)"), "{}", stderr(&alone));
 }
 
 #[test]

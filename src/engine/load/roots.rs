@@ -147,7 +147,7 @@ fn note_outside<'p, 't: 'p>(
             others.remove(&place.tree.shown(&file.entry.path));
         }
     }
-    for (what, paths) in [(Unchecked::Closed, closed), (Unchecked::Kind, others)] {
+    for (what, paths) in [(Unchecked::Closed, closed), (Unchecked::Outside, others)] {
         if !paths.is_empty() {
             outcome.not_checked.push(NotChecked::of(None, what, paths));
         }

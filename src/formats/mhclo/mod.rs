@@ -77,12 +77,17 @@ impl Clothes {
     pub fn merged_deletes(&self, vertices: usize) -> Vec<std::ops::Range<usize>> {
         let end = i64::try_from(vertices).unwrap_or(i64::MAX);
         let from_start = |vertex: i64| if vertex < 0 { vertex.saturating_add(end) } else { vertex };
-        let run = |(first, last): &(i64, i64)| {
-            let first = usize::try_from(from_start(*first)).ok()?;
-            let last = usize::try_from(from_start(*last)).ok()?;
+        let run = |(first, last): (i64, i64)| {
+            let first = usize::try_from(from_start(first)).ok()?;
+            let last = usize::try_from(from_start(last)).ok()?;
             Some(first..last.saturating_add(1).min(vertices)).filter(|run| run.start < run.end)
         };
-        let mut runs: Vec<_> = self.deleted.iter().filter_map(run).collect();
+        // From a negative number to another one: both ends of the mesh.
+        let parts = |(first, last): &(i64, i64)| match (*first, *last) {
+            (first @ ..0, last @ 0..) => [Some((first, -1)), Some((0, last))],
+            whole => [Some(whole), None],
+        };
+        let mut runs: Vec<_> = self.deleted.iter().flat_map(parts).flatten().filter_map(run).collect();
         runs.sort_by_key(|run| run.start);
         let mut merged: Vec<std::ops::Range<usize>> = Vec::new();
         for run in runs {

@@ -148,8 +148,8 @@ impl Reader {
                 }
             }
         }
-        if is_range {
-            self.clothes.deletes.cut_ranges.add(self.line, self.last.unwrap_or_default());
+        if let Some(last) = self.last.filter(|_| is_range) {
+            self.clothes.deletes.cut_ranges.add(self.line, last);
         }
     }
 }

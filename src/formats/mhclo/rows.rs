@@ -32,6 +32,8 @@ pub struct RowFacts {
     pub worst_sum: Option<(u64, f64)>,
     /// What the rows are compared by: all of each, and the first vertex with its weight.
     pub prints: [u64; 2],
+    /// Whether any row has an offset.
+    pub has_offsets: bool,
     /// How many sums are farther from 1 than [`VISIBLE_SUM`].
     pub visible_sums: u64,
 }
@@ -54,6 +56,7 @@ impl RowFacts {
     pub(in crate::formats) fn count(&mut self, row: &Reference, is_triple: bool) {
         let own = i64::try_from(self.count).unwrap_or(i64::MAX);
         self.print(row);
+        self.has_offsets |= row.offset != [0.0; 3];
         self.count += 1;
         let numbers = row.weights.iter().chain(&row.offset);
         if numbers.clone().any(|number| !number.is_finite()) {

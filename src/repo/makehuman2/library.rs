@@ -1,12 +1,13 @@
 //! What the lists of assets show, and by what it is known (formats/makehuman2.md §19).
 //!
 //! An asset is known by its name and its uuid, whatever its category; of several that are known by the same, all but one
-//! are lost. What the binary of an asset says of itself is not looked at.
+//! are lost. What the binary of an asset says of itself is looked at where there is no text.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::OWN;
 use crate::discover::{Kind, listed_in};
+use crate::formats::mhbin_asset::Packed;
 use crate::formats::mhclo::Value;
 use crate::repo::{FileFacts, Layer, Layers};
 
@@ -94,7 +95,7 @@ impl<'a> Library<'a> {
 impl Asset<'_> {
     /// Whether a body wears it.
     pub(crate) fn is_worn(&self) -> bool {
-        self.file.kind_in(OWN) == Kind::Clothes
+        matches!(self.file.kind_in(OWN), Kind::Clothes | Kind::Packed)
     }
 
     /// What people call such an asset.
@@ -163,8 +164,18 @@ fn known_by(layer: &Layer, file: &FileFacts) -> Option<(String, String, Vec<Stri
             (name, stem(), model.tags.iter().map(ToString::to_string).collect())
         }
         Kind::Clothes => return of_clothes(file),
+        Kind::Packed => return of_packed(layer, file),
         _ => return None,
     })
+}
+
+/// An asset that is nothing but its binary.
+fn of_packed(layer: &Layer, file: &FileFacts) -> Option<(String, String, Vec<String>)> {
+    let Packed::Asset(asset) = file.packed()? else { return None };
+    let stem = file.rel.strip_suffix("mhbin")?;
+    let has_text = ["mhclo", "proxy"].iter().any(|suffix| layer.file(&format!("{stem}{suffix}")).is_some());
+    let [name, uuid, ..] = &asset.texts;
+    (!has_text).then(|| (name.to_string(), uuid.to_string(), Vec::new()))
 }
 
 fn of_clothes(file: &FileFacts) -> Option<(String, String, Vec<String>)> {

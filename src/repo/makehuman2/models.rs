@@ -107,6 +107,7 @@ pub(super) fn wearers<'a>(
     models: &[SavedModel<'a>],
     library: &Library<'a>,
     worn: &[Worn<'a>],
+    references: &[Reference<'a>],
 ) -> BTreeMap<&'a str, Vec<SavedModel<'a>>> {
     let mut by_asset: BTreeMap<&str, Vec<SavedModel<'a>>> = BTreeMap::new();
     for model in models {
@@ -122,9 +123,18 @@ pub(super) fn wearers<'a>(
     let mut by_file = by_asset.clone();
     for one in worn {
         let Some(models) = by_asset.get(one.file.path.as_str()) else { continue };
-        for file in one.references.iter().flatten().filter_map(Reference::meant) {
+        let named = one.references.iter().flatten().filter_map(Reference::meant);
+        for file in named.chain(one.binary) {
             by_file.entry(&file.path).or_default().extend(models);
         }
+    }
+    // Skins, and the materials chosen for assets.
+    let by_path: BTreeMap<&str, &SavedModel<'a>> = models.iter().map(|one| (one.file.path.as_str(), one)).collect();
+    for reference in references.iter().filter(|one| one.kind != ReferenceKind::ModelSkeleton) {
+        let (Some(model), Some(file)) = (by_path.get(reference.from.path.as_str()), reference.meant()) else {
+            continue;
+        };
+        by_file.entry(&file.path).or_default().push(**model);
     }
     for models in by_file.values_mut() {
         models.sort_by_key(|one| (!one.is_start, &one.file.path));

@@ -16,14 +16,18 @@ use crate::source::normalized;
 pub(super) fn read<'a>(
     layers: Layers<'a>,
     worn: &[Worn<'a>],
+    of_models: &[Reference<'a>],
 ) -> (BTreeMap<&'a str, Vec<Reference<'a>>>, Vec<Surface<'a>>) {
     let mut by_base: BTreeMap<&str, Vec<Reference<'_>>> = BTreeMap::new();
     let mut surfaces = Vec::new();
     let assets: Vec<_> = layers.strongest_first().map(|layer| Assets::of(layer, worn)).collect();
+    let chosen = of_models.iter().filter(|one| one.kind == ReferenceKind::ModelMaterial);
+    let chosen: BTreeSet<&str> = chosen.filter_map(Reference::found).map(|file| file.path.as_str()).collect();
     for layer in layers.strongest_first() {
         for file in layer.files.values().filter(|file| is_material(file)) {
             let search = file.base_in(OWN).and_then(|base| Search::of(layers, layer, file, base));
-            let Some(search) = search.filter(|search| search.is_opened(&assets)) else { continue };
+            let is_opened = |search: &Search<'_>| chosen.contains(file.path.as_str()) || search.is_opened(&assets);
+            let Some(search) = search.filter(is_opened) else { continue };
             let Some(material) = file.material() else { continue };
             let references: Vec<_> = material.textures.iter().map(|texture| search.reference(texture)).collect();
             surfaces.push(surfaces::surface(layers, file, material, search.wearer(&assets), &references));

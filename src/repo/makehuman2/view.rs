@@ -45,18 +45,20 @@ impl<'a> View<'a> {
     pub(crate) fn connect(layers: Layers<'a>) -> Self {
         let bases: Vec<Base<'a>> = base_names(layers).into_iter().map(|name| Base::resolve(name, layers)).collect();
         let worn = worn::worn(layers);
-        let (mut textures, surfaces) = textures::read(layers, &worn);
-        let of_base = |base| collect(base).into_iter().chain(textures.remove(base.name).unwrap_or_default());
-        let mut references: Vec<Reference<'a>> = bases.iter().flat_map(of_base).collect();
         let library = Library::of(layers, &bases.iter().map(|base| base.name).collect());
-        let (mut all_models, mut wearers) = (BTreeMap::new(), BTreeMap::new());
+        let (mut all_models, mut wearers, mut named) = (BTreeMap::new(), BTreeMap::new(), Vec::new());
         for base in &bases {
             let own = models::models(layers, base);
             let is_open = textures::is_open(layers, base.name).unwrap_or(true);
-            references.extend(models::references(layers, base, &own, &library, is_open));
-            wearers.extend(models::wearers(base.name, &own, &library, of_body(&worn, base.name)));
+            let references = models::references(layers, base, &own, &library, is_open);
+            wearers.extend(models::wearers(base.name, &own, &library, of_body(&worn, base.name), &references));
+            named.extend(references);
             all_models.insert(base.name, own);
         }
+        let (mut textures, surfaces) = textures::read(layers, &worn, &named);
+        let of_base = |base| collect(base).into_iter().chain(textures.remove(base.name).unwrap_or_default());
+        let mut references: Vec<Reference<'a>> = bases.iter().flat_map(of_base).collect();
+        references.extend(named);
         // Assets for a base that no layer has.
         references.extend(textures.into_values().flatten());
         references.extend(worn.iter().flat_map(|worn| worn.references.iter().flatten()).cloned());

@@ -1,9 +1,9 @@
 //! Infos that say the same of many files, or many times of one: a line for all of them.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use crate::diag::{Finding, Level};
-use crate::report::{count, phrase, printable};
+use crate::report::{phrase, printable};
 
 /// Infos of one rule in a folder or file from which on they share a line.
 const MANY: usize = 3;
@@ -69,36 +69,25 @@ impl Group<'_> {
         self.rest.len() + 1
     }
 
-    /// One line: where, which rule, how many, and what the first one says.
+    /// One line: the first finding, how many are like it, and where those are.
     pub(super) fn line(&self) -> String {
         let Self { first, rest } = self;
+        let line = phrase::one_line(first);
         if rest.is_empty() {
-            return phrase::one_line(first);
+            return line;
         }
-        let all = || std::iter::once(first).chain(rest);
-        let files: BTreeSet<&str> = all().map(|finding| finding.path.as_str()).collect();
-        let (place, number, names) = if files.len() > 1 {
-            let names = all().map(|finding| format!("`{}`", name(finding)));
-            (folder(first), count(files.len(), "file"), distinct(names))
+        let places = if rest.iter().any(|finding| finding.path != first.path) {
+            format!(": {}", listed(&distinct(rest.iter().map(|finding| format!("`{}`", printable(&name(finding)))))))
         } else {
-            let lines = all().filter_map(|finding| finding.location.line);
-            (phrase::path_of(first), format!("{} times", self.len()), distinct(lines.map(|line| line.to_string())))
+            let lines = distinct(rest.iter().filter_map(|finding| finding.location.line).map(|line| line.to_string()));
+            match lines.as_slice() {
+                [] => String::new(),
+                [only] => format!(": line {only}"),
+                _ => format!(": lines {}", listed(&lines)),
+            }
         };
-        let message = printable(&phrase::message(first));
-        let names = match (files.len(), names.len()) {
-            (_, 0) => String::new(),
-            (1, 1) => format!(": line {}", listed(&names)),
-            (1, _) => format!(": lines {}", listed(&names)),
-            _ => format!(": {}", listed(&names)),
-        };
-        format!("{place}: {}[{}] {number}{names}; the first: {message}", first.level, first.rule)
+        format!("{line}; {} more like it{places}", rest.len())
     }
-}
-
-/// The folder of a finding as a place.
-fn folder(finding: &Finding) -> String {
-    let folder = folder_of(&finding.path);
-    printable(&format!("{}/", if folder.is_empty() { "." } else { folder }))
 }
 
 /// What a finding stands at, without the folder.
@@ -139,15 +128,15 @@ mod tests {
     #[test]
     fn infos_of_a_folder_share_a_line() {
         let findings: Vec<Finding> = (0..7).map(|number| at(&format!("a/{number}.x"), Level::Info)).collect();
-        let names = "`0.x`, `1.x`, `2.x`, `3.x`, `4.x` and 2 more";
-        assert_eq!(lines(&findings, false), [format!("a/: info[a-rule] 7 files: {names}; the first: a/0.x is so")]);
+        let names = "`1.x`, `2.x`, `3.x`, `4.x`, `5.x` and 1 more";
+        assert_eq!(lines(&findings, false), [format!("a/0.x: info[a-rule] a/0.x is so; 6 more like it: {names}")]);
         assert_eq!(lines(&findings, true).len(), 7);
         assert_eq!(
             lines(&findings[..2], false),
             ["a/0.x: info[a-rule] a/0.x is so", "a/1.x: info[a-rule] a/1.x is so"]
         );
         let top = ["x", "y", "z"].map(|path| at(path, Level::Info));
-        assert_eq!(lines(&top, false), ["./: info[a-rule] 3 files: `x`, `y`, `z`; the first: x is so"]);
+        assert_eq!(lines(&top, false), ["x: info[a-rule] x is so; 2 more like it: `y`, `z`"]);
     }
 
     #[test]
@@ -155,7 +144,7 @@ mod tests {
         let mut findings = ["a/x", "a/x", "a/x", "a/y"].map(|path| at(path, Level::Info));
         findings[0].location.line = Some(3);
         findings[2].location.line = Some(7);
-        let expected = ["a/x: info[a-rule] 3 times: lines 3, 7; the first: a/x is so", "a/y: info[a-rule] a/y is so"];
+        let expected = ["a/x:3: info[a-rule] a/x is so; 2 more like it: line 7", "a/y: info[a-rule] a/y is so"];
         assert_eq!(lines(&findings, false), expected);
     }
 

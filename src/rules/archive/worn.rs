@@ -1,6 +1,6 @@
 //! The archive of an asset that cannot be loaded, in words.
 
-use super::words::{missing, of_member, of_mesh};
+use super::words::{missing, not_zip, of_member, of_mesh};
 use crate::diag::{Application::Makehuman2, Case, Level};
 use crate::formats::mhbin::MeshFault;
 use crate::formats::mhbin_asset::{Packed, PackedAsset, PackedFault};
@@ -32,7 +32,7 @@ pub(super) fn fault(view: &View<'_>, file: &FileFacts) -> Option<(String, Case)>
     match file.packed().filter(|_| is_scanned)? {
         // `file-empty` has it.
         Packed::Unopened(ArchiveFault::Empty) => None,
-        Packed::Unopened(ArchiveFault::NotZip(reason)) => Some((format!("not a zip archive: {reason}"), NOT_ZIP)),
+        Packed::Unopened(ArchiveFault::NotZip(reason)) => Some((not_zip(reason), NOT_ZIP)),
         Packed::Other => Some(("member `asset` is missing: this is not the archive of an asset".to_owned(), NO_ASSET)),
         Packed::Asset(asset) => of_asset(asset),
     }

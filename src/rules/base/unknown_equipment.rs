@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::super::cause::schema::is_faulty;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::base_json::BaseJson;
@@ -11,6 +12,7 @@ use crate::repo::makehuman2::{Base, View};
 
 /// Kinds of assets that a base can wear.
 const EQUIPMENT: [&str; 8] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue", "proxy"];
+const ONLY_CLOTHES: &str = "offers only clothes: hair, eyes, teeth and topologies cannot be chosen";
 const MEMBER: &str = "visible groups";
 const INVISIBLE: &str = "silently shows nothing and a height of 0 cm; the glTF export crashes with `ValueError`";
 
@@ -18,8 +20,8 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `KeyError` at start")],
     docs: "`visible groups` lists the groups of the OBJ that are drawn and measured. `equipment` lists the kinds \
         of assets that the base can wear.\n\nWithout `visible groups` MakeHuman 2 crashes at start. If none of \
-        the groups exists, the character is invisible and has height 0. Both are errors. A single unknown group \
-        is only not drawn. A string instead of a list draws every group whose name is part of it. Unknown \
+        the groups exists, the character is invisible and has height 0. Without `equipment` only clothes can be chosen, no hair, eyes, \
+        teeth or topologies. These are errors. A single unknown group is only not drawn. A string instead of a list draws every group whose name is part of it. Unknown \
         equipment is ignored.\n\nCorrect the name, or remove it.",
     counts: "groups",
     ..RuleInfo::new(
@@ -53,6 +55,11 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn equipment(file: &FileFacts, settings: &BaseJson, out: &mut Vec<Finding>) {
+    // A value of another type, or a misspelt key, has a finding of its own.
+    if settings.equipment.is_none() && !is_faulty(file, "equipment") {
+        let finding = RULE.at(file, Place::File, "`equipment` is missing").key("equipment").effect(ONLY_CLOTHES);
+        out.push(finding.help("add `\"equipment\": [\"clothes\", \"hair\", \"eyes\", \"teeth\", \"proxy\"]`"));
+    }
     for (index, name) in settings.equipment.iter().flatten().enumerate() {
         if EQUIPMENT.contains(&name.as_str()) {
             continue;

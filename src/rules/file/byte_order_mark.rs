@@ -38,8 +38,27 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         .at(file, Place::Span(0..3), message)
         .fix(fix.step(&file.path, Change::Rewrite(Rewrite::DropByteOrderMark)))
         .help("save the file as UTF-8 without a byte order mark");
-    let finding = loss.of(view, finding);
+    let finding = match first_keyword(file) {
+        Some(lost) if view.application() == Makehuman2 => {
+            finding.level_in(Makehuman2, Level::Error).effect_in(Makehuman2, lost)
+        }
+        _ => loss.of(view, finding),
+    };
     out.push(if damage == Damage::MarkedRow { weigh(&view.target(file), finding) } else { finding });
+}
+
+/// What MakeHuman 2 does with an asset without the first line, where that is more than to ignore it.
+fn first_keyword(file: &FileFacts) -> Option<&'static str> {
+    if file.kind != Kind::Clothes {
+        return None;
+    }
+    match file.encoding.marked_words.first()?.as_ref() {
+        "name" => Some("does not recognise `name`: lists the asset without a name, and models lose it"),
+        "uuid" => Some("does not recognise `uuid`: saves models with the asset that crash with `IndexError`"),
+        "obj_file" => Some("does not recognise `obj_file`: crashes with `AttributeError` when the asset is put on"),
+        "verts" => Some("does not recognise `verts`: crashes with `IndexError` when the asset is put on"),
+        _ => None,
+    }
 }
 
 fn damage(file: &FileFacts) -> Damage {

@@ -31,7 +31,7 @@ fn labels<'a>(asset: &'a Asset<'_>, filter: &SelectionFilter) -> Vec<(String, &'
     // What leads nowhere has a finding of its own: `filter-dead-entry`.
     let is_dead = |tag: &str| {
         let target = filter.translate.get(&tag.trim().to_lowercase());
-        target.and_then(Option::as_deref).is_some_and(|target| filter.is_dead(target))
+        target.and_then(|led| led.to.as_deref()).is_some_and(|target| filter.is_dead(target))
     };
     let tags =
         asset.tags.iter().filter(|tag| !is_dead(tag)).filter_map(|tag| Some((filter.path_of(tag)?, tag.as_str())));

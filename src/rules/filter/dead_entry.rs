@@ -38,15 +38,16 @@ fn run(view: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding
 
 fn dead(filter: &SelectionFilter) -> Vec<Dead> {
     let pointer = |key: &str, name: &str| crate::diag::pointer(&[key, name]);
-    let translated = filter.translate.iter().filter_map(|(tag, target)| Some((tag, target.as_deref()?)));
+    let translated = filter.translate.values().filter_map(|led| Some((&led.key, led.to.as_deref()?)));
     let translated = translated.map(|(tag, path)| (path.strip_prefix('=').unwrap_or(path), pointer("Translate", tag)));
-    let guessed = filter.guess.iter().map(|(part, path)| (path.as_str(), pointer("GuessName", part)));
+    let guessed = filter.guess.values().map(|led| (led.to.as_str(), pointer("GuessName", &led.key)));
+    let led = translated.chain(guessed).filter(|(path, _)| filter.is_dead(path));
     let rules = filter.shortcuts.iter().flat_map(|(at, rule)| {
         let place = format!("/Shortcut/{at}/1");
         rule.split(['|', '&']).map(move |path| (path.trim(), place.clone()))
     });
-    let all = translated.chain(guessed).chain(rules);
-    all.filter(|(path, _)| filter.is_dead(path)).map(|(path, place)| (path.to_owned(), place)).collect()
+    let rules = rules.filter(|(path, _)| filter.is_dead(&path.to_lowercase()));
+    led.chain(rules).map(|(path, place)| (path.to_owned(), place)).collect()
 }
 
 /// The path with the same last label, or one that is spelt much alike.

@@ -2,6 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::formats::selection_filter::Outcome;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
@@ -15,6 +16,8 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     ..RuleInfo::new("filter-syntax", Level::Error, "a special key of a selection filter in another spelling")
 });
 
+const IN_LIST: Case =
+    &[(Makehuman2, Level::Error, "takes the key for a label, and crashes with `TypeError` at every visit of the list")];
 const LABEL: Case = &[(Makehuman2, Level::Warning, "takes the key for a label and does not use what is in it")];
 
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -23,6 +26,10 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let (key, meant) = (&misspelt.key, misspelt.meant);
         let finding = RULE.at(file, Place::Key(crate::diag::pointer(&[key])), format!("`{key}` is not a special key"));
         let finding = finding.key(key).help(format!("write `{meant}`"));
-        out.push(if misspelt.crashes { finding } else { finding.case(LABEL) });
+        out.push(match misspelt.outcome {
+            Outcome::CrashesAtStart => finding,
+            Outcome::CrashesInList => finding.case(IN_LIST),
+            Outcome::Labels => finding.case(LABEL),
+        });
     }
 }

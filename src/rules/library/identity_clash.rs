@@ -16,7 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(Rule
         That happens to a copy that was made to start a new asset, or to a backup. Poses and expressions are known by \
         their name, models by name and file name, motions and skins by their file name: a pose and an expression of one \
         name are one asset.\n\n\
-        Copies of equal content do no harm besides (a warning). An asset of the user that takes the place of one of the \
+        Of copies with equal content one is listed and the others are ignored (a warning). An asset of the user that takes the place of one of the \
         system is meant to do so (`overlay-shadowed-asset`); skeletons have `skeleton-name-clash`.\n\n\
         Give the asset a name and a uuid of its own, or remove the copy.",
     ..RuleInfo::new("library-identity-clash", Level::Error, "two assets with the same name and uuid")

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
-use crate::discover::extension;
+use crate::discover::{extension, listed_in};
 use crate::repo::makehuman2::{Asset, View};
 use crate::repo::{FileFacts, Resolution, parent};
 
@@ -24,7 +24,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
     let own = view.library.bases().into_iter().flat_map(|base| view.library.of_base(base));
     let own: Vec<&Asset<'_>> = own.filter(|asset| view.layers.is_checked(asset.file)).collect();
-    let stems: BTreeSet<&str> = own.iter().map(|asset| stem(&asset.file.rel)).collect();
+    // The picture of an asset that cannot be read belongs to that.
+    let listed = layer.files.values().filter(|file| listed_in(&file.rel).is_some());
+    let stems: BTreeSet<&str> = listed.map(|file| stem(&file.rel)).collect();
     let clashes = view.library.bases().into_iter().flat_map(|base| view.library.clashes(base));
     let copies: BTreeSet<&str> = clashes.flatten().map(|asset| asset.file.path.as_str()).collect();
     let bare = own.iter().filter(|asset| {

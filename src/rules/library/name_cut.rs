@@ -1,7 +1,7 @@
 //! A name or uuid of an asset is one word.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 
@@ -18,6 +18,13 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     ..RuleInfo::new("library-name-cut", Level::Warning, "a name or uuid of an asset with several words")
 });
 
+const UUID: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "lists the first word at the first start and all of them from the second on: saved models lose the material chosen for \
+        the asset",
+)];
+
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_listed = file.kind == Kind::Clothes && (view.layout().scans)(&file.rel);
     let Some(clothes) = file.clothes().filter(|_| is_listed) else { return };
@@ -28,10 +35,9 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         }
         let message = format!("only the first word of `{keyword} {}` is listed", entry.value);
         let finding = RULE.at(file, Place::Span(entry.span.clone()), message).key(keyword);
-        let help = match keyword {
-            "name" => format!("write `{keyword} {}`", entry.value.replace(' ', "_")),
-            _ => "write the uuid as one word".to_owned(),
-        };
-        out.push(finding.help(help));
+        out.push(match keyword {
+            "name" => finding.help(format!("write `{keyword} {}`", entry.value.replace(' ', "_"))),
+            _ => finding.case(UUID).help("write the uuid as one word"),
+        });
     }
 }

@@ -11,7 +11,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     docs: "MakeHuman 2 looks for assets in the folder of the base mesh (`clothes/<base>/`) and in the folders directly in it. It \
         takes suffixes as they are written: `.mhclo`, not `.MHCLO`.\n\n\
         An asset in a deeper folder, with a suffix in capitals or with another suffix behind its own (`vest.mhclo.txt`, which \
-        Windows shows as `vest.mhclo`) is not listed, and models that wear it lose it. On all systems.\n\n\
+        Windows shows as `vest.mhclo`) is not listed on any system, and models that wear it lose it.\n\n\
         Move the folder of the asset up, or rename the file.",
     ..RuleInfo::new("library-too-deep", Level::Error, "an asset that the list does not find")
 });

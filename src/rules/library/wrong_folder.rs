@@ -45,6 +45,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let mut others = CATEGORIES.iter().filter(|other| **other != category);
         others.any(|other| layer.below(&format!("{other}/{folder}")).next().is_some())
     };
+    // Without the system data it may be one of its base meshes, unless it is the asset's own folder.
+    let is_no_base = |file: &FileFacts, folder: &str| {
+        let can_tell = view.layers.system.is_some() || file.stem() == folder;
+        can_tell && !bases.is_empty() && !bases.contains(folder)
+    };
     let mut unknown: BTreeMap<&str, Vec<&FileFacts>> = BTreeMap::new();
     for file in layer.files.values().filter(|file| !file.is_loose()) {
         let Some(suffix) = suffix(&file.rel).filter(|suffix| extension(&file.rel) == *suffix) else { continue };
@@ -58,7 +63,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         match parts.as_slice() {
             _ if !right.contains(category) => out.push(misplaced(file, suffix, category, right)),
             [_, name] => out.push(without_base(file, category, name, &bases)),
-            [_, folder, name] if !bases.is_empty() && !bases.contains(folder) && !is_elsewhere(category, folder) => {
+            [_, folder, name] if is_no_base(file, folder) && !is_elsewhere(category, folder) => {
                 out.push(without_base(file, category, &format!("{folder}/{name}"), &bases));
             }
             _ => {}

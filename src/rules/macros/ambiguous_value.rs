@@ -48,6 +48,6 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             format!("value `{value}` of `{}` contains a dash, which separates values in names", component.name);
         let place = Place::pointer(["components", &component.name, "values", &at.to_string()]);
         let finding = RULE.at(file, place, message).key(&component.name).level(Level::Info);
-        out.push(finding.effect("no effect in MakeHuman 2: every listed name still has one meaning").help(HELP));
+        out.push(finding.effect("reads each listed name as meant, because each still has one meaning").help(HELP));
     }
 }

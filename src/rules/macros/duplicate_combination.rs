@@ -33,7 +33,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 .help("keep one entry with this name, and remove the others")
                 .related(&file.path, Place::Pointer(macrodef.link_pointer(last, "name")), "this entry is used");
             if links.iter().all(|link| link.target == last.target) {
-                let effect = "no effect in MakeHuman 2: the entries are equal";
+                let effect = "reads the same target twice, without effect: the entries are equal";
                 let surplus = links.iter().skip(1);
                 let fix = surplus.fold(Fix::new(RULE.info.fix, "keep only the first entry"), |fix, link| {
                     fix.step(&file.path, Change::Element(macrodef.entry_pointer(link)))

@@ -35,7 +35,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();
     for surface in view.surfaces().iter().filter(|surface| layers.is_checked(surface.file)) {
         let name = surface.file.file_name();
-        if name.contains(char::is_whitespace) && surface.wearer != Wearer::Asset {
+        // That of the base mesh is never offered.
+        let is_offered = surface.wearer != Wearer::Asset && !surface.file.rel.starts_with("base/");
+        if name.contains(char::is_whitespace) && is_offered {
             let finding = RULE.at(surface.file, Place::File, format!("`{name}` has a space in its name")).key("space");
             let finding = finding.case(if surface.wearer == Wearer::Skin { OF_SKIN } else { OF_ASSET });
             out.push(finding.help("rename the file without spaces, and everything that names it"));

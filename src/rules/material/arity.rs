@@ -59,12 +59,12 @@ fn crash(surface: &Surface<'_>) -> String {
 }
 
 fn valueless_text(keyword: &str) -> (String, Level, String, String) {
-    let effect = match keyword {
-        "name" => "shows the material without a name",
-        "tag" => "adds an empty tag",
-        _ => "shows no description",
+    let (level, effect) = match keyword {
+        "name" => (Level::Warning, "shows the material without a name"),
+        "tag" => (Level::Info, "adds an empty tag"),
+        _ => (Level::Info, "shows no description"),
     };
-    (format!("`{keyword}` has no value"), Level::Warning, effect.to_owned(), WRITE.to_owned())
+    (format!("`{keyword}` has no value"), level, effect.to_owned(), WRITE.to_owned())
 }
 
 /// A colour with another number of numbers than three. Of several lines the last counts.

@@ -43,7 +43,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn unnamed(surface: &Surface<'_>) -> Option<Finding> {
     // A parameter without a value stops the loader before that.
     let is_cut = surface.material.lines_of("shaderParam").any(|line| line.count < 2);
-    let line = surface.material.last("shader").filter(|_| !is_cut)?;
+    // The old keyword has a finding of its own.
+    let is_old = surface.material.last("litsphereTexture").is_some();
+    let line = surface.material.last("shader").filter(|_| !is_cut && !is_old)?;
     let message = "shader `litsphere` has no `shaderParam litsphereTexture`";
     let finding = RULE.at(surface.file, Surface::place(line), message).key("litsphereTexture");
     Some(finding.help("add a line `shaderParam litsphereTexture` with the name of the picture"))

@@ -3,7 +3,7 @@
 use super::super::cause::mesh::weigh;
 use super::super::{Check, Rule, RuleCx};
 use super::of_asset;
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 
@@ -11,7 +11,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `UnicodeEncodeError` while loading the base mesh")],
     docs: "The name of a face group contains a letter beyond ASCII.\n\n\
         MakeHuman 2 stores group names as ASCII text and crashes on any other letter. Groups without faces are \
-        dropped before that and do no harm.\n\n\
+        dropped before that and do no harm. The same happens when an asset with such a mesh is put on.\n\n\
         Rename the group, here and in `visible groups` of `base.json`.",
     ..RuleInfo::new("mesh-group-name", Level::Error, "a group name is not ASCII")
 });
@@ -24,16 +24,23 @@ const OF_ASSET: Case = &[(
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if let Some(mesh) = of_asset(view, file) {
-        return out.extend(mesh.odd_groups.iter().map(|(name, line)| finding(file, name, *line).case(OF_ASSET)));
+        let odd: Vec<(&str, u32)> = mesh.odd_groups.iter().map(|(name, line)| (&**name, *line)).collect();
+        return out.extend(finding(file, &odd).map(|finding| finding.case(OF_ASSET)));
     }
     // An archive has them packed, and unpacking does not mind.
     let Some(mesh) = file.mesh().filter(|_| file.kind == Kind::BaseMesh) else { return };
-    for group in mesh.groups.iter().filter(|group| group.faces > 0 && !group.name.is_ascii()) {
-        out.push(weigh(view, file, finding(file, &group.name, group.line)));
-    }
+    let odd = mesh.groups.iter().filter(|group| group.faces > 0 && !group.name.is_ascii());
+    let odd: Vec<(&str, u32)> = odd.map(|group| (&*group.name, group.line)).collect();
+    out.extend(finding(file, &odd).map(|finding| weigh(view, file, finding)));
 }
 
-fn finding(file: &FileFacts, name: &str, line: u32) -> Finding {
-    let finding = RULE.at(file, Place::Line(line), format!("group name `{name}` is not ASCII")).key(name);
-    finding.help("rename the group with letters a to z, digits, `-` and `_` only")
+fn finding(file: &FileFacts, odd: &[(&str, u32)]) -> Option<Finding> {
+    let (name, line) = odd.first()?;
+    let message = match odd.len() {
+        1 => format!("group name `{name}` is not ASCII"),
+        count => format!("{count} group names are not ASCII, first `{name}`"),
+    };
+    let names = || odd.iter().map(|(name, _)| *name);
+    let finding = RULE.at(file, Place::Line(*line), message).parts(names()).evidence(Evidence::of_cases(names()));
+    Some(finding.help("rename it with letters a to z, digits, `-` and `_` only"))
 }

@@ -14,6 +14,7 @@ pub(super) mod unused_vertex;
 pub(super) mod vertex_order;
 
 use super::cause::mesh::weigh;
+use super::proxy::{STOPS_WITH_INDEX, STOPS_WITH_OVERFLOW};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level};
 use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::obj::MeshFacts;
@@ -61,13 +62,5 @@ const ASSET_VALUE: Case = &[(
     Level::Error,
     "crashes with `ValueError` or `IndexError` when the asset is put on; a model that wears it is only half loaded",
 )];
-const ASSET_INDEX: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "crashes with `IndexError` when the asset is put on; a model that wears it is only half loaded",
-)];
-const ASSET_OVERFLOW: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "crashes with `OverflowError` when the asset is put on; a model that wears it is only half loaded",
-)];
+const ASSET_INDEX: Case = &[(Makehuman2, Level::Error, STOPS_WITH_INDEX)];
+const ASSET_OVERFLOW: Case = &[(Makehuman2, Level::Error, STOPS_WITH_OVERFLOW)];

@@ -3,7 +3,7 @@
 use super::super::cause::is_unmet;
 use super::super::cause::mesh::{is_in_archive, weigh};
 use super::super::{Check, Rule, RuleCx};
-use super::of_asset;
+use super::{ASSET_INDEX, of_asset};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::{Mesh, MeshFacts};
 use crate::repo::{FileFacts, View};
@@ -15,6 +15,8 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         crashes with `ValueError` because there is nothing to write. A file that also has no line `v …`, such as a \
         web page saved in place of the mesh, crashes MakeHuman 2 at start. For faces in groups that are not shown, \
         see `base-unknown-equipment`.\n\n\
+        An asset with such a mesh is put on and shows nothing, and the glTF export crashes. If the file has no vertices \
+        either, MakeHuman 2 crashes when the asset is put on.\n\n\
         Export the mesh again, with its faces.",
     ..RuleInfo::new("mesh-no-faces", Level::Error, "a mesh has no faces")
 });
@@ -27,12 +29,6 @@ const OF_ASSET: Case = &[(
     Level::Error,
     "shows nothing; the glTF export of a figure that wears the asset crashes with `ValueError`",
 )];
-const NO_ASSET: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "crashes with `IndexError` when the asset is put on; a model that wears it is only half loaded",
-)];
-
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if let Some(mesh) = of_asset(view, file) {
         let is_cloud = mesh.faces == 0 && is_read(&mesh.facts) && mesh.facts.short_faces.is_empty();
@@ -73,7 +69,7 @@ fn of_worn(file: &FileFacts, vertices: usize) -> Finding {
     if vertices == 0 {
         let message = format!("`{}` is not an OBJ file: it has neither vertices nor faces", file.file_name());
         let help = "restore the mesh: this file is something else, such as a web page";
-        return RULE.at(file, Place::File, message).case(NO_ASSET).help(help);
+        return RULE.at(file, Place::File, message).case(ASSET_INDEX).help(help);
     }
     let finding = RULE.at(file, Place::File, format!("the mesh has {vertices} vertices but no faces")).case(OF_ASSET);
     finding.help("export the mesh again, with its faces").evidence(Evidence::counted(vertices).out_of(vertices))

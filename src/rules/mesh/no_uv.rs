@@ -1,24 +1,45 @@
 //! The mesh of an asset has texture coordinates.
 
-use super::super::{Check, Rule, RuleCx};
-use super::of_asset;
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
-use crate::repo::{FileFacts, View};
+use std::collections::BTreeMap;
 
-pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
+use crate::repo::{FileFacts, Reference, ReferenceKind, View, Worn, parent};
+
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "shows one colour of each texture all over the asset, here and in exports")],
-    docs: "No face of the mesh of an asset has texture coordinates: its faces are written `v` or `v//n` instead of `v/t`.\n\n\
+    docs: "No face of the mesh of an asset has texture coordinates: its faces are written `v` or `v//n` instead of `v/t`. A \
+        material of the asset has a texture.\n\n\
         MakeHuman 2 loads the mesh and uses the same point of a texture for all of it. Base meshes are not reported: \
         without a skin they do without.\n\n\
         Unwrap the mesh, and export it with texture coordinates and in the same order of vertices.",
     ..RuleInfo::new("mesh-no-uv", Level::Warning, "the mesh of an asset has no texture coordinates")
 });
 
-fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(mesh) = of_asset(view, file).filter(|mesh| mesh.faces > 0 && !mesh.has_uvs) else { return };
-    if mesh.facts.unreadable_lines > 0 || mesh.facts.face_out_of_range.count > 0 {
-        return;
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let bare = view.assets().iter().filter_map(|worn| Some((worn, bare_mesh(worn)?)));
+    let bare = bare.filter(|(worn, file)| view.layers().is_checked(file) && has_texture(view, worn, file));
+    // Several assets may have one mesh.
+    let files: BTreeMap<&str, &FileFacts> = bare.map(|(_, file)| (file.path.as_str(), file)).collect();
+    for file in files.into_values() {
+        let finding = RULE.at(file, Place::File, "no face has texture coordinates");
+        out.push(finding.help("unwrap the mesh, and export it with texture coordinates in the same order of vertices"));
     }
-    let finding = RULE.at(file, Place::File, "no face has texture coordinates");
-    out.push(finding.help("unwrap the mesh, and export it with texture coordinates in the same order of vertices"));
+}
+
+/// The mesh of an asset, if it has faces and no texture coordinates.
+fn bare_mesh<'a>(worn: &Worn<'a>) -> Option<&'a FileFacts> {
+    let (file, mesh) = worn.mesh().filter(|(_, mesh)| mesh.faces > 0 && !mesh.has_uvs)?;
+    (mesh.facts.unreadable_lines == 0 && mesh.facts.face_out_of_range.count == 0).then_some(file)
+}
+
+/// Whether a material that the asset names, or one that is offered for it, has a texture.
+fn has_texture(view: &View<'_>, worn: &Worn<'_>, mesh: &FileFacts) -> bool {
+    let folder = parent(&mesh.rel);
+    // In the folder of the base mesh lie those of all assets.
+    let own = (folder.matches('/').count() >= 2).then(|| view.layers().checked.below(folder));
+    let offered = own.into_iter().flatten().filter(|file| file.kind == Kind::Material);
+    let named = worn.reference(ReferenceKind::AssetMaterial).and_then(Reference::meant);
+    offered.chain(named).filter_map(FileFacts::material).any(|material| !material.textures.is_empty())
 }

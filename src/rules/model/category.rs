@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::own;
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::mhm::{CATEGORIES, WornLine};
 use crate::repo::makehuman2::{Asset, Base, SavedModel, View};
 
@@ -12,7 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         `teeth`, `tongue` or `proxy`.\n\n\
         MakeHuman 2 ignores a line with another word, so the asset is missing. If the word is one of these but not the \
         folder of the asset, the asset is worn as something else: hair as clothes is exported to glTF with another way of \
-        blending (a warning).\n\n\
+        blending (a warning). Several lines `hair` are all worn (a warning).\n\n\
         Write the name of the folder that the asset is in.",
     ..RuleInfo::new("model-category", Level::Error, "a model puts an asset on under an unknown or another category")
 });
@@ -24,6 +24,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let worn = saved.model.worn.iter().filter_map(|line| Some((line, asset(line)?)));
         let other = worn.filter(|(line, asset)| *asset.category != *line.category.text && asset.is_worn());
         out.extend(other.map(|(line, asset)| misplaced(saved, line, asset)));
+        out.extend(several_hairs(saved));
     }
 }
 
@@ -36,6 +37,16 @@ fn unknown(saved: &SavedModel<'_>, line: &WornLine, asset: Option<&Asset<'_>>) -
     let message = format!("`{word}` is not a category, so `{name}` is not worn");
     let finding = RULE.at(saved.file, Place::Span(line.category.span.clone()), message);
     Some(finding.key(format!("{word} {name}")).help(did_you_mean(Some(meant), "write the category")))
+}
+
+/// The panel allows one.
+fn several_hairs(saved: &SavedModel<'_>) -> Option<Finding> {
+    let hairs: Vec<&WornLine> = saved.model.worn.iter().filter(|line| &*line.category.text == "hair").collect();
+    let [_, second, ..] = hairs.as_slice() else { return None };
+    let message = format!("the model has {} lines `hair`, expected one", hairs.len());
+    let finding = RULE.at(saved.file, Place::Span(second.category.span.clone()), message).key("hair");
+    let finding = finding.evidence(Evidence::of_cases(hairs.iter().map(|line| &*line.name.text))).level(Level::Warning);
+    Some(finding.effect("wears all of them, although the panel allows one").help("keep one of the lines"))
 }
 
 /// Whether a word has the form that programs give to uuids.

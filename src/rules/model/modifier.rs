@@ -66,7 +66,8 @@ fn non_finite(saved: &SavedModel<'_>) -> Option<Finding> {
     let message = format!("the value of `{}` is NaN or infinity{}", first.pattern.text, more(bad.len()));
     let finding = RULE.at(saved.file, Place::Span(first.pattern.span.clone()), message).key("non-finite");
     let finding = finding.evidence(patterns(bad.iter().copied())).help("write a number, or remove the line");
-    Some(finding.effect(format!("crashes with `UnboundLocalError` {}", when(saved))))
+    let crash = if saved.is_start { "ValueError" } else { "UnboundLocalError" };
+    Some(finding.effect(format!("crashes with `{crash}` {}", when(saved))))
 }
 
 /// A modifier of a character.

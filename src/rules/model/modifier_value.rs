@@ -8,7 +8,8 @@ pub(super) struct Faulty<'m> {
     pub(super) modifier: &'m Modifier,
     pub(super) value: f64,
     is_two_sided: bool,
-    is_macro: bool,
+    /// Whether it is divided into steps, of which the last ends at 1.
+    has_steps: bool,
     /// Whether the slider has something for negative values, although it shows none.
     has_decr: bool,
 }
@@ -18,10 +19,12 @@ pub(super) fn faulty<'m>(base: &Base<'_>, modifier: &'m Modifier) -> Option<Faul
     let value = *modifier.value.as_ref().ok().filter(|value| value.is_finite())?;
     let bound = base.slider(&modifier.pattern.text)?;
     let is_two_sided = matches!(bound.pattern, Pattern::Pair(_));
-    let is_macro = matches!(bound.pattern, Pattern::Macro(_) | Pattern::Barycentric(_));
+    let has_steps = matches!(bound.pattern, Pattern::Macro(_));
+    let is_macro = has_steps || matches!(bound.pattern, Pattern::Barycentric(_));
     let least = if is_two_sided { -1.0 } else { 0.0 };
     let is_inside = (least..=1.0).contains(&value);
-    (!is_inside).then_some(Faulty { modifier, value, is_two_sided, is_macro, has_decr: bound.slider.decr.is_some() })
+    let has_decr = is_macro || bound.slider.decr.is_some();
+    (!is_inside).then_some(Faulty { modifier, value, is_two_sided, has_steps, has_decr })
 }
 
 impl Faulty<'_> {
@@ -30,11 +33,10 @@ impl Faulty<'_> {
     }
 
     pub(super) const fn effect(&self) -> &'static str {
-        match (self.is_macro, self.value > 0.0) {
+        match (self.has_steps, self.value > 0.0) {
             (true, true) => "does not limit the value: the shape of this macro vanishes",
-            (true, false) => "does not limit the value and exaggerates the shape",
-            (false, false) if !self.is_two_sided && !self.has_decr => "silently ignores the value",
-            (false, _) => "does not limit the value and exaggerates the shape",
+            (_, false) if !self.is_two_sided && !self.has_decr => "silently ignores the value",
+            _ => "does not limit the value and exaggerates the shape",
         }
     }
 

@@ -18,6 +18,10 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 
 const COUNTERPART: &str = "name the left/right counterpart";
 
+const ONE_WAY: &str = "mirrors changes of this slider to its counterpart, not back";
+const TO_ITSELF: &str = "mirrors the slider to itself: no other slider follows";
+const WRONG_SIDE: &str = "copies the wrong side when the figure is made symmetric";
+
 /// What mirrors is the targets of the partner.
 const WITHOUT_TARGETS: &str =
     "crashes with `AttributeError` when the slider moves while symmetry is on: its counterpart has no targets";
@@ -26,11 +30,12 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in with_patterns(base).unwrap_or_default() {
         let Some((member, partner)) = counterpart(bound.slider) else { continue };
         let Some(partner) = base.slider(partner) else { continue };
-        if let Some((message, help)) = fault(base, bound, member, partner) {
+        if let Some((message, effect, help)) = fault(base, bound, member, partner) {
             let key = bound.slider.key.as_str();
             let mut finding = RULE.at(bound.file, Place::pointer([key, member]), message).key(key).help(help);
+            finding = finding.effect(effect);
             if has_no_targets(partner) {
-                finding = finding.level(Level::Error).effect(WITHOUT_TARGETS);
+                finding = finding.level(Level::Error);
             }
             if !std::ptr::eq(partner, bound) {
                 finding =
@@ -46,22 +51,24 @@ fn fault(
     bound: &BoundSlider<'_>,
     member: &str,
     partner: &BoundSlider<'_>,
-) -> Option<(String, String)> {
+) -> Option<(String, &'static str, String)> {
     // The key that the partner has to use.
     let back = if member == "rsym" { "lsym" } else { "rsym" };
     let (own, other) = (bound.slider.key.as_str(), partner.slider.key.as_str());
     let names = bound.pattern.names();
     let pattern = names.first().map(String::as_str).unwrap_or_default();
     if std::ptr::eq(partner, bound) {
-        return Some((format!("`{own}` is its own counterpart"), COUNTERPART.to_owned()));
+        let effect = if has_no_targets(partner) { WITHOUT_TARGETS } else { TO_ITSELF };
+        return Some((format!("`{own}` is its own counterpart"), effect, COUNTERPART.to_owned()));
     }
     if has_no_targets(partner) {
         let what = if partner.slider.barycentric.is_some() { "a triangle" } else { "a macro" };
-        return Some((format!("`{own}` has the counterpart `{other}`, which is {what}"), COUNTERPART.to_owned()));
+        let message = format!("`{own}` has the counterpart `{other}`, which is {what}");
+        return Some((message, WITHOUT_TARGETS, COUNTERPART.to_owned()));
     }
     if bound.slider.rsym.is_some() && bound.slider.lsym.is_some() {
         let help = "keep only `rsym` in a left slider, only `lsym` in a right one".to_owned();
-        return Some((format!("`{own}` has both `rsym` and `lsym`; only `rsym` is read"), help));
+        return Some((format!("`{own}` has both `rsym` and `lsym`; only `rsym` is read"), ONE_WAY, help));
     }
     let Some((its_member, its_partner)) = counterpart(partner.slider) else {
         // A misspelt key, or a value of a wrong type, is a finding of its own.
@@ -70,7 +77,7 @@ fn fault(
             return None;
         }
         let help = format!("add `\"{back}\": \"{pattern}\"` to `{other}`");
-        return Some((format!("`{own}` has the counterpart `{other}`, which has none"), help));
+        return Some((format!("`{own}` has the counterpart `{other}`, which has none"), ONE_WAY, help));
     };
     if !names.iter().any(|name| name == its_partner) {
         // A name that leads nowhere, or to a third slider that does not point back, is the partner's finding.
@@ -79,19 +86,19 @@ fn fault(
             return None;
         }
         let help = format!("write `\"{back}\": \"{pattern}\"` in `{other}`, or correct the counterpart here");
-        return Some((format!("`{own}` has the counterpart `{other}`, which names `{its_partner}`"), help));
+        return Some((format!("`{own}` has the counterpart `{other}`, which names `{its_partner}`"), ONE_WAY, help));
     }
     if its_member == member {
         // Seen from both sides; told once.
         let side = if member == "rsym" { "left" } else { "right" };
         let help = format!("use `{back}` in one of them");
         let message = || format!("`{own}` and `{other}` both have `{member}`, as if both were {side} sliders");
-        return (own < other).then(|| (message(), help));
+        return (own < other).then(|| (message(), WRONG_SIDE, help));
     }
     let swapped = member == "rsym" && side_of(bound) == Some("r") && side_of(partner) == Some("l");
     swapped.then(|| {
         let help = "use `rsym` in the left slider, `lsym` in the right one".to_owned();
-        (format!("`{own}` and `{other}` have `rsym` and `lsym` swapped"), help)
+        (format!("`{own}` and `{other}` have `rsym` and `lsym` swapped"), WRONG_SIDE, help)
     })
 }
 

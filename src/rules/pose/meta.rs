@@ -60,8 +60,7 @@ fn unread(view: &View<'_>, file: &FileFacts, misspelt: &Misspelt) -> Finding {
 fn cut(view: &View<'_>, file: &FileFacts, name: &Name) -> Option<Finding> {
     let Name { written, listed, line } = name;
     let (message, effect) = if listed.is_empty() {
-        let what = if written.is_empty() { "`name` has no value" } else { "the name has no ASCII letter" };
-        (what.to_owned(), "lists the motion with an empty name")
+        ("the name has no ASCII letter".to_owned(), "lists the motion with an empty name")
     } else if listed.chars().count() < written.to_lowercase().chars().count() {
         (format!("the name is cut to `{listed}`: only ASCII letters are kept"), "lists the motion under the cut name")
     } else {

@@ -33,21 +33,22 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some((file, units)) = body.units_of(pose) else { continue };
         let by_name: BTreeMap<&str, &Unit> = units.units.iter().map(|unit| (unit.name.as_str(), unit)).collect();
         let values = pose.pose.values.iter();
-        let faulty = grouped(values.filter_map(|one| Some((fault(one, by_name.get(&*one.unit).copied())?, one))));
+        let unit = |one: &UnitValue| by_name.get((pose.renewed)(&one.unit).unwrap_or(&one.unit)).copied();
+        let faulty = grouped(values.filter_map(|one| Some((fault(one, unit(one)?)?, one))));
         out.extend(faulty.into_iter().filter_map(|(fault, all)| finding(pose, &file.path, fault, &all)));
     }
 }
 
-fn fault(one: &UnitValue, unit: Option<&Unit>) -> Option<Fault> {
+fn fault(one: &UnitValue, unit: &Unit) -> Option<Fault> {
     let value = one.value.filter(|value| value.is_finite())?;
-    if value.abs() > 1.0 {
-        return Some(Fault::TooFar);
-    }
     // A unit that turns nothing at all is one for the position, or a deliberate nothing.
-    let unit = unit.filter(|unit| unit.bones.is_some() || unit.reverse.is_some())?;
+    if unit.bones.is_none() && unit.reverse.is_none() {
+        return None;
+    }
     match value {
         value if value < 0.0 && unit.reverse.is_none() => Some(Fault::NoReverse),
         value if value > 0.0 && unit.bones.is_none() => Some(Fault::NoBones),
+        value if value.abs() > 1.0 => Some(Fault::TooFar),
         _ => None,
     }
 }

@@ -31,6 +31,11 @@ pub(super) fn archives<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Archi
     })
 }
 
+/// Those that are all there is of an asset: beside a text the fault is told there, or that the two differ.
+pub(super) fn lone_archives<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Archive<'b, 'v>> {
+    archives(body).filter(|archive| archive.text.is_none())
+}
+
 impl Archive<'_, '_> {
     /// The base mesh, if the rows were counted against it.
     pub(super) fn size_of_base(&self, body: &Body<'_>) -> Option<MeshSize> {

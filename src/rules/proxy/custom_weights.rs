@@ -1,11 +1,11 @@
 //! The bone weights of an asset are for bones of the skeleton.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::texts;
+use super::{lone_archives, texts};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Body, Reference, ReferenceKind};
+use crate::repo::{Body, FileFacts, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `KeyError` in every pose, and in the glTF export of a model with a skeleton")],
@@ -24,8 +24,11 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // A bone that is missing as a parent is reported as such (`skeleton-unknown-parent`).
     let parents = skeleton.bones.iter().filter_map(|bone| bone.parent.as_deref());
     let known: BTreeSet<&str> = skeleton.bones.iter().map(|bone| &*bone.name).chain(parents).collect();
-    for text in texts(body) {
-        let Some(file) = text.worn.reference(ReferenceKind::AssetWeights).and_then(Reference::meant) else { continue };
+    let worn = texts(body).map(|text| text.worn).chain(lone_archives(body).map(|archive| archive.worn));
+    let files = worn.filter_map(|worn| worn.reference(ReferenceKind::AssetWeights)?.meant());
+    // Several assets may name one file.
+    let files: BTreeMap<&str, &FileFacts> = files.map(|file| (file.path.as_str(), file)).collect();
+    for file in files.into_values() {
         let Some(weights) = file.weights().filter(|weights| weights.has_weights) else { continue };
         let is_known = |name: &str| known.contains(name);
         let unknown: Vec<&str> = weights

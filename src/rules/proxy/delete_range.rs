@@ -1,18 +1,19 @@
 //! The list of vertices to hide consists of numbers and ranges.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{Text, VALUE, lines, more, sections, texts};
+use super::{STOPS_WITH_VALUE, Text, VALUE, lines, more, sections, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, Tally};
 use crate::formats::mhclo::{Entry, FaultKind};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `ValueError` when the asset is put on; a model that wears it is only half loaded")],
+    breaks: &[(Makehuman2, STOPS_WITH_VALUE)],
     docs: "Below `delete_verts` stand vertices of the base mesh that the asset hides: numbers, and ranges such as \
         `12 - 18` with spaces around the dash. Both ends are included.\n\n\
         MakeHuman 2 crashes on anything else: `12-18`, commas, `12.0`, a comment behind numbers. A comment in a line of \
         its own is fine. It crashes with `UnboundLocalError` if the list begins with a dash.\n\n\
-        Numbers in the line of `delete_verts` itself are ignored. A dash at the end of a line is forgotten: of the range only both ends are hidden. Of a range from a higher to a \
+        Numbers in the line of `delete_verts` itself are ignored. A dash at the end \
+        of a line is forgotten: of the range only both ends are hidden, and of the last one the first vertex. Of a range from a higher to a \
         lower number only the first one is hidden (warnings).\n\n\
         Write ranges in one line, the lower number first.",
     ..RuleInfo::new("proxy-delete-range", Level::Error, "a list of vertices to hide that cannot be read")
@@ -24,6 +25,7 @@ const LEADING: Case = &[(
     "crashes with `UnboundLocalError` when the asset is put on; a model that wears it is only half loaded",
 )];
 const CUT: Case = &[(Makehuman2, Level::Warning, "forgets the dash and hides only both ends of the range")];
+const OPEN: Case = &[(Makehuman2, Level::Warning, "hides only the first vertex of the range")];
 const REVERSED: Case = &[(Makehuman2, Level::Warning, "hides only the first vertex of the range")];
 
 const BESIDE: Case = &[(Makehuman2, Level::Warning, "ignores the numbers: these vertices stay visible")];
@@ -34,7 +36,12 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.extend(leading_dash(&text));
         out.extend(beside_keyword(&text));
         let deletes = &text.clothes.deletes;
-        out.extend(range(&text, &deletes.cut_ranges, CUT, "cut", |at| {
+        // With no number behind it, it has no other end.
+        let is_last = |at: i64| text.clothes.deleted.last() == Some(&(at, at));
+        let is_open =
+            deletes.cut_ranges.count == 1 && deletes.cut_ranges.first.first().is_some_and(|(_, at)| is_last(*at));
+        let cut = if is_open { OPEN } else { CUT };
+        out.extend(range(&text, &deletes.cut_ranges, cut, "cut", |at| {
             format!("the range from {at} ends with its line")
         }));
         out.extend(range(&text, &deletes.reversed, REVERSED, "reversed", |at| {

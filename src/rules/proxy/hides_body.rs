@@ -1,11 +1,12 @@
 //! Something of the body must be left to see.
 
+use std::ops::Range;
+
 use super::super::{Check, Rule, RuleCx};
-use super::texts;
+use super::{lone_archives, texts};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
-use crate::formats::mhclo::Clothes;
 use crate::formats::obj::Mesh;
-use crate::repo::Body;
+use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "hides the whole body; the exports to glTF and OBJ crash with `ValueError`")],
@@ -25,25 +26,33 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if text.clothes.deleted.is_empty() || text.size_of_base(body).is_none() {
             continue;
         }
-        let (shown, hidden) = hidden(body, mesh, text.clothes);
-        let is_almost_all = shown > 0 && hidden.saturating_mul(20) > shown.saturating_mul(19);
-        if !is_almost_all {
-            continue;
-        }
+        let hidden = hidden(body, mesh, &text.clothes.merged_deletes(mesh.positions.len()));
         let list = text.clothes.entries.iter().find(|entry| &*entry.keyword == "delete_verts");
         let place = list.map_or(Place::File, |entry| Place::Line(entry.line));
-        let all = if hidden == shown { "all" } else { "almost all" };
-        let finding = RULE.at(text.file, place, format!("`delete_verts` hides {all} faces of the body"));
-        let finding = finding.evidence(Evidence::counted(hidden).out_of(shown));
-        let finding = finding.help("list only vertices that lie under the asset");
-        out.push(if hidden == shown { finding } else { finding.case(ALMOST) });
+        out.extend(finding(text.file, place, "`delete_verts`", hidden));
+    }
+    for archive in lone_archives(body).filter(|archive| !archive.worn.is_topology()) {
+        let mask = archive.asset.mask.as_ref().filter(|mask| mask.length == mesh.positions.len());
+        let Some(mask) = mask else { continue };
+        out.extend(finding(archive.file, Place::File, "the mask", hidden(body, mesh, &mask.runs)));
     }
 }
 
+fn finding(file: &FileFacts, place: Place, what: &str, (shown, hidden): (usize, usize)) -> Option<Finding> {
+    let is_almost_all = shown > 0 && hidden.saturating_mul(20) > shown.saturating_mul(19);
+    let all = if hidden == shown { "all" } else { "almost all" };
+    is_almost_all.then(|| {
+        let finding = RULE.at(file, place, format!("{what} hides {all} faces of the body"));
+        let finding = finding.evidence(Evidence::counted(hidden).out_of(shown));
+        let finding = finding.help("list only vertices that lie under the asset");
+        if hidden == shown { finding } else { finding.case(ALMOST) }
+    })
+}
+
 /// How many faces are shown without the asset, and how many of them it hides.
-fn hidden(body: &Body<'_>, mesh: &Mesh, clothes: &Clothes) -> (usize, usize) {
+fn hidden(body: &Body<'_>, mesh: &Mesh, runs: &[Range<usize>]) -> (usize, usize) {
     let mut is_deleted = vec![false; mesh.positions.len()];
-    for vertex in clothes.merged_deletes(mesh.positions.len()).into_iter().flatten() {
+    for vertex in runs.iter().cloned().flatten() {
         if let Some(deleted) = is_deleted.get_mut(vertex) {
             *deleted = true;
         }

@@ -27,6 +27,7 @@ const COLON: Case = &[(
 )];
 const TAG: Case = &[(Makehuman2, Level::Warning, "takes the line for a tag until the asset was put on once")];
 const AUTHOR: Case = &[(Makehuman2, Level::Warning, "shows the author as unknown")];
+const UNSEEN_AUTHOR: Case = &[(Makehuman2, Level::Info, "shows the author as unknown until the asset was put on once")];
 const NO_AUTHOR: Case = &[(Makehuman2, Level::Warning, "takes the words behind `author` for the author")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -78,6 +79,11 @@ fn stray_author(text: &Text<'_, '_>, entry: &Entry) -> Option<Finding> {
 fn hidden_author(text: &Text<'_, '_>) -> Option<Finding> {
     if text.clothes.scanned.author.is_some() {
         return None;
+    }
+    if let Some(entry) = text.clothes.last("author") {
+        let message = "the library looks for the author in a comment only";
+        let finding = told(text, entry, message.to_owned(), UNSEEN_AUTHOR);
+        return Some(finding.help(format!("write `# author {}` as well", entry.value)));
     }
     let glued = text.clothes.scanned.glued_author.as_ref()?;
     let message = format!("`{}` is not read as the author", glued.text);

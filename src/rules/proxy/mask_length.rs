@@ -1,7 +1,7 @@
 //! The archive of an asset fits the base mesh and its own mesh.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::{Archive, archives, rebuild};
+use super::{Archive, VALUE, archives, rebuild};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
@@ -10,22 +10,19 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     docs: "The `.mhbin` of an asset has a mask (`deleteVerts`) or rows of another length than the base mesh and its own \
         mesh need.\n\n\
         A mask that is too short crashes when the asset is put on. One that is too long hides nothing sensible; it \
-        crashes as soon as it meets the mask of another asset, and in the exports to glTF and OBJ. Fewer rows than \
+        crashes as soon as it meets the mask of another asset, in the OBJ export, and in the glTF export if it hides the \
+        whole figure. Fewer rows than \
         vertices crash after the asset was added, so that every move of a slider crashes again.\n\n\
         Usually it was made for another base mesh, or by `compile_meshes.py` with a wrong `numverts` in `base.json`.\n\n\
         Delete the archive if the text is beside it: MakeHuman 2 writes it again.",
     ..RuleInfo::new("proxy-mask-length", Level::Error, "the mask or the rows of a packed asset have another length")
 });
 
-const SHORT: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "crashes with `ValueError` when the asset is put on; a model that wears it is only half loaded",
-)];
+const SHORT: Case = VALUE;
 const LONG: Case = &[(
     Makehuman2,
     Level::Error,
-    "crashes with `ValueError` beside another asset that hides vertices, and in the exports to glTF and OBJ",
+    "crashes with `ValueError` beside another asset that hides vertices, in the OBJ export, and in the glTF export if it hides all",
 )];
 const ROWS: Case =
     &[(Makehuman2, Level::Error, "crashes when the asset is put on, and again at every move of a slider")];

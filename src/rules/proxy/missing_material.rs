@@ -1,7 +1,7 @@
 //! The material of an asset must be found.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::{Text, archives, neighbours, texts};
+use super::{Text, is_unwalked, lone_archives, neighbours, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{Body, Reference, ReferenceKind, Resolution};
@@ -25,8 +25,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             None => unnamed(body, &text),
         });
     }
-    // Beside a text it is told there, or that the two differ.
-    for archive in archives(body).filter(|archive| !archive.worn.is_topology() && archive.text.is_none()) {
+    for archive in lone_archives(body).filter(|archive| !archive.worn.is_topology()) {
         let reference = archive.worn.reference(ReferenceKind::AssetMaterial);
         let Some(reference) = reference.filter(|one| matches!(one.resolution, Resolution::Missing)) else { continue };
         let message = format!("material `{}` of the archive does not exist", reference.text);
@@ -38,7 +37,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn absent(body: &Body<'_>, text: &Text<'_, '_>, reference: &Reference<'_>, cx: &RuleCx<'_>) -> Option<Finding> {
     let what = match reference.resolution {
         Resolution::Missing => "does not exist",
-        Resolution::Unusable => "cannot be opened as a file",
+        Resolution::Unusable if !is_unwalked(body, reference) => "cannot be opened as a file",
         Resolution::Found(file) if file.kind != Kind::Material => "is not a `.mhmat` file",
         _ => return None,
     };

@@ -1,7 +1,7 @@
 //! The mesh of an asset must be found.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::{Text, missing::missing, neighbours, texts};
+use super::{Text, is_unwalked, missing::missing, neighbours, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, RuleInfo};
 use crate::repo::{Body, Reference, ReferenceKind, Resolution};
 
@@ -39,7 +39,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn absent(body: &Body<'_>, text: &Text<'_, '_>, reference: &Reference<'_>, cx: &RuleCx<'_>) -> Option<Finding> {
     let what = match reference.resolution {
         Resolution::Missing => "does not exist",
-        Resolution::Unusable => "cannot be opened as a file",
+        Resolution::Unusable if !is_unwalked(body, reference) => "cannot be opened as a file",
         _ => return None,
     };
     let message = format!("mesh `{}` {what}", reference.text);

@@ -1,8 +1,8 @@
 //! The bone weights of an asset must be found.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::{neighbours, texts};
-use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
+use super::{is_unwalked, lone_archives, neighbours, texts};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::{Body, ReferenceKind, Resolution, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -17,7 +17,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
         let Some(reference) = text.worn.reference(ReferenceKind::AssetWeights) else { continue };
-        if !matches!(reference.resolution, Resolution::Missing | Resolution::Unusable) {
+        let is_absent = matches!(reference.resolution, Resolution::Missing | Resolution::Unusable);
+        if !is_absent || is_unwalked(body, reference) {
             continue;
         }
         let folder = parent(&reference.rel);
@@ -25,5 +26,12 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let near = cx.suggestions.nearest(reference.text, neighbours(body, &text, "mhw"));
         let help = did_you_mean(near, "correct the name, restore the file, or remove the line");
         out.push(RULE.at(text.file, reference.place.clone(), message).key(reference.text).help(help));
+    }
+    for archive in lone_archives(body) {
+        let reference = archive.worn.reference(ReferenceKind::AssetWeights);
+        let Some(reference) = reference.filter(|one| matches!(one.resolution, Resolution::Missing)) else { continue };
+        let message = format!("bone weights `{}` of the archive do not exist", reference.text);
+        let finding = RULE.at(archive.file, Place::File, message).key(reference.text);
+        out.push(finding.help("add the weights where the archive looks for them, or remove the archive"));
     }
 }

@@ -29,12 +29,12 @@ pub(super) mod vertex_out_of_range;
 pub(super) mod weights_sum;
 pub(super) mod z_depth;
 
-use archives::{Archive, archives, rebuild};
+use archives::{Archive, archives, lone_archives, rebuild};
 
 use crate::diag::{Application::Makehuman2, Case, Evidence, Level};
 use crate::formats::mhclo::{Clothes, Entry, Fault, FaultKind, Section};
 use crate::formats::target::MeshSize;
-use crate::repo::{Body, FileFacts, Worn, parent};
+use crate::repo::{Body, FileFacts, Reference, Resolution, Worn, parent};
 
 /// An asset of the checked layer with its text.
 #[derive(Clone, Copy)]
@@ -99,9 +99,19 @@ impl<'v> Text<'_, 'v> {
 /// Names of the files of a sort beside the asset, as it would write them.
 fn neighbours<'v>(body: &Body<'v>, text: &Text<'_, '_>, extension: &str) -> Vec<&'v str> {
     let folder = parent(&text.file.rel);
+    // In the folder of the base mesh lie the files of all assets.
+    if folder.matches('/').count() < 2 {
+        return Vec::new();
+    }
     let beside = body.layers.checked.below(folder);
     let own = beside.filter(|file| crate::discover::extension(&file.rel) == extension);
     own.filter_map(|file: &FileFacts| file.rel.strip_prefix(folder)?.strip_prefix('/')).collect()
+}
+
+/// Whether what is named cannot be walked: a broken link, or a folder without permission, has a finding of its own.
+fn is_unwalked(body: &Body<'_>, reference: &Reference<'_>) -> bool {
+    let has_fault = || body.layers.strongest_first().any(|layer| layer.has_fault(&reference.rel));
+    matches!(reference.resolution, Resolution::Unusable) && has_fault()
 }
 
 /// How many lines have a fault, with the first of them.
@@ -115,18 +125,13 @@ fn more(count: u64) -> String {
     if count > 1 { format!(" ({count} such lines)") } else { String::new() }
 }
 
-const VALUE: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "crashes with `ValueError` when the asset is put on; a model that wears it is only half loaded",
-)];
-const INDEX: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "crashes with `IndexError` when the asset is put on; a model that wears it is only half loaded",
-)];
-const OVERFLOW: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "crashes with `OverflowError` when the asset is put on; a model that wears it is only half loaded",
-)];
+pub(super) const STOPS_WITH_VALUE: &str =
+    "crashes with `ValueError` when the asset is put on; a model that wears it is only half loaded";
+pub(super) const STOPS_WITH_INDEX: &str =
+    "crashes with `IndexError` when the asset is put on; a model that wears it is only half loaded";
+pub(super) const STOPS_WITH_OVERFLOW: &str =
+    "crashes with `OverflowError` when the asset is put on; a model that wears it is only half loaded";
+
+const VALUE: Case = &[(Makehuman2, Level::Error, STOPS_WITH_VALUE)];
+const INDEX: Case = &[(Makehuman2, Level::Error, STOPS_WITH_INDEX)];
+const OVERFLOW: Case = &[(Makehuman2, Level::Error, STOPS_WITH_OVERFLOW)];

@@ -1,9 +1,10 @@
 //! Numbers of vertex rows must be finite.
 
 use super::super::{Check, Rule, RuleCx};
-use super::texts;
+use super::{lone_archives, texts};
 use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
-use crate::repo::Body;
+use crate::formats::mhclo::RowFacts;
+use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "loses the vertex; the glTF export of the whole figure crashes with `ValueError`")],
@@ -16,13 +17,21 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body).filter(|text| !text.stops()) {
-        let tally = &text.clothes.rows.non_finite;
-        let Some((line, vertex)) = tally.first.first() else { continue };
-        let message = match tally.count {
-            1 => format!("a number in the row of vertex {vertex} is not finite"),
-            count => format!("numbers in the rows of {count} vertices are not finite, first vertex {vertex}"),
-        };
-        let finding = RULE.at(text.file, Place::Line(*line), message).evidence(tally.evidence(text.clothes.rows.count));
-        out.push(finding.help("give the row finite numbers, or export the asset again"));
+        let rows = &text.clothes.rows;
+        let line = rows.non_finite.first.first().map_or(Place::File, |(line, _)| Place::Line(*line));
+        out.extend(finding(text.file, rows, line, "give the row finite numbers, or export the asset again"));
     }
+    let archives = lone_archives(body).filter_map(|archive| {
+        finding(archive.file, &archive.asset.rows, Place::File, "export the asset again, or remove the archive")
+    });
+    out.extend(archives);
+}
+
+fn finding(file: &FileFacts, rows: &RowFacts, place: Place, help: &str) -> Option<Finding> {
+    let (_, vertex) = rows.non_finite.first.first()?;
+    let message = match rows.non_finite.count {
+        1 => format!("a number in the row of vertex {vertex} is not finite"),
+        count => format!("numbers in the rows of {count} vertices are not finite, first vertex {vertex}"),
+    };
+    Some(RULE.at(file, place, message).evidence(rows.non_finite.evidence(rows.count)).help(help))
 }

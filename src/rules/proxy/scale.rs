@@ -4,6 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{INDEX, Text, VALUE, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::formats::mhclo::{FaultKind, Scale};
+use crate::formats::python_float;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -34,7 +35,7 @@ const FROM_END: Case = &[(Makehuman2, Level::Warning, "counts from the end and s
 const AXES: [&str; 3] = ["x_scale", "y_scale", "z_scale"];
 /// Below this the loader turns scaling off.
 const SMALLEST: f32 = 0.01;
-/// Two vertices of a scale that are nearer than this along its axis, as a share of what the line says, do not differ.
+/// Two vertices of a scale that are nearer than this along its axis do not differ.
 const NOTHING: f32 = 0.001;
 /// Shares that occur, as figures differ: beyond them the line was written for other vertices or in another unit.
 const USUAL: std::ops::RangeInclusive<f32> = 0.2..=5.0;
@@ -45,10 +46,13 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if text.stops() || text.worn.is_topology() {
             continue;
         }
+        // Without offsets there is nothing to scale, but what stops the loader stops it.
+        let has_offsets = text.clothes.rows.has_offsets;
         let scales = text.clothes.scales.iter().enumerate();
         let mut own: Vec<Finding> =
             scales.filter_map(|(axis, scale)| fault(body, &text, axis, scale.as_ref()?)).collect();
         // Lines that were exchanged, or written in another unit, have one cause: the worst is told.
+        own.retain(|finding| has_offsets || finding.level == Level::Error);
         own.sort_by_key(|finding| std::cmp::Reverse(finding.level));
         let more = own.len().saturating_sub(1);
         out.extend(own.into_iter().next().map(|mut first| {
@@ -57,7 +61,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             }
             first
         }));
-        out.extend(missing(&text));
+        out.extend(missing(&text).filter(|_| has_offsets));
     }
 }
 
@@ -70,7 +74,8 @@ fn unreadable(text: &Text<'_, '_>) -> Option<Finding> {
             RULE.at(text.file, Place::Span(fault.span.clone()), message).key(&*fault.word).case(INDEX)
         }
         (None, Some(fault)) => {
-            let message = format!("`{}` in a scale is not a number of the kind that belongs there", fault.word);
+            let kind = if python_float(fault.word.as_bytes()).is_some() { "whole number" } else { "number" };
+            let message = format!("`{}` in a scale is not a {kind}", fault.word);
             RULE.at(text.file, Place::Span(fault.span.clone()), message).key("word").case(VALUE)
         }
         (None, None) => return None,
@@ -92,7 +97,8 @@ fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Op
     let size = text.size_of_base(body)?;
     let last = size.vertices.saturating_sub(1);
     let names = "name two vertices of the base mesh that are far apart along the axis";
-    let outside = |vertex: i64| usize::try_from(vertex.unsigned_abs()).is_ok_and(|vertex| vertex >= size.with_seams);
+    let end = i64::try_from(size.with_seams).unwrap_or(i64::MAX);
+    let outside = |vertex: i64| vertex >= end || vertex < -end;
     if let Some(vertex) = [a, b].into_iter().find(|vertex| outside(*vertex)) {
         let message = format!("vertex {vertex} of `{name}` does not exist; the base mesh has 0 to {last}");
         return Some(told(message).case(INDEX).help(names));
@@ -104,7 +110,7 @@ fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Op
     let at = |vertex: i64| mesh.positions.get(usize::try_from(vertex).ok()?)?.get(axis).copied();
     let distance = (at(a)? - at(b)?).abs();
     let share = distance / scale.distance;
-    if a != b && share >= NOTHING {
+    if a != b && distance >= NOTHING {
         let message =
             format!("`{name}` says {}, but the vertices are {distance:.4} apart on the base mesh", scale.distance);
         return (!USUAL.contains(&share)).then(|| told(message).case(OTHER).help(help));
@@ -126,8 +132,11 @@ fn missing(text: &Text<'_, '_>) -> Option<Finding> {
     if text.misspelt(lacking).is_some() || text.has_hidden(lacking) {
         return None;
     }
-    let entry = text.clothes.last(written)?;
-    let message = format!("`{lacking}` is missing beside `{written}`");
-    let finding = RULE.at(text.file, Place::Line(entry.line), message).key(*lacking);
+    let empty = text.clothes.entries.iter().find(|entry| &*entry.keyword == *lacking && !entry.is_comment);
+    let (line, message) = match empty {
+        Some(entry) => (entry.line, format!("`{lacking}` has no values")),
+        None => (text.clothes.last(written)?.line, format!("`{lacking}` is missing beside `{written}`")),
+    };
+    let finding = RULE.at(text.file, Place::Line(line), message).key(*lacking);
     Some(finding.help("write a line for each of the three axes, or for none"))
 }

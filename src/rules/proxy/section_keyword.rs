@@ -48,7 +48,8 @@ fn above(text: &Text<'_, '_>) -> Option<Finding> {
     let is_old = text.clothes.faults.of(|kind| kind == FaultKind::OldFormat).is_some();
     let first = faults.first().filter(|_| text.has_rows_section() && !is_old)?;
     let message = format!("a line of numbers stands above `verts`{}", more(count));
-    let finding = RULE.at(text.file, Place::Line(first.line), message).key("above").case(ABOVE);
+    let case = if text.clothes.rows.count == 0 { INDEX } else { ABOVE };
+    let finding = RULE.at(text.file, Place::Line(first.line), message).key("above").case(case);
     Some(finding.help("move `verts` above all vertex rows").evidence(lines(faults, count)))
 }
 

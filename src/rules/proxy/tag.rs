@@ -8,7 +8,7 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "shows other tags than written, so that filters miss the asset")],
     docs: "MakeHuman 2 keeps one tag a line, in small letters and without letters beyond ASCII. `körper` becomes \
-        `krper`. A `|` splits a tag in two; a `;` or a comma does not, so that `vest; blue` is one tag with a \
+        `krper`. A `|` splits a tag in two; a `;` does not, so that `vest; blue` is one tag with a \
         semicolon in it.\n\n\
         Write each tag in a line `tag` of its own, with letters a to z.",
     ..RuleInfo::new("proxy-tag", Level::Warning, "a tag that is not kept as it is written")

@@ -1,7 +1,7 @@
 //! A topology stands for the skin.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{Text, texts};
+use super::{Text, sections, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
@@ -18,7 +18,8 @@ const MATERIAL: Case = &[(Makehuman2, Level::Warning, "never uses the material: 
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body).filter(|text| text.worn.is_topology() && !text.stops()) {
-        if text.clothes.deleted.is_empty() && text.clothes.last("obj_file").is_some() {
+        let is_told = sections::misspelt_list(&text).is_some();
+        if text.clothes.deleted.is_empty() && !is_told && text.clothes.last("obj_file").is_some() {
             let finding =
                 RULE.at(text.file, Place::File, "`delete_verts` is missing: the topology does not hide the skin");
             out.push(

@@ -1,16 +1,13 @@
 //! An asset has a row for each vertex of its mesh.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::{Text, sections, texts};
+use super::{STOPS_WITH_INDEX, Text, sections, texts};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhclo::FaultKind;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(
-        Makehuman2,
-        "crashes with `IndexError` when the asset is put on; a model that wears it is only half loaded",
-    )],
+    breaks: &[(Makehuman2, STOPS_WITH_INDEX)],
     docs: "The number of vertex rows of an asset differs from the number of vertices of its mesh. The rows are in the \
         order of the vertices.\n\n\
         With more rows than vertices, or none, MakeHuman 2 crashes with `IndexError` when the asset is put on. With \
@@ -41,9 +38,13 @@ fn finding(text: &Text<'_, '_>) -> Option<Finding> {
     let place = verts.map_or(Place::File, |entry| Place::Line(entry.line));
     if rows == 0 {
         // Without the keyword, or with each row dropped, the cause is told.
-        let is_told = dropped > 0 || sections::has_no_rows(text);
+        let is_told = dropped > 0 || sections::has_no_rows(text) || sections::rows_above(text) > 0;
         let message = "there are no vertex rows below `verts`";
         return (!is_told).then(|| RULE.at(text.file, place, message).key("none").help(help));
+    }
+    // The numbers of a list that is taken for rows are told.
+    if sections::misspelt_list(text).is_some() {
+        return None;
     }
     let (file, mesh) = text.worn.mesh().filter(|(_, mesh)| mesh.is_sound())?;
     let vertices = mesh.facts.vertices;

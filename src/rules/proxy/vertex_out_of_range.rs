@@ -1,7 +1,7 @@
 //! Rows and lists of an asset name vertices that the base mesh has.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{OVERFLOW, Text, archives, rebuild, texts};
+use super::{INDEX, OVERFLOW, Text, archives, rebuild, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, Tally};
 use crate::repo::Body;
 
@@ -23,11 +23,6 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 const SEAM: Case = &[(Makehuman2, Level::Warning, "puts the vertex at the place of a UV-seam duplicate")];
-const LIST: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "crashes with `IndexError` when the asset is put on; a model that wears it is only half loaded",
-)];
 const FROM_END: Case = &[(Makehuman2, Level::Warning, "counts from the end and hides another vertex")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -42,7 +37,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let seams = seam(&text, &rows.in_seams, size.vertices);
         out.extend(seams.filter(|_| rows.out_of_range.count == 0));
         let hidden = finding(&text, &deletes.out_of_range, "`delete_verts`", last);
-        out.extend(hidden.map(|one| one.key("deleted").case(LIST)));
+        out.extend(hidden.map(|one| one.key("deleted").case(INDEX)));
         out.extend(negative(&text, &deletes.negative));
     }
     for archive in archives(body) {

@@ -53,7 +53,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// Clothes that are meant to lie above all hair, by their number.
 fn is_hat(text: &Text<'_, '_>, depth: i64, hair: Option<i64>) -> bool {
     let is_above = hair.is_some_and(|hair| depth > hair && depth > FAR_ABOVE);
-    is_above && depth < OF_PACKED_HAIR && !is_hair(text) && !text.worn.is_topology()
+    is_above && depth <= OF_PACKED_HAIR && !is_hair(text) && !text.worn.is_topology()
 }
 
 /// Numbers up to here are usual for clothes that nobody wants to lie above hair.

@@ -1,5 +1,6 @@
 //! Weights must be for vertices that exist.
 
+use super::super::proxy::{STOPS_WITH_INDEX, STOPS_WITH_OVERFLOW};
 use super::super::{Check, Rule, RuleCx};
 use super::{Tallied, tallied, worn};
 use crate::diag::{
@@ -25,16 +26,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 const NEGATIVE: Case = &[(Makehuman2, Level::Error, "crashes with `OverflowError` while loading the weights")];
 
-const OF_ASSET: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "crashes with `IndexError` when the asset is put on; a model that wears it is only half loaded",
-)];
-const OF_ASSET_NEGATIVE: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "crashes with `OverflowError` when the asset is put on; a model that wears it is only half loaded",
-)];
+const OF_ASSET: Case = &[(Makehuman2, Level::Error, STOPS_WITH_INDEX)];
+const OF_ASSET_NEGATIVE: Case = &[(Makehuman2, Level::Error, STOPS_WITH_OVERFLOW)];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(worn::all(body).filter_map(|own| of_asset(&own)));

@@ -10,6 +10,7 @@ mod long;
 mod macros;
 mod names;
 mod settings;
+mod worn;
 
 use std::ffi::OsString;
 use std::fs;
@@ -73,7 +74,7 @@ fn binary() -> OsString {
 fn every_input_ends_with_a_verdict() {
     println!("{:<48} {:>9} {:>8} {:>9}   {:>9} {:>8} {:>9}", "input", "KB", "s", "MiB", "10 x KB", "s", "MiB");
     let mut failed = Vec::new();
-    let inputs = [formats::INPUTS, long::INPUTS, macros::INPUTS, names::INPUTS, settings::INPUTS];
+    let inputs = [formats::INPUTS, long::INPUTS, macros::INPUTS, names::INPUTS, settings::INPUTS, worn::INPUTS];
     for input in inputs.into_iter().flatten() {
         let (size, taken) = run(input, input.times);
         let (large, more) = run(input, 10 * input.times);

@@ -33,6 +33,7 @@ const UNREAD: &str = "reads base.mhbin instead; compile_meshes.py, which rebuild
 
 pub(super) const NOT_READ: &str = "never reads this file; the scripts that align joint cubes crash";
 pub(in crate::rules) const NEVER_OPENED: &str = "never opens it; its scripts open only the geometry.json of `hm08`";
+pub(super) const REFUSED_ASSET: &str = "refuses the asset with a message: it cannot be put on";
 pub(super) const NO_WEIGHTS_LOADED: &str = "loads no weights: in pose mode the mesh collapses to the origin";
 /// What becomes of a base without a skeleton for poses.
 pub(in crate::rules) const NO_POSE_SKELETON: &str = "has no poses and no bone weights for assets, shows a message whenever \
@@ -54,9 +55,18 @@ const NO_WEIGHTS: &[Cell] = &[
     // What `NaN` does to weights is worse, and the business of `weights-non-finite`.
     nothing(Special),
 ];
+const WHITE: &str = "shows the default white material";
 const NO_ATTACHMENT: Cell = cell(Empty, Error, "cannot attach the asset");
-const NO_PICTURE: &[Cell] =
-    &[level(Closed, Warning), level(Pointer, Warning), cell(Empty, Warning, "shows no picture")];
+const NO_PICTURE: &[Cell] = &[
+    level(Closed, Warning),
+    level(Pointer, Warning),
+    cell(
+        Empty,
+        Warning,
+        "shows no picture, and copies the broken file into \
+    exports if a material names it",
+    ),
+];
 const NO_USER_ICON: &str = "crashes at start with `FileNotFoundError` if the picture is a broken link";
 const BINARY: Cell = level(Pointer, Warning);
 
@@ -139,7 +149,11 @@ const ROWS: &[Row] = &[
     anywhere(Kind::TargetIcon, Use, NO_PICTURE),
     anywhere(Kind::Skeleton, Scan, &[SCAN_SYNTAX]),
     anywhere(Kind::Weights, Start, NO_WEIGHTS),
-    anywhere(Kind::AssetWeights, Use, NO_WEIGHTS),
+    anywhere(Kind::AssetWeights, Use, &[
+        cell(Refused, Error, REFUSED_ASSET),
+        cell(Syntax, Error, REFUSED_ASSET),
+        nothing(Special),
+    ]),
     // What `NaN` does to a pose is worse, and the business of `pose-non-finite`.
     row(Kind::Pose, Scanned, Scan, &[SCAN_SYNTAX, nothing(Special)]),
     anywhere(Kind::Pose, Use, &[]),
@@ -178,7 +192,12 @@ const ROWS: &[Row] = &[
     row(Kind::Json, At::Single(BesideBase), Start, &[]),
     anywhere(Kind::Json, Use, &[]),
     anywhere(Kind::Clothes, Scan, &[DROPS, NO_ATTACHMENT]),
-    anywhere(Kind::Material, Use, &[DROPS, cell(Empty, Warning, "shows the default white material")]),
+    anywhere(Kind::Material, Use, &[
+        DROPS,
+        cell(Closed, Warning, WHITE),
+        cell(Pointer, Warning, WHITE),
+        cell(Empty, Warning, WHITE),
+    ]),
     row(Kind::Model, Scanned, Scan, &[
         DROPS,
         cell(Empty, Error, "silently loads the naked default figure"),
@@ -192,7 +211,10 @@ const ROWS: &[Row] = &[
     ]),
     anywhere(Kind::MotionMeta, Scan, &[DROPS, cell(Empty, Warning, "names the pose after its file")]),
     anywhere(Kind::AssetMesh, Use, &[NO_ATTACHMENT]),
-    row(Kind::Packed, Scanned, Scan, &[BINARY, cell(Empty, Error, SCAN)]),
+    row(Kind::Packed, Scanned, Scan, &[
+        cell(Pointer, Error, "crashes at start with `BadZipFile` while scanning the assets; the next start has no assets at all"),
+        cell(Empty, Error, SCAN),
+    ]),
     anywhere(Kind::Packed, Use, &[BINARY]),
     anywhere(Kind::Image, Use, NO_PICTURE),
     anywhere(Kind::Other, Use, &[BINARY, cell(Dangling, Info, "passes over it")]),
@@ -236,7 +258,7 @@ const UNFOUND: &[(&[ReferenceKind], Consequence)] = &[
     (&[Skin], Consequence::new(Warning, "silently shows the default skin")),
     (&[ModelSkeleton], Consequence::new(Warning, "silently loads the model without a skeleton")),
     (&[ModelMaterial], Consequence::new(Warning, "silently shows the asset with its usual material")),
-    (&[AssetMesh], Consequence::new(Error, "refuses the asset with a message: it cannot be put on")),
+    (&[AssetMesh], Consequence::new(Error, REFUSED_ASSET)),
     (&[AssetWeights], Consequence::new(Warning, "puts the asset on without bone weights: in a pose it collapses to the origin")),
     (&[AssetMaterial], Consequence::new(Warning, "silently shows the asset in plain white")),
     (&[Texture], Consequence::new(Warning, "silently shows the material without this texture")),

@@ -44,7 +44,7 @@ static ROWS: [Row; 22] = [
     row(ModellingJson, "tip", Info, NO_HINT),
     row(TargetCategories, "items", Warning, "ignores the key: the category is empty, and its sliders are never shown"),
     row(TargetCategories, "group", Warning, "ignores the key: the sliders of the category are never shown"),
-    row(BaseJson, "equipment", Warning, "ignores the key and offers only clothes"),
+    row(BaseJson, "equipment", Error, "ignores the key and offers only clothes: no hair, eyes, teeth or topologies"),
     row(BaseJson, "pose-skeleton", Error, NO_POSE_SKELETON),
     row(BaseJson, "mhm", Warning, "ignores the key: it shows the default material and applies no target at start"),
     row(BaseJson, "modifier-presets", Warning, "ignores the key: the sliders start at 0"),

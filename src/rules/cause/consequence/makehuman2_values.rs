@@ -2,7 +2,7 @@
 //! place (formats/makehuman2.md §3.1, §4, §5.1, §7, §9, §10, §11, §19).
 
 use super::Consequence;
-use super::makehuman2::{NEVER_OPENED, NO_WEIGHTS_LOADED, NOT_READ, is_opened_by_scripts};
+use super::makehuman2::{NEVER_OPENED, NO_WEIGHTS_LOADED, NOT_READ, REFUSED_ASSET, is_opened_by_scripts};
 use crate::diag::Level;
 use crate::discover::Kind;
 use crate::formats::Content;
@@ -54,7 +54,7 @@ use Kind::{
 use Level::{Error, Warning};
 
 #[rustfmt::skip]
-static ROWS: [Row; 82] = [
+static ROWS: [Row; 86] = [
     row(Pose, "/required", ANY, Warning, "lists the pose under its whole path"),
     row(Pose, "/type", TEXT_OR_LIST, Error, "lists it under its whole path, and crashes with `TypeError` when it is shown"),
     row(Pose, "/type", ANY, Error, SCAN_TYPE),
@@ -123,6 +123,8 @@ static ROWS: [Row; 82] = [
         "uses `default` as the group; crashes with `KeyError` if it is the first category"),
     row(TargetCategories, "/$defs/item/required", ANY, Error,
         "crashes with `KeyError` when it builds the tree of categories"),
+    row(BaseJson, "/properties/equipment/type", TEXT, Warning, "offers only kinds whose names are part of the text"),
+    row(BaseJson, "/properties/equipment/type", OBJECT, Warning, "offers the kinds that are keys of the object"),
     row(BaseJson, "/properties/numverts/type", ANY, Warning, "does not read the number, but its mesh tools do"),
     row(BaseJson, "/properties/modifier-presets/type", ANY, Error, "crashes at start with `TypeError`"),
     row(BaseJson, "/$defs/preset/oneOf/1/pattern", ANY, Error, "crashes at start with `ValueError`"),
@@ -146,6 +148,8 @@ static ROWS: [Row; 82] = [
     row(Skeleton, "/$defs/bone/properties/weights_reference/items", ANY, Warning, IGNORED_BONE),
     row(Skeleton, "/properties/tags/type", NULL, Error,
         "crashes at start with `TypeError` while scanning the assets"),
+    row(Kind::AssetWeights, "/required", ANY, Error, REFUSED_ASSET),
+    row(Kind::AssetWeights, "/type", ANY, Error, REFUSED_ASSET),
     row(Weights, "/required", ANY, Error, NO_WEIGHTS_LOADED),
     row(Weights, "/type", EMPTY, Error, NO_WEIGHTS_LOADED),
     row(Weights, "/type", LIST, Error, NO_WEIGHTS_LOADED),
@@ -172,15 +176,17 @@ pub(super) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -
     if file.kind == Geometry && !is_opened_by_scripts(&file.rel) {
         return Some(Consequence::new(Level::Info, NEVER_OPENED));
     }
-    let kind = if file.kind == Kind::AssetWeights { Weights } else { file.kind };
+    let kind = file.kind;
     if kind == Skeleton && is_reference(fault) && is_for_poses(view, file) {
         return Some(OF_DEFAULT);
     }
     if kind == MacroJson && fault.keyword.starts_with("/$defs/target/required") && is_lost(file, fault) {
         return Some(Consequence::new(Error, "never applies the macrodef: none of its combinations has a file"));
     }
-    let fits = |row: &&Row| row.kind == kind && fault.keyword.starts_with(row.keyword) && (row.found)(fault.found());
-    ROWS.iter().find(fits).map(|row| row.consequence)
+    let fits = |row: &&Row| fault.keyword.starts_with(row.keyword) && (row.found)(fault.found());
+    let of = |kind| ROWS.iter().filter(move |row| row.kind == kind).find(fits);
+    let general = || (kind == Kind::AssetWeights).then(|| of(Weights)).flatten();
+    of(kind).or_else(general).map(|row| row.consequence)
 }
 
 /// What numbers come to that JSON does not have, where a slider is reset to one.
