@@ -51,7 +51,7 @@ pub fn read(text: &[u8]) -> Meta {
         let rest = || rest.iter().map(|(_, word)| String::from_utf8_lossy(word));
         match *first {
             // Without a value the line is passed over.
-            _ if words.len() < 2 => {}
+            b"name" | b"tag" | b"author" if words.len() < 2 => {}
             b"name" => meta.name = Some(name(&rest().collect::<Vec<_>>().join("_"), number)),
             b"tag" if meta.tags.len() < MOST => meta.tags.push(rest().collect::<Vec<_>>().join(" ")),
             word => {
@@ -69,9 +69,10 @@ fn name(written: &str, line: u32) -> Name {
     Name { written: written.into(), listed: listed.into(), line }
 }
 
-/// The keyword that a word is but for a colon or its capitals.
+/// The keyword that a word is but for its capitals, or a colon or equals sign with what is glued to it.
 fn meant(word: &[u8]) -> Option<&'static str> {
-    let bare = word.strip_suffix(b":").unwrap_or(word);
+    let end = word.iter().position(|byte| matches!(byte, b':' | b'=')).unwrap_or(word.len());
+    let bare = word.get(..end).unwrap_or(word);
     let known = KEYWORDS.into_iter().find(|known| bare.eq_ignore_ascii_case(known.as_bytes()));
     known.or_else(|| bare.eq_ignore_ascii_case(b"tags").then_some("tag")).filter(|known| known.as_bytes() != word)
 }

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use super::super::cause::schema::is_faulty;
-use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped, nearest};
 use crate::formats::base_json::BaseJson;
 use crate::formats::obj::Mesh;
 use crate::repo::FileFacts;
@@ -22,7 +22,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         of assets that the base can wear.\n\nWithout `visible groups` MakeHuman 2 crashes at start. If none of \
         the groups exists, the character is invisible and has height 0. Without `equipment` only clothes can be chosen, no hair, eyes, \
         teeth or topologies. These are errors. A single unknown group is only not drawn. A string instead of a list draws every group whose name is part of it. Unknown \
-        equipment is ignored.\n\nCorrect the name, or remove it.",
+        equipment is ignored, and of kinds that are not listed no asset can be chosen.\n\nCorrect the name, or remove it.",
     counts: "groups",
     ..RuleInfo::new(
         "base-unknown-equipment",
@@ -31,9 +31,10 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     )
 });
 
-fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings() else { return };
     equipment(file, settings, out);
+    not_offered(view, base, file, settings, out);
     if !settings.has_visible_groups {
         let misspelt = file.schema.unknown.iter().find(|key| key.nearest.as_deref() == Some(MEMBER));
         let help = match misspelt {
@@ -72,6 +73,23 @@ fn equipment(file: &FileFacts, settings: &BaseJson, out: &mut Vec<Finding>) {
                 .effect("ignores it and offers no assets of this kind")
                 .help(help),
         );
+    }
+}
+
+/// Kinds of which there are assets that nobody can choose. A misspelt kind is told.
+fn not_offered(view: &View<'_>, base: &Base<'_>, file: &FileFacts, settings: &BaseJson, out: &mut Vec<Finding>) {
+    let Some(offered) = &settings.equipment else { return };
+    let is_misspelt = |kind: &str| offered.iter().any(|name| nearest(name, EQUIPMENT) == Some(kind));
+    let assets = view.library.of_base(base.name).iter().filter(|asset| asset.is_worn());
+    let lost =
+        assets.filter(|asset| !offered.iter().any(|name| name == asset.category) && !is_misspelt(asset.category));
+    for (kind, assets) in grouped(lost.map(|asset| (asset.category, asset))) {
+        let message =
+            format!("`equipment` does not have `{kind}`, but the base has {}", counted(assets.len(), "such asset"));
+        let finding = RULE.at(file, Place::pointer(["equipment"]), message).key(format!("no {kind}"));
+        let names = Evidence::of_cases(assets.iter().map(|asset| asset.file.shown()));
+        let finding = finding.level(Level::Warning).effect("does not offer them; only models can wear them");
+        out.push(finding.evidence(names).help(format!("add `\"{kind}\"` to the list")));
     }
 }
 

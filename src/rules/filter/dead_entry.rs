@@ -22,7 +22,11 @@ type Dead = (String, String);
 
 fn run(view: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(filter) = file.filter().filter(|_| !file.json.falsy) else { return };
-    let by_path = grouped(dead(filter));
+    // What is lost with a repeated key has a finding of its own.
+    let repeated: Vec<String> = file.json.duplicates.iter().map(|one| one.pointer.to_lowercase()).collect();
+    let is_lost =
+        |path: &str| repeated.iter().any(|pointer| pointer.split('/').nth(1) == path.to_lowercase().split(':').next());
+    let by_path = grouped(dead(filter).into_iter().filter(|(path, _)| !is_lost(path)));
     for (path, places) in by_path {
         let Some(first) = places.first() else { continue };
         let more = if places.len() > 1 { format!(" ({} entries)", places.len()) } else { String::new() };

@@ -10,7 +10,7 @@ use crate::repo::{FileFacts, Reference, ReferenceKind, View, Worn, parent};
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "shows one colour of each texture all over the asset, here and in exports")],
     docs: "No face of the mesh of an asset has texture coordinates: its faces are written `v` or `v//n` instead of `v/t`. A \
-        material of the asset has a texture.\n\n\
+        material of the asset has a texture, or it is a topology, which wears the skin.\n\n\
         MakeHuman 2 loads the mesh and uses the same point of a texture for all of it. Base meshes are not reported: \
         without a skin they do without.\n\n\
         Unwrap the mesh, and export it with texture coordinates and in the same order of vertices.",
@@ -34,8 +34,11 @@ fn bare_mesh<'a>(worn: &Worn<'a>) -> Option<&'a FileFacts> {
     (mesh.facts.unreadable_lines == 0 && mesh.facts.face_out_of_range.count == 0).then_some(file)
 }
 
-/// Whether a material that the asset names, or one that is offered for it, has a texture.
+/// Whether a material that the asset names, or one that is offered for it, has a texture. A topology wears the skins.
 fn has_texture(view: &View<'_>, worn: &Worn<'_>, mesh: &FileFacts) -> bool {
+    if worn.is_topology() {
+        return true;
+    }
     let folder = parent(&mesh.rel);
     // In the folder of the base mesh lie those of all assets.
     let own = (folder.matches('/').count() >= 2).then(|| view.layers().checked.below(folder));

@@ -1,9 +1,12 @@
 //! The archive of an asset is that of its text.
 
+use std::collections::BTreeMap;
+
 use super::super::{Check, Rule, RuleCx};
-use super::{Archive, Text, archives};
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
-use crate::formats::mhclo::Clothes;
+use super::{Archive, Text, archives, texts};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, grouped};
+use crate::formats::mhbin_asset::PackedAsset;
+use crate::formats::mhclo::{Clothes, Scanned};
 use crate::formats::python_int;
 use crate::repo::Body;
 
@@ -13,12 +16,22 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         MakeHuman 2 writes the archive when the asset is put on, and loads it in place of the text from then on, as \
         long as the text is not newer. After a download or a checkout all files are of one age, so the archive wins. \
         The date of the mesh is never looked at: a newly exported OBJ has no effect.\n\n\
-        There is one finding per archive, which lists what differs. Texture coordinates are not compared.\n\n\
+        There is one finding per archive, which lists what differs. Texture coordinates are not compared. If an asset was \
+        copied with its archive, the archive still has the old name and uuid, and one of the two assets is not listed: an \
+        error.\n\n\
         Delete the archive; MakeHuman 2 writes it again. It does not belong in version control.",
     ..RuleInfo::new("proxy-stale-binary", Level::Warning, "a packed asset differs from its text")
 });
 
+/// The binary still has the identity of the asset that it was copied with.
+const COPY: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "lists the archive, unless the text is newer, and of two assets with the same name and uuid only one",
+)];
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let known = identities(body);
     for archive in archives(body) {
         let Some(text) = archive.text.filter(|text| !text.stops()) else { continue };
         let kinds = kinds(&archive, &text);
@@ -28,8 +41,30 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let message = format!("differs from `{}`: {}", text.file.file_name(), listed(&kinds));
         let finding = RULE.at(archive.file, Place::File, message).parts(kinds.iter().copied());
         let finding = finding.related(text.file.path.clone(), Place::File, "the text");
+        let other =
+            known.get(&identity(archive.asset)).into_iter().flatten().copied().find(|other| *other != text.file.path);
+        let finding = match other {
+            Some(other) => finding.case(COPY).related(other.to_owned(), Place::File, "has the same name and uuid"),
+            None => finding,
+        };
         out.push(finding.help("delete the `.mhbin`: MakeHuman 2 writes it again from the text and its mesh"));
     }
+}
+
+type Identity<'v> = (&'v str, &'v str);
+
+fn identity(asset: &PackedAsset) -> Identity<'_> {
+    let [name, uuid, ..] = &asset.texts;
+    (name, uuid)
+}
+
+/// The texts by name and uuid.
+fn identities<'v>(body: &Body<'v>) -> BTreeMap<Identity<'v>, Vec<&'v str>> {
+    let known = texts(body).filter_map(|text| {
+        let Scanned { name, uuid, .. } = &text.clothes.scanned;
+        Some(((&*name.as_ref()?.text, &*uuid.as_ref()?.text), text.file.path.as_str()))
+    });
+    grouped(known)
 }
 
 fn listed(kinds: &[&str]) -> String {

@@ -9,16 +9,17 @@ use crate::diag::{
 };
 use crate::repo::Body;
 
-const USUAL: &str = "divides the weights of the vertex by their sum: the vertex follows this bone more, and the others \
-    less, than was painted";
+const USUAL: &str = "divides the weights of the vertex by their sum: per cent come out as painted, one large number among \
+    small ones does not";
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, USUAL), (Makehuman1, USUAL), (Mpfb, "reads the weight as 1")],
+    levels: &[(Makehuman2, Level::Info), (Makehuman1, Level::Info)],
     docs: "A weight is larger than 1. It says how much of a vertex moves with a bone, from 0 to 1; a larger \
         number is usually a percentage or a misplaced decimal point. Up to 1.0001 counts as 1.\n\n\
-        MakeHuman 2 divides all weights of a vertex by their sum: the mesh holds together, but the shares are not \
-        the painted ones. If the vertex has no other weight, its share becomes 1 as it should: an info. Other \
-        programs clamp the number or keep it.\n\n\
+        MakeHuman 2 divides all weights of a vertex by their sum. Weights in per cent come out as they were painted; one \
+        large number among small ones takes nearly all of the vertex. If the vertex has no other weight, its share \
+        becomes 1 as it should. Other programs clamp the number or keep it.\n\n\
         Write the share as a number from 0 to 1.",
     counts: "entries",
     ..RuleInfo::new("weights-above-one", Level::Warning, "a weight is larger than 1")
