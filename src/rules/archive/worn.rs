@@ -24,7 +24,7 @@ const NO_HEAD: Case = &[(
 )];
 const REFUSED: Case = &[(Makehuman2, Level::Error, "refuses the asset with a message: it cannot be put on")];
 const STOPS: Case =
-    &[(Makehuman2, Level::Error, "crashes when the asset is put on; a model that wears it is only half loaded")];
+    &[(Makehuman2, Level::Error, "crashes when the asset is put on; models that wear it load only in part")];
 
 /// What is wrong with an archive that the library scans, and what comes of it.
 pub(super) fn fault(view: &View<'_>, file: &FileFacts) -> Option<(String, Case)> {
@@ -59,7 +59,7 @@ pub(super) fn help(view: &View<'_>, file: &FileFacts) -> &'static str {
     let stem = file.rel.strip_suffix("mhbin").unwrap_or(&file.rel);
     let has_text = ["mhclo", "proxy"].iter().any(|kind| view.layers().checked.file(&format!("{stem}{kind}")).is_some());
     if has_text {
-        "delete the archive: MakeHuman 2 writes it again from the text beside it"
+        "if the text (`.mhclo` or `.proxy`) and its mesh are up to date, delete the archive: MakeHuman 2 builds it again from them"
     } else {
         "restore the archive, or move it out of the folder"
     }

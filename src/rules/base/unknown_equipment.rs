@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 
 use super::super::cause::schema::is_faulty;
 use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped, nearest};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::base_json::BaseJson;
 use crate::formats::obj::Mesh;
 use crate::repo::FileFacts;
-use crate::repo::makehuman2::{Base, View};
+use crate::repo::makehuman2::{Asset, Base, View};
 
 /// Kinds of assets that a base can wear.
 const EQUIPMENT: [&str; 8] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue", "proxy"];
@@ -78,19 +78,21 @@ fn equipment(file: &FileFacts, settings: &BaseJson, out: &mut Vec<Finding>) {
 
 /// Kinds of which there are assets that nobody can choose. A misspelt kind is told.
 fn not_offered(view: &View<'_>, base: &Base<'_>, file: &FileFacts, settings: &BaseJson, out: &mut Vec<Finding>) {
-    let Some(offered) = &settings.equipment else { return };
-    let is_misspelt = |kind: &str| offered.iter().any(|name| nearest(name, EQUIPMENT) == Some(kind));
+    // What an unknown kind was meant for is told.
+    let is_known = |offered: &&Vec<String>| offered.iter().all(|name| EQUIPMENT.contains(&name.as_str()));
+    let Some(offered) = settings.equipment.as_ref().filter(is_known) else { return };
     let assets = view.library.of_base(base.name).iter().filter(|asset| asset.is_worn());
-    let lost =
-        assets.filter(|asset| !offered.iter().any(|name| name == asset.category) && !is_misspelt(asset.category));
-    for (kind, assets) in grouped(lost.map(|asset| (asset.category, asset))) {
-        let message =
-            format!("`equipment` does not have `{kind}`, but the base has {}", counted(assets.len(), "such asset"));
-        let finding = RULE.at(file, Place::pointer(["equipment"]), message).key(format!("no {kind}"));
-        let names = Evidence::of_cases(assets.iter().map(|asset| asset.file.shown()));
-        let finding = finding.level(Level::Warning).effect("does not offer them; only models can wear them");
-        out.push(finding.evidence(names).help(format!("add `\"{kind}\"` to the list")));
-    }
+    let lost: Vec<&Asset<'_>> = assets.filter(|asset| !offered.iter().any(|name| name == asset.category)).collect();
+    let kinds: BTreeSet<&str> = lost.iter().map(|asset| asset.category).collect();
+    let Some(first) = kinds.first() else { return };
+    let message = match kinds.len() {
+        1 => format!("`equipment` lacks `{first}`, of which the base has {}", counted(lost.len(), "asset")),
+        count => format!("`equipment` lacks {count} kinds of which the base has assets, first `{first}`"),
+    };
+    let finding = RULE.at(file, Place::pointer(["equipment"]), message).key("lacking").parts(kinds.iter().copied());
+    let finding = finding.level(Level::Warning).effect("does not offer these assets; only saved models wear them");
+    let names = Evidence::of_cases(lost.iter().map(|asset| asset.file.shown()));
+    out.push(finding.evidence(names).help(format!("add `\"{first}\"` to the list")));
 }
 
 /// Groups that the application draws faces of.
@@ -123,7 +125,8 @@ fn visible(file: &FileFacts, groups: &[String], mesh: &Mesh, out: &mut Vec<Findi
 fn plain_text(file: &FileFacts, text: &str, mesh: &Mesh) -> Finding {
     let shown: Vec<&str> = drawn(mesh).filter(|group| text.contains(*group)).collect();
     let finding = |message: String| {
-        let help = format!("write a list: `[\"{text}\"]`");
+        let names: Vec<String> = text.split_whitespace().map(|name| format!("\"{name}\"")).collect();
+        let help = format!("write a list: `[{}]`", names.join(", "));
         RULE.at(file, Place::pointer([MEMBER]), message).key(MEMBER).help(help)
     };
     if shown.is_empty() {

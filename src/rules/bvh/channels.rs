@@ -28,9 +28,14 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
+const CHANNELS: [&str; 6] = ["Xposition", "Yposition", "Zposition", "Xrotation", "Yrotation", "Zrotation"];
+
 fn miscounted(file: &FileFacts, fault: &Fault) -> Option<Finding> {
     let (message, help) = match fault.kind {
-        FaultKind::NoChannels => ("the joint has no channels".to_owned(), "give the joint three rotations".to_owned()),
+        FaultKind::NoChannels => (
+            "the joint has no channels".to_owned(),
+            "add a `CHANNELS` line with three rotations, and three numbers to every frame".to_owned(),
+        ),
         FaultKind::ChannelsNotWhole(ref word) => {
             (format!("`CHANNELS {word}` is not a whole number"), "write the number of channels".to_owned())
         }
@@ -53,10 +58,15 @@ fn unknown(file: &FileFacts, motion: &Motion) -> Option<Finding> {
     let unknown = &motion.unknown_channels;
     let (line, first) = unknown.first.first().zip(motion.first_unknown.as_deref())?;
     let message = match unknown.count {
-        1 => format!("channel `{first}` does not exist"),
-        count => format!("{count} of {} channels do not exist, first `{first}`", motion.channels),
+        1 => format!("`{first}` is not the name of a channel"),
+        count => format!("{count} of {} channel names are unknown, first `{first}`", motion.channels),
     };
     let finding = RULE.at(file, Place::Line(*line), message).case(UNUSED).key("unknown");
     let evidence = unknown.evidence();
-    Some(finding.help("write the name as `Xrotation`, with these capitals").evidence(evidence.out_of(motion.channels)))
+    let meant = CHANNELS.into_iter().find(|known| known.eq_ignore_ascii_case(first));
+    let help = match meant {
+        Some(known) => format!("write `{known}`, with these capitals"),
+        None => "use the names `Xposition` to `Zposition` and `Xrotation` to `Zrotation`".to_owned(),
+    };
+    Some(finding.help(help).evidence(evidence.out_of(motion.channels)))
 }

@@ -54,7 +54,9 @@ fn first_keyword(file: &FileFacts) -> Option<&'static str> {
     }
     match file.encoding.marked_words.first()?.as_ref() {
         "name" => Some("does not recognise `name`: lists the asset without a name, and models lose it"),
-        "uuid" => Some("does not recognise `uuid`: saves models with the asset that crash with `IndexError`"),
+        "uuid" => {
+            Some("does not recognise `uuid`: crashes with `IndexError` when a model saved with the asset is loaded")
+        }
         "obj_file" => Some("does not recognise `obj_file`: crashes with `AttributeError` when the asset is put on"),
         "verts" => Some("does not recognise `verts`: crashes with `IndexError` when the asset is put on"),
         _ => None,

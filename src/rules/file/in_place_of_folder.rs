@@ -7,7 +7,7 @@ use crate::discover::Kind;
 use crate::repo::View;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "cannot open it, so its content is missing or the program crashes at start")],
+    breaks: &[(Makehuman2, "cannot open it, and may crash at start")],
     docs: "A file has the name of a folder that an application looks into, or a folder has the name of a file \
         that it opens.\n\nMakeHuman 2 crashes at start where it lists or fills such a folder, and treats a JSON \
         that is a folder as missing. If the user's `target/<base>` is a file, it rejects the base mesh (\"File \

@@ -66,10 +66,12 @@ fn finding(asset: &Asset<'_>, filter: &SelectionFilter) -> Option<Finding> {
         given if given == path => format!("`{path}`"),
         given => format!("`{path}` (from `{given}`)"),
     };
-    let message = format!("the labels {} and {} exclude one another", label(one, first), label(other, second));
+    let message = format!("the labels {} and {} exclude each other", label(one, first), label(other, second));
     let finding = RULE.at(asset.file, Place::File, message).key(format!("{one} {other}"));
     let finding = finding.evidence(Evidence::of_cases(labels.iter().map(|(path, _)| path)));
-    Some(finding.help("remove one of the tags, or translate it with null in selection_filter.json"))
+    Some(finding.help(
+        "use tags that lead to one label, or write `null` for one of them under `Translate` in selection_filter.json",
+    ))
 }
 
 fn root(path: &str) -> &str {

@@ -12,10 +12,7 @@ use crate::json::{SchemaFault, UnknownKey};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(
-        Makehuman2,
-        "does not check the value and crashes where it uses it, mostly with `TypeError` or `KeyError` at start",
-    )],
+    breaks: &[(Makehuman2, "crashes where it uses the value, mostly with `TypeError` or `KeyError` at start")],
     docs: "Each format has a JSON Schema that says which keys an object needs and what their values are. `mhlint \
         schema NAME` prints it, and editors can use it for completion and checks.\n\nMakeHuman 2 checks almost \
         nothing when it reads a JSON. A string instead of a number, or a missing key, crashes it wherever the \

@@ -37,20 +37,20 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let is_listed = matches!(asset.category, "models" | "poses" | "expressions") && !asset.name.is_empty();
         is_listed.then(|| format!("{} {}", asset.category, asset.name))
     };
-    find(&RULE, view, key, "the name", "give it a name of its own", out);
+    find(&RULE, view, key, "name", "give it a name of its own", out);
 }
 
 fn run_worn(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let key = |asset: &Asset<'_>| {
         (asset.is_worn() && !asset.name.is_empty()).then(|| format!("{} {}", asset.category, asset.name))
     };
-    find(&OF_WORN, view, key, "the name", "give it a name of its own", out);
+    find(&OF_WORN, view, key, "name", "give it a name of its own", out);
 }
 
 fn run_uuid(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Without a uuid all have the same: that has a finding of its own.
     let key = |asset: &Asset<'_>| (asset.is_worn() && asset.uuid != "0").then(|| asset.uuid.clone());
-    find(&OF_UUID, view, key, "the uuid", "give it a uuid of its own", out);
+    find(&OF_UUID, view, key, "uuid", "give it a uuid of its own", out);
 }
 
 /// Findings on the assets of the checked layer with a key in common that are not known by the same.
@@ -77,11 +77,11 @@ fn finding(rule: &Rule, assets: &[&Asset<'_>], what: &str, help: &str) -> Option
     let first = others.first()?;
     let more =
         if others.len() > 1 { format!(" and {}", counted(others.len() - 1, "more file")) } else { String::new() };
-    let value = if what == "the uuid" { &told.uuid } else { &told.name };
-    let message = format!("{what} `{value}` is also that of `{}`{more}", first.file.rel);
+    let value = if what == "uuid" { &told.uuid } else { &told.name };
+    let message = format!("has the same {what} as `{}`{more}: `{value}`", first.file.rel);
     let mut finding = rule.at(told.file, Place::File, message).key(format!("{} {value}", parent(&told.file.rel)));
     for other in &others {
-        finding = finding.related(other.file.path.clone(), Place::File, "the same");
+        finding = finding.related(other.file.path.clone(), Place::File, "the other asset");
     }
     let files = others.iter().map(|other| other.file.path.as_str()).chain([told.file.path.as_str()]);
     Some(finding.between(files).help(help))

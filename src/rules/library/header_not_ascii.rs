@@ -32,7 +32,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let message = format!("`{}` has the letter `{letter}`, which is not ASCII{more}", first.keyword);
     let finding = RULE.at(file, Place::Span(first.span.clone()), message);
     let evidence = Evidence::of_cases(foreign.iter().map(|entry| entry.keyword.to_string()));
-    out.push(finding.evidence(evidence).help("write the value with the letters a to z only"));
+    out.push(finding.evidence(evidence).help("write it with plain letters, without accents: `Joerg` for `Jörg`"));
 }
 
 /// What of a line is written: of the names of files the first word.

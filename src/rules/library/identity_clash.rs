@@ -49,7 +49,7 @@ fn finding(view: &View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
     let message = format!("`{}` has {what} `{}`{more}", told.name, first.file.rel);
     let mut finding = RULE.at(told.file, Place::File, message).key(format!("{} {}", told.name, told.uuid));
     for other in others {
-        finding = finding.related(other.file.path.clone(), Place::File, "known by the same");
+        finding = finding.related(other.file.path.clone(), Place::File, "the other asset with this name and uuid");
     }
     let finding = finding.between(own.iter().map(|one| one.file.path.as_str()));
     Some(if others.iter().all(|other| is_copy(view, told, other)) {

@@ -33,7 +33,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         if taken.is_none() {
             continue;
         }
-        let message = format!("only the first word of `{keyword} {}` is listed", entry.value);
+        let message = format!("the value of `{keyword}` has a space: `{}`", entry.value);
         let finding = RULE.at(file, Place::Span(entry.span.clone()), message).key(keyword);
         out.push(match keyword {
             "name" => finding.help(format!("write `{keyword} {}`", entry.value.replace(' ', "_"))),

@@ -103,8 +103,10 @@ fn misplaced(file: &FileFacts, suffix: &str, category: &str, right: &[&str]) -> 
     };
     let message = format!("a `.{suffix}` in `{category}` is not listed, expected in {shown}");
     let help = match suffix {
-        "mhclo" if category == "proxy" => "move it to the folder of its kind, or name it `.proxy`".to_owned(),
-        "proxy" => "move it to `proxy`, or name it `.mhclo`".to_owned(),
+        "mhclo" if category == "proxy" => {
+            "move it to the folder of its kind, or rename it to end in `.proxy`".to_owned()
+        }
+        "proxy" => "move it to `proxy`, or rename it to end in `.mhclo`".to_owned(),
         _ => format!("move it to {shown}"),
     };
     RULE.at(file, Place::File, message).key("kind").help(help)
@@ -112,7 +114,7 @@ fn misplaced(file: &FileFacts, suffix: &str, category: &str, right: &[&str]) -> 
 
 fn without_base(file: &FileFacts, category: &str, below: &str, bases: &BTreeSet<&str>) -> Finding {
     let base = bases.first().filter(|_| bases.len() == 1).copied().unwrap_or("<base>");
-    let message = format!("`{}` is in no folder of a base mesh", file.rel);
+    let message = format!("`{}` is not in the folder of a base mesh", file.rel);
     let finding = RULE.at(file, Place::File, message).key("base");
     let help = match below.split_once('/') {
         Some((folder, _)) => format!("move the folder `{folder}` to `{category}/{base}`"),

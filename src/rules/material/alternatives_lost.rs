@@ -33,14 +33,20 @@ const OF_ALL: Case = &[(
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();
+    // Where an asset names it, that is told.
+    let texts = view.assets().iter().filter_map(Worn::clothes);
+    let named: BTreeSet<&str> = texts.filter_map(|text| Some(&*text.last("material")?.value)).collect();
     for surface in view.surfaces().iter().filter(|surface| layers.is_checked(surface.file)) {
         let name = surface.file.file_name();
         // That of the base mesh is never offered.
-        let is_offered = surface.wearer != Wearer::Asset && !surface.file.rel.starts_with("base/");
+        let is_offered =
+            surface.wearer != Wearer::Asset && !surface.file.rel.starts_with("base/") && !named.contains(name);
         if name.contains(char::is_whitespace) && is_offered {
             let finding = RULE.at(surface.file, Place::File, format!("`{name}` has a space in its name")).key("space");
             let finding = finding.case(if surface.wearer == Wearer::Skin { OF_SKIN } else { OF_ASSET });
-            out.push(finding.help("rename the file without spaces, and everything that names it"));
+            out.push(finding.help(
+                "rename the file without spaces, and write the new name in every `.mhclo` and `.mhm` that names it",
+            ));
         }
     }
     capitals(view, out);
@@ -93,8 +99,8 @@ fn at_top(layer: &Layer, folder: &str, assets: &[(&Worn<'_>, &Reference<'_>)]) -
     let own = own_material(first);
     materials(layer, folder).find(|file| Some(file.rel.as_str()) != own)?;
     let message = match assets.len() {
-        1 => format!("`{}` lies in the folder of all assets", mesh.text),
-        count => format!("the meshes of {count} assets lie in the folder of all assets"),
+        1 => format!("`{}` is in the folder of all assets, not in one of its own", mesh.text),
+        count => format!("the meshes of {count} assets are in the folder of all assets"),
     };
     let finding = RULE.at(first.file, mesh.place.clone(), message).key("folder").case(OF_ALL);
     let parts = assets.iter().map(|(worn, mesh)| (worn.file.file_name(), &worn.file.path, mesh.place.clone()));

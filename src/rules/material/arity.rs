@@ -61,7 +61,7 @@ fn crash(surface: &Surface<'_>) -> String {
 fn valueless_text(keyword: &str) -> (String, Level, String, String) {
     let (level, effect) = match keyword {
         "name" => (Level::Warning, "shows the material without a name"),
-        "tag" => (Level::Info, "adds an empty tag"),
+        "tag" => (Level::Warning, "adds an empty tag"),
         _ => (Level::Info, "shows no description"),
     };
     (format!("`{keyword}` has no value"), level, effect.to_owned(), WRITE.to_owned())
@@ -94,9 +94,11 @@ fn short_colour(surface: &Surface<'_>, keyword: &str) -> (Level, String) {
     let lacks = |keyword| surface.has(keyword) == Some(false);
     let error = |effect: String| (Level::Error, effect);
     match keyword {
-        "diffuseColor" if lacks("diffuseTexture") => {
-            error(format!("{}, and in the glTF and OBJ exports", crash(surface)))
-        }
+        "diffuseColor" if lacks("diffuseTexture") => error(format!(
+            "crashes with `IndexError` {} and in the glTF and OBJ exports; {}",
+            loader::when(surface),
+            loader::models(surface)
+        )),
         "diffuseColor" | "specularColor" | "emissiveColor" => {
             error("crashes with `IndexError` in the OBJ export".to_owned())
         }

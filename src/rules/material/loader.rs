@@ -98,8 +98,8 @@ pub(super) const fn when(surface: &Surface<'_>) -> &'static str {
 /// What becomes of models then.
 pub(super) const fn models(surface: &Surface<'_>) -> &'static str {
     match surface.wearer {
-        Wearer::Skin => "models with it load only in part",
-        Wearer::Asset => "models that wear it lose their shape",
-        Wearer::Choice => "models that name it lose their shape",
+        Wearer::Skin => "models with this skin load only in part",
+        Wearer::Asset => "models that wear it load only in part",
+        Wearer::Choice => "models that name it load only in part",
     }
 }

@@ -7,11 +7,11 @@ use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, RuleI
 use crate::repo::{Picture, Surface, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently draws the surface with phong")],
+    breaks: &[(Makehuman2, "silently draws the surface with the shader `phong`")],
     docs: "A material asks for the shader `litsphere`, but has no picture for it: `shaderParam litsphereTexture` is missing, \
         or the picture that it names does not exist.\n\n\
         MakeHuman 2 looks for the name without its folders in `shaders/litspheres/` of the user and of the system. \
-        Without a picture it draws the surface with phong. If the picture does not exist and the material has no \
+        Without a picture it draws the surface with the shader `phong`. If the picture does not exist and the material has no \
         `name`, it crashes with `TypeError` instead (error).\n\n\
         Name a picture of that folder, or put it there.",
     ..RuleInfo::new("material-missing-litsphere", Level::Warning, "a litsphere without its picture")

@@ -8,7 +8,7 @@ use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, RuleI
 use crate::repo::{Layer, Reference, ReferenceKind, Resolution, View, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently drops the keyword and shows the material without this texture")],
+    breaks: &[(Makehuman2, "ignores the line and shows the material without this texture")],
     docs: "A material names a picture that does not exist, in `diffuseTexture`, `normalmapTexture`, \
         `aomapTexture`, `metallicRoughnessTexture` or `emissiveTexture`. MakeHuman 2 does not know other keywords, \
         such as `specularmapTexture`. A name is one word: it ends at the first space.\n\n\
@@ -28,7 +28,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 });
 
 const KEPT: Case = &[(Makehuman2, Level::Warning, "silently drops the line and keeps the texture of a line above")];
-const COLOUR: Case = &[(Makehuman2, Level::Warning, "silently drops the keyword and shows the colour instead")];
+const COLOUR: Case = &[(Makehuman2, Level::Warning, "ignores the line and shows the plain colour")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();

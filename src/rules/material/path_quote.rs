@@ -7,7 +7,7 @@ use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::{Reference, ReferenceKind, Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "takes the quotes for a part of the name, and silently drops the keyword")],
+    breaks: &[(Makehuman2, "reads the quotes as part of the name, and ignores the line")],
     docs: "A material names a picture in quotes. The quotes are a part of the name, and no file has such a name. \
         A name ends at the first space, in quotes as well.\n\n\
         MakeHuman 2 does not find the picture and shows the colour of the material instead.\n\n\
@@ -48,8 +48,10 @@ fn fault(place: &Place, text: &str, lost: &str, keyword: &str) -> Fault {
         level: Level::Warning,
         message: format!("`{keyword}` has its name in quotes: `{shown}`"),
         effect: match keyword {
-            "litsphereTexture" => "takes the quotes for a part of the name, and silently draws the surface with phong",
-            _ => "takes the quotes for a part of the name, and silently drops the keyword",
+            "litsphereTexture" => {
+                "takes the quotes for a part of the name, and silently draws the surface with the shader `phong`"
+            }
+            _ => "reads the quotes as part of the name, and ignores the line",
         }
         .to_owned(),
         help: if plain.contains(' ') {

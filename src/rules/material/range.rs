@@ -73,11 +73,11 @@ fn words(line: &Line) -> Option<(String, String)> {
                 numbers.iter().all(|number| (0.0..=255.0).contains(number)) && numbers.iter().any(|one| *one > 2.0);
             let help = if is_byte {
                 let scaled: Vec<String> = numbers.iter().map(|number| format!("{:.3}", number / 255.0)).collect();
-                format!("write `{}`, the same with 1 for 255", scaled.join(" "))
+                format!("write `{}`: the same colour on a scale from 0 to 1", scaled.join(" "))
             } else {
                 "write red, green and blue from 0 to 1".to_owned()
             };
-            is_outside.then(|| ("does not limit the colour: the surface has another one than meant".to_owned(), help))
+            is_outside.then(|| ("does not limit the colour: the surface gets a wrong colour".to_owned(), help))
         }
         _ => None,
     }

@@ -23,6 +23,6 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let message = "`emissiveTexture` has no effect without `emissiveFactor`";
         let finding = RULE.at(surface.file, glow.place.clone(), message).key("emissiveTexture");
-        out.push(finding.help("add `emissiveFactor 1.0`, or remove the texture"));
+        out.push(finding.help("add `emissiveFactor 1.0`, or remove the line; keep the picture"));
     }
 }

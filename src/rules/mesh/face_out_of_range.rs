@@ -32,8 +32,15 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         return out.push(packed(file, packed_mesh, tally, *number));
     }
     let (vertices, uvs) = (mesh.facts.vertices, mesh.uvs);
-    let uvs = counted(uvs, "texture coordinate");
-    let message = format!("{} {number}, but the mesh has {vertices} vertices and {uvs}", uses(tally, "number"));
+    let is_beyond = |count: usize| usize::try_from(*number).is_ok_and(|number| number > count);
+    let message = match (is_beyond(vertices), is_beyond(uvs)) {
+        (true, false) => format!("{} {number}, but the mesh has {vertices}", uses(tally, "vertex")),
+        (false, true) => format!("{} {number}, but the mesh has {uvs}", uses(tally, "texture coordinate")),
+        _ => {
+            let uvs = counted(uvs, "texture coordinate");
+            format!("{} {number}, but the mesh has {vertices} vertices and {uvs}", uses(tally, "number"))
+        }
+    };
     let lines = tally.first.iter().map(|(line, _)| format!("line {line}"));
     let finding = RULE
         .at(file, Place::Line(*line), message)
@@ -56,6 +63,7 @@ fn packed(file: &FileFacts, mesh: &Mesh, tally: &Tally, number: i64) -> Finding 
 fn uses(tally: &Tally, thing: &str) -> String {
     match tally.count {
         1 => format!("a face uses {thing}"),
+        count if thing == "vertex" => format!("{count} faces use vertices such as"),
         count => format!("{count} faces use {thing}s such as"),
     }
 }

@@ -8,7 +8,7 @@ use crate::discover::Kind;
 use crate::repo::{FileFacts, Reference, ReferenceKind, View, Worn, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows one colour of each texture all over the asset, here and in exports")],
+    breaks: &[(Makehuman2, "paints the whole asset with a single point of each texture, here and in exports")],
     docs: "No face of the mesh of an asset has texture coordinates: its faces are written `v` or `v//n` instead of `v/t`. A \
         material of the asset has a texture, or it is a topology, which wears the skin.\n\n\
         MakeHuman 2 loads the mesh and uses the same point of a texture for all of it. Base meshes are not reported: \

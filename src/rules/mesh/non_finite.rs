@@ -19,7 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 });
 
 /// Each vertex of an asset is fitted to the base mesh, wherever it lies.
-const FITTED: Case = &[(Makehuman2, Level::Info, "fits the vertex to the base mesh, wherever the OBJ has it")];
+const FITTED: Case = &[(Makehuman2, Level::Info, "computes the position from the `.mhclo`: no visible effect")];
 const UV: Case =
     &[(Makehuman2, Level::Error, "crashes with `ValueError` in the glTF export of every figure that wears the asset")];
 

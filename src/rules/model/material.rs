@@ -76,7 +76,9 @@ fn missing(view: &View<'_>, reference: &Reference<'_>, line: &MaterialLine, cx: 
     let layers: Vec<_> = view.layers.strongest_first().collect();
     let files: Vec<&FileFacts> = layers.iter().flat_map(|layer| layer.below(folder)).collect();
     let below = files.iter().filter_map(|file| file.rel.strip_prefix(folder)?.strip_prefix('/'));
-    let materials: Vec<&str> = below.filter(|name| name.ends_with(".mhmat")).collect();
+    // A name with a space cannot be written there.
+    let is_nameable = |name: &&str| name.ends_with(".mhmat") && !name.contains(char::is_whitespace);
+    let materials: Vec<&str> = below.filter(is_nameable).collect();
     let same_name = || {
         let last = reference.text.rsplit('/').next()?;
         materials.iter().find(|name| name.rsplit('/').next() == Some(last)).copied()
@@ -86,8 +88,8 @@ fn missing(view: &View<'_>, reference: &Reference<'_>, line: &MaterialLine, cx: 
         let help = did_you_mean(near, format!("name a material in `{folder}`, or remove the line"));
         (format!("material `{}` of `{}` does not exist", reference.text, line.name.text), help)
     } else {
-        let message = format!("the path ends at its first blank: `{}` does not exist", reference.text);
-        (message, "rename the material so that it has no blank".to_owned())
+        let message = format!("the path ends at its first space: `{}` does not exist", reference.text);
+        (message, "rename the material without spaces, here as well".to_owned())
     };
     RULE.at(reference.from, reference.place.clone(), message).key(format!("file {}", line.name.text)).help(help)
 }

@@ -105,7 +105,8 @@ fn unknown_in(base: &Base<'_>, patterns: &[Vec<Line<'_>>], cx: &RuleCx<'_>) -> O
     }
     let all = patterns.iter().flatten().map(|(saved, one)| (&*one.pattern.text, &saved.file.path, place(one)));
     let finding = finding.parts_at(all).evidence(self::patterns(patterns.iter().flatten().map(|(_, one)| *one)));
-    let help = did_you_mean(near, "write the pattern of a slider, or remove the line");
+    let help =
+        did_you_mean(near, "write the pattern of a slider, or check the model together with the pack that has it");
     Some(finding.effect("lists it as missing and does not apply it").help(help))
 }
 

@@ -43,7 +43,7 @@ impl Faulty<'_> {
     pub(super) fn help(&self) -> String {
         let value = self.value / 100.0;
         if self.value.abs() >= 2.0 && value.abs() <= 1.0 && (self.is_two_sided || value >= 0.0) {
-            return format!("write {value}, if per cent were meant");
+            return format!("write {value} if you meant per cent");
         }
         format!("write a value from {}", self.range())
     }

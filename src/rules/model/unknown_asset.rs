@@ -87,7 +87,7 @@ fn asset(lines: &[Line<'_>], known: &Known<'_>, cx: &RuleCx<'_>) -> Option<Findi
         format!("write `{category} {} {}`", asset.name, asset.uuid)
     } else {
         let near = cx.suggestions.nearest(name, known.by_uuid.values().map(|asset| asset.name.as_str()));
-        did_you_mean(near, "add the asset, or remove the line")
+        did_you_mean(near, "add the asset, or check it together with the pack that has it; otherwise remove the line")
     };
     let place = |line: &WornLine| Place::Span(line.name.span.clone());
     let mut finding = RULE.at(saved.file, place(line), message).key(format!("{category} {name}")).help(help);

@@ -46,7 +46,10 @@ fn patterns(base: &Base<'_>, out: &mut Vec<Finding>) {
         let Some(pattern) = slider.pattern.names().iter().find(|name| has_blank(name)) else { continue };
         let key = slider.slider.key.as_str();
         let message = format!("pattern `{pattern}` of `{key}` contains a space");
-        out.push(RULE.at(slider.file, Place::key([key]), message).key(key).help(rename(pattern)));
+        out.push(RULE.at(slider.file, Place::key([key]), message).key(key).help(format!(
+            "rename the file of the target, then {}",
+            rename(pattern).replacen("rename it to", "write", 1)
+        )));
     }
 }
 

@@ -59,7 +59,7 @@ fn without_user(base: &Base<'_>) -> Option<Finding> {
             .level(Level::Error)
             .effect("crashes at start with `KeyError`")
             .help(
-                "save your own changes elsewhere, then delete both generated JSON files: MakeHuman 2 writes them again",
+                "save your own changes elsewhere, then delete modelling.json and target_cat.json in this folder: MakeHuman 2 writes them again",
             )
     })
 }

@@ -11,7 +11,8 @@ use crate::repo::{Reference, ReferenceKind};
 /// What becomes of an entry of the generated file whose target is gone.
 pub(super) const OF_GENERATED: &str = "crashes with `AttributeError` when the slider moves; if the folder is newer \
      than the file, it writes the file again and the slider disappears";
-pub(super) const ANEW: &str = "delete both generated JSON files: MakeHuman 2 writes them again from the user targets";
+pub(super) const ANEW: &str =
+    "delete modelling.json and target_cat.json in this folder: MakeHuman 2 writes them again from the user targets";
 
 /// Sliders of the system that say that their targets are a user's.
 pub(super) fn needless(rule: &Rule, marked: &[&Reference<'_>]) -> Option<Finding> {

@@ -33,7 +33,10 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             RULE.at(file, BEGINNING, message)
                 .key("never read")
                 .level(Level::Warning)
-                .help(format!("move it to `contarget/{}` together with its targets", base.name))
+                .help(format!(
+                    "remove it, or copy it to `contarget/{}` together with all targets of the base",
+                    base.name
+                ))
                 .effect("ignores the file: it does not look for macros there"),
         );
     }

@@ -72,9 +72,12 @@ fn is_part(file: &FileFacts) -> bool {
 fn unused(view: &View<'_>, folder: &str, files: &[&FileFacts]) -> Option<Finding> {
     let first = files.first()?;
     let message = match files.len() {
-        1 => format!("`{}` lies beside no asset: the system's is in its own folder", first.file_name()),
+        1 => format!("`{}` has no asset beside it: the asset is in the system data", first.file_name()),
         count => {
-            format!("{} in `{folder}` lie beside no asset: the system's is in its own folder", counted(count, "file"))
+            format!(
+                "{} in `{folder}` have no asset beside them: the asset is in the system data",
+                counted(count, "file")
+            )
         }
     };
     let finding = RULE.at(first, Place::File, message).case(UNUSED).asset(view.layers.checked.display(folder));

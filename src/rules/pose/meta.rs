@@ -67,5 +67,5 @@ fn cut(view: &View<'_>, file: &FileFacts, name: &Name) -> Option<Finding> {
         return None;
     };
     let finding = RULE.at(file, Place::Line(*line), message).key("name").effect_in(view.application(), effect);
-    Some(finding.help("write the name in plain letters from a to z"))
+    Some(finding.help("write the name with plain letters, without accents"))
 }

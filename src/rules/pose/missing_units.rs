@@ -35,6 +35,7 @@ fn finding(body: &Body<'_>, units: &PoseUnitsFile<'_>, count: usize, first: &Bod
     let message = format!("`{}` does not exist, but {} {need} it", units.rel, counted(count, noun));
     let finding = RULE.in_layer(body.layers.checked, &units.rel, message).key(units.category);
     let finding = finding.related(first.file.path.clone(), crate::diag::Place::File, format!("the first {noun}"));
-    let finding = finding.help("add the file with the units, or remove what is made of them");
+    let finding =
+        finding.help("pass the system data with `--system`, or restore the file with the units; keep the poses");
     if is_expression { finding.case(EXPRESSIONS) } else { finding }
 }

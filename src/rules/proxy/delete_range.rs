@@ -22,7 +22,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 const LEADING: Case = &[(
     Makehuman2,
     Level::Error,
-    "crashes with `UnboundLocalError` when the asset is put on; a model that wears it is only half loaded",
+    "crashes with `UnboundLocalError` when the asset is put on; models that wear it load only in part",
 )];
 const CUT: Case = &[(Makehuman2, Level::Warning, "forgets the dash and hides only both ends of the range")];
 const OPEN: Case = &[(Makehuman2, Level::Warning, "hides only the first vertex of the range")];
@@ -72,7 +72,7 @@ fn word(text: &Text<'_, '_>) -> Option<Finding> {
 fn beside_keyword(text: &Text<'_, '_>) -> Option<Finding> {
     let has_number = |entry: &&Entry| entry.word().starts_with(|first: char| first.is_ascii_digit());
     let entry = text.clothes.all("delete_verts").find(has_number)?;
-    let message = format!("`{}` stands in the line of `delete_verts` and is ignored", entry.value);
+    let message = format!("`{}` is on the line of `delete_verts` and is ignored", entry.value);
     let finding = RULE.at(text.file, Place::Span(entry.span.clone()), message).key("beside").case(BESIDE);
     Some(finding.help("write the numbers below the keyword"))
 }

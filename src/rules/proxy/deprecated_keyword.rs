@@ -21,6 +21,6 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some(first) = old.and_then(|(faults, _)| faults.first()) else { continue };
         let message = "`weights` belongs to an old format that is no longer read";
         let finding = RULE.at(text.file, Place::Span(first.span.clone()), message);
-        out.push(finding.help("remove the `weights` sections: weights are taken from the body, or from a `.mhw` file"));
+        out.push(finding.help("keep a copy; export the weights to a `.mhw` file for `vertexboneweights_file`, or remove the sections to use those of the body"));
     }
 }

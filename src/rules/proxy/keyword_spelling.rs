@@ -14,7 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         identity there.\n\
         - The library takes every line of the head that has `tag` anywhere in it for a tag, such as `tags` or \
         a description of something vintage. After the first use the tag is gone.\n\
-        - The library finds the author only in a comment with a blank behind the `#`: `# author Ann`. A value that \
+        - The library finds the author only in a comment with a space after the `#`: `# author Ann`. A value that \
         begins with `author` is taken for the author as well.\n\n\
         Write the keywords without a colon and as they are called, and describe the asset in other words.",
     ..RuleInfo::new("proxy-keyword-spelling", Level::Warning, "a line that only one reader of an asset understands")
@@ -23,12 +23,13 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 const COLON: Case = &[(
     Makehuman2,
     Level::Warning,
-    "does not see it in the library until the asset was put on once; models saved before do not find the asset again",
+    "does not see it in the library until the asset has been put on once; models saved before do not find the asset again",
 )];
-const TAG: Case = &[(Makehuman2, Level::Warning, "takes the line for a tag until the asset was put on once")];
+const TAG: Case = &[(Makehuman2, Level::Warning, "reads the line as a tag until the asset has been put on once")];
 const AUTHOR: Case = &[(Makehuman2, Level::Warning, "shows the author as unknown")];
-const UNSEEN_AUTHOR: Case = &[(Makehuman2, Level::Info, "shows the author as unknown until the asset was put on once")];
-const NO_AUTHOR: Case = &[(Makehuman2, Level::Warning, "takes the words behind `author` for the author")];
+const UNSEEN_AUTHOR: Case =
+    &[(Makehuman2, Level::Info, "shows the author as unknown until the asset has been put on once")];
+const NO_AUTHOR: Case = &[(Makehuman2, Level::Warning, "reads the words after `author` as the author")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
@@ -57,7 +58,7 @@ fn stray_tag(text: &Text<'_, '_>, entry: &Entry) -> Option<Finding> {
     if !is_scanned || entry.is_comment || &*entry.keyword == "tag" {
         return None;
     }
-    let message = format!("the library takes the line `{} …` for a tag because it contains `tag`", entry.keyword);
+    let message = format!("the library reads the line `{} …` as a tag because it contains `tag`", entry.keyword);
     let help = if entry.keyword.to_lowercase().starts_with("tag") {
         "write `tag`, in a line for each tag".to_owned()
     } else {
@@ -71,7 +72,7 @@ fn stray_author(text: &Text<'_, '_>, entry: &Entry) -> Option<Finding> {
     if entry.is_comment {
         return None;
     }
-    let message = format!("the library takes `{}` for the author", author.text);
+    let message = format!("the library reads `{}` as the author", author.text);
     Some(told(text, entry, message, NO_AUTHOR).help("begin the text with another word"))
 }
 
@@ -88,7 +89,7 @@ fn hidden_author(text: &Text<'_, '_>) -> Option<Finding> {
     let glued = text.clothes.scanned.glued_author.as_ref()?;
     let message = format!("`{}` is not read as the author", glued.text);
     let finding = RULE.at(text.file, Place::Span(glued.span.clone()), message).key("author").case(AUTHOR);
-    Some(finding.help("put a blank behind the `#`: `# author …`"))
+    Some(finding.help("put a space after the `#`: `# author …`"))
 }
 
 fn told(text: &Text<'_, '_>, entry: &Entry, message: String, case: Case) -> Finding {

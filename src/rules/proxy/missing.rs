@@ -15,7 +15,7 @@ pub(super) fn missing(text: &Text<'_, '_>, keyword: &str, example: &str) -> Opti
         return None;
     }
     if let Some(entry) = loaded {
-        let message = format!("`{keyword}` stands below the vertex rows, where the library does not look");
+        let message = format!("`{keyword}` is below the vertex rows, where the library does not look");
         return Some((Place::Span(entry.keyword_span.clone()), message, format!("move `{keyword}` above `verts`")));
     }
     if let Some(entry) = text.misspelt(keyword) {
@@ -25,7 +25,7 @@ pub(super) fn missing(text: &Text<'_, '_>, keyword: &str, example: &str) -> Opti
     let empty = text.clothes.entries.iter().find(|entry| *entry.keyword == *keyword && !entry.is_comment);
     Some(match empty {
         Some(entry) => {
-            let help = format!("write the {example} behind `{keyword}`");
+            let help = format!("write the {example} after `{keyword}`");
             (Place::Span(entry.keyword_span.clone()), format!("`{keyword}` has no value"), help)
         }
         None => (Place::File, format!("`{keyword}` is missing"), format!("add a line `{keyword}` with a {example}")),

@@ -20,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 const NO_LINE: Case = &[(
     Makehuman2,
     Level::Error,
-    "crashes with `AttributeError` when the asset is put on; a model that wears it is only half loaded",
+    "crashes with `AttributeError` when the asset is put on; models that wear it load only in part",
 )];
 const PACKED: Case = &[(Makehuman2, Level::Info, "loads the `.mhbin` beside it, as long as the text is not newer")];
 

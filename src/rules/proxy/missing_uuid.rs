@@ -6,7 +6,7 @@ use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "saves models with the asset that crash with `IndexError` when they are loaded")],
+    breaks: &[(Makehuman2, "crashes with `IndexError` when a model saved with the asset is loaded")],
     docs: "An asset has no `uuid`.\n\n\
         MakeHuman 2 writes the name and uuid of each asset into a saved model. Without a uuid the line has a word too \
         few, and loading the model crashes with `IndexError`.\n\n\
@@ -20,7 +20,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
         if text.clothes.scanned.uuid.is_none() {
             out.extend(
-                missing(&text, "uuid", "new identifier")
+                missing(&text, "uuid", "new uuid, from a generator")
                     .map(|(place, message, help)| RULE.at(text.file, place, message).help(help)),
             );
         }

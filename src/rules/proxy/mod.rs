@@ -126,11 +126,11 @@ fn more(count: u64) -> String {
 }
 
 pub(super) const STOPS_WITH_VALUE: &str =
-    "crashes with `ValueError` when the asset is put on; a model that wears it is only half loaded";
+    "crashes with `ValueError` when the asset is put on; models that wear it load only in part";
 pub(super) const STOPS_WITH_INDEX: &str =
-    "crashes with `IndexError` when the asset is put on; a model that wears it is only half loaded";
+    "crashes with `IndexError` when the asset is put on; models that wear it load only in part";
 pub(super) const STOPS_WITH_OVERFLOW: &str =
-    "crashes with `OverflowError` when the asset is put on; a model that wears it is only half loaded";
+    "crashes with `OverflowError` when the asset is put on; models that wear it load only in part";
 
 const VALUE: Case = &[(Makehuman2, Level::Error, STOPS_WITH_VALUE)];
 const INDEX: Case = &[(Makehuman2, Level::Error, STOPS_WITH_INDEX)];

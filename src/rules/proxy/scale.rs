@@ -1,5 +1,6 @@
 //! Offsets are scaled by three distances on the base mesh.
 
+use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::{INDEX, Text, VALUE, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
@@ -8,7 +9,7 @@ use crate::formats::python_float;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "does not scale the offsets along any axis: the asset keeps its distance on every figure")],
+    breaks: &[(Makehuman2, "does not scale the offsets: the asset stands off small figures and cuts into large ones")],
     docs: "`x_scale`, `y_scale` and `z_scale` name two vertices of the base mesh and the distance that they had along \
         the axis when the asset was made. MakeHuman 2 divides their distance on the figure by that number, and scales \
         the offsets of all rows with it.\n\n\
@@ -26,8 +27,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 const FLAT: Case = &[(Makehuman2, Level::Warning, "scales by 0: all offsets along the axis vanish")];
-const OTHER: Case =
-    &[(Makehuman2, Level::Warning, "scales all offsets along the axis to a multiple or a small part of what they are")];
+const OTHER: Case = &[(Makehuman2, Level::Warning, "scales all offsets along the axis by a wrong factor")];
 const LOST: Case =
     &[(Makehuman2, Level::Error, "loses all vertices; the glTF export of the figure crashes with `ValueError`")];
 const FROM_END: Case = &[(Makehuman2, Level::Warning, "counts from the end and scales by another distance")];
@@ -92,7 +92,10 @@ fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Op
         return Some(told(format!("the distance of `{name}` is not a number")).case(LOST).help(help));
     }
     if scale.distance < SMALLEST {
-        return Some(told(format!("the distance of `{name}` is {}, below 0.01", scale.distance)).help(help));
+        return Some(
+            told(format!("the distance of `{name}` is {}, below {}", length(scale.distance), length(SMALLEST)))
+                .help(help),
+        );
     }
     let size = text.size_of_base(body)?;
     let last = size.vertices.saturating_sub(1);
@@ -112,7 +115,7 @@ fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Op
     let share = distance / scale.distance;
     if a != b && distance >= NOTHING {
         let message =
-            format!("`{name}` says {}, but the vertices are {distance:.4} apart on the base mesh", scale.distance);
+            format!("`{name}` says {}, but its vertices are {} apart", length(scale.distance), length(distance));
         return (!USUAL.contains(&share)).then(|| told(message).case(OTHER).help(help));
     }
     let message = if a == b {

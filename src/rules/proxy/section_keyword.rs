@@ -23,7 +23,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 const MORE_ROWS: Case = &[(
     Makehuman2,
     Level::Error,
-    "reads the list as vertex rows and crashes when the asset is put on; a model that wears it is only half loaded",
+    "reads the list as vertex rows and crashes when the asset is put on; models that wear it load only in part",
 )];
 
 /// Rows that nobody reads.
@@ -47,7 +47,7 @@ fn above(text: &Text<'_, '_>) -> Option<Finding> {
     // The numbers of an old section belong to it.
     let is_old = text.clothes.faults.of(|kind| kind == FaultKind::OldFormat).is_some();
     let first = faults.first().filter(|_| text.has_rows_section() && !is_old)?;
-    let message = format!("a line of numbers stands above `verts`{}", more(count));
+    let message = format!("a line of numbers is above `verts`{}", more(count));
     let case = if text.clothes.rows.count == 0 { INDEX } else { ABOVE };
     let finding = RULE.at(text.file, Place::Line(first.line), message).key("above").case(case);
     Some(finding.help("move `verts` above all vertex rows").evidence(lines(faults, count)))
@@ -78,7 +78,7 @@ fn list(text: &Text<'_, '_>) -> Option<Finding> {
 fn dash_among_rows(text: &Text<'_, '_>) -> Option<Finding> {
     let (faults, _) = text.clothes.faults.of(|kind| kind == FaultKind::RowWord)?;
     let first = faults.iter().find(|fault| &*fault.word == "-")?;
-    let message = "a range of vertices stands among the vertex rows: `delete_verts` is missing above it";
+    let message = "a range of vertices is among the vertex rows: `delete_verts` is missing above it";
     let finding = RULE.at(text.file, Place::Line(first.line), message).key("delete_verts").case(VALUE);
     Some(finding.help("add a line `delete_verts` above the vertices to hide"))
 }
@@ -86,7 +86,7 @@ fn dash_among_rows(text: &Text<'_, '_>) -> Option<Finding> {
 /// A line of the head that stands in the list.
 fn keyword_in_list(text: &Text<'_, '_>) -> Option<Finding> {
     let entry = keyword_below_list(text)?;
-    let message = format!("`{}` stands below `delete_verts`, where only numbers can", entry.keyword);
+    let message = format!("`{}` is below `delete_verts`, where only numbers can be", entry.keyword);
     Some(told(text, entry, message, VALUE).help("move `delete_verts` with its numbers to the end of the file"))
 }
 

@@ -11,7 +11,7 @@ use crate::formats::python_int;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "loads the archive, unless the text is newer: what the text says has no effect")],
+    breaks: &[(Makehuman2, "loads the archive unless the text is newer: changes in the text have no effect")],
     docs: "The `.mhbin` of an asset differs from the text beside it.\n\n\
         MakeHuman 2 writes the archive when the asset is put on, and loads it in place of the text from then on, as \
         long as the text is not newer. After a download or a checkout all files are of one age, so the archive wins. \
@@ -40,14 +40,14 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let message = format!("differs from `{}`: {}", text.file.file_name(), listed(&kinds));
         let finding = RULE.at(archive.file, Place::File, message).parts(kinds.iter().copied());
-        let finding = finding.related(text.file.path.clone(), Place::File, "the text");
+        let finding = finding.related(text.file.path.clone(), Place::File, "the `.mhclo` or `.proxy`");
         let other =
             known.get(&identity(archive.asset)).into_iter().flatten().copied().find(|other| *other != text.file.path);
         let finding = match other {
             Some(other) => finding.case(COPY).related(other.to_owned(), Place::File, "has the same name and uuid"),
             None => finding,
         };
-        out.push(finding.help("delete the `.mhbin`: MakeHuman 2 writes it again from the text and its mesh"));
+        out.push(finding.help("if the text (`.mhclo` or `.proxy`) and its mesh are up to date, delete the `.mhbin`: MakeHuman 2 builds it again from them"));
     }
 }
 

@@ -23,8 +23,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let rows = &text.clothes.rows;
         let (Some((line, _)), Some((vertex, sum))) = (rows.off_sums.first.first(), rows.worst_sum) else { continue };
         let message = match rows.off_sums.count {
-            1 => format!("the weights of vertex {vertex} sum to {sum:.3} instead of 1"),
-            count => format!("the weights of {count} vertices do not sum to 1, at worst {sum:.3} (vertex {vertex})"),
+            1 => format!("the fitting weights of vertex {vertex} of the asset sum to {sum:.3} instead of 1"),
+            count => format!(
+                "the fitting weights of {count} vertices of the asset do not sum to 1, at worst {sum:.3} (vertex {vertex})"
+            ),
         };
         let evidence = rows.off_sums.evidence(rows.count).with_worst(sum, format!("vertex {vertex}"));
         let finding = RULE.at(text.file, Place::Line(*line), message).evidence(evidence);

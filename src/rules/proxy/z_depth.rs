@@ -44,8 +44,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let finding = told(format!("`z_depth {depth}` is below that of a topology, which is 1"));
             out.push(finding.help("write 2 or more"));
         } else if is_hat(&text, depth, lowest_hair) {
-            let finding = told(format!("`z_depth {depth}` is above the hair only until its `.mhbin` is read (255)"));
-            out.push(finding.key("hair").case(CHANGES).help("write 256 or more to stay above the hair"));
+            let finding = told(format!(
+                "`z_depth {depth}` is above the hair at first, and below it (255) from the second start on"
+            ));
+            out.push(finding.key("hair").case(CHANGES).help("write a number from 256 to 1000 to stay above the hair"));
         }
     }
 }
@@ -74,5 +76,5 @@ fn without_value(text: &Text<'_, '_>) -> Option<Finding> {
         return None;
     }
     let finding = RULE.at(text.file, Place::Span(empty.keyword_span.clone()), "`z_depth` has no value");
-    Some(finding.key("value").case(NO_VALUE).help("write a number from 2 up behind it"))
+    Some(finding.key("value").case(NO_VALUE).help("write a number of 2 or more after it"))
 }

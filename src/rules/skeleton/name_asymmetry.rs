@@ -33,11 +33,11 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some((name, partner)) = lonely.first() else { continue };
         let message = match lonely.len() {
             1 => format!("bone `{name}` has no counterpart `{partner}`"),
-            count => format!("{count} bones have no left/right counterpart, such as `{partner}` for `{name}`"),
+            count => format!("{count} bones have no left/right counterpart: `{name}` has no `{partner}`"),
         };
         let help = match cx.suggestions.nearest(partner, names.iter().copied().filter(|other| other != name)) {
             Some(other) => format!("did you mean `{other}`?"),
-            None => format!("add `{partner}`, or remove the side from the name of `{name}`"),
+            None => format!("leave it if the bone has no counterpart; otherwise add `{partner}`"),
         };
         let evidence = Evidence::of_cases(lonely.iter().map(|(name, _)| name)).out_of(names.len());
         out.push(RULE.at(rig.file, Place::key(["bones", name]), message).help(help).evidence(evidence));

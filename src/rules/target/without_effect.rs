@@ -31,7 +31,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         out.push(
             RULE.at(file, Place::File, message)
-                .help("apply the shape and export it again; without the slider, saved models lose its value")
+                .help(
+                    "set the shape key to 1 and export the target again; keep the slider, because saved models need it",
+                )
                 .evidence(facts.zero.evidence(facts.rows)),
         );
     }
