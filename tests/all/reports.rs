@@ -136,7 +136,7 @@ fn infos_of_one_rule_in_a_folder_share_a_line() {
     let args = ["--only", "target-breaks-start", "--level", "target-breaks-start=info"];
     let text = run(repository.path(), &args);
     let names: Vec<String> = [1, 10, 11, 12, 13].map(|number| format!("`broken{number}.target`")).into();
-    let first = format!("  {FOLDER}broken0.target: info[target-breaks-start] ");
+    let first = format!("  {FOLDER}broken0.target:1:5: info[target-breaks-start] ");
     let rest = format!("; 13 more like it: {} and 8 more\n", names.join(", "));
     assert!(
         text.contains(&first) && text.contains(&rest) && text.contains("14 infos (no visible effect today;"),

@@ -110,9 +110,9 @@ fn weights_are_checked_as_makehuman_1_reads_them() {
     let config = mhlint::Config::default();
     let outcome = trial::lint_trees(&[mhlint::Application::Makehuman1], vec![tree], None, &config).unwrap();
     let expected = [
-        "clothes/hat/hat.mhw:1:76: warning[weights-above-one] bone `root` has weight 1.25 for vertex 1, more than 1",
+        "clothes/hat/hat.mhw:1:76: info[weights-above-one] bone `root` has weight 1.25 for vertex 1, more than 1",
         "clothes/hat/hat.mhw:1:104: error[weights-negative] bone `tip` has the negative weight -0.25 for vertex 1",
-        "rigs/default_weights.mhw:1:76: warning[weights-above-one] bone `root` has weight 1.25 for vertex 1 (`body`, near \
+        "rigs/default_weights.mhw:1:76: info[weights-above-one] bone `root` has weight 1.25 for vertex 1 (`body`, near \
          `root`), more than 1",
         "rigs/default_weights.mhw:1:96: warning[weights-unknown-bone] bone `tip` does not exist in the skeleton",
         "rigs/default_weights.mhw:1:104: error[weights-negative] bone `tip` has the negative weight -0.25 for vertex 1 \

@@ -4,7 +4,7 @@ use super::super::cause::archived::weigh;
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::cause::{is_override, is_unmet};
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 
@@ -38,28 +38,35 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         .at(file, Place::Span(0..3), message)
         .fix(fix.step(&file.path, Change::Rewrite(Rewrite::DropByteOrderMark)))
         .help("save the file as UTF-8 without a byte order mark");
-    let finding = match first_keyword(file) {
-        Some(lost) if view.application() == Makehuman2 => {
-            finding.level_in(Makehuman2, Level::Error).effect_in(Makehuman2, lost)
-        }
-        _ => loss.of(view, finding),
-    };
+    let finding = loss.of(view, finding).case(first_keyword(file));
     out.push(if damage == Damage::MarkedRow { weigh(&view.target(file), finding) } else { finding });
 }
 
-/// What MakeHuman 2 does with an asset without the first line, where that is more than to ignore it.
-fn first_keyword(file: &FileFacts) -> Option<&'static str> {
-    if file.kind != Kind::Clothes {
-        return None;
-    }
-    match file.encoding.marked_words.first()?.as_ref() {
-        "name" => Some("does not recognise `name`: lists the asset without a name, and models lose it"),
-        "uuid" => {
-            Some("does not recognise `uuid`: crashes with `IndexError` when a model saved with the asset is loaded")
-        }
-        "obj_file" => Some("does not recognise `obj_file`: crashes with `AttributeError` when the asset is put on"),
-        "verts" => Some("does not recognise `verts`: crashes with `IndexError` when the asset is put on"),
-        _ => None,
+/// What becomes of an asset without its first line, where that is more than to ignore it.
+fn first_keyword(file: &FileFacts) -> Case {
+    let is_asset = file.kind == Kind::Clothes;
+    match file.encoding.marked_words.first().map(AsRef::as_ref).filter(|_| is_asset) {
+        Some("name") => &[(
+            Makehuman2,
+            Level::Error,
+            "does not recognise `name`: lists the asset without a name, and models lose it",
+        )],
+        Some("uuid") => &[(
+            Makehuman2,
+            Level::Error,
+            "does not recognise `uuid`: crashes with `IndexError` when a model saved with the asset is loaded",
+        )],
+        Some("obj_file") => &[(
+            Makehuman2,
+            Level::Error,
+            "does not recognise `obj_file`: crashes with `AttributeError` when the asset is put on",
+        )],
+        Some("verts") => &[(
+            Makehuman2,
+            Level::Error,
+            "does not recognise `verts`: crashes with `IndexError` when the asset is put on",
+        )],
+        _ => &[],
     }
 }
 
