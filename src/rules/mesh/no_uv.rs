@@ -2,11 +2,14 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::of_asset;
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, Place, RuleInfo,
+};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows one colour of each texture all over the asset, here and in exports")],
+    breaks: &[(Makehuman2, "shows one colour of each texture all over the asset, here and in exports"), (Makehuman1, "shows one colour of each texture all over the asset")],
     docs: "No face of the mesh of an asset has texture coordinates: its faces are written `v` or `v//n` instead of `v/t`.\n\n\
         MakeHuman 2 loads the mesh and uses the same point of a texture for all of it. Base meshes are not reported: \
         without a skin they do without.\n\n\
