@@ -1,4 +1,5 @@
-//! Checks asset repositories of `MakeHuman` 2 before the program loads them; those of `MakeHuman` 1 and MPFB are to come.
+//! Checks asset repositories of `MakeHuman` 2, and asset libraries of `MakeHuman` 1, before the program loads them; the rest of
+//! `MakeHuman` 1, and MPFB, are to come.
 //!
 //! The library reads everything an application would read, resolves every name the way that application
 //! resolves it, and says what would happen to its user: a crash, a vanished asset, a dead slider. The

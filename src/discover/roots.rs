@@ -28,14 +28,17 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>) -> Vec<Da
             }
         }
     }
-    let strong: Vec<DataRoot> =
-        signs.iter().filter(|(_, sign)| **sign == Sign::Strong).map(|(root, _)| root.clone()).collect();
-    let far_from_strong = |root: &DataRoot| !strong.iter().any(|other| nested(&other.path, &root.path));
-    signs
-        .iter()
-        .filter(|(root, sign)| **sign == Sign::Strong || far_from_strong(root))
-        .map(|(root, _)| root.clone())
-        .collect()
+    // One that is near a better one does not count, unless it is as good.
+    let count = |sign, better: &[DataRoot]| -> Vec<DataRoot> {
+        let own = signs.iter().filter(|(_, own)| **own == sign).map(|(root, _)| root);
+        own.filter(|root| !better.iter().any(|other| nested(&other.path, &root.path))).cloned().collect()
+    };
+    let mut roots = count(Sign::Strong, &[]);
+    for sign in [Sign::Weak, Sign::Faint] {
+        roots.extend(count(sign, &roots));
+    }
+    roots.sort();
+    roots
 }
 
 fn nested(a: &str, b: &str) -> bool {
@@ -70,6 +73,15 @@ mod tests {
         assert_eq!(
             found(&["target/corpora/mh/data/base/hm08/base.json", "target/corpora/mh/data/target/hm08/x.target"]),
             [("target/corpora/mh/data".to_owned(), Application::Makehuman2)]
+        );
+    }
+
+    #[test]
+    fn a_library_alone_is_a_faint_sign() {
+        assert_eq!(found(&["pack/clothes/hat/hat.mhclo"]), [("pack".to_owned(), Application::Makehuman1)]);
+        assert_eq!(
+            found(&["user/clothes/figure/hat.mhclo", "user/target/figure/mine/x.target"]),
+            [("user".to_owned(), Application::Makehuman2)]
         );
     }
 

@@ -2,10 +2,11 @@
 
 use crate::diag::{Application, RuleInfo};
 use crate::discover::Kind;
+use crate::repo::makehuman1::is_of_library;
 use crate::rules::{Check, RULES, Rule};
 
 /// The applications whose data are checked. Any that has a layout can be loaded.
-pub(super) const CHECKED: [Application; 1] = [Application::Makehuman2];
+pub(super) const CHECKED: [Application; 2] = [Application::Makehuman2, Application::Makehuman1];
 
 /// Whether rules are about what is in files of this kind, for an application. Of other files only the name, the
 /// encoding and the syntax are checked.
@@ -50,7 +51,7 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                 | Kind::Material
                 | Kind::Image
         ),
-        Application::Makehuman1 => matches!(kind, Kind::Weights | Kind::AssetWeights),
+        Application::Makehuman1 => is_of_library(kind),
     }
 }
 

@@ -18,6 +18,10 @@ pub struct AssetMesh {
     pub has_uvs: bool,
     /// Names of groups with faces that are not ASCII, with the lines where they are opened.
     pub odd_groups: Vec<(String, u32)>,
+    /// The vertex with most faces, and how many it has.
+    pub pole: Option<(u32, u32)>,
+    /// Faces that repeat the corners of an earlier one.
+    pub repeated: usize,
     /// What it is compared by.
     pub print: MeshPrint,
 }
@@ -44,6 +48,8 @@ impl AssetMesh {
             uvs: mesh.uvs.len(),
             has_uvs: mesh.corner_uvs.iter().any(|uv| *uv != NO_UV),
             odd_groups: odd.map(|group| (group.name.clone(), group.line)).collect(),
+            pole: pole(&mesh),
+            repeated: repeated(&mesh),
             print: MeshPrint::of(&mesh),
             facts,
         }
@@ -55,6 +61,40 @@ impl AssetMesh {
         let stops = facts.unreadable_lines > 0 || facts.face_out_of_range.count > 0 || !facts.short_faces.is_empty();
         !stops && facts.vertices > 0 && facts.partial_uv.is_empty()
     }
+}
+
+fn corners(mesh: &Mesh, face: Face) -> &[u32] {
+    let run = face.start as usize..(face.start as usize).saturating_add(face.len as usize);
+    mesh.corners.get(run).unwrap_or_default()
+}
+
+/// The first of the vertices with most faces, and how many.
+fn pole(mesh: &Mesh) -> Option<(u32, u32)> {
+    let mut faces = vec![0_u32; mesh.positions.len()];
+    for vertex in mesh.faces.iter().flat_map(|face| corners(mesh, *face)) {
+        if let Some(count) = faces.get_mut(*vertex as usize) {
+            *count = count.saturating_add(1);
+        }
+    }
+    let most = faces.iter().copied().max().filter(|most| *most > 0)?;
+    let vertex = faces.iter().position(|count| *count == most)?;
+    Some((u32::try_from(vertex).ok()?, most))
+}
+
+fn repeated(mesh: &Mesh) -> usize {
+    let mut prints: Vec<u64> = mesh.faces.iter().map(|face| print_of_set(corners(mesh, *face))).collect();
+    let all = prints.len();
+    prints.sort_unstable();
+    prints.dedup();
+    all - prints.len()
+}
+
+/// Of corners in whatever order.
+fn print_of_set(corners: &[u32]) -> u64 {
+    let mut sorted = corners.to_vec();
+    sorted.sort_unstable();
+    let bytes: Vec<u8> = sorted.iter().flat_map(|corner| corner.to_le_bytes()).collect();
+    xxh3_64(&bytes)
 }
 
 impl MeshPrint {
@@ -96,6 +136,15 @@ mod tests {
         let other = of(&format!("{FACES}f 1/1 2/2 3/3\nf 1/1 3/3 4/1\n"));
         assert!(!mesh.print.has_other_corners(&other.print));
         assert!(mesh.print.has_other_corners(&of(&format!("{FACES}f 1/1 2/2 3/3\nf 1/1 2/2 4/1\n")).print));
+    }
+
+    #[test]
+    fn poles_and_repeated_faces_are_counted() {
+        let mesh = of(&format!("{FACES}f 1 2 3\nf 1 3 4\nf 3 2 1\nf 1 4 2\n"));
+        assert_eq!((mesh.pole, mesh.repeated), (Some((0, 4)), 1));
+        assert_eq!((of(FACES).pole, of(FACES).repeated), (None, 0));
+        let named = of(&format!("{FACES}g\no\ng a\nf 1 2 3 4 1\n"));
+        assert_eq!((named.facts.nameless.count, named.facts.ngons.count), (2, 1));
     }
 
     #[test]

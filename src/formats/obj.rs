@@ -147,7 +147,14 @@ impl Parser {
     fn line(&mut self, line: &[u8]) {
         let fields = fields(line);
         // The loader skips a keyword without a value before it looks at it.
-        let Some(((_, keyword), rest)) = fields.split_first().filter(|(_, rest)| !rest.is_empty()) else { return };
+        let Some(((_, keyword), rest)) = fields.split_first() else { return };
+        if rest.is_empty() {
+            // Only MakeHuman 1 looks for the name before it asks whether there is one.
+            if matches!(*keyword, b"g" | b"o") {
+                self.mesh.facts.nameless.add(self.line, 0);
+            }
+            return;
+        }
         let mut words = rest.iter().map(|(_, word)| *word);
         match *keyword {
             b"v" => self.vertex(line, words),

@@ -42,6 +42,10 @@ pub struct MeshFacts {
     pub unused: Tally,
     /// Groups that mix faces with and without texture coordinates.
     pub partial_uv: Vec<PartialUv>,
+    /// Groups and objects without a name (line).
+    pub nameless: Tally,
+    /// Faces with more than four corners (line, corners).
+    pub ngons: Tally,
     /// Lowest and highest coordinate along each axis, mesh units, of the vertices that the faces of each group use.
     pub bounds: Vec<Option<Bounds>>,
 }
@@ -151,6 +155,9 @@ impl MeshFacts {
     /// Faces may name vertices that come later in the file, so ranges are known only now.
     fn check_faces(&mut self, mesh: &Mesh, lines: &[u32]) {
         for (face, line) in mesh.faces.iter().zip(lines) {
+            if face.len > 4 {
+                self.ngons.add(*line, i64::from(face.len));
+            }
             let corners = run(&mesh.corners, *face);
             let uvs = run(&mesh.corner_uvs, *face);
             let bad_vertex = corners.iter().find(|vertex| **vertex as usize >= mesh.positions.len());

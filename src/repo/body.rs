@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 
 use super::landmarks::{Landmarks, Region, Unreached};
 use super::{FileFacts, Layers, Reference, ReferenceKind, View, Worn, parent};
+use crate::diag::Application;
 use crate::formats::bvh::Motion;
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhpose::Pose;
@@ -197,6 +198,16 @@ impl<'v> Body<'v> {
             by_path,
             landmarks: OnceLock::new(),
         }
+    }
+
+    /// Whose body it is.
+    pub(crate) const fn application(&self) -> Application {
+        self.view.application()
+    }
+
+    /// Whether `MakeHuman` 1 has it.
+    pub(crate) const fn is_makehuman1(&self) -> bool {
+        self.view.is_makehuman1()
     }
 
     /// The units that a pose is made of, if they could be read.

@@ -32,6 +32,8 @@ pub(crate) struct Layer {
     pub files: BTreeMap<String, FileFacts>,
     /// Folders, relative to the root.
     pub folders: Vec<String>,
+    /// Those of them that are links, relative to the root.
+    pub linked_folders: Vec<String>,
     /// What the walk could not list, relative to the root.
     pub walk_faults: Vec<WalkFault>,
     /// Folded paths to paths, in order; made when first asked for.
@@ -58,7 +60,8 @@ impl Layer {
     ) -> Self {
         folders.sort_unstable();
         walk_faults.sort_by(|one, other| one.path.cmp(&other.path));
-        Self { path, layouts, files, folders, walk_faults, folded: OnceLock::new(), loose: OnceLock::new() }
+        let (linked_folders, folded, loose) = (Vec::new(), OnceLock::new(), OnceLock::new());
+        Self { path, layouts, files, folders, linked_folders, walk_faults, folded, loose }
     }
 
     /// Adds files that were read later.

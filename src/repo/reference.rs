@@ -52,6 +52,8 @@ pub enum ReferenceKind {
     AssetMaterial,
     /// `vertexboneweights_file` of an asset, or what stands for it.
     AssetWeights,
+    /// `uvMap` of a material.
+    UvMap,
     /// `skinMaterial` of a model.
     Skin,
     /// `skeleton` of a model.
@@ -113,6 +115,18 @@ impl<'a> Resolution<'a> {
         match self {
             Self::Found(file) | Self::CaseOnly(file) | Self::Backslash(Some(file)) => Some(file),
             _ => None,
+        }
+    }
+
+    /// How far from the file a place is: what is there outweighs what only another system finds, and that outweighs
+    /// nothing at all.
+    pub(super) const fn distance(&self) -> u8 {
+        match self {
+            Self::Found(_) => 0,
+            Self::CaseOnly(_) | Self::Backslash(Some(_)) => 1,
+            Self::Unusable => 2,
+            Self::Absolute | Self::Escapes | Self::Backslash(None) => 3,
+            Self::OtherLayer(_) | Self::Missing | Self::NeedsSystem => 4,
         }
     }
 }

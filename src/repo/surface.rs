@@ -1,12 +1,14 @@
 //! What an application makes of a material: who has it, and which of its pictures are there.
 
 use super::FileFacts;
-use crate::diag::Place;
+use crate::diag::{Application, Place};
 use crate::formats::mhmat::{Line, Material};
 
 /// A material that an application opens.
 #[derive(Debug)]
 pub(crate) struct Surface<'a> {
+    /// Who opens it.
+    pub application: Application,
     /// Its file.
     pub file: &'a FileFacts,
     /// What is in it.
@@ -17,6 +19,8 @@ pub(crate) struct Surface<'a> {
     pub pictures: Vec<(&'static str, Picture<'a>)>,
     /// The picture of its litsphere, if it names one.
     pub litsphere: Option<Picture<'a>>,
+    /// A file of the shader that it asks for, where shaders are files.
+    pub shader: Option<Picture<'a>>,
 }
 
 /// Who has a material.

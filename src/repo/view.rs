@@ -41,6 +41,11 @@ impl<'a> View<'a> {
         }
     }
 
+    /// Whether it is that of `MakeHuman` 1, which reads some formats otherwise than its successor.
+    pub(crate) const fn is_makehuman1(&self) -> bool {
+        matches!(self, Self::Makehuman1(_))
+    }
+
     /// Its layers.
     pub(crate) const fn layers(&self) -> Layers<'a> {
         match self {
@@ -60,10 +65,18 @@ impl<'a> View<'a> {
         self.layers().checked.kind_at(rel, self.application())
     }
 
-    /// The files of the checked layer, but for those that other applications alone have as what they are read as.
+    /// The files of the checked layer, but for those that other applications alone have as what they are read as, and
+    /// those at which nobody looks yet.
     pub(crate) fn files(&self) -> impl Iterator<Item = &'a FileFacts> + use<'a> {
         let application = self.application();
-        self.layers().checked.files.values().filter(move |file| file.kind_in(application) == file.kind)
+        let is_own =
+            move |file: &&FileFacts| file.kind_in(application) == file.kind && looks_at(application, file.kind);
+        self.layers().checked.files.values().filter(is_own)
+    }
+
+    /// Whether files of this kind are looked at.
+    pub(crate) fn looks_at(&self, kind: Kind) -> bool {
+        looks_at(self.application(), kind)
     }
 
     /// Everything that names a file, and what it leads to.
@@ -79,7 +92,7 @@ impl<'a> View<'a> {
     pub(crate) fn bodies(&self) -> Vec<Body<'_>> {
         match self {
             Self::Makehuman2(view) => view.bodies(self),
-            Self::Makehuman1(view) => view.body(self).into_iter().collect(),
+            Self::Makehuman1(view) => vec![view.body(self)],
             Self::Mpfb(view) => view.body(self).into_iter().collect(),
         }
     }
@@ -132,7 +145,11 @@ impl<'a> View<'a> {
 
     /// The materials that it opens, of all layers.
     pub(crate) fn surfaces(&self) -> &[Surface<'a>] {
-        self.makehuman2().map(|view| view.surfaces.as_slice()).unwrap_or_default()
+        match self {
+            Self::Makehuman2(view) => &view.surfaces,
+            Self::Makehuman1(view) => &view.surfaces,
+            Self::Mpfb(_) => &[],
+        }
     }
 
     /// Whether a material at this path is offered for assets.
@@ -142,7 +159,11 @@ impl<'a> View<'a> {
 
     /// The assets of all layers, sorted by base.
     pub(crate) fn assets(&self) -> &[Worn<'a>] {
-        self.makehuman2().map(|view| view.worn.as_slice()).unwrap_or_default()
+        match self {
+            Self::Makehuman2(view) => &view.worn,
+            Self::Makehuman1(view) => &view.worn,
+            Self::Mpfb(_) => &[],
+        }
     }
 
     /// Whether the application makes the file at this path of the checked layer itself.
@@ -169,5 +190,13 @@ impl<'a> View<'a> {
     pub(crate) fn is_known_by(&self, reference: &Reference<'_>) -> bool {
         // Of the others nobody can tell yet: the name stays.
         self.makehuman2().is_none_or(|view| view.is_known_by(reference))
+    }
+}
+
+/// Of `MakeHuman` 1 the libraries alone are checked so far.
+const fn looks_at(application: Application, kind: Kind) -> bool {
+    match application {
+        Application::Makehuman2 | Application::Mpfb => true,
+        Application::Makehuman1 => makehuman1::is_of_library(kind),
     }
 }

@@ -86,7 +86,7 @@ impl<'a> Worn<'a> {
 
     /// Whether it stands for the skin of the body.
     pub(crate) fn is_topology(&self) -> bool {
-        self.file.rel.starts_with("proxy/")
+        self.file.rel.starts_with("proxy/") || self.file.rel.starts_with("proxymeshes/")
     }
 
     /// The weights that it names.

@@ -368,7 +368,7 @@ fn quiet_leaves_findings_and_verdict() {
 
 #[test]
 fn timings_go_to_stderr() {
-    let output = mhlint(&project("fixtures/makehuman2"), &["--timings"]);
+    let output = mhlint(&project("fixtures"), &["makehuman2", "makehuman1", "--timings"]);
     assert!(!stdout(&output).contains(" ms  "));
     let text = stderr(&output);
     let lines: Vec<(f64, &str)> = text

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
-use crate::scratch::{Case, content, copy_folder, corpus, edit, example, findings, mhlint, project};
+use crate::scratch::{Case, content, copy_folder, corpus, edit, example, example_of, findings, mhlint, project};
 use rayon::prelude::*;
 use serde_json::Value;
 
@@ -78,9 +78,10 @@ const HIDDEN: [(&str, &str); 2] =
 
 /// Fixes one case with all fixes. `false`: this case is one that only a person can fix.
 fn fix_case(rule: &str, declared: &str, folder: &Path) -> Result<bool, String> {
-    let repository = example();
+    let case = Case::read(folder);
+    let repository = example_of(case.application.as_deref().unwrap_or("makehuman2"));
     let root = repository.path();
-    Case::read(folder).apply(root);
+    case.apply(root);
     let before = reported(root);
     let old = concise(root);
     let original = content(root);

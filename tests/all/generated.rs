@@ -69,7 +69,7 @@ fn about(family: &str) -> &'static str {
         "numeric" => "the evaluated figure: shapes, joints and weights over the range of the sliders",
         "overlay" => "user data over system data",
         "pose" => "poses, expressions, what they are made of (`body-poses.json`, `face-poses.json`), and motions",
-        "program" => "files of MakeHuman 2 itself",
+        "program" => "files of the programs themselves",
         "proxy" => "clothes, hair, eyes and topologies (`.mhclo`, `.proxy`) with what they name",
         "skeleton" => "skeletons (`.mhskel`)",
         "target" => "targets (`.target`)",

@@ -131,7 +131,7 @@ fn a_path_of_which_nothing_was_checked_is_named() {
     let output = mhlint(repository.path(), &["data", "notes", "--report", "concise"]);
     assert_eq!(code(&output), Some(3), "{}", stdout(&output));
     assert!(
-        stderr(&output).contains("nothing was checked in `notes`: no MakeHuman 2 data found"),
+        stderr(&output).contains("nothing was checked in `notes`: no MakeHuman 2 or MakeHuman 1 data found"),
         "{}",
         stderr(&output)
     );
@@ -196,11 +196,11 @@ fn unchecked_of(report: &Value) -> Vec<String> {
 #[test]
 fn data_of_an_application_that_is_not_checked_get_no_advice_for_another() {
     let folder = tempfile::tempdir().unwrap();
-    write(folder.path(), "modifiers/modeling_modifiers.json", "[]");
+    write(folder.path(), "targets/target.json", "{}");
     let output = mhlint(folder.path(), &[]);
     assert_eq!(code(&output), Some(3));
     let said = stderr(&output);
-    assert!(said.contains("this version cannot check MakeHuman 1 data yet"), "{said}");
+    assert!(said.contains("this version cannot check MPFB data yet"), "{said}");
     assert!(!said.contains("MakeHuman 2") && !said.contains("contarget"), "{said}");
 }
 

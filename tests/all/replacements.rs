@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use crate::scratch::{Case, copy_folder, edit, example, folders, mhlint, project, stdout};
+use crate::scratch::{Case, copy_folder, edit, example, example_of, folders, mhlint, project, stdout};
 use rayon::prelude::*;
 use serde_json::Value;
 
@@ -52,9 +52,11 @@ fn offset(text: &str, [line, column]: [u64; 2]) -> usize {
 
 /// Whether the case has one finding with a fix in SARIF, which then must do what `--fix` does.
 fn replaces_as_fix_does(rule: &str, folder: &Path) -> bool {
-    let [repository, other] = [example(), example()];
+    let case = Case::read(folder);
+    let of_case = || example_of(case.application.as_deref().unwrap_or("makehuman2"));
+    let [repository, other] = [of_case(), of_case()];
     for copy in [&repository, &other] {
-        Case::read(folder).apply(copy.path());
+        case.apply(copy.path());
     }
     let results = results(repository.path(), rule);
     let [result] = results.as_slice() else { return false };

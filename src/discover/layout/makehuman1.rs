@@ -13,8 +13,12 @@ pub(super) static LAYOUT: Layout = Layout {
     sign,
     place,
     role: |below| Role::of_one(below, Application::Makehuman1, Kind::BaseMesh),
+    scans: |rel| library_of(rel).is_some(),
     ..Layout::PLAIN
 };
+
+/// Base meshes of other applications: below a library they are no folder of an asset.
+const OTHER_BASES: [&str; 2] = [HM08, "mh2bot"];
 
 fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     match parts {
@@ -22,6 +26,14 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         [.., "3dobjs", "base.obj"] => Some((Sign::Weak, 2)),
         [.., "proxymeshes", _, name] if extension(name) == "proxy" => Some((Sign::Strong, 3)),
         [.., "rigs", name] if extension(name) == "mhskel" => Some((Sign::Strong, 2)),
+        // An asset in its own folder: in a pack or of a user there may be nothing else.
+        [.., library, asset, name]
+            if WORN.contains(library)
+                && extension(name).eq_ignore_ascii_case("mhclo")
+                && !OTHER_BASES.contains(asset) =>
+        {
+            Some((Sign::Faint, 3))
+        }
         _ => None,
     }
 }
@@ -31,10 +43,41 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["3dobjs", "base.obj"] => Kind::BaseMesh,
         ["targets" | "custom", .., file] if extension(file) == "target" => Kind::Target,
         ["rigs", .., file] if extension(file) == "mhw" => Kind::Weights,
-        [.., file] => Kind::by_extension(file),
-        [] => Kind::Other,
+        [folder, .., file] => match Kind::by_extension(file) {
+            // Elsewhere the program has such files for itself, and opens them by name or never.
+            Kind::Clothes | Kind::AssetMesh | Kind::AssetWeights if !holds_worn(folder) => Kind::Other,
+            Kind::Motion | Kind::MotionMeta if *folder != "poses" => Kind::Other,
+            kind => kind,
+        },
+        _ => Kind::Other,
     };
     (kind, (parts.len() > 1).then_some(HM08))
+}
+
+fn holds_worn(folder: &str) -> bool {
+    WORN.contains(&folder) || folder == TOPOLOGIES
+}
+
+/// The folder of what stands for the body.
+const TOPOLOGIES: &str = "proxymeshes";
+
+/// The library that a file is listed in: at any depth, in whatever capitals its extension is (§2.1).
+pub(crate) fn library_of(rel: &str) -> Option<&str> {
+    let (library, _) = rel.split_once('/')?;
+    let extension = extension(rel);
+    let is_listed = library_extension(library).is_some_and(|own| own.eq_ignore_ascii_case(extension));
+    is_listed.then_some(library)
+}
+
+/// What the files of a library end in.
+pub(crate) fn library_extension(library: &str) -> Option<&'static str> {
+    match library {
+        TOPOLOGIES => Some("proxy"),
+        "skins" => Some("mhmat"),
+        "poses" => Some("bvh"),
+        _ if WORN.contains(&library) => Some("mhclo"),
+        _ => None,
+    }
 }
 
 #[cfg(test)]
@@ -45,7 +88,10 @@ mod tests {
     fn place_decides_the_kind() {
         for (path, kind) in [
             ("3dobjs/base.obj", Kind::BaseMesh),
-            ("3dobjs/base.mhclo", Kind::Clothes),
+            ("3dobjs/base.mhclo", Kind::Other),
+            ("poseunits/face.bvh", Kind::Other),
+            ("proxymeshes/a/a.obj", Kind::AssetMesh),
+            ("litspheres/a.obj", Kind::Other),
             ("targets/macrodetails/a.target", Kind::Target),
             ("custom/mine/a.target", Kind::Target),
             ("custom/a.TARGET", Kind::Other),
@@ -72,5 +118,35 @@ mod tests {
         assert_eq!(LAYOUT.root_above("v1py3/data/hair/bob01/bob01.mhclo"), Some("v1py3/data"));
         assert_eq!(LAYOUT.root_above("v1py3/data/proxymeshes/a"), Some("v1py3/data"));
         assert_eq!(LAYOUT.root_above("v1py3/data/proxy/a"), None);
+    }
+
+    #[test]
+    fn an_asset_in_its_own_folder_is_a_sign_and_one_below_a_base_mesh_is_none() {
+        for (path, root) in [
+            ("pack/clothes/hat/hat.mhclo", Some("pack")),
+            ("hair/bob/bob.mhclo", Some("")),
+            ("clothes/hm08/hat/hat.mhclo", None),
+            ("clothes/hm08/hat.mhclo", None),
+            ("clothes/hat.mhclo", None),
+            ("shop/hat/hat.mhclo", None),
+        ] {
+            assert_eq!(LAYOUT.sign(path).map(|(root, _)| root), root, "{path}");
+        }
+    }
+
+    #[test]
+    fn libraries_list_at_any_depth() {
+        for (rel, library) in [
+            ("clothes/a/b/c/x.mhclo", Some("clothes")),
+            ("clothes/x.MHCLO", Some("clothes")),
+            ("proxymeshes/a/a.mhclo", None),
+            ("skins/a.mhmat", Some("skins")),
+            ("clothes/a/a.mhmat", None),
+            ("poses/a.bvh", Some("poses")),
+            ("poses/a.meta", None),
+            ("x.mhclo", None),
+        ] {
+            assert_eq!(library_of(rel), library, "{rel}");
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! What the applications make of paths: one [`Layout`] each.
 
-mod makehuman1;
+pub(super) mod makehuman1;
 pub(super) mod makehuman2;
 mod mpfb;
 
@@ -64,6 +64,8 @@ type Classify = for<'p> fn(&[&'p str]) -> (Kind, Option<&'p str>);
 /// How telling a path is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Sign {
+    /// Other applications have the same; counts only where nothing else is near.
+    Faint,
     /// Could stand elsewhere, too; counts only where nothing better is near.
     Weak,
     /// Only this application has such a file.

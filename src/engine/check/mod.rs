@@ -149,7 +149,8 @@ fn run_rule(rule: &Rule, checked: &Checked<'_>, options: &Config, out: &mut Vec<
             bases.for_each(|base| run(view, base, cx, out));
         }
         (Check::Makehuman2Library(run), View::Makehuman2(view)) => run(view, cx, out),
-        (Check::Makehuman1(run), View::Makehuman1(view)) => run(view, cx, out),
+        (Check::Libraries(run, _), View::Makehuman2(view)) => run(view, cx, out),
+        (Check::Libraries(_, run) | Check::Makehuman1(run), View::Makehuman1(view)) => run(view, cx, out),
         (Check::Mpfb(run), View::Mpfb(view)) => run(view, cx, out),
         (Check::Numeric(run), _) => {
             for body in bodies() {
@@ -163,6 +164,7 @@ fn run_rule(rule: &Rule, checked: &Checked<'_>, options: &Config, out: &mut Vec<
             Check::File(_)
             | Check::Makehuman2(_)
             | Check::Makehuman2Library(_)
+            | Check::Libraries(..)
             | Check::Makehuman1(_)
             | Check::Mpfb(_)
             | Check::Upkeep(_),

@@ -50,7 +50,9 @@ pub(super) fn load(place: &Place<'_>, reader: Reader<'_>, mut sizes: MeshSizes) 
     files.append(&mut read_all(place.tree, of(Needs::Mesh), reader, &sizes, None).0);
     hash_equal_sizes(place, &mut files, reader.limits);
     let folders = place.below.iter().filter(|one| !one.is_file()).map(|folder| folder.rel.to_string()).collect();
-    let layer = Layer::new(place.path(), place.layouts.clone(), files, folders, faults_below(place));
+    let mut layer = Layer::new(place.path(), place.layouts.clone(), files, folders, faults_below(place));
+    let links = place.below.iter().filter(|one| !one.is_file() && one.entry.link_to.is_some());
+    layer.linked_folders = links.map(|folder| folder.rel.to_string()).collect();
     (layer, sizes)
 }
 

@@ -1,6 +1,10 @@
-//! The data of `MakeHuman` 1 as it sees them. Connected so far: rigs with their weights, and what is worn.
+//! The data of `MakeHuman` 1 as it sees them. Connected so far: its libraries, which are what is worn with its materials
+//! and weights, skins, and poses.
 
+mod library;
+mod surfaces;
 mod view;
 
-pub(crate) use view::View;
+pub(crate) use library::Asset;
 pub(in crate::repo) use view::target;
+pub(crate) use view::{View, is_of_library};

@@ -1,19 +1,17 @@
-//! The layers of `MakeHuman` 1 with the rigs of its body and what that wears (formats/makehuman1.md §2.2, §3, §4, §10).
+//! The layers of `MakeHuman` 1 with its body, what that wears, and its poses (formats/makehuman1.md §2, §10 to §12, §16).
 
-use std::collections::BTreeSet;
-
-use crate::diag::{Application, Place};
-use crate::discover::Kind;
+use super::{Asset, surfaces};
+use crate::diag::Application;
+use crate::discover::{Kind, library_of};
 use crate::formats::obj::Mesh;
-use crate::repo::{
-    Body, BodyWeights, FileFacts, Layer, Layers, Reference, ReferenceKind, References, Resolution, Rig, Target,
-    WeightsUse, Worn, parent,
-};
+use crate::repo::{Body, FileFacts, Layers, References, Rig, Surface, Target, Worn, parent};
 
 /// Whose uses of a file count here.
-const OWN: Application = Application::Makehuman1;
-/// The skeleton that poses the body; all others are for exports.
+pub(super) const OWN: Application = Application::Makehuman1;
+/// The skeleton that poses the body, which only the system has.
 const POSED: &str = "rigs/default.mhskel";
+/// The one base mesh.
+const BODY: &str = "hm08";
 
 /// The layers of `MakeHuman` 1.
 #[derive(Debug)]
@@ -24,27 +22,49 @@ pub(crate) struct View<'a> {
     pub references: References<'a>,
     /// The base mesh, if it can be read.
     mesh: Option<(&'a FileFacts, &'a Mesh)>,
-    /// Skeletons with their weights.
+    /// The skeleton of the body, without its weights.
     rigs: Vec<Rig<'a>>,
     /// What the body can wear.
-    worn: Vec<Worn<'a>>,
+    pub(in crate::repo) worn: Vec<Worn<'a>>,
+    /// The materials.
+    pub(in crate::repo) surfaces: Vec<Surface<'a>>,
+}
+
+/// Whether files of this kind are part of a library that is checked so far.
+pub(crate) const fn is_of_library(kind: Kind) -> bool {
+    matches!(
+        kind,
+        Kind::Clothes
+            | Kind::Material
+            | Kind::AssetMesh
+            | Kind::AssetWeights
+            | Kind::Motion
+            | Kind::MotionMeta
+            | Kind::Image
+    )
 }
 
 impl<'a> View<'a> {
     /// Connects layers.
     pub(crate) fn connect(layers: Layers<'a>) -> Self {
-        let mesh =
-            layers.system.and_then(|layer| layer.files.values().find(|file| file.kind_in(OWN) == Kind::BaseMesh));
+        let system = || layers.system.into_iter().flat_map(|layer| layer.files.values());
+        let mesh = system().find(|file| file.kind_in(OWN) == Kind::BaseMesh);
+        let rig = system().find(|file| file.rel == POSED);
+        let rigs = rig.map(|file| Rig { file, weights: None, is_default: true, is_found: true });
         let worn = |layer| {
-            let of = move |(file, base)| Worn::of(layer, file, base, |name| !name.has_colon, false);
-            Worn::all(layer, OWN).map(of)
+            let listed = Worn::all(layer, OWN).filter(|(file, _)| library_of(&file.rel).is_some());
+            listed.map(move |(file, base)| Worn::of(layer, file, base, |name| !name.has_colon, false))
         };
+        let worn: Vec<Worn<'a>> = layers.strongest_first().flat_map(worn).collect();
+        let (mut references, surfaces) = surfaces::read(layers, &worn);
+        references.extend(worn.iter().flat_map(|worn| worn.references.iter().flatten()).cloned());
         Self {
             layers,
-            references: References::default(),
+            references: References::new(references),
             mesh: mesh.and_then(|file| Some((file, file.mesh()?))),
-            rigs: layers.strongest_first().flat_map(|layer| rigs(layers, layer)).collect(),
-            worn: layers.strongest_first().flat_map(worn).collect(),
+            rigs: rigs.into_iter().collect(),
+            worn,
+            surfaces,
         }
     }
 
@@ -53,67 +73,37 @@ impl<'a> View<'a> {
         self.mesh.and_then(|(file, _)| file.base_in(OWN))
     }
 
-    /// The body.
-    pub(in crate::repo) fn body<'v>(&'v self, view: &'v crate::repo::View<'v>) -> Option<Body<'v>> {
-        let targets = view.files().filter(|file| file.kind == Kind::Target).map(target);
-        let mut body = Body::new(self.body_name()?, view, targets.collect());
+    /// The body, also where its mesh is not at hand. Of its own weights, and of its targets, nothing is told so far.
+    pub(in crate::repo) fn body<'v>(&'v self, view: &'v crate::repo::View<'v>) -> Body<'v> {
+        let mut body = Body::new(BODY, view, Vec::new());
         body.mesh = self.mesh;
         body.obj = self.mesh;
         body.rigs = &self.rigs;
         body.worn = &self.worn;
-        body.weights = self.weights(view);
         body.add_worn_weights(view.files().filter(|file| file.kind == Kind::AssetWeights));
-        Some(body)
+        body.is_open = self.layers.system.is_none();
+        let listed = view.files().filter(|file| file.kind == Kind::Motion && library_of(&file.rel).is_some());
+        body.motions = listed.filter_map(|file| Some((file, file.motion()?))).collect();
+        body
     }
 
-    /// The weights for the body. Where not every skeleton is found with its weights, nobody can tell which of them are
-    /// not read.
-    fn weights<'v>(&self, view: &'v crate::repo::View<'v>) -> Vec<BodyWeights<'v>> {
-        let named = self.rigs.iter().filter_map(|rig| rig.weights.as_ref());
-        let can_tell = self.layers.system.is_some()
-            && self
-                .rigs
-                .iter()
-                .all(|rig| rig.skeleton().is_some_and(|one| one.is_object && !one.weights_file_misshapen))
-            && named.clone().all(|reference| reference.meant().is_some());
-        let named: BTreeSet<&str> = named.filter_map(Reference::meant).map(|file| file.path.as_str()).collect();
-        let weights = |file: &'v FileFacts| {
-            let is_read = !can_tell || named.contains(file.path.as_str());
-            let used = if is_read { WeightsUse::Applied } else { WeightsUse::Unread };
-            BodyWeights { file, name: Some(file.file_name()), used }
-        };
-        view.files().filter(|file| file.kind == Kind::Weights).map(weights).collect()
+    /// What is worn and listed, of all layers, strongest first.
+    pub(crate) fn assets(&self) -> impl Iterator<Item = Asset<'a>> {
+        self.worn.iter().filter_map(Asset::of)
+    }
+
+    /// What the body can wear, of all layers.
+    pub(crate) fn worn(&self) -> &[Worn<'a>] {
+        &self.worn
+    }
+
+    /// The materials of all layers.
+    pub(crate) fn surfaces(&self) -> &[Surface<'a>] {
+        &self.surfaces
     }
 }
 
 /// What is known of a target of the checked layer.
 pub(in crate::repo) fn target(file: &FileFacts) -> Target<'_> {
     Target { file, folder: parent(&file.rel), used_as: None, is_unused: false, packed_in: None }
-}
-
-/// The rigs of a layer.
-fn rigs<'a>(layers: Layers<'a>, layer: &'a Layer) -> impl Iterator<Item = Rig<'a>> {
-    let skeletons = layer.files.values().filter(|file| file.kind_in(OWN) == Kind::Skeleton);
-    skeletons.map(move |file| Rig {
-        file,
-        weights: weights(layers, layer, file),
-        is_default: file.rel == POSED,
-        is_found: true,
-    })
-}
-
-/// The weights that a skeleton names: beside it, or below the data of the user and of the system.
-fn weights<'a>(layers: Layers<'a>, layer: &'a Layer, from: &'a FileFacts) -> Option<Reference<'a>> {
-    let text = from.skeleton()?.weights_file.as_deref().filter(|text| !text.is_empty())?;
-    let to = |layers: &[&'a Layer], rel| {
-        let place = Place::pointer(["weights_file"]);
-        Reference::to(layers, ReferenceKind::WeightsFile, from.base_in(OWN).unwrap_or_default(), from, place, text, rel)
-    };
-    let beside = to(&[layer], format!("{}/{text}", parent(&from.rel)));
-    if !matches!(beside.resolution, Resolution::Missing) {
-        return Some(beside);
-    }
-    let all: Vec<&Layer> = layers.strongest_first().collect();
-    let below = to(&all, text.strip_prefix("data/").unwrap_or(text).to_owned());
-    Some(if matches!(below.resolution, Resolution::Missing) { beside } else { below })
 }

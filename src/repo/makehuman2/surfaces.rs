@@ -1,5 +1,6 @@
 //! Materials as MakeHuman 2 has them (formats/makehuman2.md §17).
 
+use super::OWN;
 use crate::diag::Place;
 use crate::formats::mhmat::Material;
 use crate::repo::surface::Picture;
@@ -26,7 +27,8 @@ pub(super) fn surface<'a>(
             None => pictures.push((texture.keyword, picture)),
         }
     }
-    Surface { file, material, wearer, pictures, litsphere: litsphere(layers, material) }
+    let litsphere = litsphere(layers, material);
+    Surface { application: OWN, file, material, wearer, pictures, litsphere, shader: None }
 }
 
 fn picture<'a>(reference: &Reference<'a>) -> Picture<'a> {

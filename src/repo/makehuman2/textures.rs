@@ -191,7 +191,7 @@ impl<'a> Search<'a> {
         }
         // Outside of the data there may be anything: what comes behind may never be reached.
         let escape = tried.pop_if(|(_, resolution)| matches!(resolution, Resolution::Escapes));
-        let nearest = || tried.into_iter().min_by_key(|(_, resolution)| distance(resolution));
+        let nearest = || tried.into_iter().min_by_key(|(_, resolution)| resolution.distance());
         let (rel, resolution) = escape.or_else(nearest).unwrap_or((String::new(), Resolution::Missing));
         let is_open = self.is_open && matches!(resolution, Resolution::Missing);
         (rel, if is_open { Resolution::NeedsSystem } else { resolution })
@@ -216,16 +216,4 @@ pub(in crate::repo) fn folders<'a>(material: &'a FileFacts, base: &str) -> Optio
     let (own, sort) = (parent(&material.rel), material_of(&material.rel)?.folder);
     let above = own.ends_with("materials").then(|| parent(own));
     Some(PictureFolders { own, above, sort, all: format!("{sort}/{base}") })
-}
-
-/// How far from the picture a place is: what is there outweighs what only another system finds, and that outweighs
-/// nothing at all.
-const fn distance(resolution: &Resolution<'_>) -> u8 {
-    match resolution {
-        Resolution::Found(_) => 0,
-        Resolution::CaseOnly(_) | Resolution::Backslash(Some(_)) => 1,
-        Resolution::Unusable => 2,
-        Resolution::Absolute | Resolution::Escapes | Resolution::Backslash(None) => 3,
-        Resolution::OtherLayer(_) | Resolution::Missing | Resolution::NeedsSystem => 4,
-    }
 }

@@ -2,25 +2,37 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{INDEX, VALUE};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::bvh::{Fault, FaultKind, Motion};
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `IndexError` when the pose is chosen")],
+    breaks: &[(Makehuman2, "crashes with `IndexError` when the pose is chosen"), (Makehuman1, "does not show the pose: `RuntimeError` when it reads the file")],
     docs: "The frames of a BVH file are not what `Frames:` and `CHANNELS` announce: there are fewer lines, a blank line \
         between them, a line with too few numbers, or a word that is not a number. `Frames:` is a whole number above 0, \
         `Frame Time:` a number with a decimal point.\n\n\
         MakeHuman 2 crashes when the pose is chosen. Only the first such line is reported. More frames or numbers than \
-        announced are ignored (warning).\n\n\
+        announced are ignored (warning).\n\nMakeHuman 1 lists the pose and does not show it.\n\n\
         Correct the number, or export the motion again.",
     ..RuleInfo::new("bvh-frames", Level::Error, "the frames of a BVH file do not fit its header")
 });
 
-const NOT_SHOWN: Case = &[(Makehuman2, Level::Error, "crashes with `IndexError` when the pose is shown or exported")];
+const NOT_SHOWN: Case = &[
+    (Makehuman2, Level::Error, "crashes with `IndexError` when the pose is shown or exported"),
+    (Makehuman1, Level::Error, "does not show the pose: `ZeroDivisionError`"),
+];
 
-const FRAMES_IGNORED: Case = &[(Makehuman2, Level::Warning, "ignores the frames after the announced ones")];
-const NUMBERS_IGNORED: Case = &[(Makehuman2, Level::Warning, "ignores the surplus numbers at the end of the line")];
+const FRAMES_IGNORED: Case = &[
+    (Makehuman2, Level::Warning, "ignores the frames after the announced ones"),
+    (Makehuman1, Level::Warning, "ignores the frames after the announced ones"),
+];
+const NUMBERS_IGNORED: Case = &[
+    (Makehuman2, Level::Warning, "ignores the surplus numbers at the end of the line"),
+    (Makehuman1, Level::Warning, "ignores the surplus numbers at the end of the line"),
+];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, motion) in &body.motions {

@@ -2,19 +2,22 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{INDEX, REJECTED, VALUE};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::bvh::{Fault, FaultKind};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "rejects the file or crashes when the pose is chosen")],
+    breaks: &[(Makehuman2, "rejects the file or crashes when the pose is chosen"), (Makehuman1, "does not show the pose: it rejects the file")],
     docs: "A line of a BVH file is not what the format has in this place. Each of `HIERARCHY`, `ROOT name`, `{`, `OFFSET`, \
         `CHANNELS`, `JOINT name`, `End Site`, `}`, `MOTION`, `Frames:` and `Frame Time:` has a line of its own, written \
         exactly so.\n\n\
         MakeHuman 2 rejects a file with another word in such a place. The rejected motion stays chosen, so playing or \
         exporting it crashes with `TypeError` until another one is chosen. A blank line above the frames, or the end of \
         the file, crashes with `IndexError`; a number that cannot be read with `ValueError`. The first such line ends the \
-        loading, so only that one is reported.\n\n\
+        loading, so only that one is reported.\n\nMakeHuman 1 lists the pose and does not show it.\n\n\
         Correct the line, or export the motion again.",
     ..RuleInfo::new("bvh-syntax", Level::Error, "a line of a BVH file is not what is expected there")
 });

@@ -8,6 +8,7 @@ pub(super) mod consequence;
 pub(super) mod copies;
 mod file;
 mod generated;
+pub(super) mod library;
 pub(super) mod mesh;
 pub(super) mod overlay;
 pub(super) mod schema;

@@ -2,11 +2,17 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::named::causes;
-use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, RuleInfo,
+};
 use crate::repo::{Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "does not find the file on other computers")],
+    breaks: &[
+        (Makehuman2, "does not find the file on other computers"),
+        (Makehuman1, "does not find the file on other computers"),
+    ],
     docs: "The name begins with `/`, `\\` or a drive letter, so it only fits one computer. On any other, the \
         file is missing.\n\nWrite the path relative to its folder: targets and icons to the target folder, \
         weights and skeletons to `rigs/<base>/`, models to `base/<base>/`, textures to the folder of their \

@@ -4,19 +4,24 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::named::{causes, written};
-use crate::diag::{Application::Makehuman2, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
-use crate::repo::{Reference, Resolution, View};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Change, Finding, Fix, FixKind, Level, Place, RuleInfo,
+};
+use crate::repo::{Reference, ReferenceKind, Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     fix: FixKind::Safe,
-    breaks: &[(Makehuman2, "finds the file only on Windows, and never in compressedtargets.npz")],
+    breaks: &[(Makehuman2, "finds the file only on Windows, and never in compressedtargets.npz"), (Makehuman1, "finds the file only on Windows")],
     docs: "The path separates folders with `\\`. Windows accepts that, but on Linux and macOS the backslash is \
         part of the name, and the file is not found. The keys of `compressedtargets.npz` use `/` \
         everywhere.\n\nThe consequence is that of a missing file, such as a crash when the slider moves or a \
-        rejected skeleton. A file that does not exist with `/` either is not found on any system.\n\nWrite `/`.",
+        rejected skeleton. A file that does not exist with `/` either is not found on any system.\n\nMakeHuman 1 finds the mesh, material or weights of a `.mhclo` with either separator (info).\n\nWrite `/`.",
     counts: "references",
     ..RuleInfo::new("file-backslash-path", Level::Warning, "a backslash in the path of a file")
 });
+
+const IN_ASSET: Case = &[(Makehuman1, Level::Info, "finds the file all the same")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let key = |exists: bool| if exists { "found" } else { "missing" };
@@ -55,7 +60,13 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         for ((path, pointer), text) in folders {
             fix = fix.step(path, Change::Value { pointer: pointer.clone(), text: Some(text) });
         }
+        // It splits the name of a file beside an asset at both (formats/makehuman1.md §2.2).
+        let is_of_asset = |one: &&Reference<'_>| {
+            matches!(one.kind, ReferenceKind::AssetMesh | ReferenceKind::AssetMaterial | ReferenceKind::AssetWeights)
+        };
+        let in_asset = exists && cause.references.iter().all(is_of_asset);
         let systems = if exists && has_backslash { "on Linux and macOS" } else { "" };
-        out.push(cause.unfound(view, finding.fix(fix), systems).help(format!("write `{slashed}`")));
+        let finding = cause.unfound(view, finding.fix(fix), systems).help(format!("write `{slashed}`"));
+        out.push(if in_asset { finding.case(IN_ASSET) } else { finding });
     }
 }

@@ -4,13 +4,19 @@ use super::super::cause::archived::weigh;
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::cause::{is_override, is_unmet};
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Case, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo,
+};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     fix: FixKind::Safe,
-    breaks: &[(Makehuman2, "rejects the file, or loses its first line")],
+    breaks: &[
+        (Makehuman2, "rejects the file, or loses its first line"),
+        (Makehuman1, "rejects the file, or loses its first line"),
+    ],
     docs: "The file begins with a byte order mark: three invisible bytes (EF BB BF) that some editors write \
         before the text. MakeHuman 2 does not remove them.\n\nPython's JSON reader rejects such a file, so it \
         counts as missing. In a target the mark becomes part of the first word: if the first line has four \

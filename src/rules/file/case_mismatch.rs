@@ -7,12 +7,18 @@ use super::super::{Check, Rule, RuleCx};
 use super::folders;
 use super::named::{Cause, causes, differs_in_form, written};
 use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain, respelled};
-use crate::diag::{Application::Makehuman2, Change, EXAMPLES, Finding, Fix, FixKind, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Change, EXAMPLES, Finding, Fix, FixKind, Level, Place, RuleInfo,
+};
 use crate::repo::{Reference, ReferenceKind, Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     fix: FixKind::Unsafe,
-    breaks: &[(Makehuman2, "finds the file on Windows and macOS, but not on Linux")],
+    breaks: &[
+        (Makehuman2, "finds the file on Windows and macOS, but not on Linux"),
+        (Makehuman1, "finds the file on Windows and macOS, but not on Linux"),
+    ],
     docs: "The name is written with other capitals than the file has. On Windows and most Macs that makes no \
         difference; on Linux the file is not found, and neither is its member in `compressedtargets.npz` on any \
         system. The consequence is that of a missing file: a crash when the slider moves, a rejected skeleton, a \

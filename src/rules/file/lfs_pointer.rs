@@ -4,16 +4,22 @@ use std::collections::BTreeMap;
 
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, View, parent};
 use crate::source::is_below;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(
-        Makehuman2,
-        "reads the pointer instead of the content: JSON is rejected, targets move nothing, pictures are not shown",
-    )],
+    breaks: &[
+        (
+            Makehuman2,
+            "reads the pointer instead of the content: JSON is rejected, targets move nothing, pictures are not shown",
+        ),
+        (Makehuman1, "reads the pointer instead of the content"),
+    ],
     docs: "Git LFS keeps large files elsewhere and leaves a small text in their place, the pointer, until the \
         content is fetched. Without it the asset is missing, although a file of its name exists.\n\nOne finding \
         counts the pointers of a data root, folder by folder. It is an error if some of the files must be parsed \

@@ -2,13 +2,19 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::named::causes;
-use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, RuleInfo,
+};
 use crate::repo::{Resolution, View};
 use crate::source::WalkFaultKind;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     cannot_be_ignored: true,
-    breaks: &[(Makehuman2, "opens a file outside the data folder, or finds none on another computer")],
+    breaks: &[
+        (Makehuman2, "opens a file outside the data folder, or finds none on another computer"),
+        (Makehuman1, "opens a file outside the data folder, or finds none on another computer"),
+    ],
     docs: "A name with `..`, or a symbolic link, leads outside the data folder. On the author's computer that \
         may work; on any other it finds nothing, or a file that was never meant.\n\n`mhlint` neither follows nor \
         reads what is outside. A link or `..` that stays inside the data folder is fine. This finding cannot be \

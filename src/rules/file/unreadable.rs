@@ -2,15 +2,18 @@
 
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, RuleInfo,
+};
 use crate::repo::View;
 use crate::source::{ReadFault, WalkFaultKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "cannot open it either, so its content is missing or the program crashes at start")],
+    breaks: &[(Makehuman2, "cannot open it either, so its content is missing or the program crashes at start"), (Makehuman1, "cannot open it either: the asset, or with a dead link its whole library, is missing")],
     docs: "The file exists but cannot be read: a link points to nothing, the permissions forbid it, the disk \
         reports an error, or it is a pipe or a device.\n\nMakeHuman 2 treats an unreadable JSON as missing, and \
-        crashes at start if it cannot open a target or the base mesh.\n\nFix the link or the permissions, or \
+        crashes at start if it cannot open a target or the base mesh.\n\nIn MakeHuman 1 a dead link with the extension of a library (`.mhclo`, `.mhmat` in `skins`, `.bvh`) empties the whole list of that library.\n\nFix the link or the permissions, or \
         replace the file.",
     ..RuleInfo::new("file-unreadable", Level::Error, "a file or folder that cannot be opened or read")
 });
@@ -30,12 +33,12 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             WalkFaultKind::Unreadable { reason } => {
                 out.extend(finding(&fault.path, Damage::Closed, format!("cannot be read: {reason}")));
             }
-            WalkFaultKind::DeadLink { to } => {
+            WalkFaultKind::DeadLink { to } if view.looks_at(view.kind_at(&fault.path)) => {
                 let is_named = view.references().iter().any(|reference| reference.rel == fault.path);
                 let damage = if is_named { Damage::Closed } else { Damage::Dangling };
                 out.extend(finding(&fault.path, damage, format!("cannot be read: broken link to `{to}`")));
             }
-            WalkFaultKind::LinkLoop { .. } | WalkFaultKind::LinkLeavesRoot => {}
+            WalkFaultKind::DeadLink { .. } | WalkFaultKind::LinkLoop { .. } | WalkFaultKind::LinkLeavesRoot => {}
         }
     }
     for file in view.files() {

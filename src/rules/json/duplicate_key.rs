@@ -2,12 +2,15 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::left_out;
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, grouped, steps, structural};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, Place, RuleInfo, grouped, steps, structural,
+};
 use crate::json::Duplicate;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently keeps only the last value")],
+    breaks: &[(Makehuman2, "silently keeps only the last value"), (Makehuman1, "silently keeps only the last value")],
     docs: "JSON allows the same key twice in one object, but Python keeps only the last value. Whatever stood \
         under the key before is lost: a slider, a bone, a macro component.\n\nMostly an entry was copied and its \
         key not changed. Give one of the two another key, or remove the wrong one. If both values are equal \

@@ -7,12 +7,18 @@ use super::super::{Check, Rule, RuleCx};
 use super::left_out;
 use super::schema_help::edit;
 use super::schema_words::{lack, sentence};
-use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped,
+};
 use crate::json::{SchemaFault, UnknownKey};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes where it uses the value, mostly with `TypeError` or `KeyError` at start")],
+    breaks: &[
+        (Makehuman2, "crashes where it uses the value, mostly with `TypeError` or `KeyError` at start"),
+        (Makehuman1, "does not put the asset on that has these weights"),
+    ],
     docs: "Each format has a JSON Schema that says which keys an object needs and what their values are. `mhlint \
         schema NAME` prints it, and editors can use it for completion and checks.\n\nMakeHuman 2 checks almost \
         nothing when it reads a JSON. A string instead of a number, or a missing key, crashes it wherever the \

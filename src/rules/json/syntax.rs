@@ -3,7 +3,10 @@
 use super::super::cause::consequence::{Damage, consequence, of_special};
 use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::discover::Kind;
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
@@ -11,7 +14,10 @@ use crate::json::{SyntaxFault, SyntaxKind};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "treats the file as missing, or crashes at start if it is an asset")],
+    breaks: &[
+        (Makehuman2, "treats the file as missing, or crashes at start if it is an asset"),
+        (Makehuman1, "does not put the asset on that has these weights"),
+    ],
     docs: "The file is not valid JSON. JSON is strict: keys and strings in double quotes, a comma between two \
         members and none after the last, no comments, no text after the end.\n\nPython, in which all \
         applications are written, is just as strict, except that it reads `NaN`, `Infinity` and `-Infinity` as \

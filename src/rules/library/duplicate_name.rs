@@ -1,7 +1,11 @@
 //! What a list shows has names of its own, also where it is not known by the name alone.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, grouped};
+use super::makehuman1;
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, Place, RuleInfo, grouped,
+};
 use crate::repo::makehuman2::{Asset, View};
 use crate::repo::parent;
 
@@ -14,8 +18,8 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(Rule
     ..RuleInfo::new("library-duplicate-name", Level::Warning, "two models or poses with the same name")
 });
 
-pub(in crate::rules) static OF_WORN: Rule = Check::Makehuman2Library(run_worn).rule(RuleInfo {
-    breaks: &[(Makehuman2, "lists both under one name; a model whose uuid fits neither wears either of them")],
+pub(in crate::rules) static OF_WORN: Rule = Check::Libraries(run_worn, |view, _, out| makehuman1::same_names(&OF_WORN, view, out)).rule(RuleInfo {
+    breaks: &[(Makehuman2, "lists both under one name; a model whose uuid fits neither wears either of them"), (Makehuman1, "lists both under one name")],
     docs: "Two assets of one category have the same name and different uuids. MakeHuman 2 lists both under this name.\n\n\
         A model finds its asset by name and uuid; if the uuid fits none, by the name alone, and then it wears either of \
         them.\n\n\
@@ -23,11 +27,12 @@ pub(in crate::rules) static OF_WORN: Rule = Check::Makehuman2Library(run_worn).r
     ..RuleInfo::new("proxy-duplicate-name", Level::Warning, "two assets of one category with the same name")
 });
 
-pub(in crate::rules) static OF_UUID: Rule = Check::Makehuman2Library(run_uuid).rule(RuleInfo {
-    breaks: &[(Makehuman2, "keeps the user's tags by uuid, so those of one asset change the other")],
+pub(in crate::rules) static OF_UUID: Rule = Check::Libraries(run_uuid, |view, _, out| makehuman1::same_uuids(&OF_UUID, view, out)).rule(RuleInfo {
+    breaks: &[(Makehuman2, "keeps the user's tags by uuid, so those of one asset change the other"), (Makehuman1, "lists both, but cannot wear them together, and models may wear the other one")],
+    levels: &[(Makehuman1, Level::Error)],
     docs: "Two assets have the same uuid and different names, mostly because one was made from the other.\n\n\
         MakeHuman 2 knows them by name and uuid together and lists both. Tags that a user gives to one are those of both, and \
-        a model that was saved with one does not find it once its name changes.\n\n\
+        a model that was saved with one does not find it once its name changes.\n\nMakeHuman 1 finds the asset of a model by its uuid alone: of two in one library with the same one it wears either (an error). A copy, or an asset in two libraries, is a warning.\n\n\
         Give the newer asset a uuid of its own.",
     ..RuleInfo::new("proxy-duplicate-uuid", Level::Warning, "two assets with the same uuid")
 });

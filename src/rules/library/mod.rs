@@ -3,9 +3,13 @@
 pub(in crate::rules) mod duplicate_name;
 pub(in crate::rules) mod header_not_ascii;
 pub(in crate::rules) mod identity_clash;
+pub(in crate::rules) mod linked_folder;
+mod makehuman1;
 pub(in crate::rules) mod missing_thumbnail;
 pub(in crate::rules) mod name_cut;
+pub(in crate::rules) mod scan_crash;
 pub(in crate::rules) mod too_deep;
+pub(in crate::rules) mod unreadable_thumbnail;
 pub(in crate::rules) mod wrong_folder;
 
 use crate::discover::extension;

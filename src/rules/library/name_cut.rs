@@ -1,7 +1,10 @@
 //! A name or uuid of an asset is one word.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, Place, RuleInfo,
+};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 
@@ -9,11 +12,11 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
         "lists the first word at the first start and all of them from the second on: saved models lose the asset",
-    )],
+    ), (Makehuman1, "saves models that lose the asset: a line of a model is split at blanks")],
     docs: "`name` or `uuid` of an asset (`.mhclo`, `.proxy`) has several words.\n\n\
         When MakeHuman 2 lists the text, it takes the first word only. Once the asset was put on it lists the binary, which \
         has all of them. A model that was saved with the one does not find the asset by the other, and the line of a \
-        model has no room for blanks: the model loses the asset or its material.\n\n\
+        model has no room for blanks: the model loses the asset or its material.\n\nMakeHuman 1 lists all words. In a saved model it takes the second word for the uuid, so that the model loses the asset.\n\n\
         Write the name as one word: `nice_vest`.",
     ..RuleInfo::new("library-name-cut", Level::Warning, "a name or uuid of an asset with several words")
 });
@@ -28,9 +31,11 @@ const UUID: Case = &[(
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_listed = file.kind == Kind::Clothes && (view.layout().scans)(&file.rel);
     let Some(clothes) = file.clothes().filter(|_| is_listed) else { return };
+    let is_makehuman1 = view.is_makehuman1();
     for (keyword, taken) in [("name", &clothes.scanned.name), ("uuid", &clothes.scanned.uuid)] {
         let Some(entry) = clothes.last(keyword).filter(|entry| entry.value.contains(' ')) else { continue };
-        if taken.is_none() {
+        // With a colon it is another word to MakeHuman 1.
+        if if is_makehuman1 { entry.has_colon } else { taken.is_none() } {
             continue;
         }
         let message = format!("the value of `{keyword}` has a space: `{}`", entry.value);

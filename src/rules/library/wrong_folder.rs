@@ -3,19 +3,22 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
-use super::suffix;
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use super::{makehuman1, suffix};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo, nearest,
+};
 use crate::discover::{extension, in_place_of};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::View;
 
-pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "does not list it")],
+pub(in crate::rules) static RULE: Rule = Check::Libraries(run, |view, _, out| makehuman1::misplaced(&RULE, view, out)).rule(RuleInfo {
+    breaks: &[(Makehuman2, "does not list it"), (Makehuman1, "does not list it")],
     docs: "MakeHuman 2 looks for each kind of asset in folders of its own: `.mhclo` in `clothes`, `hair`, `eyes`, `eyebrows`, \
         `eyelashes`, `teeth` and `tongue`, `.proxy` in `proxy`, `.mhskel` in `rigs`, `.mhpose` in `poses` and \
         `expressions`, `.bvh` in `poses`, `.mhm` in `models`. In each of them is a folder for each base mesh.\n\n\
         An asset in the folder of another kind, or without the folder of the base mesh, is not listed, and models that wear \
-        it lose it.\n\n\
+        it lose it.\n\nIn MakeHuman 1 topologies (`.proxy`) are in `proxymeshes`, and there is no folder of a base mesh.\n\n\
         Move the asset.",
     ..RuleInfo::new("library-wrong-folder", Level::Error, "an asset in a folder where its kind is not looked for")
 });

@@ -3,12 +3,15 @@
 use super::super::{Check, Rule, RuleCx, counted};
 use super::fault::{Fault, report};
 use super::loader;
-use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, RuleInfo,
+};
 use crate::formats::mhmat::{Line, Value};
-use crate::repo::{Surface, View};
+use crate::repo::{Surface, View, Wearer};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `IndexError` when the material is used")],
+    breaks: &[(Makehuman2, "crashes with `IndexError` when the material is used"), (Makehuman1, "does not put the asset on, or show the skin")],
     docs: "A keyword of a material has no value, or a colour has fewer than three numbers.\n\n\
         Without a value MakeHuman 2 crashes when it reads the material: when the asset is put on, when the material or the \
         skin is chosen, or when a model that has it is loaded. Then the assets that the model names after it, and \
@@ -17,14 +20,14 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         diffuse texture, `ambientColor` on screen with the shader phong if there is no `aomapTexture`, `glassColor` in \
         glTF if there is `transmission` and no diffuse texture. The OBJ export needs all three numbers of \
         `diffuseColor`, `specularColor` and `emissiveColor`. Elsewhere it is only an info, like a fourth number, which is \
-        ignored.\n\n\
+        ignored.\n\nMakeHuman 1 stops reading the material at such a line, also at a colour with too few numbers: an asset cannot be put on, a skin cannot be chosen, and with a fault in the default skin it does not start.\n\n\
         Write the value, or remove the line.",
     ..RuleInfo::new("material-arity", Level::Error, "a keyword of a material with too few values")
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
-        let lines = surface.material.lines.iter().filter(|line| loader::reads(line.keyword.name));
+        let lines = surface.material.lines.iter().filter(|line| loader::reads(surface.application, line.keyword.name));
         let faults = lines.filter_map(|line| fault(surface, line)).collect();
         report(&RULE, surface, faults, "have too few or too many values", out);
     }
@@ -32,15 +35,21 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 fn fault(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
     let keyword = line.keyword.name;
+    let is_1 = loader::is_1(surface.application);
     let (message, level, effect, help) = match line.keyword.value {
+        // An empty one of a skin has a finding of its own (`library-scan-crash`).
+        Value::Text if is_1 && line.count == 0 && keyword == "name" && surface.wearer != Wearer::Skin => {
+            ("`name` has no value".to_owned(), Level::Error, crash(surface), WRITE.to_owned())
+        }
+        Value::Text if is_1 => return None,
         Value::Text if line.count == 0 => valueless_text(keyword),
         Value::Text => return None,
         Value::Colour => colour(surface, line)?,
         Value::Parameter if line.count == 1 => {
-            (format!("`shaderParam {}` has no value", line.word(0)), Level::Error, crash(surface), WRITE.to_owned())
+            (format!("`{keyword} {}` has no value", line.word(0)), Level::Error, crash(surface), WRITE.to_owned())
         }
         _ if line.count == 0 => (format!("`{keyword}` has no value"), Level::Error, crash(surface), WRITE.to_owned()),
-        Value::Number if line.number_at(1).is_some() => (
+        Value::Number if line.number_at(1).is_some() && !is_1 => (
             format!("`{keyword}` has more than one number"),
             Level::Info,
             "ignores all numbers but the first".to_owned(),
@@ -55,7 +64,7 @@ fn fault(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
 const WRITE: &str = "write the value, or remove the line";
 
 fn crash(surface: &Surface<'_>) -> String {
-    format!("crashes with `IndexError` {}; {}", loader::when(surface), loader::models(surface))
+    loader::crash(surface, "IndexError")
 }
 
 fn valueless_text(keyword: &str) -> (String, Level, String, String) {
@@ -91,6 +100,9 @@ fn colour(surface: &Surface<'_>, line: &Line) -> Option<(String, Level, String, 
 
 /// What reads the third number of a colour (worn 2.1).
 fn short_colour(surface: &Surface<'_>, keyword: &str) -> (Level, String) {
+    if loader::is_1(surface.application) {
+        return (Level::Error, crash(surface));
+    }
     let lacks = |keyword| surface.has(keyword) == Some(false);
     let error = |effect: String| (Level::Error, effect);
     match keyword {

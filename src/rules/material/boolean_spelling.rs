@@ -3,12 +3,15 @@
 use super::super::{Check, Rule, RuleCx};
 use super::fault::{Fault, report};
 use super::loader;
-use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, RuleInfo,
+};
 use crate::formats::mhmat::{Line, Value};
 use crate::repo::{Surface, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "takes it for false")],
+    breaks: &[(Makehuman2, "takes it for false"), (Makehuman1, "takes it for false")],
     docs: "A keyword such as `transparent` or `backfaceCull` has a word that MakeHuman 2 does not take for true, and that \
         does not say false: `1`, `on`, `y`.\n\n\
         MakeHuman 2 knows `true`, `yes` and `enabled`, in any capitals. Every other word is false, without a message. \
@@ -22,7 +25,7 @@ const FALSE: [&str; 8] = ["false", "no", "disabled", "off", "0", "f", "n", "none
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
-        let lines = surface.material.lines.iter().filter(|line| loader::reads(line.keyword.name));
+        let lines = surface.material.lines.iter().filter(|line| loader::reads(surface.application, line.keyword.name));
         let flags = lines.filter(|line| line.keyword.value == Value::Flag && line.count > 0);
         let is_last =
             |line: &&Line| surface.material.last(line.keyword.name).is_some_and(|last| std::ptr::eq(last, *line));

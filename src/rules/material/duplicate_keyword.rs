@@ -4,12 +4,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::loader;
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, Place, RuleInfo, grouped,
+};
 use crate::formats::mhmat::{Line, Value};
 use crate::repo::{Surface, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently uses the last line")],
+    breaks: &[(Makehuman2, "silently uses the last line"), (Makehuman1, "silently uses the last line")],
     docs: "A keyword of a material stands on several lines with different values.\n\n\
         MakeHuman 2 uses the last one; of textures the last one whose picture exists. `tag` may be repeated, and \
         `shaderParam` with different names. Lines that say the same are not reported.\n\n\
@@ -19,7 +22,13 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
-        let set = surface.material.lines.iter().filter(|line| loader::reads(line.keyword.name) && line.count > 0);
+        // A parameter without a value has a finding of its own, where that is read.
+        let is_cut =
+            |line: &Line| loader::is_1(surface.application) && line.keyword.value == Value::Parameter && line.count < 2;
+        let set =
+            surface.material.lines.iter().filter(|line| {
+                loader::reads(surface.application, line.keyword.name) && line.count > 0 && !is_cut(line)
+            });
         let by_name: BTreeMap<(&str, &str), Vec<&Line>> = grouped(set.filter_map(|line| Some((name(line)?, line))));
         for ((keyword, parameter), lines) in by_name.into_iter().filter(|(_, lines)| lines.len() > 1) {
             out.extend(finding(view, surface, keyword, parameter, &lines));
@@ -31,7 +40,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn name(line: &Line) -> Option<(&str, &str)> {
     match line.keyword.value {
         Value::Parameter => Some((line.keyword.name, line.word(0))),
-        _ if line.keyword.name == "tag" => None,
+        _ if matches!(line.keyword.name, "tag" | "shaderDefine") => None,
         _ => Some((line.keyword.name, "")),
     }
 }
@@ -49,7 +58,8 @@ fn meaning(line: &Line) -> Vec<&str> {
 
 fn finding(view: &View<'_>, surface: &Surface<'_>, keyword: &str, parameter: &str, lines: &[&Line]) -> Option<Finding> {
     // Of pictures those that are missing have findings of their own, and count for nothing.
-    let is_picture = lines.iter().any(|line| line.keyword.value == Value::Picture);
+    let is_picture =
+        lines.iter().any(|line| line.keyword.value == Value::Picture) && !loader::is_1(surface.application);
     let references = is_picture.then(|| view.references().of_file(surface.file));
     let found = references.into_iter().flatten().filter(|one| one.found().is_some());
     let found: BTreeSet<usize> = found.filter_map(|one| start(&one.place)).collect();

@@ -1,7 +1,7 @@
 //! Faults of the lines of a material: one finding for all of a level in a file.
 
 use super::super::Rule;
-use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place};
+use crate::diag::{EXAMPLES, Evidence, Finding, Level, Place};
 use crate::repo::Surface;
 
 /// A line that is not as it should be.
@@ -31,8 +31,8 @@ pub(super) fn report(rule: &Rule, surface: &Surface<'_>, faults: Vec<Fault>, sev
                 format!("{count} lines {several}: {}{more}", keys.join(", "))
             }
         };
-        let finding = rule.at(surface.file, first.place.clone(), message).level_in(Makehuman2, level);
-        let finding = finding.effect_in(Makehuman2, first.effect.clone()).help(first.help.clone());
+        let finding = rule.at(surface.file, first.place.clone(), message).level_in(surface.application, level);
+        let finding = finding.effect_in(surface.application, first.effect.clone()).help(first.help.clone());
         let parts = own.iter().map(|fault| (fault.key.clone(), &surface.file.path, fault.place.clone()));
         let finding = finding.key(level.to_string()).parts_at(parts);
         out.push(if own.len() > 1 {

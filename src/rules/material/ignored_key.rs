@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
-        let ignored: Vec<&Line> = surface.material.lines.iter().filter(|line| is_ignored(line)).collect();
+        let ignored: Vec<&Line> = surface.material.lines.iter().filter(|line| is_ignored(surface, line)).collect();
         let Some(first) = ignored.first() else { continue };
         let keyword = first.keyword.name;
         let message = match ignored.len() {
@@ -30,11 +30,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-fn is_ignored(line: &Line) -> bool {
+fn is_ignored(surface: &Surface<'_>, line: &Line) -> bool {
     let keyword = line.keyword.name;
     let is_true = || matches!(&*line.word(0).to_lowercase(), "true" | "yes" | "enabled");
     match (keyword, line.keyword.value) {
-        _ if loader::reads(keyword) => false,
+        _ if loader::reads(surface.application, keyword) => false,
         ("opacity", _) => line.number_at(0).is_some_and(|share| share < 1.0),
         ("translucency", _) => line.number_at(0).is_some_and(|share| share > 0.0),
         ("shadeless" | "wireframe" | "depthless" | "autoBlendSkin", _) => is_true(),

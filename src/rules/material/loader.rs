@@ -1,9 +1,11 @@
-//! What MakeHuman 2 reads of a material (formats/makehuman2.md §17, makehuman2-worn-observed.md 2).
+//! What MakeHuman 2 and MakeHuman 1 read of a material (formats/makehuman2.md §17, makehuman2-worn-observed.md 2;
+//! makehuman1.md §12, makehuman1-observed.md 1, 2).
 
+use crate::diag::Application;
 use crate::formats::python_int;
 use crate::repo::{Surface, Wearer};
 
-/// The keywords that it reads.
+/// The keywords that MakeHuman 2 reads.
 const READ: [&str; 28] = [
     "alphaToCoverage",
     "ambientColor",
@@ -35,19 +37,40 @@ const READ: [&str; 28] = [
     "transparent",
 ];
 
-/// Whether it reads the keyword.
-pub(super) fn reads(keyword: &str) -> bool {
-    READ.contains(&keyword)
+/// Those that MakeHuman 1 reads.
+#[rustfmt::skip]
+const READ_BY_1: [&str; 47] = [
+    "name", "tag", "description", "ambientColor", "diffuseColor", "specularColor", "emissiveColor", "viewPortColor",
+    "viewPortAlpha", "diffuseIntensity", "specularIntensity", "shininess", "opacity", "translucency", "shadeless",
+    "wireframe", "transparent", "depthless", "autoBlendSkin", "sssEnabled", "alphaToCoverage", "backfaceCull",
+    "castShadows", "receiveShadows", "diffuseTexture", "bumpmapTexture", "normalmapTexture", "displacementmapTexture",
+    "specularmapTexture", "transparencymapTexture", "aomapTexture", "bumpmapIntensity", "normalmapIntensity",
+    "displacementmapIntensity", "specularmapIntensity", "transparencymapIntensity", "aomapIntensity", "sssRScale",
+    "sssGScale", "sssBScale", "shader", "uvMap", "shaderParam", "shaderDefine", "shaderConfig", "author", "license",
+];
+
+/// Whether an application reads the keyword.
+pub(super) fn reads(application: Application, keyword: &str) -> bool {
+    keywords(application).any(|own| own == keyword)
 }
 
-/// All keywords that it reads.
-pub(super) fn keywords() -> impl Iterator<Item = &'static str> {
-    READ.into_iter()
+/// All keywords that an application reads.
+pub(super) fn keywords(application: Application) -> impl Iterator<Item = &'static str> {
+    let own: &'static [&'static str] = if is_1(application) { &READ_BY_1 } else { &READ };
+    own.iter().copied()
+}
+
+/// Whether it is MakeHuman 1.
+pub(super) const fn is_1(application: Application) -> bool {
+    matches!(application, Application::Makehuman1)
 }
 
 /// The numbers that a keyword is held to.
-pub(super) fn range(keyword: &str) -> Option<(f64, f64)> {
+pub(super) fn range(application: Application, keyword: &str) -> Option<(f64, f64)> {
     match keyword {
+        "sssRScale" | "sssGScale" | "sssBScale" if is_1(application) => Some((0.0, f64::INFINITY)),
+        "diffuseIntensity" | "specularIntensity" if is_1(application) => None,
+        _ if is_1(application) => Some((0.0, 1.0)),
         "normalmapIntensity" | "roughnessFactor" | "metallicFactor" | "emissiveFactor" | "transmission"
         | "glassRoughness" => Some((0.0, 1.0)),
         "aomapIntensity" => Some((0.0, 2.0)),
@@ -85,6 +108,24 @@ pub(super) fn is_coloured(surface: &Surface<'_>) -> bool {
     let line = surface.material.last("colorationMethod");
     line.is_some_and(|line| matches!(python_int(line.word(0).as_bytes()), Some(1 | 2)))
 }
+
+/// What an exception at reading the material comes to, named as Python does.
+pub(super) fn crash(surface: &Surface<'_>, exception: &str) -> String {
+    if !is_1(surface.application) {
+        return format!("crashes with `{exception}` {}; {}", when(surface), models(surface));
+    }
+    match surface.wearer {
+        Wearer::Skin if surface.file.rel == DEFAULT_SKIN => {
+            format!("does not start: `{exception}` at the default skin")
+        }
+        Wearer::Skin => format!("does not show the skin: `{exception}` when it is chosen"),
+        Wearer::Asset => format!("does not put the asset on: `{exception}` at its material"),
+        Wearer::Choice => format!("does not show the material: `{exception}` when it is chosen"),
+    }
+}
+
+/// The skin that MakeHuman 1 starts with.
+const DEFAULT_SKIN: &str = "skins/default.mhmat";
 
 /// When the material is read.
 pub(super) const fn when(surface: &Surface<'_>) -> &'static str {

@@ -3,16 +3,19 @@
 use super::super::{Check, Rule, RuleCx};
 use super::advice::{file_name, is_quoted};
 use super::loader;
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, RuleInfo, grouped};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, RuleInfo, grouped,
+};
 use crate::repo::{Picture, Surface, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently draws the surface with the shader `phong`")],
+    breaks: &[(Makehuman2, "silently draws the surface with the shader `phong`"), (Makehuman1, "logs an error and draws the surface with a placeholder")],
     docs: "A material asks for the shader `litsphere`, but has no picture for it: `shaderParam litsphereTexture` is missing, \
         or the picture that it names does not exist.\n\n\
         MakeHuman 2 looks for the name without its folders in `shaders/litspheres/` of the user and of the system. \
         Without a picture it draws the surface with the shader `phong`. If the picture does not exist and the material has no \
-        `name`, it crashes with `TypeError` instead (error).\n\n\
+        `name`, it crashes with `TypeError` instead (error).\n\nMakeHuman 1 looks for the picture as for any other, mostly in `litspheres/` of its data.\n\n\
         Name a picture of that folder, or put it there.",
     ..RuleInfo::new("material-missing-litsphere", Level::Warning, "a litsphere without its picture")
 });
@@ -32,6 +35,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 missing.push((file_name(picture.text), (surface, picture)));
             }
             Some(_) => {}
+            None if loader::is_1(surface.application) => {}
             None => out.extend(unnamed(surface)),
         }
     }
@@ -62,6 +66,7 @@ fn finding(name: &str, surfaces: &[(&Surface<'_>, &Picture<'_>)]) -> Option<Find
     let parts = surfaces.iter().map(|(one, picture)| (one.file.file_name(), &one.file.path, picture.place.clone()));
     let names = surfaces.iter().map(|(surface, _)| surface.file.file_name());
     let finding = finding.parts_at(parts).evidence(Evidence::of_cases(names));
-    let finding = finding.help("name a picture of `shaders/litspheres/`, or put it there");
+    let folder = if loader::is_1(first.application) { "litspheres/" } else { "shaders/litspheres/" };
+    let finding = finding.help(format!("name a picture of `{folder}`, or put it there"));
     Some(if stops(first) { finding.case(STOPS) } else { finding })
 }

@@ -2,19 +2,25 @@
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::loader;
-use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
-use crate::repo::{Surface, View};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, RuleInfo,
+};
+use crate::repo::{Picture, Surface, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently draws the surface like phong, without its settings")],
+    breaks: &[(Makehuman2, "silently draws the surface like phong, without its settings"), (Makehuman1, "logs an error and draws the surface without a shader")],
     docs: "A material asks for a shader that MakeHuman 2 does not have for materials. It has `phong`, `litsphere`, `pbr` \
         and `toon`, in small letters; of a path such as `shaders/glsl/litsphere` it takes the last part.\n\n\
         With another name the surface is drawn like phong, but without the settings that phong gets. The name is kept \
-        when the material is saved.\n\nWrite one of the four names.",
+        when the material is saved.\n\nA shader of MakeHuman 1 is a path without its ending, such as `shaders/glsl/litsphere`. Without one of its files the surface is drawn without a shader.\n\nWrite one of the four names.",
     ..RuleInfo::new("material-missing-shader", Level::Warning, "a material asks for a shader that does not exist")
 });
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if loader::is_1(view.application()) {
+        return of_files(view, out);
+    }
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
         let (name, line) = (loader::shader(surface), surface.material.last("shader"));
         let Some(line) = line.filter(|line| line.count > 0 && !loader::SHADERS.contains(&name)) else { continue };
@@ -25,3 +31,26 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.push(finding.key(shown).help(help));
     }
 }
+
+/// A shader of MakeHuman 1 is a file. Without any shader there is one finding for all (`program-missing-file`).
+fn of_files(view: &View<'_>, out: &mut Vec<Finding>) {
+    let layers = view.layers();
+    let has_shaders = layers.strongest_first().any(|layer| layer.below(FOLDER).next().is_some());
+    for surface in view.surfaces().iter().filter(|surface| layers.is_checked(surface.file) && has_shaders) {
+        let missing = |shader: &&Picture<'_>| shader.file.is_none() && !shader.is_open;
+        let Some(shader) = surface.shader.as_ref().filter(missing) else { continue };
+        let name = shader.text.rsplit('/').next().unwrap_or_default();
+        let shown: String = shader.text.chars().take(60).collect();
+        let finding = RULE.at(surface.file, shader.place.clone(), format!("shader `{shown}` does not exist"));
+        let is_there =
+            layers.strongest_first().any(|layer| layer.file(&format!("{FOLDER}/{name}_fragment_shader.txt")).is_some());
+        let help = if is_there {
+            format!("write `{FOLDER}/{name}`")
+        } else {
+            format!("name a shader of `{FOLDER}`, without `_vertex_shader.txt`")
+        };
+        out.push(finding.key(shown).help(help));
+    }
+}
+
+const FOLDER: &str = "shaders/glsl";

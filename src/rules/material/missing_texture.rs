@@ -4,11 +4,14 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::advice::{Advice, file_name, is_quoted};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, RuleInfo, grouped};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, RuleInfo, grouped,
+};
 use crate::repo::{Layer, Reference, ReferenceKind, Resolution, View, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "ignores the line and shows the material without this texture")],
+    breaks: &[(Makehuman2, "ignores the line and shows the material without this texture"), (Makehuman1, "logs an error and shows a placeholder instead of the picture")],
     docs: "A material names a picture that does not exist, in `diffuseTexture`, `normalmapTexture`, \
         `aomapTexture`, `metallicRoughnessTexture` or `emissiveTexture`. MakeHuman 2 does not know other keywords, \
         such as `specularmapTexture`. A name is one word: it ends at the first space.\n\n\
@@ -21,7 +24,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         body).\n\n\
         Materials of skins, of base meshes and below the folders of assets are checked. The folder \
         `clothes/<base>/materials/` is for assets without their own material. A topology uses the skin instead of \
-        its own material.\n\n\
+        its own material.\n\nMakeHuman 1 looks for a picture in the folder of the material, then below the data of the user and of the system, and shows a placeholder if it finds none.\n\n\
         Correct the name, add the picture, or remove the line. A folder that does not exist is one finding for all \
         pictures in it.",
     ..RuleInfo::new("material-missing-texture", Level::Warning, "a material names a texture that does not exist")
@@ -33,7 +36,9 @@ const COLOUR: Case = &[(Makehuman2, Level::Warning, "ignores the line and shows 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();
     let is_missing = |reference: &&Reference<'_>| {
+        // The picture of a litsphere has a rule of its own.
         reference.kind == ReferenceKind::Texture
+            && reference.owner != "litsphereTexture"
             && matches!(reference.resolution, Resolution::Missing)
             && layers.is_checked(reference.from)
             && !is_quoted(reference.text)

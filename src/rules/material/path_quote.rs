@@ -3,11 +3,18 @@
 use super::super::{Check, Rule, RuleCx};
 use super::advice::{QUOTES, is_quoted};
 use super::fault::{Fault, report};
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
-use crate::repo::{Reference, ReferenceKind, Resolution, View};
+use super::loader;
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, Place, RuleInfo,
+};
+use crate::repo::{Reference, ReferenceKind, Resolution, Surface, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "reads the quotes as part of the name, and ignores the line")],
+    breaks: &[
+        (Makehuman2, "reads the quotes as part of the name, and ignores the line"),
+        (Makehuman1, "reads the quotes as part of the name and shows a placeholder"),
+    ],
     docs: "A material names a picture in quotes. The quotes are a part of the name, and no file has such a name. \
         A name ends at the first space, in quotes as well.\n\n\
         MakeHuman 2 does not find the picture and shows the colour of the material instead.\n\n\
@@ -15,12 +22,15 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     ..RuleInfo::new("material-path-quote", Level::Warning, "a name of a picture in quotes")
 });
 
+const LITSPHERE: &str = "litsphereTexture";
+
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
-        let textures = view.references().of_file(surface.file).filter(|one| is_lost(one));
-        let textures = textures.map(|one| fault(&one.place, one.text, lost(one), one.owner));
+        let is_own = |one: &&Reference<'_>| one.owner != LITSPHERE && is_lost(one);
+        let textures = view.references().of_file(surface.file).filter(is_own);
+        let textures = textures.map(|one| fault(surface, &one.place, one.text, lost(one), one.owner));
         let litsphere = surface.litsphere.iter().filter(|one| one.file.is_none() && is_quoted(one.text));
-        let litsphere = litsphere.map(|one| fault(&one.place, one.text, "", "litsphereTexture"));
+        let litsphere = litsphere.map(|one| fault(surface, &one.place, one.text, "", LITSPHERE));
         report(&RULE, surface, textures.chain(litsphere).collect(), "name pictures in quotes", out);
     }
 }
@@ -38,7 +48,7 @@ fn lost<'a>(one: &Reference<'a>) -> &'a str {
     material.textures.get(at).filter(|texture| texture.span == *span).map_or("", |texture| &texture.lost)
 }
 
-fn fault(place: &Place, text: &str, lost: &str, keyword: &str) -> Fault {
+fn fault(surface: &Surface<'_>, place: &Place, text: &str, lost: &str, keyword: &str) -> Fault {
     let whole = if lost.is_empty() { text.to_owned() } else { format!("{text} {lost}") };
     let plain = whole.trim_matches(QUOTES);
     let shown: String = whole.chars().take(60).collect();
@@ -48,9 +58,8 @@ fn fault(place: &Place, text: &str, lost: &str, keyword: &str) -> Fault {
         level: Level::Warning,
         message: format!("`{keyword}` has its name in quotes: `{shown}`"),
         effect: match keyword {
-            "litsphereTexture" => {
-                "takes the quotes for a part of the name, and silently draws the surface with the shader `phong`"
-            }
+            _ if loader::is_1(surface.application) => "reads the quotes as part of the name and shows a placeholder",
+            LITSPHERE => "reads the quotes as part of the name, and silently draws the surface with the shader `phong`",
             _ => "reads the quotes as part of the name, and ignores the line",
         }
         .to_owned(),

@@ -3,13 +3,16 @@
 use super::super::{Check, Rule, RuleCx};
 use super::fault::{Fault, report};
 use super::loader;
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{self, Makehuman1, Makehuman2},
+    Finding, Level, Place, RuleInfo,
+};
 use crate::formats::mhmat::{Line, Material, Unknown};
 use crate::repo::{Surface, View};
 use crate::source::Guess;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently ignores the line")],
+    breaks: &[(Makehuman2, "silently ignores the line"), (Makehuman1, "silently ignores the line")],
     docs: "A line of a material begins with a word that MakeHuman 2 does not know: a keyword with a slip of the pen or \
         other capitals, or the name that another application has for it, such as `roughness` for `roughnessFactor` and \
         `bumpmapTexture` for `normalmapTexture`.\n\n\
@@ -43,7 +46,8 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let foreign = material.lines.iter().filter_map(|line| of_others(surface, line));
         // A byte order mark has a finding of its own.
         let unknown = material.unknown.iter().filter(|one| !one.word.text.starts_with(MARK));
-        let mut faults: Vec<Fault> = unknown.map(|one| unknown_word(cx, one)).chain(foreign).collect();
+        let mut faults: Vec<Fault> =
+            unknown.map(|one| unknown_word(cx, surface.application, one)).chain(foreign).collect();
         faults.sort_by_key(|fault| start(&fault.place));
         report(&RULE, surface, faults, "begin with unknown words", out);
     }
@@ -68,9 +72,9 @@ const fn start(place: &Place) -> usize {
     if let Place::Span(span) = place { span.start } else { 0 }
 }
 
-fn unknown_word(cx: &RuleCx<'_>, one: &Unknown) -> Fault {
+fn unknown_word(cx: &RuleCx<'_>, application: Application, one: &Unknown) -> Fault {
     let text: String = one.word.text.chars().take(40).collect();
-    let near = cx.suggestions.nearest(&one.word.text, loader::keywords());
+    let near = cx.suggestions.nearest(&one.word.text, loader::keywords(application));
     let (level, help) = match near {
         Some(near) => (Level::Warning, format!("did you mean `{near}`?")),
         None => (Level::Info, "remove the line, or put `# ` in front of it".to_owned()),
@@ -88,12 +92,14 @@ fn unknown_word(cx: &RuleCx<'_>, one: &Unknown) -> Fault {
 /// A keyword of another application for something that MakeHuman 2 calls otherwise, and that is not set by that name.
 fn of_others(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
     let keyword = line.keyword.name;
-    if loader::reads(keyword) || line.count == 0 {
+    let application = surface.application;
+    if loader::reads(application, keyword) || line.count == 0 {
         return None;
     }
     let meaning = line.keyword.alias_of.unwrap_or(keyword);
-    let own = SAME.iter().find(|(other, _)| *other == meaning).map(|(_, own)| *own);
-    let own = own.or(Some(meaning).filter(|meaning| loader::reads(meaning)))?;
+    let same: &[_] = if loader::is_1(application) { &[] } else { &SAME };
+    let own = same.iter().find(|(other, _)| *other == meaning).map(|(_, own)| *own);
+    let own = own.or(Some(meaning).filter(|meaning| loader::reads(application, meaning)))?;
     let is_set = match own {
         "shaderParam" => surface.litsphere.is_some(),
         own => surface.material.last(own).is_some(),
@@ -106,7 +112,9 @@ fn of_others(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
         effect: format!("silently ignores the line: its own keyword is `{own}`"),
         help: match own {
             "shaderParam" => "write `shaderParam litsphereTexture` and the name".to_owned(),
-            "normalmapTexture" => "save the bumps as a normal map, and name that in `normalmapTexture`".to_owned(),
+            "normalmapTexture" if !loader::is_1(application) => {
+                "save the bumps as a normal map, and name that in `normalmapTexture`".to_owned()
+            }
             "metallicRoughnessTexture" => {
                 "save both maps as one picture, and name that in `metallicRoughnessTexture`".to_owned()
             }

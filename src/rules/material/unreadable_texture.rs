@@ -4,11 +4,14 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::picture::fault;
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows the surface without this picture, and copies the broken file into exports")],
+    breaks: &[(Makehuman2, "shows the surface without this picture, and copies the broken file into exports"), (Makehuman1, "logs an error and shows a placeholder instead of the picture")],
     docs: "A material names a file that is not a picture: a text or a web page that was saved under its name, a picture \
         whose download was interrupted, a header that says no size or more than the file holds, or a format that only \
         programs for artists read, such as Photoshop's.\n\n\

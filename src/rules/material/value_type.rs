@@ -3,25 +3,28 @@
 use super::super::{Check, Rule, RuleCx};
 use super::fault::{Fault, report};
 use super::loader;
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, Place, RuleInfo,
+};
 use crate::formats::mhmat::{Line, Value, Word};
 use crate::formats::python_int;
 use crate::repo::{Surface, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `ValueError` when the material is used")],
+    breaks: &[(Makehuman2, "crashes with `ValueError` when the material is used"), (Makehuman1, "does not put the asset on, or show the skin")],
     docs: "A value of a material is not a number where one is needed: with a decimal comma, a per cent sign, commas \
         between the numbers of a colour, as `#ff8000`, or a word.\n\n\
         MakeHuman 2 crashes when it reads the material: when the asset is put on, when the material or the skin is \
         chosen, or when a model that has it is loaded. Then the assets that the model names after it, and all its \
-        sliders, are lost. `colorationMethod` is 0 where it is not a whole number (warning).\n\n\
+        sliders, are lost. `colorationMethod` is 0 where it is not a whole number (warning).\n\nMakeHuman 1 stops reading the material there: an asset cannot be put on, a skin cannot be chosen, and with a fault in the default skin it does not start. Several values of a `shaderParam` must all be numbers.\n\n\
         Write numbers with a decimal point and spaces between them; a colour has red, green and blue between 0 and 1.",
     ..RuleInfo::new("material-type", Level::Error, "a value of a material that is not a number")
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
-        let lines = surface.material.lines.iter().filter(|line| loader::reads(line.keyword.name));
+        let lines = surface.material.lines.iter().filter(|line| loader::reads(surface.application, line.keyword.name));
         let faults = lines.filter_map(|line| fault(surface, line)).collect();
         report(&RULE, surface, faults, "have values that are not numbers", out);
     }
@@ -31,10 +34,17 @@ fn fault(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
     let keyword = line.keyword.name;
     let mut words = line.words.iter();
     let is_wrong = |word: &&Word| word.number().is_none();
-    let crash = || format!("crashes with `ValueError` {}; {}", loader::when(surface), loader::models(surface));
+    let crash = || loader::crash(surface, "ValueError");
+    let is_1 = loader::is_1(surface.application);
     let (word, level, effect) = match line.keyword.value {
         Value::Colour => (words.take(3).find(is_wrong)?, Level::Error, crash()),
+        Value::Number if is_1 && matches!(keyword, "diffuseIntensity" | "specularIntensity") => return None,
         Value::Number => (words.next().filter(is_wrong)?, Level::Error, crash()),
+        // A word alone is the name of a file; what its uniform makes of it has a finding of its own.
+        Value::Parameter if is_1 => {
+            let is_list = keyword == "shaderParam" && line.count > 2;
+            (words.skip(1).find(is_wrong).filter(|_| is_list)?, Level::Error, crash())
+        }
         Value::Parameter if line.word(0) == "AdditiveShading" => {
             (words.nth(1).filter(is_wrong)?, Level::Error, crash())
         }

@@ -2,13 +2,19 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{ASSET_INDEX, ASSET_OVERFLOW, read};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, Tally};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, Place, RuleInfo, Tally,
+};
 use crate::discover::Kind;
 use crate::formats::obj::Mesh;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `IndexError` while loading the base mesh")],
+    breaks: &[
+        (Makehuman2, "crashes with `IndexError` while loading the base mesh"),
+        (Makehuman1, "does not put the asset on: its mesh cannot be loaded"),
+    ],
     docs: "A face uses the number of a vertex or texture coordinate that does not exist. The numbers start at \
         1.\n\n\
         MakeHuman 2 crashes on numbers beyond the last one. It also crashes on 0 and on negative numbers, although \

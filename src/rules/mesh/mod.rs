@@ -1,12 +1,15 @@
 //! Rules on meshes: of a base, as OBJ or packed, and of assets.
 
 pub(super) mod degenerate_face;
+pub(super) mod duplicate_face;
 pub(super) mod face_out_of_range;
 pub(super) mod group_name;
+pub(super) mod ngon;
 pub(super) mod no_faces;
 pub(super) mod no_uv;
 pub(super) mod non_finite;
 pub(super) mod partial_uv;
+pub(super) mod pole;
 pub(super) mod reopened_group;
 pub(super) mod stale_binary;
 pub(super) mod syntax;

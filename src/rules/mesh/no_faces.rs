@@ -4,12 +4,18 @@ use super::super::cause::is_unmet;
 use super::super::cause::mesh::{is_in_archive, weigh};
 use super::super::{Check, Rule, RuleCx};
 use super::{ASSET_INDEX, of_asset};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::obj::{Mesh, MeshFacts};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows nothing and a height of 0 cm; the glTF export crashes with `ValueError`")],
+    breaks: &[
+        (Makehuman2, "shows nothing and a height of 0 cm; the glTF export crashes with `ValueError`"),
+        (Makehuman1, "does not put the asset on: its mesh cannot be loaded"),
+    ],
     docs: "A mesh without a line `f …` has vertices but no surface.\n\n\
         MakeHuman 2 loads it without a message, shows nothing, and computes every height as 0. The glTF export \
         crashes with `ValueError` because there is nothing to write. A file that also has no line `v …`, such as a \

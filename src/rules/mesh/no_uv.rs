@@ -3,12 +3,15 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, Place, RuleInfo,
+};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, Reference, ReferenceKind, View, Worn, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "paints the whole asset with a single point of each texture, here and in exports")],
+    breaks: &[(Makehuman2, "paints the whole asset with a single point of each texture, here and in exports"), (Makehuman1, "paints the whole asset with a single point of each texture")],
     docs: "No face of the mesh of an asset has texture coordinates: its faces are written `v` or `v//n` instead of `v/t`. A \
         material of the asset has a texture, or it is a topology, which wears the skin.\n\n\
         MakeHuman 2 loads the mesh and uses the same point of a texture for all of it. Base meshes are not reported: \

@@ -3,12 +3,19 @@
 use super::super::cause::mesh::{is_in_archive, weigh};
 use super::super::{Check, Rule, RuleCx};
 use super::of_asset;
-use crate::diag::{Application::Makehuman2, Case, Element, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Element, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::obj::MeshFacts;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "loses everything computed from the vertex: normals, joints, the height of the body")],
+    breaks: &[
+        (Makehuman2, "loses everything computed from the vertex: normals, joints, the height of the body"),
+        (Makehuman1, "fits the vertex to the base mesh, wherever the OBJ has it"),
+    ],
+    levels: &[(Makehuman1, Level::Info)],
     docs: "The position of a vertex is `nan` or infinite.\n\n\
         Python reads `nan` and `inf` as numbers, so MakeHuman 2 loads the mesh. Everything computed from the \
         vertex is lost: the normals around it, joints and fitted assets that use it, and the height of the \

@@ -2,11 +2,18 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{ASSET_INDEX, read};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `IndexError` while loading the base mesh")],
+    breaks: &[
+        (Makehuman2, "crashes with `IndexError` while loading the base mesh"),
+        (Makehuman1, "shows one colour of each texture on these faces"),
+    ],
+    levels: &[(Makehuman1, Level::Warning)],
     docs: "Some faces of a group have texture coordinates and others do not.\n\n\
         MakeHuman 2 keeps the texture coordinates of a group in a list beside its faces. All faces of a group must \
         have them, or none; in a mixed group it reads beyond the end of the list and crashes: when it loads the base mesh, or when the asset is put on.\n\n\

@@ -2,17 +2,20 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{ASSET_INDEX, ASSET_VALUE, ReadMesh, read};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `ValueError` or `IndexError` while loading the base mesh")],
+    breaks: &[(Makehuman2, "crashes with `ValueError` or `IndexError` while loading the base mesh"), (Makehuman1, "does not put the asset on: its mesh cannot be loaded")],
     docs: "A line `v x y z`, `vt u v` or `f a b c …` cannot be read. A face corner is `vertex`, `vertex/uv`, \
         `vertex//normal` or `vertex/uv/normal` in whole numbers, and a face that is drawn has at least three \
         corners. Fewer corners are harmless in hidden groups. Lines other than these and `g name` are ignored.\n\n\
         MakeHuman 2 reads the numbers without checking them and crashes on the first one that is missing or not a \
         number: at start for a base mesh, and when an asset is put on for its mesh. A line cannot be continued with \
-        `\\`.\n\n\
+        `\\`.\n\nMakeHuman 1 loads no mesh with such a line, so that the asset cannot be put on. It also needs a name behind `g` and `o`.\n\n\
         Export the mesh again, or fix the line.",
     counts: "lines",
     ..RuleInfo::new("mesh-syntax", Level::Error, "a line of a mesh cannot be read")
@@ -22,6 +25,9 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let Some(mesh) = read(view, file) else { return };
     let short = short_face(view, file, &mesh);
     out.extend(short.map(|finding| mesh.weigh(view, file, finding, ASSET_INDEX)));
+    if view.is_makehuman1() {
+        out.extend(nameless(file, &mesh));
+    }
     let Some(first) = mesh.facts.unreadable.first() else { return };
     let more = if mesh.facts.unreadable_lines > 1 {
         format!(" ({} lines cannot be read)", mesh.facts.unreadable_lines)
@@ -46,4 +52,13 @@ fn short_face(view: &View<'_>, file: &FileFacts, mesh: &ReadMesh<'_>) -> Option<
     let message = format!("`{}`: a face needs at least three corners", first.text);
     let help = "fix the line, or remove these lines in a text editor; keep all `v` lines";
     Some(RULE.at(file, Place::Line(first.line), message).key("corners").help(help))
+}
+
+/// MakeHuman 1 wants a name behind `g` and `o`.
+fn nameless(file: &FileFacts, mesh: &ReadMesh<'_>) -> Option<Finding> {
+    let tally = &mesh.facts.nameless;
+    let (line, _) = tally.first.first()?;
+    let more = if tally.count > 1 { format!(" ({} such lines)", tally.count) } else { String::new() };
+    let message = format!("a line `g` or `o` has no name{more}");
+    Some(RULE.at(file, Place::Line(*line), message).key("name").help("write a name, or remove the line"))
 }

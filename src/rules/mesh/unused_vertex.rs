@@ -1,22 +1,34 @@
 //! Vertices that no face uses.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use super::of_asset;
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, Place, RuleInfo,
+};
+use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::obj::Mesh;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "keeps and counts the vertex but never shows it")],
+    breaks: &[
+        (Makehuman2, "keeps and counts the vertex but never shows it"),
+        (Makehuman1, "does not put the asset on: it loads no mesh with loose vertices"),
+    ],
+    levels: &[(Makehuman1, Level::Error)],
     docs: "A vertex belongs to no face.\n\n\
         MakeHuman 2 keeps such vertices; they can be moved, weighted and used by joints and clothes like any \
         others. Programs that drop them on import number all later vertices differently, so that targets, weights \
-        and clothes no longer fit.\n\n\
+        and clothes no longer fit.\n\nMakeHuman 1 loads no mesh of an asset with such a vertex (an error).\n\n\
         Keep them if something refers to them. Do not add new ones: removing one later renumbers the mesh.",
     counts: "vertices",
     ..RuleInfo::new("mesh-unused-vertex", Level::Info, "no face uses a vertex")
 });
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if view.is_makehuman1() {
+        return out.extend(of_asset(view, file).and_then(|mesh| loose(file, mesh)));
+    }
     // Behind an archive it is told of that one.
     if view.is_replaced(&file.rel) {
         return;
@@ -35,4 +47,16 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     };
     let help = "leave it: without the vertex all later ones have other numbers, and targets, weights and clothes no longer fit";
     out.push(RULE.at(file, Place::File, message).help(help).evidence(tally.evidence(mesh.facts.vertices)));
+}
+
+/// MakeHuman 1 refuses the whole mesh.
+fn loose(file: &FileFacts, mesh: &AssetMesh) -> Option<Finding> {
+    let tally = &mesh.facts.unused;
+    let (_, vertex) = tally.first.first().filter(|_| mesh.is_sound() && mesh.faces > 0)?;
+    let message = match tally.count {
+        1 => format!("no face uses vertex {vertex}"),
+        count => format!("{count} of {} vertices are not used by any face, first vertex {vertex}", mesh.facts.vertices),
+    };
+    let help = "remove the vertex, and its row in the asset; or give it a face";
+    Some(RULE.at(file, Place::File, message).help(help).evidence(tally.evidence(mesh.facts.vertices)))
 }

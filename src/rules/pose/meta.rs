@@ -1,28 +1,38 @@
 //! What is said of a motion must be written so that it is found.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, Place, RuleInfo,
+};
 use crate::discover::Kind;
 use crate::formats::meta::{Misspelt, Name};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "ignores the line")],
+    breaks: &[(Makehuman2, "ignores the line"), (Makehuman1, "ignores the line")],
     docs: "A `.meta` beside a `.bvh` of the same name gives the motion a name, an author and tags, each on a line that begins \
         with `name`, `author` or `tag`.\n\n\
         MakeHuman 2 does not know the words with a colon or in capitals, so the motion has the name of its file and no \
         tags. Of the name it keeps only ASCII letters, in small letters: a name without any is empty in the list. A \
-        `.meta` without its `.bvh` is never read.\n\n\
+        `.meta` without its `.bvh` is never read.\n\nMakeHuman 1 does not know the words with a colon, either; capitals make no difference to it, and it keeps all letters.\n\n\
         Write `name My Pose` without a colon, with plain letters, in a file that is called as the `.bvh`.",
     ..RuleInfo::new("pose-meta", Level::Warning, "a `.meta` of which a line is not read")
 });
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let is_read = file.kind == Kind::MotionMeta && (view.layout().scans)(&file.rel);
+    let is_makehuman1 = view.is_makehuman1();
+    let is_read = file.kind == Kind::MotionMeta && (is_makehuman1 || (view.layout().scans)(&file.rel));
     let Some(meta) = file.meta().filter(|_| is_read) else { return };
     let stem = file.rel.strip_suffix("meta").unwrap_or(&file.rel);
     let layer = view.layers().checked;
     let has = |suffix: &str| layer.file(&format!("{stem}{suffix}")).is_some();
+    if is_makehuman1 {
+        // Capitals make no difference to it, and any letters are kept.
+        let is_unknown = |one: &&Misspelt| one.word.ends_with(':') || one.word.eq_ignore_ascii_case("tags");
+        let misspelt = meta.misspelt.as_ref().filter(is_unknown).filter(|_| has("bvh"));
+        return out.extend(misspelt.map(|misspelt| unread(view, file, misspelt)));
+    }
     // Beside a pose nobody reads it, and nobody misses it.
     if !has("bvh") {
         // One with other capitals has a finding of its own.

@@ -2,12 +2,19 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{UNITS, at, names, turns};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::pose_units::TurnFault;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows a torn mesh in this pose; the glTF export with animation crashes with `ValueError`")],
+    breaks: &[
+        (Makehuman2, "shows a torn mesh in this pose; the glTF export with animation crashes with `ValueError`"),
+        (Makehuman1, "shows a torn mesh in this pose"),
+    ],
+    levels: &[(Makehuman1, Level::Warning)],
     docs: "A frame of a BVH file, a value of a pose or a matrix of a pose unit has NaN or infinity as a number.\n\n\
         MakeHuman 2 calculates with it. The bone and all below it lose their places, and with them the vertices that \
         they move. The glTF export with animation crashes.\n\n\

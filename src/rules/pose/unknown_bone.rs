@@ -4,25 +4,35 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::units_bone;
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::bvh::{Joint, Motion};
-use crate::repo::Body;
+use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently ignores the joint: its bone stays in the rest pose")],
+    breaks: &[(Makehuman2, "silently ignores the joint: its bone stays in the rest pose"), (Makehuman1, "refuses the pose with a message: it was made for another rig")],
+    levels: &[(Makehuman1, Level::Error)],
     docs: "A joint of a BVH file is not a bone of the skeleton that poses the base: the one that `base.json` names in \
         `pose-skeleton`. A name ends at the first space.\n\n\
         MakeHuman 2 ignores such joints without a message. If none of them is a bone, the motion shows the rest pose: it \
         was made for another rig.\n\n\
         A bone of a unit in `body-poses.json` or `face-poses.json` that the skeleton does not have crashes MakeHuman 2 as \
-        soon as any pose or expression is shown (an error).\n\n\
+        soon as any pose or expression is shown (an error).\n\nMakeHuman 1 refuses a pose without the joint `upperleg02.L` (an error); other unknown joints do no harm there.\n\n\
         Correct the name, or export the motion for the rig of this base.",
     ..RuleInfo::new("pose-unknown-bone", Level::Warning, "a pose names a bone that the skeleton does not have")
 });
 
 const REST_POSE: Case = &[(Makehuman2, Level::Warning, "shows the rest pose: no joint is a bone")];
 
+/// The joint by which MakeHuman 1 tells poses for its rig, and their size (formats/makehuman1.md §16).
+const COMPARED: &str = "upperleg02.L";
+
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if body.is_makehuman1() {
+        return out.extend(body.motions.iter().filter_map(|(file, motion)| foreign(file, motion)));
+    }
     let Some((rig, skeleton)) = body.default_rig().and_then(|rig| Some((rig, rig.skeleton()?))) else { return };
     let bones: BTreeSet<&str> = skeleton.bones.iter().map(|bone| bone.name.as_str()).collect();
     let own = body.pose_units.iter().filter_map(|units| units.units);
@@ -48,4 +58,14 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = finding.against(&rig.file.path).evidence(evidence).help(help);
         out.push(if count == all { finding.case(REST_POSE) } else { finding });
     }
+}
+
+/// MakeHuman 1 asks for one joint; it ignores others that are unknown.
+fn foreign(file: &FileFacts, motion: &Motion) -> Option<Finding> {
+    let is_read = motion.fault.as_ref().is_none_or(|fault| fault.kind.is_of_frames());
+    let first = motion.joints.first().filter(|_| is_read)?;
+    let has_it = motion.joints.iter().any(|joint| &*joint.name == COMPARED);
+    let message = format!("no joint is called `{COMPARED}`: the pose is for another rig");
+    let finding = RULE.at(file, Place::Span(first.span.clone()), message).key("rig");
+    (!has_it).then(|| finding.help("export the motion for the default rig of MakeHuman 1"))
 }

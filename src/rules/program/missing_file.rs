@@ -1,14 +1,17 @@
 //! The data folder of the program has the files without which it does not start.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, RuleInfo,
+};
 use crate::repo::{Layer, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "exits at start")],
+    breaks: &[(Makehuman2, "exits at start"), (Makehuman1, "misses the file at start")],
     docs: "The data folder of MakeHuman 2 itself needs `makehuman2_version.json` and `shaders/shader.json`. Without the first \
         the program exits at start with code 20, without the second with code 21.\n\n\
-        The rule asks for them only where the folder holds other parts of the program: shaders, or one of the two.\n\n\
+        The rule asks for them only where the folder holds other parts of the program: shaders, or one of the two.\n\nOf the data of MakeHuman 1 the rule asks for the default skin, its litspheres, the default eyes and the shaders, each only where other files of its folder are there.\n\n\
         Restore the file from the program.",
     ..RuleInfo::new("program-missing-file", Level::Error, "a file of the program does not exist")
 });
@@ -18,6 +21,9 @@ const NEEDED: [(&str, u8); 2] = [("makehuman2_version.json", 20), ("shaders/shad
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();
     let Some(system) = layers.system.filter(|system| std::ptr::eq(*system, layers.checked)) else { return };
+    if view.is_makehuman1() {
+        return of_makehuman1(system, out);
+    }
     if !holds_program(system) {
         return;
     }
@@ -39,4 +45,33 @@ fn holds_program(layer: &Layer) -> bool {
     let is_shader = |rel: &str| matches!(rel.rsplit('.').next(), Some("vert" | "frag"));
     let mut shaders = layer.below("shaders");
     NEEDED.iter().any(|(rel, _)| exists(layer, rel)) || shaders.any(|file| is_shader(&file.rel))
+}
+
+/// What MakeHuman 1 opens by name, the folder whose other files show that it belongs there, and what is lost with it
+/// (formats/makehuman1-observed.md 4).
+const OF_MAKEHUMAN1: [(&str, &str, Case); 5] = [
+    ("skins/default.mhmat", "shaders", NO_SKIN),
+    ("litspheres/skinmat_african.png", "litspheres", NO_BLEND),
+    ("litspheres/skinmat_asian.png", "litspheres", NO_BLEND),
+    ("litspheres/skinmat_caucasian.png", "litspheres", NO_BLEND),
+    ("eyes/high-poly/high-poly.mhclo", "eyes", NO_EYES),
+];
+const NO_SKIN: Case = &[(Makehuman1, Level::Warning, "logs an error and shows the body without its skin")];
+const NO_BLEND: Case = &[(Makehuman1, Level::Error, "ends each frame at the default skin, which blends this picture")];
+const NO_EYES: Case =
+    &[(Makehuman1, Level::Error, "raises `AttributeError` at start and at each reset: it puts on these eyes")];
+const NO_SHADERS: Case = &[(Makehuman1, Level::Warning, "logs errors and draws all surfaces without their shaders")];
+
+fn of_makehuman1(system: &Layer, out: &mut Vec<Finding>) {
+    let has = |folder: &str| system.below(folder).any(|file| !file.file_name().ends_with(".thumb"));
+    for (rel, _, case) in OF_MAKEHUMAN1.into_iter().filter(|(rel, folder, _)| !exists(system, rel) && has(folder)) {
+        let finding = RULE.in_layer(system, rel, format!("`{rel}` does not exist")).case(case);
+        out.push(finding.help("restore the file from the program"));
+    }
+    // Without skins it is not the whole program.
+    let shaders = "shaders/glsl";
+    if !has(shaders) && has("skins") {
+        let finding = RULE.in_layer(system, shaders, format!("`{shaders}` does not exist")).case(NO_SHADERS);
+        out.push(finding.help("restore the folder from the program"));
+    }
 }

@@ -4,11 +4,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{lone_archives, texts};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::repo::{Body, FileFacts, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `KeyError` in every pose, and in the glTF export of a model with a skeleton")],
+    breaks: &[(Makehuman2, "crashes with `KeyError` in every pose, and in the glTF export of a model with a skeleton"), (Makehuman1, "drops the weights of these bones: vertices that have no others go to the root bone")],
+    levels: &[(Makehuman1, Level::Warning)],
     docs: "The bone weights of an asset (`vertexboneweights_file`) name a bone that the skeleton for poses does not \
         have.\n\n\
         MakeHuman 2 puts the asset on. Posing the figure then crashes with `KeyError`, and so does every glTF export of \
@@ -43,7 +47,9 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             count => format!("{count} bones do not exist in the skeleton for poses, first `{first}`"),
         };
         let near = cx.suggestions.nearest(first, skeleton.bones.iter().map(|bone| &*bone.name));
-        let help = did_you_mean(near, "export the weights for the skeleton that `pose-skeleton` names");
+        let skeleton =
+            if body.is_makehuman1() { "`rigs/default.mhskel`" } else { "the skeleton that `pose-skeleton` names" };
+        let help = did_you_mean(near, format!("export the weights for {skeleton}"));
         let finding = RULE.at(file, Place::key(["weights", first]), message);
         out.push(finding.help(help).against(&rig.file.path).evidence(Evidence::of_cases(unknown.iter().copied())));
     }

@@ -2,33 +2,51 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{STOPS_WITH_VALUE, Text, VALUE, lines, more, sections, texts};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, Tally};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, Place, RuleInfo, Tally,
+};
 use crate::formats::mhclo::{Entry, FaultKind};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, STOPS_WITH_VALUE)],
+    breaks: &[(Makehuman2, STOPS_WITH_VALUE), (Makehuman1, "does not put the asset on: `ValueError` when it reads the file")],
     docs: "Below `delete_verts` stand vertices of the base mesh that the asset hides: numbers, and ranges such as \
         `12 - 18` with spaces around the dash. Both ends are included.\n\n\
         MakeHuman 2 crashes on anything else: `12-18`, commas, `12.0`, a comment behind numbers. A comment in a line of \
         its own is fine. It crashes with `UnboundLocalError` if the list begins with a dash.\n\n\
         Numbers in the line of `delete_verts` itself are ignored. A dash at the end \
         of a line is forgotten: of the range only both ends are hidden, and of the last one the first vertex. Of a range from a higher to a \
-        lower number only the first one is hidden (warnings).\n\n\
+        lower number only the first one is hidden (warnings).\n\nMakeHuman 1 reads the list in the same way, and does not put an asset on whose list it cannot read.\n\n\
         Write ranges in one line, the lower number first.",
     ..RuleInfo::new("proxy-delete-range", Level::Error, "a list of vertices to hide that cannot be read")
 });
 
-const LEADING: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "crashes with `UnboundLocalError` when the asset is put on; models that wear it load only in part",
-)];
-const CUT: Case = &[(Makehuman2, Level::Warning, "forgets the dash and hides only both ends of the range")];
-const OPEN: Case = &[(Makehuman2, Level::Warning, "hides only the first vertex of the range")];
-const REVERSED: Case = &[(Makehuman2, Level::Warning, "hides only the first vertex of the range")];
+const LEADING: Case = &[
+    (
+        Makehuman2,
+        Level::Error,
+        "crashes with `UnboundLocalError` when the asset is put on; models that wear it load only in part",
+    ),
+    (Makehuman1, Level::Error, "does not put the asset on: `UnboundLocalError` when it reads the file"),
+];
+const CUT: Case = &[
+    (Makehuman2, Level::Warning, "forgets the dash and hides only both ends of the range"),
+    (Makehuman1, Level::Warning, "forgets the dash and hides only both ends of the range"),
+];
+const OPEN: Case = &[
+    (Makehuman2, Level::Warning, "hides only the first vertex of the range"),
+    (Makehuman1, Level::Warning, "hides only the first vertex of the range"),
+];
+const REVERSED: Case = &[
+    (Makehuman2, Level::Warning, "hides only the first vertex of the range"),
+    (Makehuman1, Level::Warning, "hides only the first vertex of the range"),
+];
 
-const BESIDE: Case = &[(Makehuman2, Level::Warning, "ignores the numbers: these vertices stay visible")];
+const BESIDE: Case = &[
+    (Makehuman2, Level::Warning, "ignores the numbers: these vertices stay visible"),
+    (Makehuman1, Level::Warning, "ignores the numbers: these vertices stay visible"),
+];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
@@ -55,7 +73,7 @@ fn word(text: &Text<'_, '_>) -> Option<Finding> {
     if sections::keyword_below_list(text).is_some() {
         return None;
     }
-    let (faults, count) = text.clothes.faults.of(|kind| kind == FaultKind::DeleteWord)?;
+    let (faults, count) = text.faults(|kind| kind == FaultKind::DeleteWord)?;
     let first = faults.first()?;
     let message = format!("`{}` among the vertices to hide is not a whole number{}", first.word, more(count));
     let help = match &*first.word {
@@ -65,7 +83,7 @@ fn word(text: &Text<'_, '_>) -> Option<Finding> {
         _ => "write whole numbers, and ranges with spaces around the dash",
     };
     let finding = RULE.at(text.file, Place::Span(first.span.clone()), message).case(VALUE).help(help);
-    Some(finding.evidence(lines(faults, count)))
+    Some(finding.evidence(lines(&faults, count)))
 }
 
 /// Numbers in the line of the keyword.
@@ -78,7 +96,7 @@ fn beside_keyword(text: &Text<'_, '_>) -> Option<Finding> {
 }
 
 fn leading_dash(text: &Text<'_, '_>) -> Option<Finding> {
-    let (faults, _) = text.clothes.faults.of(|kind| kind == FaultKind::OpenRange)?;
+    let (faults, _) = text.faults(|kind| kind == FaultKind::OpenRange)?;
     let first = faults.first()?;
     let message = "the list of vertices to hide begins with a dash";
     let finding = RULE.at(text.file, Place::Span(first.span.clone()), message).key("-").case(LEADING);

@@ -17,8 +17,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
-        let old = text.clothes.faults.of(|kind| kind == FaultKind::OldFormat);
-        let Some(first) = old.and_then(|(faults, _)| faults.first()) else { continue };
+        let old = text.faults(|kind| kind == FaultKind::OldFormat);
+        let Some(first) = old.and_then(|(faults, _)| faults.first().copied()) else { continue };
         let message = "`weights` belongs to an old format that is no longer read";
         let finding = RULE.at(text.file, Place::Span(first.span.clone()), message);
         out.push(finding.help("keep a copy; export the weights to a `.mhw` file for `vertexboneweights_file`, or remove the sections to use those of the body"));

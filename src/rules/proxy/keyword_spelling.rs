@@ -45,7 +45,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn colon(text: &Text<'_, '_>, keyword: &str) -> Option<Finding> {
     let scanned = &text.clothes.scanned;
     let is_seen = if keyword == "name" { scanned.name.is_some() } else { scanned.uuid.is_some() };
-    let entry = text.clothes.last(keyword).filter(|entry| entry.has_colon && !is_seen)?;
+    let entry = text.last(keyword).filter(|entry| entry.has_colon && !is_seen)?;
     Some(
         told(text, entry, format!("`{keyword}:` has a colon"), COLON)
             .help(format!("write `{keyword}` without a colon")),

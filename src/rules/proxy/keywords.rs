@@ -1,6 +1,6 @@
 //! The keywords of assets, and which one a misspelt one is meant to be.
 
-use crate::diag::nearest;
+use crate::diag::{Application, nearest};
 use crate::formats::mhclo::{Entry, Section};
 
 /// What MakeHuman 2 reads.
@@ -65,6 +65,18 @@ const ALIASES: [(&str, &str); 5] = [
     ("obj", "obj_file"),
 ];
 
+/// Whether MakeHuman 1 reads the keyword, or passes over it as one of old.
+pub(super) fn known_to_makehuman1(keyword: &str) -> bool {
+    let of_others = keyword == "texture";
+    !of_others && (READ.contains(&keyword) || OTHERS.contains(&keyword))
+}
+
+/// Whether a line has one of the keywords that MakeHuman 1 cannot take, outside of comments.
+pub(super) fn is_licence(entry: &Entry) -> bool {
+    let is_one = matches!((&*entry.keyword, entry.has_colon), ("author" | "license", _) | ("homepage", false));
+    is_one && !entry.is_comment
+}
+
 /// Keywords that nothing but a text to read depends on.
 pub(super) fn is_harmless(keyword: &str) -> bool {
     matches!(keyword, "description" | "author" | "license" | "homepage" | "version")
@@ -75,6 +87,36 @@ pub(super) fn is_known(entry: &Entry) -> bool {
     let written = entry.keyword.trim_start_matches('\u{feff}');
     !entry.is_comment && (READ.contains(&written) || OTHERS.contains(&written) || meant(entry).is_some())
 }
+
+/// The keyword of an application that a line of an unknown one is meant to have.
+pub(super) fn meant_in(application: Application, entry: &Entry) -> Option<&'static str> {
+    let own: &[&str] = if application == Application::Makehuman1 { &OF_MAKEHUMAN1 } else { &[] };
+    let is_bare = |entry: &Entry| application != Application::Makehuman1 || !entry.has_colon;
+    if READ.contains(&&*entry.keyword) && !is_bare(entry) && !entry.is_comment {
+        return READ.into_iter().find(|known| **known == *entry.keyword);
+    }
+    meant(entry).or_else(|| {
+        let is_unknown = !entry.is_comment && !READ.contains(&&*entry.keyword) && !OTHERS.contains(&&*entry.keyword);
+        let near = nearest(&entry.keyword, OTHERS).filter(|_| is_unknown)?;
+        own.iter().copied().find(|known| *known == near)
+    })
+}
+
+/// What MakeHuman 1 reads besides.
+const OF_MAKEHUMAN1: [&str; 12] = [
+    "max_pole",
+    "special_pose",
+    "uvLayer",
+    "shear_x",
+    "shear_y",
+    "shear_z",
+    "l_shear_x",
+    "l_shear_y",
+    "l_shear_z",
+    "r_shear_x",
+    "r_shear_y",
+    "r_shear_z",
+];
 
 /// The keyword that a line of an unknown one is meant to have.
 pub(super) fn meant(entry: &Entry) -> Option<&'static str> {

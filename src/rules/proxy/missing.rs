@@ -5,7 +5,7 @@ use crate::diag::Place;
 
 /// Where a keyword of the head is missed, in words, and what to do; nothing if the finding is elsewhere.
 pub(super) fn missing(text: &Text<'_, '_>, keyword: &str, example: &str) -> Option<(Place, String, String)> {
-    let loaded = text.clothes.last(keyword);
+    let loaded = text.last(keyword);
     // Nothing behind a misplaced list is read.
     if sections::keyword_below_list(text).is_some() {
         return None;
@@ -24,6 +24,10 @@ pub(super) fn missing(text: &Text<'_, '_>, keyword: &str, example: &str) -> Opti
     }
     let empty = text.clothes.entries.iter().find(|entry| *entry.keyword == *keyword && !entry.is_comment);
     Some(match empty {
+        Some(entry) if entry.has_colon => {
+            let help = format!("write `{keyword}` without a colon");
+            (Place::Span(entry.keyword_span.clone()), format!("`{keyword}:` has a colon and is another word"), help)
+        }
         Some(entry) => {
             let help = format!("write the {example} after `{keyword}`");
             (Place::Span(entry.keyword_span.clone()), format!("`{keyword}` has no value"), help)

@@ -2,12 +2,18 @@
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{Text, is_unwalked, lone_archives, neighbours, texts};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, Place, RuleInfo,
+};
 use crate::discover::Kind;
 use crate::repo::{Body, Reference, ReferenceKind, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently shows the asset in plain white")],
+    breaks: &[
+        (Makehuman2, "silently shows the asset in plain white"),
+        (Makehuman1, "draws the asset with the default white material"),
+    ],
     docs: "An asset names a material that does not exist, or none at all.\n\n\
         MakeHuman 2 looks for `material` in the folder of the asset; `../materials/x.mhmat` is a file beside it. If it \
         is not found, the asset is white, without a message. The name is one word: it ends at the first space.\n\n\
@@ -50,6 +56,10 @@ fn absent(body: &Body<'_>, text: &Text<'_, '_>, reference: &Reference<'_>, cx: &
 /// A misspelt keyword has a finding of its own, and one in front of which a mark stands.
 fn unnamed(body: &Body<'_>, text: &Text<'_, '_>) -> Option<Finding> {
     if text.misspelt("material").is_some() || text.has_hidden("material") {
+        return None;
+    }
+    // MakeHuman 1 stops at a line without a value (`proxy-syntax`).
+    if text.is_makehuman1() && text.stops() {
         return None;
     }
     let help = match neighbours(body, text, "mhmat").first() {

@@ -2,26 +2,32 @@
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{Text, is_unwalked, missing::missing, neighbours, texts};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, RuleInfo,
+};
 use crate::repo::{Body, Reference, ReferenceKind, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "refuses the asset with a message: it cannot be put on")],
+    breaks: &[(Makehuman2, "refuses the asset with a message: it cannot be put on"), (Makehuman1, "does not put the asset on")],
     docs: "The mesh of an asset is not where `obj_file` says, or the line is missing.\n\n\
         MakeHuman 2 looks for `obj_file` in the folder of the asset. It is one word: a name with a space ends there. If \
         the file does not exist, a message appears and the asset is not put on; models go on without it, but as part \
         of the start model MakeHuman 2 exits with code 21. Without the line it crashes with `AttributeError`.\n\n\
         An `.mhbin` beside the asset that is not older has the mesh in it; then the text cannot be loaded any more \
-        (info).\n\n\
+        (info).\n\nMakeHuman 1 lists the asset, and does not put it on.\n\n\
         Correct the name, or restore the file.",
     ..RuleInfo::new("proxy-missing-mesh", Level::Error, "the mesh of an asset does not exist")
 });
 
-const NO_LINE: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "crashes with `AttributeError` when the asset is put on; models that wear it load only in part",
-)];
+const NO_LINE: Case = &[
+    (
+        Makehuman2,
+        Level::Error,
+        "crashes with `AttributeError` when the asset is put on; models that wear it load only in part",
+    ),
+    (Makehuman1, Level::Error, "does not put the asset on: `TypeError`, as there is no name to open"),
+];
 const PACKED: Case = &[(Makehuman2, Level::Info, "loads the `.mhbin` beside it, as long as the text is not newer")];
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -44,7 +50,7 @@ fn absent(body: &Body<'_>, text: &Text<'_, '_>, reference: &Reference<'_>, cx: &
     };
     let message = format!("mesh `{}` {what}", reference.text);
     let names = neighbours(body, text, "obj");
-    let with_spaces = text.clothes.last("obj_file").filter(|entry| entry.value.contains(' '));
+    let with_spaces = text.last("obj_file").filter(|entry| entry.value.contains(' '));
     let help = match with_spaces.filter(|entry| names.contains(&&*entry.value)) {
         Some(entry) => format!("rename `{}` without spaces: a name ends at the first space", entry.value),
         None => did_you_mean(cx.suggestions.nearest(reference.text, names), "correct the name, or restore the mesh"),

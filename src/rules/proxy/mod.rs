@@ -4,9 +4,13 @@ mod archives;
 pub(super) mod custom_weights;
 pub(super) mod delete_range;
 pub(super) mod deprecated_keyword;
+pub(super) mod extension_case;
 pub(super) mod hides_body;
+pub(super) mod keyword_after_verts;
 pub(super) mod keyword_spelling;
 mod keywords;
+pub(super) mod licence_keyword;
+pub(super) mod licence_lost;
 pub(super) mod mask_length;
 mod missing;
 pub(super) mod missing_material;
@@ -15,23 +19,30 @@ pub(super) mod missing_name;
 pub(super) mod missing_uuid;
 pub(super) mod missing_weights;
 pub(super) mod non_finite;
+mod older;
 pub(super) mod scale;
 pub(super) mod section_keyword;
 mod sections;
 pub(super) mod shifted_rows;
+pub(super) mod special_pose;
 pub(super) mod stale_binary;
 pub(super) mod syntax;
 pub(super) mod tag;
 pub(super) mod topology;
 pub(super) mod unknown_keyword;
+pub(super) mod uvlayer;
 pub(super) mod vertex_count;
 pub(super) mod vertex_out_of_range;
 pub(super) mod weights_sum;
 pub(super) mod z_depth;
 
 use archives::{Archive, archives, lone_archives, rebuild};
+use older::needs_value;
 
-use crate::diag::{Application::Makehuman2, Case, Evidence, Level};
+use crate::diag::{
+    Application::{self, Makehuman1, Makehuman2},
+    Case, Evidence, Level,
+};
 use crate::formats::mhclo::{Clothes, Entry, Fault, FaultKind, Section};
 use crate::formats::target::MeshSize;
 use crate::repo::{Body, FileFacts, Reference, Resolution, Worn, parent};
@@ -39,6 +50,8 @@ use crate::repo::{Body, FileFacts, Reference, Resolution, Worn, parent};
 /// An asset of the checked layer with its text.
 #[derive(Clone, Copy)]
 struct Text<'b, 'v> {
+    /// Whose body wears it.
+    application: Application,
     worn: &'b Worn<'v>,
     file: &'v FileFacts,
     clothes: &'v Clothes,
@@ -52,7 +65,8 @@ fn texts<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Text<'b, 'v>> {
 /// Those of something else as well.
 fn all_texts<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Text<'b, 'v>> {
     let own = body.worn.iter().filter(|worn| body.layers.is_checked(worn.file));
-    own.filter_map(|worn| Some(Text { worn, file: worn.file, clothes: worn.clothes()? }))
+    let application = body.application();
+    own.filter_map(move |worn| Some(Text { application, worn, file: worn.file, clothes: worn.clothes()? }))
 }
 
 impl<'v> Text<'_, 'v> {
@@ -78,16 +92,39 @@ impl<'v> Text<'_, 'v> {
         (self.clothes.rows.mesh == Some(size)).then_some(size)
     }
 
+    /// Whether `MakeHuman` 1 wears it, which reads some lines otherwise than its successor.
+    fn is_makehuman1(&self) -> bool {
+        self.application == Makehuman1
+    }
+
     /// A fault at which the loader stops, before anything is put on.
     fn stops(&self) -> bool {
         use FaultKind::{DeleteWord, FieldCount, NotWhole, OldFormat, OpenRange, RowWord, ScaleWord, ShortScale};
-        let stops = |fault: &Fault| {
+        let stops = |kind| {
             matches!(
-                fault.kind,
+                kind,
                 DeleteWord | FieldCount(_) | NotWhole | OldFormat | OpenRange | RowWord | ScaleWord | ShortScale
             )
         };
-        self.clothes.faults.iter().any(stops)
+        match self.application {
+            Makehuman1 => older::stops(self),
+            _ => self.clothes.faults.iter().any(|fault| stops(fault.kind)),
+        }
+    }
+
+    /// The first few faults of one kind, and how many there are.
+    fn faults(&self, is_wanted: impl Fn(FaultKind) -> bool) -> Option<(Vec<&'v Fault>, u64)> {
+        let (faults, count) = self.clothes.faults.of(is_wanted)?;
+        match self.application {
+            Makehuman1 => older::meant(self, faults, count),
+            _ => Some((faults.iter().collect(), count)),
+        }
+    }
+
+    /// The last line of a keyword that has a value and that the application knows.
+    fn last(&self, keyword: &str) -> Option<&'v Entry> {
+        let is_known = |entry: &&Entry| self.application != Makehuman1 || !entry.has_colon;
+        self.clothes.all(keyword).rev().find(is_known)
     }
 
     /// Whether the section of the rows was ever opened.
@@ -115,7 +152,7 @@ fn is_unwalked(body: &Body<'_>, reference: &Reference<'_>) -> bool {
 }
 
 /// How many lines have a fault, with the first of them.
-fn lines(faults: &[Fault], count: u64) -> Evidence {
+fn lines(faults: &[&Fault], count: u64) -> Evidence {
     let told = Evidence::of_unnamed(faults.iter().map(|fault| format!("line {}", fault.line)));
     Evidence { count, ..told }
 }
@@ -132,6 +169,15 @@ pub(super) const STOPS_WITH_INDEX: &str =
 pub(super) const STOPS_WITH_OVERFLOW: &str =
     "crashes with `OverflowError` when the asset is put on; models that wear it load only in part";
 
-const VALUE: Case = &[(Makehuman2, Level::Error, STOPS_WITH_VALUE)];
-const INDEX: Case = &[(Makehuman2, Level::Error, STOPS_WITH_INDEX)];
-const OVERFLOW: Case = &[(Makehuman2, Level::Error, STOPS_WITH_OVERFLOW)];
+const VALUE: Case = &[
+    (Makehuman2, Level::Error, STOPS_WITH_VALUE),
+    (Makehuman1, Level::Error, "does not put the asset on: `ValueError` when it reads the file"),
+];
+const INDEX: Case = &[
+    (Makehuman2, Level::Error, STOPS_WITH_INDEX),
+    (Makehuman1, Level::Error, "does not put the asset on: `IndexError` when it reads the file"),
+];
+const OVERFLOW: Case = &[
+    (Makehuman2, Level::Error, STOPS_WITH_OVERFLOW),
+    (Makehuman1, Level::Error, "does not put the asset on: no vertex has this number"),
+];

@@ -2,12 +2,16 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{lone_archives, texts};
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, Place, RuleInfo,
+};
 use crate::formats::mhclo::RowFacts;
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "loses the vertex; the glTF export of the whole figure crashes with `ValueError`")],
+    breaks: &[(Makehuman2, "loses the vertex; the glTF export of the whole figure crashes with `ValueError`"), (Makehuman1, "loses the vertex: it is nowhere")],
+    levels: &[(Makehuman1, Level::Warning)],
     docs: "A weight or an offset of a vertex row is `nan` or infinite.\n\n\
         Python reads `nan` and `inf` as numbers, so the asset can be put on, but the vertex is nowhere. The glTF export \
         of a figure that wears the asset crashes with `ValueError`.\n\n\

@@ -2,14 +2,17 @@
 
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
-use super::{INDEX, Text, VALUE, texts};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use super::{INDEX, Text, VALUE, older, texts};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::mhclo::{FaultKind, Scale};
 use crate::formats::python_float;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "does not scale the offsets: the asset stands off small figures and cuts into large ones")],
+    breaks: &[(Makehuman2, "does not scale the offsets: the asset stands off small figures and cuts into large ones"), (Makehuman1, "scales the offsets along the axis by another number than written")],
     docs: "`x_scale`, `y_scale` and `z_scale` name two vertices of the base mesh and the distance that they had along \
         the axis when the asset was made. MakeHuman 2 divides their distance on the figure by that number, and scales \
         the offsets of all rows with it.\n\n\
@@ -21,16 +24,24 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         - A line with too few words crashes with `IndexError`, one with a word in it with `ValueError`, both when the \
         asset is put on. A vertex beyond the mesh crashes with `IndexError`, a distance of `nan` in the glTF export.\n\
         - A negative vertex counts from the end.\n\n\
-        Topologies are never scaled. Assets whose rows have no offsets need no scale.\n\n\
+        Topologies are never scaled. Assets whose rows have no offsets need no scale.\n\nMakeHuman 1 needs all three lines or none: with one or two it does not put the asset on. It divides by the distance as it is written, also by 0 or a negative one.\n\n\
         Export the asset again, or correct the lines.",
     ..RuleInfo::new("proxy-scale", Level::Warning, "a scale that is not applied as written")
 });
 
-const FLAT: Case = &[(Makehuman2, Level::Warning, "scales by 0: all offsets along the axis vanish")];
+const FLAT: Case = &[
+    (Makehuman2, Level::Warning, "scales by 0: all offsets along the axis vanish"),
+    (Makehuman1, Level::Warning, "scales by 0: all offsets along the axis vanish"),
+];
 const OTHER: Case = &[(Makehuman2, Level::Warning, "scales all offsets along the axis by a wrong factor")];
-const LOST: Case =
-    &[(Makehuman2, Level::Error, "loses all vertices; the glTF export of the figure crashes with `ValueError`")];
-const FROM_END: Case = &[(Makehuman2, Level::Warning, "counts from the end and scales by another distance")];
+const LOST: Case = &[
+    (Makehuman2, Level::Error, "loses all vertices; the glTF export of the figure crashes with `ValueError`"),
+    (Makehuman1, Level::Warning, "loses all vertices: they are nowhere"),
+];
+const FROM_END: Case = &[
+    (Makehuman2, Level::Warning, "counts from the end and scales by another distance"),
+    (Makehuman1, Level::Warning, "counts from the end and scales by another distance"),
+];
 
 const AXES: [&str; 3] = ["x_scale", "y_scale", "z_scale"];
 /// Below this the loader turns scaling off.
@@ -61,13 +72,17 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             }
             first
         }));
-        out.extend(missing(&text).filter(|_| has_offsets));
+        out.extend(missing(&text).filter(|_| has_offsets || text.is_makehuman1()));
+        out.extend(older::shear(&text).map(|(entry, message)| {
+            let finding = RULE.at(text.file, Place::Line(entry.line), message).key("shear").case(older::NO_SHEAR);
+            finding.help("keep the scale or the shear lines")
+        }));
     }
 }
 
 fn unreadable(text: &Text<'_, '_>) -> Option<Finding> {
-    let short = text.clothes.faults.of(|kind| kind == FaultKind::ShortScale).and_then(|(faults, _)| faults.first());
-    let word = text.clothes.faults.of(|kind| kind == FaultKind::ScaleWord).and_then(|(faults, _)| faults.first());
+    let short = text.faults(|kind| kind == FaultKind::ShortScale).and_then(|(faults, _)| faults.first().copied());
+    let word = text.faults(|kind| kind == FaultKind::ScaleWord).and_then(|(faults, _)| faults.first().copied());
     let finding = match (short, word) {
         (Some(fault), _) => {
             let message = format!("`{}` needs two vertices and a distance", fault.word);
@@ -91,7 +106,10 @@ fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Op
     if scale.distance.is_nan() {
         return Some(told(format!("the distance of `{name}` is not a number")).case(LOST).help(help));
     }
-    if scale.distance < SMALLEST {
+    if let Some((message, case)) = older::distance(text, name, scale.distance) {
+        return Some(told(message).case(case).help(help));
+    }
+    if scale.distance < SMALLEST && !text.is_makehuman1() {
         return Some(
             told(format!("the distance of `{name}` is {}, below {}", length(scale.distance), length(SMALLEST)))
                 .help(help),
@@ -116,7 +134,8 @@ fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Op
     if a != b && distance >= NOTHING {
         let message =
             format!("`{name}` says {}, but its vertices are {} apart", length(scale.distance), length(distance));
-        return (!USUAL.contains(&share)).then(|| told(message).case(OTHER).help(help));
+        // The author of an asset for MakeHuman 1 measures on a figure of his own.
+        return (!text.is_makehuman1() && !USUAL.contains(&share)).then(|| told(message).case(OTHER).help(help));
     }
     let message = if a == b {
         format!("`{name}` names vertex {a} twice")
@@ -126,20 +145,18 @@ fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Op
     Some(told(message).case(FLAT).help(names))
 }
 
-/// Some axes have a line and others have none.
 fn missing(text: &Text<'_, '_>) -> Option<Finding> {
-    let is_there = |axis: &&&str| text.clothes.last(axis).is_some();
+    let is_there = |axis: &&&str| text.last(axis).is_some();
     let written = AXES.iter().find(is_there)?;
     let lacking = AXES.iter().find(|axis| !is_there(axis))?;
-    // A misspelt one has a finding of its own.
     if text.misspelt(lacking).is_some() || text.has_hidden(lacking) {
         return None;
     }
     let empty = text.clothes.entries.iter().find(|entry| &*entry.keyword == *lacking && !entry.is_comment);
     let (line, message) = match empty {
         Some(entry) => (entry.line, format!("`{lacking}` has no values")),
-        None => (text.clothes.last(written)?.line, format!("`{lacking}` is missing beside `{written}`")),
+        None => (text.last(written)?.line, format!("`{lacking}` is missing beside `{written}`")),
     };
-    let finding = RULE.at(text.file, Place::Line(line), message).key(*lacking);
+    let finding = RULE.at(text.file, Place::Line(line), message).key(*lacking).case(older::SCALE_ALONE);
     Some(finding.help("write a line for each of the three axes, or for none"))
 }

@@ -3,35 +3,44 @@
 use super::super::{Check, Rule, RuleCx};
 use super::sections::{keyword_below_list, misspelt_list};
 use super::{INDEX, Text, VALUE, lines, more, texts};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::mhclo::{Entry, FaultKind};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "reads the numbers as something else and crashes when the asset is put on")],
+    breaks: &[(Makehuman2, "reads the numbers as something else and crashes when the asset is put on"), (Makehuman1, "reads the numbers as something else and does not put the asset on")],
     docs: "`verts` opens the vertex rows of an asset, `delete_verts` the list of body vertices that it hides. One of \
         the two is misspelt, missing or in the wrong place. Capitals count: `Verts` is not `verts`.\n\n\
         Without `verts` MakeHuman 2 has no rows and crashes with `IndexError`. Without `delete_verts` it reads \
         the list as vertex rows and crashes at the first dash, or because there are more rows than vertices. Below \
         `delete_verts` every line must consist of numbers until `verts`: a keyword there, such as `name`, crashes \
-        with `ValueError`.\n\n\
+        with `ValueError`.\n\nMakeHuman 1 does not put such an asset on. It knows its keywords wherever they stand, also below `delete_verts`.\n\n\
         Write the keyword in a line of its own above its numbers, and put `delete_verts` at the end of the file.",
     ..RuleInfo::new("proxy-section-keyword", Level::Error, "a section keyword is misspelt, missing or misplaced")
 });
 
 /// The rows go on, and the numbers of the list are rows as well.
-const MORE_ROWS: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "reads the list as vertex rows and crashes when the asset is put on; models that wear it load only in part",
-)];
+const MORE_ROWS: Case = &[
+    (
+        Makehuman2,
+        Level::Error,
+        "reads the list as vertex rows and crashes when the asset is put on; models that wear it load only in part",
+    ),
+    (Makehuman1, Level::Error, "does not put the asset on: it reads the keyword as a vertex row"),
+];
 
 /// Rows that nobody reads.
-const ABOVE: Case = &[(
-    Makehuman2,
-    Level::Warning,
-    "ignores the line: every vertex gets the row of a later one, and the last vertices have none",
-)];
+const ABOVE: Case = &[
+    (
+        Makehuman2,
+        Level::Warning,
+        "ignores the line: every vertex gets the row of a later one, and the last vertices have none",
+    ),
+    (Makehuman1, Level::Error, "ignores the line and does not put the asset on, as rows and vertices differ in number"),
+];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
@@ -43,27 +52,28 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn above(text: &Text<'_, '_>) -> Option<Finding> {
-    let (faults, count) = text.clothes.faults.of(|kind| kind == FaultKind::NumbersInHeader)?;
+    let (faults, count) = text.faults(|kind| kind == FaultKind::NumbersInHeader)?;
     // The numbers of an old section belong to it.
-    let is_old = text.clothes.faults.of(|kind| kind == FaultKind::OldFormat).is_some();
+    let is_old = text.faults(|kind| kind == FaultKind::OldFormat).is_some();
     let first = faults.first().filter(|_| text.has_rows_section() && !is_old)?;
     let message = format!("a line of numbers is above `verts`{}", more(count));
     let case = if text.clothes.rows.count == 0 { INDEX } else { ABOVE };
     let finding = RULE.at(text.file, Place::Line(first.line), message).key("above").case(case);
-    Some(finding.help("move `verts` above all vertex rows").evidence(lines(faults, count)))
+    Some(finding.help("move `verts` above all vertex rows").evidence(lines(&faults, count)))
 }
 
 fn rows(text: &Text<'_, '_>) -> Option<Finding> {
     if text.has_rows_section() || text.has_hidden("verts") {
         return None;
     }
-    let numbers = text.clothes.faults.of(|kind| kind == FaultKind::NumbersInHeader);
+    let numbers = text.faults(|kind| kind == FaultKind::NumbersInHeader);
     if let Some(entry) = text.misspelt("verts") {
         let message = format!("`{}` is not the keyword `verts`: the asset has no vertex rows", entry.keyword);
         return Some(told(text, entry, message, INDEX).help("write `verts`"));
     }
     let message = "the keyword `verts` is missing: the asset has no vertex rows";
-    let place = numbers.and_then(|(faults, _)| faults.first()).map_or(Place::File, |fault| Place::Line(fault.line));
+    let place =
+        numbers.as_ref().and_then(|(faults, _)| faults.first()).map_or(Place::File, |fault| Place::Line(fault.line));
     let help = if numbers.is_some() { "add a line `verts` above the vertex rows" } else { "export the asset again" };
     Some(RULE.at(text.file, place, message).key("verts").case(INDEX).help(help))
 }
@@ -76,7 +86,7 @@ fn list(text: &Text<'_, '_>) -> Option<Finding> {
 
 /// A range is no row.
 fn dash_among_rows(text: &Text<'_, '_>) -> Option<Finding> {
-    let (faults, _) = text.clothes.faults.of(|kind| kind == FaultKind::RowWord)?;
+    let (faults, _) = text.faults(|kind| kind == FaultKind::RowWord)?;
     let first = faults.iter().find(|fault| &*fault.word == "-")?;
     let message = "a range of vertices is among the vertex rows: `delete_verts` is missing above it";
     let finding = RULE.at(text.file, Place::Line(first.line), message).key("delete_verts").case(VALUE);

@@ -1,15 +1,15 @@
 //! Which lines of an asset stand in another section than they are meant for.
 
 use super::Text;
+use super::keywords::known_to_makehuman1;
+use crate::diag::Application::Makehuman1;
 use crate::formats::mhclo::{Entry, FaultKind, Section};
 
 /// The first line from which on rows are meant as something else; beyond the end if there is none.
 pub(super) fn misplaced_from(text: &Text<'_, '_>) -> u32 {
     let misspelt = misspelt_list(text).map(|entry| entry.line);
     let dash = text
-        .clothes
-        .faults
-        .of(|kind| kind == FaultKind::RowWord)
+        .faults(|kind| kind == FaultKind::RowWord)
         .and_then(|(faults, _)| faults.iter().find(|fault| &*fault.word == "-").map(|fault| fault.line));
     misspelt.into_iter().chain(dash).min().unwrap_or(u32::MAX)
 }
@@ -21,7 +21,7 @@ pub(super) fn has_no_rows(text: &Text<'_, '_>) -> bool {
 
 /// How many lines of numbers stand above `verts`, where nothing reads them.
 pub(super) fn rows_above(text: &Text<'_, '_>) -> u64 {
-    let above = text.clothes.faults.of(|kind| kind == FaultKind::NumbersInHeader);
+    let above = text.faults(|kind| kind == FaultKind::NumbersInHeader);
     above.filter(|_| text.has_rows_section()).map_or(0, |(_, count)| count)
 }
 
@@ -32,7 +32,10 @@ pub(super) fn misspelt_list<'v>(text: &Text<'_, 'v>) -> Option<&'v Entry> {
 
 /// The first line in the list that begins with a letter.
 pub(super) fn keyword_below_list<'v>(text: &Text<'_, 'v>) -> Option<&'v Entry> {
-    let in_list = |entry: &&Entry| entry.section == Section::Deleted && &*entry.keyword != "delete_verts";
+    // MakeHuman 1 knows its keywords wherever they stand.
+    let is_read = |entry: &Entry| text.application == Makehuman1 && known_to_makehuman1(&entry.keyword);
+    let in_list =
+        |entry: &&Entry| entry.section == Section::Deleted && &*entry.keyword != "delete_verts" && !is_read(entry);
     let mut entries = text.clothes.entries.iter().filter(|entry| !entry.is_comment);
     entries.find(|entry| in_list(entry) && entry.keyword.starts_with(char::is_alphabetic))
 }

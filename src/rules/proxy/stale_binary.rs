@@ -101,7 +101,7 @@ fn kinds(archive: &Archive<'_, '_>, text: &Text<'_, '_>) -> Vec<&'static str> {
 }
 
 fn depth(text: &Text<'_, '_>) -> i64 {
-    let written = text.clothes.last("z_depth").and_then(|entry| python_int(entry.word().as_bytes()));
+    let written = text.last("z_depth").and_then(|entry| python_int(entry.word().as_bytes()));
     if text.worn.is_topology() { 1 } else { written.unwrap_or(50) }
 }
 

@@ -1,13 +1,17 @@
 //! Numbers must be where numbers belong.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{INDEX, Text, VALUE, all_texts, lines, more, sections, texts};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use super::{INDEX, Text, VALUE, all_texts, lines, more, needs_value, sections, texts};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::mhclo::{Fault, FaultKind};
+use crate::formats::python_int;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes when the asset is put on")],
+    breaks: &[(Makehuman2, "crashes when the asset is put on"), (Makehuman1, "does not put the asset on")],
     docs: "A line of an asset lacks numbers, or has something else in their place.\n\n\
         A vertex row below `verts` is one number (a vertex of the base mesh), or three of these with three weights, \
         or both with three offsets: 1, 6 or 9 words. Further words are ignored. Numbers have a decimal point, no \
@@ -15,13 +19,15 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         MakeHuman 2 crashes at the first such line when the asset is put on. A model that wears the asset stops \
         loading there: what it names after it is missing, and none of its sliders is set. If it is the start model, \
         MakeHuman 2 crashes at start.\n\n\
-        A comment line with `author` in it needs a second word: `# author Ann`.\n\n\
+        A comment line with `author` in it needs a second word: `# author Ann`.\n\nMakeHuman 1 lists the asset and does not put it on. It also needs a value behind `material`, `z_depth` and the scales.\n\n\
         Correct the line, or export the asset again.",
     ..RuleInfo::new("proxy-syntax", Level::Error, "a line of an asset cannot be read")
 });
 
-const NO_ASSET: Case =
-    &[(Makehuman2, Level::Error, "lists an asset without a name, and crashes with `AttributeError` when it is put on")];
+const NO_ASSET: Case = &[
+    (Makehuman2, Level::Error, "lists an asset without a name, and crashes with `AttributeError` when it is put on"),
+    (Makehuman1, Level::Error, "does not put the asset on"),
+];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in all_texts(body).filter(|text| !text.is_asset()) {
@@ -34,14 +40,15 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.extend(short_rows(&text));
         out.extend(whole_numbers(&text));
         out.extend(lone_author(&text));
+        out.extend(without_value(&text));
     }
 }
 
 /// The rows with a fault, without those that belong to a section whose keyword is wrong.
-fn of_rows<'t>(text: &'t Text<'_, '_>, wanted: fn(FaultKind) -> bool) -> Option<(Vec<&'t Fault>, u64)> {
-    let (faults, count) = text.clothes.faults.of(wanted)?;
+fn of_rows<'v>(text: &Text<'_, 'v>, wanted: fn(FaultKind) -> bool) -> Option<(Vec<&'v Fault>, u64)> {
+    let (faults, count) = text.faults(wanted)?;
     let end = sections::misplaced_from(text);
-    let own: Vec<&Fault> = faults.iter().filter(|fault| fault.line < end).collect();
+    let own: Vec<&Fault> = faults.into_iter().filter(|fault| fault.line < end).collect();
     if own.is_empty() { None } else { Some((own, if end == u32::MAX { count } else { 1 })) }
 }
 
@@ -54,7 +61,7 @@ fn row_words(text: &Text<'_, '_>) -> Option<Finding> {
         word if word.starts_with('#') => "move the comment to a line of its own",
         _ => "write a number",
     };
-    Some(told(text, first, message, VALUE, help).evidence(lines(&cloned(&faults), count)))
+    Some(told(text, first, message, VALUE, help).evidence(lines(&faults, count)))
 }
 
 fn short_rows(text: &Text<'_, '_>) -> Option<Finding> {
@@ -63,19 +70,36 @@ fn short_rows(text: &Text<'_, '_>) -> Option<Finding> {
     let FaultKind::FieldCount(words) = first.kind else { return None };
     let message = format!("a vertex row has {words} words, expected 1, 6 or 9{}", more(count));
     let help = "restore the missing numbers, or export the asset again";
-    Some(told(text, first, message, INDEX, help).key("words").evidence(lines(&cloned(&faults), count)))
+    Some(told(text, first, message, INDEX, help).key("words").evidence(lines(&faults, count)))
 }
 
 fn whole_numbers(text: &Text<'_, '_>) -> Option<Finding> {
-    let (faults, _) = text.clothes.faults.of(|kind| kind == FaultKind::NotWhole)?;
+    let pole =
+        text.last("max_pole").filter(|entry| text.is_makehuman1() && python_int(entry.word().as_bytes()).is_none());
+    if let Some(entry) = pole {
+        let message = format!("`{}` of `max_pole` is not a whole number", entry.word());
+        let finding = RULE.at(text.file, Place::Span(entry.word_span()), message).key("max_pole").case(VALUE);
+        return Some(finding.help("write a whole number"));
+    }
+    let (faults, _) = text.faults(|kind| kind == FaultKind::NotWhole)?;
     let first = faults.first()?;
     let entry = text.clothes.entries.iter().find(|entry| entry.line == first.line)?;
     let message = format!("`{}` of `{}` is not a whole number", first.word, entry.keyword);
     Some(told(text, first, message, VALUE, "write a whole number").key(&*entry.keyword))
 }
 
+/// MakeHuman 1 reads the word behind these keywords, whether there is one or not.
+fn without_value(text: &Text<'_, '_>) -> Option<Finding> {
+    let (faults, _) = text.faults(|kind| kind == FaultKind::MissingValue).filter(|_| text.is_makehuman1())?;
+    // A missing mesh has a finding of its own.
+    let of_own = |fault: &&&Fault| needs_value(&fault.word) && &*fault.word != "obj_file";
+    let first = faults.iter().find(of_own)?;
+    let message = format!("`{}` has no value", first.word);
+    Some(told(text, first, message, INDEX, "write the value, or remove the line").key(&*first.word))
+}
+
 fn lone_author(text: &Text<'_, '_>) -> Option<Finding> {
-    let comment = text.clothes.scanned.lone_author.as_ref()?;
+    let comment = text.clothes.scanned.lone_author.as_ref().filter(|_| !text.is_makehuman1())?;
     let message = format!("the comment `{}` has `author` in it but no second word", comment.text);
     let finding = RULE.at(text.file, Place::Span(comment.span.clone()), message).key("author").case(INDEX);
     Some(finding.help("write `# author` with a name behind it, or remove the comment"))
@@ -83,8 +107,4 @@ fn lone_author(text: &Text<'_, '_>) -> Option<Finding> {
 
 fn told(text: &Text<'_, '_>, fault: &Fault, message: String, case: Case, help: &str) -> Finding {
     RULE.at(text.file, Place::Span(fault.span.clone()), message).case(case).help(help)
-}
-
-fn cloned(faults: &[&Fault]) -> Vec<Fault> {
-    faults.iter().map(|fault| (*fault).clone()).collect()
 }

@@ -19,7 +19,7 @@ const MATERIAL: Case = &[(Makehuman2, Level::Warning, "never uses the material: 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body).filter(|text| text.worn.is_topology() && !text.stops()) {
         let is_told = sections::misspelt_list(&text).is_some();
-        if text.clothes.deleted.is_empty() && !is_told && text.clothes.last("obj_file").is_some() {
+        if text.clothes.deleted.is_empty() && !is_told && text.last("obj_file").is_some() {
             let finding =
                 RULE.at(text.file, Place::File, "`delete_verts` is missing: the topology does not hide the skin");
             out.push(
@@ -31,7 +31,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn material(text: &Text<'_, '_>) -> Option<Finding> {
-    let entry = text.clothes.last("material")?;
+    let entry = text.last("material")?;
     let finding = RULE.at(text.file, Place::Span(entry.word_span()), "a topology has no material of its own");
     Some(finding.key("material").case(MATERIAL).help("remove the line, and use a skin for its look"))
 }

@@ -2,31 +2,47 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{keywords, texts};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, Place, RuleInfo,
+};
+use crate::formats::mhclo::Section;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "ignores the line")],
+    breaks: &[(Makehuman2, "ignores the line"), (Makehuman1, "ignores the line")],
     docs: "A keyword looks like one that MakeHuman 2 knows, but is spelt in another way. Capitals count.\n\n\
         MakeHuman 2 ignores the line without a message. A misspelt `material` leaves the asset white, a misspelt \
         `z_depth` puts it in another order. Keywords of other applications, such as `max_pole`, are not \
         reported.\n\n\
-        Misspelt `name`, `uuid`, `obj_file`, `verts` and `delete_verts` have rules of their own.\n\n\
+        Misspelt `name`, `uuid`, `obj_file`, `verts` and `delete_verts` have rules of their own.\n\nMakeHuman 1 logs a warning and ignores the line, also one whose keyword has a colon behind it.\n\n\
         Correct the keyword.",
     ..RuleInfo::new("proxy-unknown-keyword", Level::Warning, "a misspelt keyword")
 });
 
-const HARMLESS: Case = &[(Makehuman2, Level::Info, "ignores the line, which is only for readers")];
+const HARMLESS: Case = &[
+    (Makehuman2, Level::Info, "ignores the line, which is only for readers"),
+    (Makehuman1, Level::Info, "ignores the line, which is only for readers"),
+];
 
 /// Those of which the loss has a rule of its own.
 const TOLD: [&str; 6] = ["name", "uuid", "obj_file", "verts", "delete_verts", "tag"];
 
+const LOST: [&str; 4] = ["uuid", "obj_file", "verts", "delete_verts"];
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
         for entry in &text.clothes.entries {
-            let Some(meant) = keywords::meant(entry).filter(|meant| !TOLD.contains(meant)) else { continue };
+            // Below `verts` the line is a row to MakeHuman 1, and has a finding of its own.
+            let is_row = || entry.section != Section::Header || keywords::is_licence(entry);
+            let is_told = |meant: &&str| {
+                if text.is_makehuman1() { LOST.contains(meant) || is_row() } else { TOLD.contains(meant) }
+            };
+            let Some(meant) = keywords::meant_in(text.application, entry).filter(|meant| !is_told(meant)) else {
+                continue;
+            };
             // With a line of the right keyword nothing is missing.
-            let is_there = text.clothes.last(meant).is_some();
+            let is_there = text.last(meant).is_some();
             let message = format!("unknown keyword `{}`", entry.keyword);
             let finding = RULE.at(text.file, Place::Span(entry.keyword_span.clone()), message).key(&*entry.keyword);
             let finding = if is_there || keywords::is_harmless(meant) { finding.case(HARMLESS) } else { finding };

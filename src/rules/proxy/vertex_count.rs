@@ -2,17 +2,20 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{STOPS_WITH_INDEX, Text, sections, texts};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::mhclo::FaultKind;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, STOPS_WITH_INDEX)],
+    breaks: &[(Makehuman2, STOPS_WITH_INDEX), (Makehuman1, "does not put the asset on: rows and vertices differ in number")],
     docs: "The number of vertex rows of an asset differs from the number of vertices of its mesh. The rows are in the \
         order of the vertices.\n\n\
         With more rows than vertices, or none, MakeHuman 2 crashes with `IndexError` when the asset is put on. With \
         fewer rows, the last vertices stay where the OBJ has them, follow no slider, and hang on the root bone \
-        (warning).\n\n\
+        (warning).\n\nMakeHuman 1 does not put the asset on, whichever are more. With a single row all vertices are at one point (a warning).\n\n\
         Usually the mesh was exported again without the asset, or by a program that joins, splits or sorts vertices. \
         Export the asset again from this mesh, or restore the mesh.",
     ..RuleInfo::new("proxy-vertex-count", Level::Error, "rows and vertices of an asset differ in number")
@@ -24,6 +27,8 @@ const FEWER: Case = &[(
     "leaves the last vertices where the OBJ has them: they follow no slider and hang on the root bone",
 )];
 
+const SINGLE: Case = &[(Makehuman1, Level::Warning, "puts all vertices of the asset at one point")];
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body).filter(|text| !text.stops()) {
         out.extend(finding(&text));
@@ -32,6 +37,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 fn finding(text: &Text<'_, '_>) -> Option<Finding> {
     let rows = text.clothes.rows.count;
+    // To MakeHuman 1 some of them are rows.
     let dropped = text.clothes.faults.of(|kind| kind == FaultKind::DroppedRow).map_or(0, |(_, count)| count);
     let help = "export the asset again from this mesh, or restore the mesh that it was made from";
     let verts = text.clothes.entries.iter().find(|entry| &*entry.keyword == "verts");
@@ -52,10 +58,16 @@ fn finding(text: &Text<'_, '_>) -> Option<Finding> {
     if rows == vertices || rows as u64 + unread == vertices as u64 {
         return None;
     }
+    let is_makehuman1 = text.is_makehuman1();
+    // Loose vertices keep it from loading the mesh at all (`mesh-unused-vertex`).
+    if is_makehuman1 && mesh.facts.unused.count > 0 {
+        return None;
+    }
     let message = format!("{} for {} of `{}`", counted(rows, "vertex row"), vertices_of(vertices), file.file_name());
     let evidence = Evidence::counted(rows.abs_diff(vertices));
     let finding = RULE.at(text.file, place, message).related(file.path.clone(), Place::File, "the mesh");
     let finding = finding.evidence(evidence).help(help);
+    let finding = if is_makehuman1 && rows == 1 { finding.case(SINGLE) } else { finding };
     Some(if rows < vertices { finding.case(FEWER) } else { finding })
 }
 

@@ -1,29 +1,42 @@
 //! Rows and lists of an asset name vertices that the base mesh has.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{INDEX, OVERFLOW, Text, archives, rebuild, texts};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, Tally};
+use super::{OVERFLOW, STOPS_WITH_INDEX, Text, archives, rebuild, texts};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, Place, RuleInfo, Tally,
+};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
         "crashes with `IndexError` when the asset is put on, and again at every move of a slider and in the glTF export",
-    )],
+    ), (Makehuman1, "does not put the asset on: `IndexError` when it is fitted")],
     docs: "An asset names a vertex that the base mesh does not have. Vertices are counted from 0.\n\n\
         A row with such a vertex is the worst: MakeHuman 2 crashes only after the asset was added to what is worn. From \
         then on every move of a slider crashes again, and so does the glTF export, until a new character is loaded. \
         Negative numbers and those beyond 32 bits crash with `OverflowError` before that.\n\n\
         A row with the number of a UV-seam duplicate loads, but the vertex flies to another place (warning).\n\n\
         Below `delete_verts` a number beyond the last vertex crashes with `IndexError`, UV-seam duplicates included. \
-        Negative numbers count from the end (warning).\n\n\
+        Negative numbers count from the end (warning).\n\nMakeHuman 1 does not put the asset on; it has no UV-seam duplicates.\n\n\
         Usually the asset was made for another base mesh: `basemesh` is not compared. Use the asset with its own base, \
         or export it again for this one.",
     ..RuleInfo::new("proxy-vertex-out-of-range", Level::Error, "an asset uses a vertex that the base mesh does not have")
 });
 
-const SEAM: Case = &[(Makehuman2, Level::Warning, "puts the vertex at the place of a UV-seam duplicate")];
-const FROM_END: Case = &[(Makehuman2, Level::Warning, "counts from the end and hides another vertex")];
+const SEAM: Case = &[
+    (Makehuman2, Level::Warning, "puts the vertex at the place of a UV-seam duplicate"),
+    (Makehuman1, Level::Error, "does not put the asset on: `IndexError` when it is fitted"),
+];
+const LIST: Case = &[
+    (Makehuman2, Level::Error, STOPS_WITH_INDEX),
+    (Makehuman1, Level::Error, "does not put the asset on: `IndexError` when it reads the list"),
+];
+const FROM_END: Case = &[
+    (Makehuman2, Level::Warning, "counts from the end and hides another vertex"),
+    (Makehuman1, Level::Warning, "counts from the end and hides another vertex"),
+];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body).filter(|text| !text.stops()) {
@@ -37,7 +50,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let seams = seam(&text, &rows.in_seams, size.vertices);
         out.extend(seams.filter(|_| rows.out_of_range.count == 0));
         let hidden = finding(&text, &deletes.out_of_range, "`delete_verts`", last);
-        out.extend(hidden.map(|one| one.key("deleted").case(INDEX)));
+        out.extend(hidden.map(|one| one.key("deleted").case(LIST)));
         out.extend(negative(&text, &deletes.negative));
     }
     for archive in archives(body) {

@@ -2,11 +2,17 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::texts;
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, Place, RuleInfo,
+};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "pulls the vertex towards the origin of the world, away from the body")],
+    breaks: &[
+        (Makehuman2, "pulls the vertex towards the origin of the world, away from the body"),
+        (Makehuman1, "pulls the vertex towards the origin of the world, away from the body"),
+    ],
     docs: "The three weights of a vertex row do not sum to 1.\n\n\
         MakeHuman 2 uses them as they are. A sum of 0.9 moves the vertex by a tenth of its distance from the origin, \
         which lies between the feet: hardly noticeable at a shoe, but 15 cm (1.5) at the head. A sum of 0 puts it at \
@@ -16,7 +22,10 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("proxy-weights-sum", Level::Warning, "the weights of a vertex row do not sum to 1")
 });
 
-const SMALL: Case = &[(Makehuman2, Level::Info, "moves the vertices by a few millimetres at most")];
+const SMALL: Case = &[
+    (Makehuman2, Level::Info, "moves the vertices by a few millimetres at most"),
+    (Makehuman1, Level::Warning, "pulls the vertices towards the origin, by a few millimetres at most"),
+];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body).filter(|text| !text.stops()) {

@@ -35,7 +35,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body).filter(|text| !text.stops()) {
         out.extend(without_value(&text));
         let Some(depth) = depth(&text) else { continue };
-        let Some(entry) = text.clothes.last("z_depth") else { continue };
+        let Some(entry) = text.last("z_depth") else { continue };
         let told = |message: String| RULE.at(text.file, Place::Span(entry.word_span()), message);
         if i32::try_from(depth).is_err() {
             let finding = told(format!("`z_depth {}` is beyond 32 bits", entry.word()));
@@ -66,13 +66,13 @@ fn is_hair(text: &Text<'_, '_>) -> bool {
 }
 
 fn depth(text: &Text<'_, '_>) -> Option<i64> {
-    python_int(text.clothes.last("z_depth")?.word().as_bytes())
+    python_int(text.last("z_depth")?.word().as_bytes())
 }
 
 fn without_value(text: &Text<'_, '_>) -> Option<Finding> {
     let entries = &text.clothes.entries;
     let empty = entries.iter().find(|entry| &*entry.keyword == "z_depth" && entry.value.is_empty())?;
-    if text.clothes.last("z_depth").is_some() || text.worn.is_topology() {
+    if text.last("z_depth").is_some() || text.worn.is_topology() {
         return None;
     }
     let finding = RULE.at(text.file, Place::Span(empty.keyword_span.clone()), "`z_depth` has no value");

@@ -26,6 +26,7 @@ mod shown;
 pub(super) mod splits_joint_cube;
 pub(super) mod stale_binary;
 pub(super) mod syntax;
+pub(super) mod token_conflict;
 mod unreadable_fields;
 pub(super) mod unreferenced;
 mod user_pairs;

@@ -4,7 +4,7 @@ use super::super::units::short;
 use super::super::{Check, Rule, RuleCx};
 use super::{Tallied, tallied, weigh, worst};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2, Mpfb},
+    Application::{Makehuman2, Mpfb},
     Case, Finding, Level, RuleInfo,
 };
 use crate::repo::Body;
@@ -13,8 +13,8 @@ const USUAL: &str = "divides the weights of the vertex by their sum: per cent co
     small ones does not";
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, USUAL), (Makehuman1, USUAL), (Mpfb, "reads the weight as 1")],
-    levels: &[(Makehuman2, Level::Info), (Makehuman1, Level::Info)],
+    breaks: &[(Makehuman2, USUAL), (Mpfb, "reads the weight as 1")],
+    levels: &[(Makehuman2, Level::Info)],
     docs: "A weight is larger than 1. It says how much of a vertex moves with a bone, from 0 to 1; a larger \
         number is usually a percentage or a misplaced decimal point. Up to 1.0001 counts as 1.\n\n\
         MakeHuman 2 divides all weights of a vertex by their sum. Weights in per cent come out as they were painted; one \
@@ -27,7 +27,6 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 const ALONE: Case = &[
     (Makehuman2, Level::Info, BY_ITSELF),
-    (Makehuman1, Level::Info, BY_ITSELF),
     (Mpfb, Level::Info, "reads the only weight of the vertex as 1, which changes nothing"),
 ];
 const BY_ITSELF: &str = "divides the only weight of the vertex by itself, which changes nothing";

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{is_empty, readable};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2, Mpfb},
+    Application::{Makehuman2, Mpfb},
     Evidence, Finding, Level, Place, RuleInfo,
 };
 use crate::repo::Body;
@@ -11,7 +11,6 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "treats the bone as if the file did not list it: it moves no vertex"),
-        (Makehuman1, "gives the bone no weights: it moves no vertex"),
         (Mpfb, "creates no vertex group for the bone: it moves no vertex"),
     ],
     docs: "A bone has an empty list of weights.\n\n\

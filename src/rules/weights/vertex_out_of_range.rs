@@ -26,8 +26,14 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 const NEGATIVE: Case = &[(Makehuman2, Level::Error, "crashes with `OverflowError` while loading the weights")];
 
-const OF_ASSET: Case = &[(Makehuman2, Level::Error, STOPS_WITH_INDEX)];
-const OF_ASSET_NEGATIVE: Case = &[(Makehuman2, Level::Error, STOPS_WITH_OVERFLOW)];
+const OF_ASSET: Case = &[
+    (Makehuman2, Level::Error, STOPS_WITH_INDEX),
+    (Makehuman1, Level::Error, "puts the asset on; every pose raises `ValueError`"),
+];
+const OF_ASSET_NEGATIVE: Case = &[
+    (Makehuman2, Level::Error, STOPS_WITH_OVERFLOW),
+    (Makehuman1, Level::Error, "does not put the asset on: `IndexError` when it reads the weights"),
+];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(worn::all(body).filter_map(|own| of_asset(&own)));

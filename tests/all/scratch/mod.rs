@@ -219,8 +219,13 @@ pub fn content(root: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 
 /// A copy of the example repository in a folder that goes away.
 pub fn example() -> tempfile::TempDir {
+    example_of("makehuman2")
+}
+
+/// A copy of the example repository of an application.
+pub fn example_of(application: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    copy_folder(&project("fixtures/makehuman2"), folder.path());
+    copy_folder(&project("fixtures").join(application), folder.path());
     folder
 }
 

@@ -2,6 +2,7 @@
 //!
 //! `file-*`, `json-*` and `overlay-*` ask here how bad a damage is and what a user sees of it.
 
+mod makehuman1;
 mod makehuman2;
 mod makehuman2_keys;
 mod makehuman2_values;
@@ -94,7 +95,7 @@ const fn table(application: Application) -> &'static Table {
     match application {
         Makehuman2 => &makehuman2::TABLE,
         Mpfb => &mpfb::TABLE,
-        Makehuman1 => &table::UNKNOWN,
+        Makehuman1 => &makehuman1::TABLE,
     }
 }
 

@@ -90,6 +90,7 @@ pub(super) const fn nothing(damage: Damage) -> Cell {
 }
 
 /// An application of which nothing more is known: what cannot be read is missing where it is used.
+#[cfg(test)]
 pub(super) static UNKNOWN: Table = Table { rows: &[], at_moment: &[], in_general: LOST, unfound: &[] };
 
 /// What is lost with a file that cannot be read, where the application says no more.

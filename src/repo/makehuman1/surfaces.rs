@@ -1,0 +1,140 @@
+//! Materials with the files that they name, and where `MakeHuman` 1 looks for these (formats/makehuman1.md §2.2, §12).
+
+use std::collections::BTreeSet;
+
+use super::view::OWN;
+use crate::diag::Place;
+use crate::discover::{Kind, library_of};
+use crate::formats::mhmat::{Line, Material, Value, Word};
+use crate::repo::path::resolve;
+use crate::repo::surface::Picture;
+use crate::repo::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, Surface, Wearer, Worn, parent};
+use crate::source::normalized;
+
+/// The keywords of pictures that it reads, each of which the last line counts.
+const PICTURES: [&str; 7] = [
+    "diffuseTexture",
+    "bumpmapTexture",
+    "normalmapTexture",
+    "displacementmapTexture",
+    "specularmapTexture",
+    "transparencymapTexture",
+    "aomapTexture",
+];
+/// What stands for no map of texture coordinates.
+const NO_MAP: &str = "uvs/default.mhuv";
+/// A shader is any of these files.
+const SHADER_FILES: [&str; 3] = ["_vertex_shader.txt", "_fragment_shader.txt", "_geometry_shader.txt"];
+
+/// The materials of all layers, with what they name.
+pub(super) fn read<'a>(layers: Layers<'a>, worn: &[Worn<'a>]) -> (Vec<Reference<'a>>, Vec<Surface<'a>>) {
+    let named = worn.iter().filter_map(|worn| worn.reference(ReferenceKind::AssetMaterial)?.found());
+    let named: BTreeSet<&str> = named.map(|file| file.path.as_str()).collect();
+    let (mut all, mut surfaces) = (Vec::new(), Vec::new());
+    for layer in layers.strongest_first() {
+        for file in layer.files.values().filter(|file| file.kind_in(OWN) == Kind::Material) {
+            let (Some(material), Some(base)) = (file.material(), file.base_in(OWN)) else { continue };
+            let wearer = match library_of(&file.rel) {
+                Some(_) => Wearer::Skin,
+                None if named.contains(file.path.as_str()) => Wearer::Asset,
+                None => Wearer::Choice,
+            };
+            let search = Search { layers, layer, file, base };
+            let references = search.references(material);
+            surfaces.push(search.surface(material, wearer, &references));
+            all.extend(references);
+        }
+    }
+    (all, surfaces)
+}
+
+/// A material with all that is asked for the files it names.
+struct Search<'a> {
+    layers: Layers<'a>,
+    layer: &'a Layer,
+    file: &'a FileFacts,
+    base: &'a str,
+}
+
+impl<'a> Search<'a> {
+    fn references(&self, material: &'a Material) -> Vec<Reference<'a>> {
+        let picture = |keyword: &&'static str| {
+            let word = material.last(keyword)?.words.first()?;
+            Some(self.reference(ReferenceKind::Texture, word, *keyword))
+        };
+        let mut references: Vec<_> = PICTURES.iter().filter_map(picture).collect();
+        references.extend(litsphere(material).map(|word| self.reference(ReferenceKind::Texture, word, LITSPHERE)));
+        let map = material.last("uvMap").and_then(|line| line.words.first());
+        let map = map.filter(|word| word.text.trim_start_matches("data/") != NO_MAP);
+        references.extend(map.map(|word| self.reference(ReferenceKind::UvMap, word, "uvMap")));
+        references
+    }
+
+    fn reference(&self, kind: ReferenceKind, word: &'a Word, owner: &'a str) -> Reference<'a> {
+        let (rel, resolution) = self.find(&word.text);
+        let (base, from, place, text) = (self.base, self.file, Place::Span(word.span.clone()), &*word.text);
+        Reference { kind, base, from, place, text, owner, folder_at_fault: None, rel, resolution }
+    }
+
+    fn surface(&self, material: &'a Material, wearer: Wearer, references: &[Reference<'a>]) -> Surface<'a> {
+        let of = |owner: &str| references.iter().find(|one| one.owner == owner).map(picture);
+        let pictures = PICTURES.iter().filter_map(|keyword| Some((*keyword, of(keyword)?))).collect();
+        let shader = material.last("shader").and_then(|line| self.shader(line));
+        Surface { application: OWN, file: self.file, material, wearer, pictures, litsphere: of(LITSPHERE), shader }
+    }
+
+    fn shader(&self, line: &'a Line) -> Option<Picture<'a>> {
+        let word = line.words.first()?;
+        let found = SHADER_FILES.map(|ending| self.find(&format!("{}{ending}", word.text)).1);
+        let file = found.iter().find_map(|one| if let Resolution::Found(file) = one { Some(*file) } else { None });
+        let is_open = file.is_none() && found.iter().any(is_open);
+        Some(Picture { text: &word.text, place: Place::Span(word.span.clone()), file, is_open })
+    }
+
+    /// The first place with the file; without one, the place that comes nearest to it.
+    fn find(&self, text: &str) -> (String, Resolution<'a>) {
+        let mut nearest: Option<(String, Resolution<'a>)> = None;
+        for (layer, rel, text) in self.places(text) {
+            let resolution = resolve(&[layer], text, &rel);
+            let found = (normalized(&rel).unwrap_or(rel), resolution);
+            if matches!(resolution, Resolution::Found(_)) {
+                return found;
+            }
+            if nearest.as_ref().is_none_or(|(_, other)| resolution.distance() < other.distance()) {
+                nearest = Some(found);
+            }
+        }
+        let (rel, resolution) = nearest.unwrap_or((String::new(), Resolution::Missing));
+        let is_open = self.layers.system.is_none() && matches!(resolution, Resolution::Missing);
+        (rel, if is_open { Resolution::NeedsSystem } else { resolution })
+    }
+
+    /// The folder of the material, then the data of the user and of the system; at last the same without `data/` in front.
+    fn places<'w>(&self, text: &'w str) -> Vec<(&'a Layer, String, &'w str)> {
+        let own = parent(&self.file.rel);
+        let mut places = Vec::new();
+        for text in [Some(text), text.strip_prefix("data/")].into_iter().flatten() {
+            places.push((self.layer, format!("{own}/{text}"), text));
+            let shared = self.layers.strongest_first().chain(self.layers.beside);
+            places.extend(shared.map(|layer| (layer, text.to_owned(), text)));
+        }
+        places
+    }
+}
+
+const LITSPHERE: &str = "litsphereTexture";
+
+/// The name of the picture of a litsphere; numbers are none.
+fn litsphere(material: &Material) -> Option<&Word> {
+    let line = material.parameter(LITSPHERE).filter(|line| line.count == 2)?;
+    line.words.get(1).filter(|word| line.keyword.value == Value::Parameter && word.number().is_none())
+}
+
+fn picture<'a>(reference: &Reference<'a>) -> Picture<'a> {
+    let is_open = is_open(&reference.resolution);
+    Picture { text: reference.text, place: reference.place.clone(), file: reference.found(), is_open }
+}
+
+const fn is_open(resolution: &Resolution<'_>) -> bool {
+    matches!(resolution, Resolution::NeedsSystem | Resolution::Escapes | Resolution::Absolute)
+}

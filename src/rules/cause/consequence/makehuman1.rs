@@ -1,0 +1,97 @@
+//! What MakeHuman 1 does with a file of its libraries that it cannot read or find (formats/makehuman1.md §2.3, §2.5, §10
+//! to §12, §16; makehuman1-observed.md 1, 2, 4).
+
+use super::table::At::Scanned;
+use super::table::{Cell, LOST, Row, Table, anywhere, cell, level, nothing, row};
+use super::{Consequence, Damage, Moment};
+use crate::diag::Level::{Error, Info, Warning};
+use crate::discover::Kind;
+use crate::repo::ReferenceKind::{AssetMaterial, AssetMesh, AssetWeights, Texture, UvMap};
+use Damage::{Closed, Dangling, Empty, MarkedComment, MarkedWord, NotUtf8, Pointer, Refused, Special, Syntax};
+use Moment::{Scan, Use};
+
+pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_general: LOST, unfound: UNFOUND };
+
+const NOT_WORN: &str = "lists the asset and does not put it on";
+const WHITE: &str = "draws the surface with the default white material";
+const NO_SKINS: &str = "lists no skin at all: one file that cannot be read empties the list";
+const NO_POSES: &str = "lists no pose at all: one file that cannot be read empties the list";
+const NO_POSE: &str = "lists the pose and does not show it";
+const PLACEHOLDER: &str = "shows a placeholder instead of the picture";
+
+#[rustfmt::skip]
+const ROWS: &[Row] = &[
+    anywhere(Kind::Clothes, Scan, &[
+        cell(Closed, Error, NOT_WORN),
+        cell(Pointer, Error, NOT_WORN),
+        cell(Empty, Error, NOT_WORN),
+        cell(NotUtf8, Warning, "drops the bytes that are not UTF-8"),
+        cell(MarkedWord, Warning, "does not recognise the first keyword and ignores its line"),
+        cell(MarkedComment, Info, "logs an unknown keyword; the line is only a comment"),
+    ]),
+    row(Kind::Material, Scanned, Scan, &[
+        cell(NotUtf8, Error, NO_SKINS),
+        cell(Closed, Error, NO_SKINS),
+        cell(Pointer, Warning, WHITE),
+        cell(Empty, Warning, WHITE),
+        cell(MarkedWord, Warning, "does not recognise the first keyword and ignores its line"),
+        level(MarkedComment, Info),
+    ]),
+    anywhere(Kind::Material, Use, &[
+        cell(NotUtf8, Error, "does not put the asset on: its material cannot be read"),
+        cell(Pointer, Warning, WHITE),
+        cell(Empty, Warning, WHITE),
+        cell(MarkedWord, Warning, "does not recognise the first keyword and ignores its line"),
+        level(MarkedComment, Info),
+    ]),
+    anywhere(Kind::AssetMesh, Use, &[
+        cell(Closed, Error, NOT_WORN),
+        cell(Pointer, Error, NOT_WORN),
+        cell(Empty, Error, NOT_WORN),
+        cell(NotUtf8, Error, "does not put the asset on: the mesh is not UTF-8"),
+        // Glued to a vertex it drops that one, and the rows of the asset fit no longer.
+        cell(MarkedWord, Error, "drops the first line, and does not put the asset on if that is a vertex"),
+        level(MarkedComment, Info),
+    ]),
+    anywhere(Kind::AssetWeights, Use, &[
+        cell(Closed, Error, NOT_WORN),
+        cell(Pointer, Error, NOT_WORN),
+        cell(Refused, Error, NOT_WORN),
+        cell(Syntax, Error, NOT_WORN),
+        cell(NotUtf8, Error, NOT_WORN),
+        nothing(Special),
+    ]),
+    anywhere(Kind::Motion, Scan, &[
+        cell(Closed, Error, NO_POSES),
+        cell(Pointer, Error, NO_POSE),
+        cell(Empty, Error, NO_POSE),
+        cell(NotUtf8, Error, NO_POSE),
+        cell(MarkedWord, Error, NO_POSE),
+        cell(MarkedComment, Error, NO_POSE),
+    ]),
+    anywhere(Kind::MotionMeta, Scan, &[
+        cell(Closed, Error, NO_POSES),
+        cell(NotUtf8, Error, NO_POSES),
+        cell(Pointer, Warning, "shows the pose without its tags and description"),
+        cell(Empty, Info, "shows the pose without tags and description"),
+        cell(MarkedWord, Warning, "does not recognise the first keyword and ignores its line"),
+        level(MarkedComment, Info),
+    ]),
+    anywhere(Kind::Image, Use, &[
+        cell(Closed, Warning, PLACEHOLDER),
+        cell(Pointer, Warning, PLACEHOLDER),
+        cell(Empty, Warning, PLACEHOLDER),
+    ]),
+];
+
+const AT_MOMENT: &[(Moment, Cell)] =
+    &[(Scan, cell(Dangling, Error, "lists nothing of this library: a link to nothing empties the list"))];
+
+#[rustfmt::skip]
+const UNFOUND: &[(&[crate::repo::ReferenceKind], Consequence)] = &[
+    (&[AssetMesh], Consequence::new(Error, "does not put the asset on")),
+    (&[AssetWeights], Consequence::new(Error, "does not put the asset on")),
+    (&[AssetMaterial], Consequence::new(Warning, "draws the asset with the default white material")),
+    (&[Texture], Consequence::new(Warning, "logs an error and shows a placeholder instead of the picture")),
+    (&[UvMap], Consequence::new(Error, "raises `FileNotFoundError` when the material is used")),
+];

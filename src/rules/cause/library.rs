@@ -1,0 +1,10 @@
+//! What keeps the scan of a library of MakeHuman 1 from coming to its end (formats/makehuman1.md §2.5).
+
+use crate::formats::mhclo::{Clothes, Entry, Section};
+
+/// The line `uuid` without a value that the scan stops at. Below `verts` it does not look.
+pub(in crate::rules) fn empty_uuid(clothes: &Clothes) -> Option<&Entry> {
+    let is_bare = |entry: &&Entry| &*entry.keyword == "uuid" && entry.value.is_empty() && !entry.has_colon;
+    let mut head = clothes.entries.iter().filter(|entry| entry.section == Section::Header && !entry.is_comment);
+    head.find(is_bare)
+}

@@ -1,0 +1,30 @@
+//! The picture of an asset in a list must be one.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
+use crate::discover::{extension, library_extension};
+use crate::formats::picture::PictureFault;
+use crate::repo::{FileFacts, View};
+
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(Makehuman1, "shows an empty picture in the list")],
+    docs: "A `.thumb` beside an asset is not a picture, such as a text or a download that was cut off. It has to be a PNG.\n\n\
+        MakeHuman 1 shows a general picture for an asset without a `.thumb`, and an empty one for a broken file.\n\n\
+        Save a PNG of at most 128 by 128 pixels under this name, or remove the file.",
+    ..RuleInfo::new("library-unreadable-thumbnail", Level::Warning, "a picture of an asset that is not one")
+});
+
+fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let is_thumb = extension(&file.rel) == "thumb" && file.size > 0 && !file.encoding.lfs_pointer;
+    let library = file.rel.split('/').next().and_then(library_extension);
+    let Some(picture) = file.picture().filter(|_| is_thumb && library.is_some()) else { return };
+    let what = match picture.fault {
+        Some(PictureFault::NotAPicture) => "is not a picture",
+        Some(PictureFault::Header) => "has a damaged header",
+        Some(PictureFault::NoPixels) => "has no pixels",
+        Some(PictureFault::TooManyPixels | PictureFault::CutOff) => "ends too early",
+        None => return,
+    };
+    let finding = RULE.at(file, Place::File, format!("`{}` {what}", file.file_name()));
+    out.push(finding.help("save a PNG under this name, or remove the file"));
+}

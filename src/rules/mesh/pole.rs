@@ -1,0 +1,39 @@
+//! A vertex belongs to a few faces.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
+use crate::formats::mhclo::Entry;
+use crate::formats::python_int;
+use crate::repo::{Body, Worn};
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Makehuman1, "does not put the asset on: its mesh cannot be loaded")],
+    docs: "A vertex of the mesh of an asset belongs to more faces than MakeHuman 1 keeps for one. These are 16, or twice the \
+        number behind `max_pole` in the asset. It does not put an asset on whose mesh has more.\n\n\
+        Write half of the number of faces, rounded up, behind `max_pole`.",
+    ..RuleInfo::new("mesh-pole", Level::Error, "a vertex with more faces than are kept")
+});
+
+/// Half of what is kept where the asset does not say.
+const USUAL: i64 = 8;
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let own = body.worn.iter().filter(|worn| body.layers.is_checked(worn.file));
+    out.extend(own.filter_map(finding));
+}
+
+fn finding(worn: &Worn<'_>) -> Option<Finding> {
+    let entry = worn.clothes()?.all("max_pole").rev().find(|entry| !entry.has_colon);
+    let (file, mesh) = worn.mesh().filter(|(_, mesh)| mesh.is_sound())?;
+    let (vertex, faces) = mesh.pole?;
+    // A word that is no number has a finding of its own.
+    let half = entry.map_or(Some(USUAL), |entry| python_int(entry.word().as_bytes()))?;
+    let kept = half.saturating_mul(2);
+    if i64::from(faces) <= kept {
+        return None;
+    }
+    let place = entry.map_or(Place::File, |entry: &Entry| Place::Span(entry.word_span()));
+    let message = format!("vertex {vertex} of `{}` has {faces} faces, but {} are kept", file.file_name(), kept.max(0));
+    let finding = RULE.at(worn.file, place, message).related(file.path.clone(), Place::File, "the mesh");
+    Some(finding.help(format!("write `max_pole {}`", faces.div_ceil(2))))
+}

@@ -1,0 +1,37 @@
+//! An asset is opened by an extension in small letters.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application::Makehuman1, Case, Finding, Level, Place, RuleInfo};
+use crate::discover::{extension, library_extension, library_of};
+use crate::repo::makehuman1::View;
+
+pub(in crate::rules) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
+    breaks: &[(Makehuman1, "lists the asset and cannot open it")],
+    docs: "The extension of an asset has capitals, such as `hat.MHCLO`.\n\n\
+        MakeHuman 1 lists such a file, and then opens another name, with the extension in small letters. Beside a file \
+        that is called so the whole library is empty.\n\n\
+        Rename the file.",
+    ..RuleInfo::new("proxy-extension-case", Level::Error, "an asset whose extension has capitals")
+});
+
+const TWINS: Case = &[(Makehuman1, Level::Error, "lists nothing of this library: two files differ in capitals alone")];
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers.checked;
+    for file in layer.files.values() {
+        let Some(library) = library_of(&file.rel) else { continue };
+        let Some(right) = library_extension(library).filter(|right| *right != extension(&file.rel)) else { continue };
+        let name = format!("{}.{right}", file.stem());
+        let twin = layer.file(&format!("{}/{name}", crate::repo::parent(&file.rel)));
+        // Poses and skins are opened as they are called.
+        if twin.is_none() && matches!(library, "poses" | "skins") {
+            continue;
+        }
+        let message = format!("`{}` must end in `.{right}`: capitals matter", file.file_name());
+        let finding = RULE.at(file, Place::File, message).help(format!("rename it to `{name}`"));
+        out.push(match twin {
+            Some(twin) => finding.case(TWINS).related(twin.path.clone(), Place::File, "the other file"),
+            None => finding,
+        });
+    }
+}

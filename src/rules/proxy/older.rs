@@ -1,0 +1,78 @@
+//! What MakeHuman 1 makes of the lines of an asset where that is not what MakeHuman 2 does (formats/makehuman1.md §10).
+
+use std::cmp::Ordering;
+
+use super::Text;
+use super::keywords::known_to_makehuman1;
+use crate::diag::{Application::Makehuman1, Case, Level};
+use crate::formats::mhclo::{Entry, Fault, FaultKind};
+use crate::formats::python_int;
+
+/// Of faults of one kind those that are some, and how many there are.
+pub(super) fn meant<'v>(text: &Text<'_, 'v>, faults: &'v [Fault], count: u64) -> Option<(Vec<&'v Fault>, u64)> {
+    let end = end(text);
+    let own: Vec<&Fault> = faults.iter().filter(|fault| fault.line < end && is_fault(fault)).collect();
+    // Those that were counted and not kept are like these.
+    let spared = faults.len().saturating_sub(own.len()) as u64;
+    (!own.is_empty()).then(|| (own, count.saturating_sub(spared)))
+}
+
+/// The line of an old section of weights: what stands in it is read and not used.
+fn end(text: &Text<'_, '_>) -> u32 {
+    let old = text.clothes.faults.of(|kind| kind == FaultKind::OldFormat);
+    old.and_then(|(faults, _)| faults.first()).map_or(u32::MAX, |fault| fault.line)
+}
+
+fn is_fault(fault: &Fault) -> bool {
+    match fault.kind {
+        FaultKind::OldFormat => false,
+        // Keywords may stand below any section.
+        FaultKind::DeleteWord => !known_to_makehuman1(&fault.word),
+        // `+5` is a number to Python.
+        FaultKind::DroppedRow => python_int(fault.word.as_bytes()).is_none_or(|number| number < 0),
+        _ => true,
+    }
+}
+
+/// A fault at which the loader stops, before anything is put on.
+pub(super) fn stops(text: &Text<'_, '_>) -> bool {
+    use FaultKind::{
+        DeleteWord, DroppedRow, FieldCount, MissingValue, NotWhole, OpenRange, RowWord, ScaleWord, ShortScale,
+    };
+    let end = end(text);
+    text.clothes.faults.iter().filter(|fault| fault.line < end && is_fault(fault)).any(|fault| match fault.kind {
+        DeleteWord | DroppedRow | FieldCount(_) | NotWhole | OpenRange | RowWord | ScaleWord | ShortScale => true,
+        MissingValue => needs_value(&fault.word),
+        _ => false,
+    })
+}
+
+/// Keywords whose line is not read without a value.
+pub(super) fn needs_value(keyword: &str) -> bool {
+    matches!(keyword, "obj_file" | "material" | "vertexboneweights_file" | "z_depth")
+        || matches!(keyword, "x_scale" | "y_scale" | "z_scale")
+}
+
+pub(super) const SCALE_ALONE: Case =
+    &[(Makehuman1, Level::Error, "does not put the asset on: `TypeError` when it is fitted")];
+const NOWHERE: Case = &[(Makehuman1, Level::Warning, "divides by 0: all vertices of the asset are nowhere")];
+const MIRRORED: Case = &[(Makehuman1, Level::Warning, "mirrors all offsets along the axis")];
+pub(super) const NO_SHEAR: Case = &[(Makehuman1, Level::Warning, "uses the scale and ignores the shear")];
+
+/// What is wrong with the distance of a scale, by which it divides as it is written.
+pub(super) fn distance(text: &Text<'_, '_>, name: &str, distance: f32) -> Option<(String, Case)> {
+    match distance.partial_cmp(&0.0).filter(|_| text.is_makehuman1())? {
+        Ordering::Equal => Some((format!("the distance of `{name}` is 0"), NOWHERE)),
+        Ordering::Less => Some((format!("the distance of `{name}` is {distance}, which is negative"), MIRRORED)),
+        Ordering::Greater => None,
+    }
+}
+
+/// A line of shear beside a scale. It shears only what has no scale.
+pub(super) fn shear<'v>(text: &Text<'_, 'v>) -> Option<(&'v Entry, String)> {
+    let sorts = ["shear_", "l_shear_", "r_shear_"];
+    let is_shear = |entry: &&Entry| !entry.is_comment && sorts.iter().any(|sort| entry.keyword.starts_with(sort));
+    let entry = text.clothes.entries.iter().find(is_shear).filter(|_| text.is_makehuman1())?;
+    let scale = ["x_scale", "y_scale", "z_scale"].into_iter().find(|axis| text.last(axis).is_some())?;
+    Some((entry, format!("`{}` stands beside `{scale}`, which is used alone", entry.keyword)))
+}

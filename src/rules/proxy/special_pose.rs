@@ -1,0 +1,39 @@
+//! A pose for the feet costs the pose of the figure.
+
+use super::super::{Check, Rule, RuleCx};
+use super::texts;
+use crate::diag::{Application::Makehuman1, Case, Finding, Level, Place, RuleInfo};
+use crate::formats::mhclo::Entry;
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(
+        Makehuman1,
+        "raises `TypeError` at every slider while the asset is worn without another pose, and shows the whole pose of the file",
+    )],
+    docs: "An asset asks for a pose with `special_pose`, such as `special_pose foot heels.bvh` of shoes with heels.\n\n\
+        MakeHuman 1 shows the whole figure in this pose as long as no other one is chosen, and then every slider raises \
+        `TypeError`. If the file is not in `special_poses/foot` it logs an error. Without a file, or without a kind, the \
+        asset cannot be put on (an error). Other kinds than `foot` have no effect.\n\n\
+        Remove the line.",
+    ..RuleInfo::new("proxy-special-pose", Level::Warning, "an asset with a pose of its own")
+});
+
+const CUT: Case = &[(Makehuman1, Level::Error, "does not put the asset on: `IndexError` when it reads the line")];
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for text in texts(body) {
+        let is_one = |entry: &&Entry| &*entry.keyword == "special_pose" && !entry.is_comment && !entry.has_colon;
+        let mut lines = text.clothes.entries.iter().filter(is_one);
+        let is_cut = |entry: &Entry| entry.value.split(' ').filter(|word| !word.is_empty()).count() < 2;
+        let Some(first) = lines.clone().find(|entry| is_cut(entry)).or_else(|| lines.next()) else { continue };
+        let place = Place::Span(first.keyword_span.clone());
+        out.push(if is_cut(first) {
+            let finding = RULE.at(text.file, place, "`special_pose` needs a kind and a file").key("words");
+            finding.case(CUT).help("remove the line, or write `special_pose foot` and the name of a `.bvh`")
+        } else {
+            let message = format!("`special_pose {}` replaces the pose of the whole figure", first.value);
+            RULE.at(text.file, place, message).help("remove the line")
+        });
+    }
+}
