@@ -58,11 +58,11 @@ struct Search<'a> {
 
 impl<'a> Search<'a> {
     fn references(&self, material: &'a Material) -> Vec<Reference<'a>> {
-        let picture = |keyword: &&'static str| {
+        let picture = |keyword: &'static str| {
             let word = material.last(keyword)?.words.first()?;
-            Some(self.reference(ReferenceKind::Texture, word, *keyword))
+            Some(self.reference(ReferenceKind::Texture, word, keyword))
         };
-        let mut references: Vec<_> = PICTURES.iter().filter_map(picture).collect();
+        let mut references: Vec<_> = PICTURES.into_iter().filter_map(picture).collect();
         references.extend(litsphere(material).map(|word| self.reference(ReferenceKind::Texture, word, LITSPHERE)));
         let map = material.last("uvMap").and_then(|line| line.words.first());
         let map = map.filter(|word| word.text.trim_start_matches("data/") != NO_MAP);
