@@ -79,6 +79,10 @@ mod tests {
     #[test]
     fn a_library_alone_is_a_faint_sign() {
         assert_eq!(found(&["pack/clothes/hat/hat.mhclo"]), [("pack".to_owned(), Application::Makehuman1)]);
+        for path in ["pack/clothes/hm08/hat/hat.mhclo", "pack/hair/mh2bot/bob.mhclo", "pack/skins/hm08/tan/tan.mhmat"] {
+            assert_eq!(found(&[path]), [("pack".to_owned(), Application::Makehuman2)], "{path}");
+        }
+        assert_eq!(found(&["pack/clothes/hm08/notes.txt"]), []);
         assert_eq!(
             found(&["user/clothes/figure/hat.mhclo", "user/target/figure/mine/x.target"]),
             [("user".to_owned(), Application::Makehuman2)]

@@ -2,7 +2,7 @@
 
 use super::super::Kind;
 use super::super::kind::extension;
-use super::{HM08, LIBRARIES, Layout, Role, Sign, WORN};
+use super::{HM08, LIBRARIES, Layout, MAKEHUMAN2_BASES, Role, Sign, WORN};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -17,9 +17,6 @@ pub(super) static LAYOUT: Layout = Layout {
     ..Layout::PLAIN
 };
 
-/// Base meshes of other applications: below a library they are no folder of an asset.
-const OTHER_BASES: [&str; 2] = [HM08, "mh2bot"];
-
 fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     match parts {
         [.., "modifiers", name] if name.ends_with("_modifiers.json") => Some((Sign::Strong, 2)),
@@ -30,7 +27,7 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         [.., library, asset, name]
             if WORN.contains(library)
                 && extension(name).eq_ignore_ascii_case("mhclo")
-                && !OTHER_BASES.contains(asset) =>
+                && !MAKEHUMAN2_BASES.contains(asset) =>
         {
             Some((Sign::Faint, 3))
         }

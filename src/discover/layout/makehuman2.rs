@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use super::super::kind::extension;
 use super::super::{Candidate, Kind};
-use super::{HiddenPath, Layout, Role, Sign, WORN};
+use super::{HiddenPath, Layout, MAKEHUMAN2_BASES, Role, Sign, WORN};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -55,6 +55,14 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
             "macro.json" | "modelling.json" | "target_cat.json" | "compressedtargets.npz",
         ] => Some((Sign::Strong, 3)),
         [.., "rigs", _, name] if extension(name) == "mhskel" => Some((Sign::Weak, 3)),
+        // Below one of its own base meshes: in a pack or of a user there may be nothing else.
+        [.., category, base, _, _] | [.., category, base, _]
+            if is_filtered(category) && MAKEHUMAN2_BASES.contains(base) =>
+        {
+            let levels = parts.iter().rposition(|part| part == category).map_or(0, |at| parts.len() - at);
+            (Kind::by_extension(parts.last().copied().unwrap_or_default()) != Kind::Other)
+                .then_some((Sign::Faint, levels))
+        }
         [.., name] if extension(name) == "target" => target_below(parts),
         _ => None,
     }

@@ -103,6 +103,10 @@ struct HiddenPath<'p> {
 /// The base mesh of the applications that have but one.
 const HM08: &str = "hm08";
 
+/// The base meshes that `MakeHuman` 2 comes with: a folder of its assets has one of these names. Below a library of
+/// another application they are no asset.
+const MAKEHUMAN2_BASES: [&str; 2] = [HM08, "mh2bot"];
+
 /// Folders of what a body wears, of all applications.
 const WORN: [&str; 7] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue"];
 

@@ -48,30 +48,29 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     out.push(if damage == Damage::MarkedRow { weigh(&view.target(file), finding) } else { finding });
 }
 
+const NO_NAME: Case =
+    &[(Makehuman2, Level::Error, "does not recognise `name`: lists the asset without a name, and models lose it")];
+const NO_UUID: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "does not recognise `uuid`: crashes with `IndexError` when a model saved with the asset is loaded",
+)];
+const NO_MESH: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "does not recognise `obj_file`: crashes with `AttributeError` when the asset is put on",
+)];
+const NO_ROWS: Case =
+    &[(Makehuman2, Level::Error, "does not recognise `verts`: crashes with `IndexError` when the asset is put on")];
+
 /// What becomes of an asset without its first line, where that is more than to ignore it.
 fn first_keyword(file: &FileFacts) -> Case {
     let is_asset = file.kind == Kind::Clothes;
     match file.encoding.marked_words.first().map(AsRef::as_ref).filter(|_| is_asset) {
-        Some("name") => &[(
-            Makehuman2,
-            Level::Error,
-            "does not recognise `name`: lists the asset without a name, and models lose it",
-        )],
-        Some("uuid") => &[(
-            Makehuman2,
-            Level::Error,
-            "does not recognise `uuid`: crashes with `IndexError` when a model saved with the asset is loaded",
-        )],
-        Some("obj_file") => &[(
-            Makehuman2,
-            Level::Error,
-            "does not recognise `obj_file`: crashes with `AttributeError` when the asset is put on",
-        )],
-        Some("verts") => &[(
-            Makehuman2,
-            Level::Error,
-            "does not recognise `verts`: crashes with `IndexError` when the asset is put on",
-        )],
+        Some("name") => NO_NAME,
+        Some("uuid") => NO_UUID,
+        Some("obj_file") => NO_MESH,
+        Some("verts") => NO_ROWS,
         _ => &[],
     }
 }

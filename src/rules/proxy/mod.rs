@@ -21,6 +21,7 @@ pub(super) mod missing_weights;
 pub(super) mod non_finite;
 mod older;
 pub(super) mod scale;
+mod scale_lines;
 pub(super) mod section_keyword;
 mod sections;
 pub(super) mod shifted_rows;
@@ -150,6 +151,9 @@ fn is_unwalked(body: &Body<'_>, reference: &Reference<'_>) -> bool {
     let has_fault = || body.layers.strongest_first().any(|layer| layer.has_fault(&reference.rel));
     matches!(reference.resolution, Resolution::Unusable) && has_fault()
 }
+
+/// The keywords of a scale.
+const AXES: [&str; 3] = ["x_scale", "y_scale", "z_scale"];
 
 /// How many lines have a fault, with the first of them.
 fn lines(faults: &[&Fault], count: u64) -> Evidence {

@@ -2,13 +2,12 @@
 
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
-use super::{INDEX, Text, VALUE, older, texts};
+use super::{AXES, INDEX, Text, older, scale_lines, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Finding, Level, Place, RuleInfo,
 };
-use crate::formats::mhclo::{FaultKind, Scale};
-use crate::formats::python_float;
+use crate::formats::mhclo::Scale;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -43,7 +42,6 @@ const FROM_END: Case = &[
     (Makehuman1, Level::Warning, "counts from the end and scales by another distance"),
 ];
 
-const AXES: [&str; 3] = ["x_scale", "y_scale", "z_scale"];
 /// Below this the loader turns scaling off.
 const SMALLEST: f32 = 0.01;
 /// Two vertices of a scale that are nearer than this along its axis do not differ.
@@ -53,7 +51,7 @@ const USUAL: std::ops::RangeInclusive<f32> = 0.2..=5.0;
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
-        out.extend(unreadable(&text));
+        out.extend(scale_lines::unreadable(&RULE, &text));
         if text.stops() || text.worn.is_topology() {
             continue;
         }
@@ -63,7 +61,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let mut own: Vec<Finding> =
             scales.filter_map(|(axis, scale)| fault(body, &text, axis, scale.as_ref()?)).collect();
         // Lines that were exchanged, or written in another unit, have one cause: the worst is told.
-        own.retain(|finding| has_offsets || finding.level == Level::Error);
+        own.retain(|finding| has_offsets || text.is_makehuman1() || finding.level == Level::Error);
         own.sort_by_key(|finding| std::cmp::Reverse(finding.level));
         let more = own.len().saturating_sub(1);
         out.extend(own.into_iter().next().map(|mut first| {
@@ -72,30 +70,12 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             }
             first
         }));
-        out.extend(missing(&text).filter(|_| has_offsets || text.is_makehuman1()));
+        out.extend(scale_lines::missing(&RULE, &text).filter(|_| has_offsets || text.is_makehuman1()));
         out.extend(older::shear(&text).map(|(entry, message)| {
             let finding = RULE.at(text.file, Place::Line(entry.line), message).key("shear").case(older::NO_SHEAR);
             finding.help("keep the scale or the shear lines")
         }));
     }
-}
-
-fn unreadable(text: &Text<'_, '_>) -> Option<Finding> {
-    let short = text.faults(|kind| kind == FaultKind::ShortScale).and_then(|(faults, _)| faults.first().copied());
-    let word = text.faults(|kind| kind == FaultKind::ScaleWord).and_then(|(faults, _)| faults.first().copied());
-    let finding = match (short, word) {
-        (Some(fault), _) => {
-            let message = format!("`{}` needs two vertices and a distance", fault.word);
-            RULE.at(text.file, Place::Span(fault.span.clone()), message).key(&*fault.word).case(INDEX)
-        }
-        (None, Some(fault)) => {
-            let kind = if python_float(fault.word.as_bytes()).is_some() { "whole number" } else { "number" };
-            let message = format!("`{}` in a scale is not a {kind}", fault.word);
-            RULE.at(text.file, Place::Span(fault.span.clone()), message).key("word").case(VALUE)
-        }
-        (None, None) => return None,
-    };
-    Some(finding.help("write two vertices of the base mesh and a distance with a decimal point"))
 }
 
 fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Option<Finding> {
@@ -143,20 +123,4 @@ fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Op
         format!("vertices {a} and {b} of `{name}` do not differ along that axis")
     };
     Some(told(message).case(FLAT).help(names))
-}
-
-fn missing(text: &Text<'_, '_>) -> Option<Finding> {
-    let is_there = |axis: &&&str| text.last(axis).is_some();
-    let written = AXES.iter().find(is_there)?;
-    let lacking = AXES.iter().find(|axis| !is_there(axis))?;
-    if text.misspelt(lacking).is_some() || text.has_hidden(lacking) {
-        return None;
-    }
-    let empty = text.clothes.entries.iter().find(|entry| &*entry.keyword == *lacking && !entry.is_comment);
-    let (line, message) = match empty {
-        Some(entry) => (entry.line, format!("`{lacking}` has no values")),
-        None => (text.last(written)?.line, format!("`{lacking}` is missing beside `{written}`")),
-    };
-    let finding = RULE.at(text.file, Place::Line(line), message).key(*lacking).case(older::SCALE_ALONE);
-    Some(finding.help("write a line for each of the three axes, or for none"))
 }
