@@ -56,7 +56,7 @@ impl RowFacts {
     pub(in crate::formats) fn count(&mut self, row: &Reference, is_triple: bool) {
         let own = i64::try_from(self.count).unwrap_or(i64::MAX);
         self.print(row);
-        self.has_offsets |= row.offset != [0.0; 3];
+        self.has_offsets |= row.offset.iter().any(|part| *part != 0.0);
         self.count += 1;
         let numbers = row.weights.iter().chain(&row.offset);
         if numbers.clone().any(|number| !number.is_finite()) {

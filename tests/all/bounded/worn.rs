@@ -21,6 +21,10 @@ pub(super) const INPUTS: &[Input] = &[
 
 type Files = Vec<(String, Vec<u8>)>;
 
+fn lines(times: usize, line: impl Fn(usize) -> String) -> String {
+    (0..times).map(line).collect()
+}
+
 /// A base and a file for it.
 fn with(path: &str, text: String) -> Files {
     let mut files = base();
@@ -45,7 +49,7 @@ fn asset(name: &str, mesh: &str) -> (String, Vec<u8>) {
 /// As many models as assets, and each wears all.
 fn worn(times: usize, mesh: &str) -> Files {
     let mut files = base();
-    let worn: String = (0..times).map(|at| format!("clothes asset{at} asset{at}\n")).collect();
+    let worn = lines(times, |at| format!("clothes asset{at} asset{at}\n"));
     for at in 0..times {
         let name = format!("asset{at}");
         files.push((format!("data/clothes/b/{name}/mesh.obj"), MESH.into()));
@@ -98,18 +102,17 @@ fn rows(times: usize) -> Files {
 }
 
 fn head(times: usize) -> Files {
-    let lines: String = (0..times).map(|at| format!("tagg{at} a\ntag körper{at};b\n# author {at}\n")).collect();
+    let lines = lines(times, |at| format!("tagg{at} a\ntag körper{at};b\n# author {at}\n"));
     with("clothes/b/one/one.mhclo", format!("name one\nuuid 1\n{lines}obj_file one.obj\nverts 0\n0\n"))
 }
 
 fn ranges(times: usize) -> Files {
-    let lines: String = (0..times).map(|at| format!("{at} - {} -\n-{at}\n", at / 2)).collect();
+    let lines = lines(times, |at| format!("{at} - {} -\n-{at}\n", at / 2));
     with("clothes/b/one/one.mhclo", format!("name one\nuuid 1\nobj_file o.obj\nverts 0\n0\ndelete_verts\n{lines}"))
 }
 
 fn material(times: usize) -> Files {
-    let lines: String =
-        (0..times).map(|at| format!("diffuseTexture t{at}.png\ndifuseColor 1 2\nopacity 5{at}\n")).collect();
+    let lines = lines(times, |at| format!("diffuseTexture t{at}.png\ndifuseColor 1 2\nopacity 5{at}\n"));
     with("skins/b/skin.mhmat", lines)
 }
 
