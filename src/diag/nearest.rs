@@ -156,7 +156,7 @@ impl<'n> Sought<'n> {
     pub fn new(name: &'n str) -> Self {
         let mut letters = [0; LETTERS];
         name.chars().for_each(|letter| letters[kind_of_letter(letter)] += 1);
-        Self { name, folded: fold(name).collect(), limit: (name.chars().count() / 3).max(1), letters }
+        Self { name, folded: fold(name).collect(), limit: limit(name), letters }
     }
 
     /// Whether `candidate` alone would be the [`nearest`] one.
@@ -198,6 +198,12 @@ impl<'n> Sought<'n> {
     }
 }
 
+/// In how many letters another name may differ. One or two letters are a name as a whole.
+fn limit(name: &str) -> usize {
+    let letters = name.chars().count();
+    if letters < 3 { 0 } else { (letters / 3).max(1) }
+}
+
 /// Two names without what they have in common at both ends, which does not count for their distance.
 fn without_common_ends<'s>(mut one: &'s str, mut other: &'s str) -> (&'s str, &'s str) {
     let common = |pairs: &mut dyn Iterator<Item = (char, char)>| -> usize {
@@ -209,7 +215,7 @@ fn without_common_ends<'s>(mut one: &'s str, mut other: &'s str) -> (&'s str, &'
     (&one[..one.len() - end], &other[..other.len() - end])
 }
 
-/// Whether each word is near the one in its place. Names with other numbers of words are judged as a whole, and the
+/// Whether each word is near the one in its place. Names with other numbers of words are compared as a whole, and the
 /// extension of a file is no word: `skin.jpg` may well be meant by `skin.png`.
 fn words_are_slips(one: &str, other: &str) -> bool {
     let (one, other) = match (one.rsplit_once('.'), other.rsplit_once('.')) {
@@ -223,7 +229,20 @@ fn words_are_slips(one: &str, other: &str) -> bool {
         let (one, other) = without_common_ends(one, other);
         one.len().abs_diff(other.len()) <= 4 * limit && strsim::damerau_levenshtein(one, other) <= limit
     };
-    one.len() != other.len() || one.iter().zip(&other).all(is_slip)
+    if one.len() == other.len() {
+        return one.iter().zip(&other).all(is_slip);
+    }
+    // A word is missing: `torso/belly-in` is a slip for `torso/belly-trans-in`.
+    let (long, short) = if one.len() > other.len() { (&one, &other) } else { (&other, &one) };
+    let mut words = long.iter();
+    if short.len() > 1 && short.iter().all(|word| words.any(|other| other == word)) {
+        return true;
+    }
+    // As a whole: one begins with the other, or few letters differ.
+    let (one, other) = (one.concat(), other.concat());
+    let (is_start, limit) = (one.starts_with(&other) || other.starts_with(&one), one.chars().count() / 6);
+    let (one, other) = without_common_ends(&one, &other);
+    is_start || one.len().max(other.len()) <= LONGEST && strsim::damerau_levenshtein(one, other) <= limit
 }
 
 const fn kind_of_letter(letter: char) -> usize {
@@ -256,7 +275,14 @@ fn are_opposites(one: &str, other: &str) -> bool {
     let is_pair = |[a, b]: &[&str; 2]| (one, other) == (*a, *b) || (one, other) == (*b, *a);
     let range =
         |low: &str, high: &str| low.strip_prefix("min").is_some_and(|rest| high.strip_prefix("max") == Some(rest));
-    OPPOSITES.iter().any(is_pair) || range(one, other) || range(other, one)
+    OPPOSITES.iter().any(is_pair) || range(one, other) || range(other, one) || are_numbered(one, other)
+}
+
+/// Whether two words differ in their number alone, as `spine01` and `spine02`.
+fn are_numbered(one: &str, other: &str) -> bool {
+    let stem = |word: &str| word.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+    let (end, other_end) = (stem(one), stem(other));
+    end < one.len() && other_end < other.len() && one.get(..end) == other.get(..other_end)
 }
 
 fn fold(name: &str) -> impl Iterator<Item = char> {
@@ -276,12 +302,25 @@ mod tests {
     }
 
     #[test]
+    fn names_of_another_thing_are_no_suggestions() {
+        for (name, other) in [("c", "a"), ("l1", "r1"), ("torso/belly-trans-in|out", "ears/l-ear-trans-in|out")] {
+            assert_eq!(nearest(name, [other]), None, "{name}");
+        }
+        assert_eq!(nearest("c", ["C"]), Some("C"));
+        assert_eq!(nearest("vertexboneweights", ["vertexboneweights_file"]), Some("vertexboneweights_file"));
+        assert_eq!(nearest("torso/belly-trans-in", ["torso/belly-in"]), Some("torso/belly-in"));
+        assert_eq!(nearest("macrodetailsCoastal", ["macrodetails/Coastal"]), Some("macrodetails/Coastal"));
+    }
+
+    #[test]
     fn the_opposite_is_no_suggestion() {
         for (name, opposite, like) in [
             ("l-knee", "r-knee", "l-kne"),
             ("lowerarm.L", "lowerarm.R", "lowerarm.l"),
             ("teen-minmuscle", "teen-maxmuscle", "teen-minmuscles"),
             ("nose-hump-incr", "nose-hump-decr", "nose-hum-incr"),
+            ("spine01", "spine02", "spin01"),
+            ("metacarpal1.L", "metacarpal2.L", "metacarpal1.l"),
         ] {
             assert_eq!(nearest(name, [opposite]), None, "{name}");
             assert_eq!(nearest(name, [opposite, like]), Some(like), "{name}");

@@ -124,6 +124,8 @@ pub enum Unchecked {
     Closed,
     /// Whether what is found is new: contents to compare with are not at hand.
     NotCompared,
+    /// All of what is in it: there is more than is kept of a file of its kind.
+    Part,
     /// What all of the macros do: there are more, or more settings of them, than are looked at.
     TooManyMacros,
     /// All that a base mesh comes to: there are more settings of its sliders, or joints, than are evaluated.

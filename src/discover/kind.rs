@@ -55,6 +55,10 @@ pub enum Kind {
     MotionMeta,
     /// `*.obj` of an asset.
     AssetMesh,
+    /// `*_fragment_shader.txt` and the like of MakeHuman 1: source of a shader.
+    ShaderSource,
+    /// `*.mhuv` of MakeHuman 1: texture coordinates for a mesh.
+    UvMap,
     /// An archive: `*.mhbin`, `*.mhpxy` and the like.
     Packed,
     /// Any other JSON.
@@ -66,7 +70,7 @@ pub enum Kind {
 }
 
 /// Kinds by extension, wherever the file lies. The hooks for pre-commit start on these.
-const BY_EXTENSION: [(Kind, &[&str]); 12] = [
+const BY_EXTENSION: [(Kind, &[&str]); 13] = [
     (Kind::Skeleton, &["mhskel"]),
     (Kind::AssetWeights, &["mhw"]),
     (Kind::Pose, &["mhpose"]),
@@ -77,6 +81,7 @@ const BY_EXTENSION: [(Kind, &[&str]); 12] = [
     (Kind::Motion, &["bvh"]),
     (Kind::MotionMeta, &["meta"]),
     (Kind::AssetMesh, &["obj"]),
+    (Kind::UvMap, &["mhuv"]),
     (Kind::Packed, &["npz", "mhbin", "mhpxy", "zip"]),
     (Kind::Image, &["png", "jpg", "jpeg", "tif", "tiff", "bmp", "gif", "tga", "webp", "thumb"]),
 ];
@@ -105,6 +110,9 @@ impl Kind {
     }
 }
 
+/// What the files of a shader of MakeHuman 1 end in; a shader is any of them.
+pub(crate) const SHADER_FILES: [&str; 3] = ["_vertex_shader.txt", "_fragment_shader.txt", "_geometry_shader.txt"];
+
 /// Whether a file is an asset wherever it lies: no other program has files of its extension.
 pub(crate) fn is_asset_anywhere(rel: &str) -> bool {
     matches!(extension(rel), "mhclo" | "mhmat" | "mhm" | "mhpose" | "mhbin" | "mhpxy")
@@ -120,8 +128,8 @@ pub(crate) fn extension(rel: &str) -> &str {
 mod tests {
     use super::*;
 
-    /// What changes a verdict besides `BY_EXTENSION`: targets and the configuration.
-    const FURTHER: [&str; 3] = ["target", "gz", "toml"];
+    /// What changes a verdict besides `BY_EXTENSION`: targets, the configuration, sources of shaders.
+    const FURTHER: [&str; 4] = ["target", "gz", "toml", "txt"];
 
     #[test]
     fn hooks_start_on_every_extension_that_is_checked() {

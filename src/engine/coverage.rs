@@ -47,6 +47,9 @@ impl<'r> Coverage<'r> {
                 } else {
                     self.leave(application, Unchecked::Kind, &file.path);
                 }
+                if file.is_kept_in_part() {
+                    self.leave(application, Unchecked::Part, &file.path);
+                }
                 if file.names_vertices() && !root.has_mesh_for(file) {
                     self.leave(application, Unchecked::NoBaseMesh, &file.path);
                 }

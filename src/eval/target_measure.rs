@@ -15,6 +15,8 @@ pub struct TargetMeasure {
     pub path: String,
     /// Difference from its own mirror image.
     pub own_mirror: MirrorDifference,
+    /// The vertex of the visible body that differs most from its mirror image, if any does, with the difference.
+    pub worst_of_body: Option<(u32, f64)>,
     /// Longest displacement.
     pub longest: f64,
     /// Moved vertices that belong to the visible body.
@@ -27,6 +29,13 @@ pub struct TargetMeasure {
     pub torn: Vec<(usize, f64)>,
     /// Joint cubes that are moved as a whole.
     pub rigid: usize,
+}
+
+impl TargetMeasure {
+    /// The vertex that differs most from its mirror image, and by how much: of the visible body if any of that differs.
+    pub fn most_asymmetric(&self) -> Option<(u32, f64)> {
+        self.worst_of_body.or(self.own_mirror.worst)
+    }
 }
 
 /// Parts of a mesh that targets are measured against.
@@ -46,10 +55,11 @@ pub const RIGID_TOLERANCE: f64 = 2e-3;
 impl Parts {
     /// Measures one target. `tolerance` (mesh units) is how far displacements may be from mirrored.
     pub fn measure(&self, rows: &[Row], mirror: &mut MirrorComparison<'_>, tolerance: f64) -> TargetMeasure {
-        let mut measure = TargetMeasure {
-            own_mirror: mirror.difference(rows.iter().copied(), rows.iter().copied(), tolerance),
-            ..TargetMeasure::default()
-        };
+        let own_mirror = mirror.difference(rows.iter().copied(), rows.iter().copied(), tolerance);
+        let differs_on_body = own_mirror.different.iter().any(|vertex| self.is_body(*vertex));
+        let mut of_body = || mirror.difference(self.of_body(rows), self.of_body(rows), tolerance).worst;
+        let worst_of_body = if differs_on_body { of_body() } else { None };
+        let mut measure = TargetMeasure { own_mirror, worst_of_body, ..TargetMeasure::default() };
         let mut touched: Vec<(u32, u32, Point)> = Vec::new();
         for (vertex, delta) in rows.iter().filter(|(_, delta)| delta.iter().any(|part| *part != 0.0)) {
             measure.longest = measure.longest.max(length(widen(*delta)));
@@ -87,8 +97,11 @@ impl Parts {
     }
 
     fn of_body<'r>(&'r self, rows: &'r [Row]) -> impl Iterator<Item = Row> + Clone + 'r {
-        let is_body = |vertex: u32| self.body.get(vertex as usize).is_some_and(|body| *body);
-        rows.iter().filter(move |(vertex, _)| is_body(*vertex)).copied()
+        rows.iter().filter(|(vertex, _)| self.is_body(*vertex)).copied()
+    }
+
+    fn is_body(&self, vertex: u32) -> bool {
+        self.body.get(vertex as usize).is_some_and(|body| *body)
     }
 
     /// The cube and its largest inner difference, unless all its vertices move alike.
@@ -153,5 +166,18 @@ mod tests {
     fn one_sided_displacement_differs_from_its_mirror_image() {
         assert_eq!(measure(&[(0, [0.0, 1.0, 0.0])]).own_mirror.different.len(), 2);
         assert_eq!(measure(&[(0, [0.5, 1.0, 0.0]), (1, [-0.5, 1.0, 0.0])]).own_mirror.different.len(), 0);
+    }
+
+    #[test]
+    fn the_body_goes_before_what_is_not_shown() {
+        let positions = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [2.0, 5.0, 0.0], [-2.0, 5.0, 0.0]];
+        let mirror = MirrorMap::new(&positions, std::iter::empty::<&[u32]>(), 0.01);
+        let parts = Parts { body: vec![true, true, false, false], cubes: Vec::new(), cube_of: vec![None; 4] };
+        let most = |rows: &[Row]| {
+            parts.measure(rows, &mut MirrorComparison::new(&mirror), 0.001).most_asymmetric().map(|(vertex, _)| vertex)
+        };
+        let helper = (2, [9.0, 0.0, 0.0]);
+        assert_eq!(most(&[helper, (0, [0.0, 1.0, 0.0])]), Some(0));
+        assert_eq!(most(&[helper, (0, [0.5, 1.0, 0.0]), (1, [-0.5, 1.0, 0.0])]), Some(2));
     }
 }

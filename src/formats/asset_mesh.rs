@@ -1,6 +1,8 @@
 //! The mesh of an asset (formats/makehuman2.md §8, §15.2): what is counted of it, and a print to compare it by. Where its
 //! vertices lie does not matter: they are fitted to the base mesh.
 
+use std::fmt::Display;
+
 use xxhash_rust::xxh3::xxh3_64;
 
 use super::obj::{Face, Mesh, MeshFacts, NO_UV};
@@ -18,6 +20,8 @@ pub struct AssetMesh {
     pub has_uvs: bool,
     /// Names of groups with faces that are not ASCII, with the lines where they are opened.
     pub odd_groups: Vec<(String, u32)>,
+    /// Where there are several groups with faces, their names with their first and last vertex.
+    pub groups: Vec<(Box<str>, (u32, u32))>,
     /// The vertex with most faces, and how many it has.
     pub pole: Option<(u32, u32)>,
     /// Faces that repeat the corners of an earlier one.
@@ -47,6 +51,7 @@ impl AssetMesh {
             faces: mesh.faces.len(),
             uvs: mesh.uvs.len(),
             has_uvs: mesh.corner_uvs.iter().any(|uv| *uv != NO_UV),
+            groups: ranges(&mesh),
             odd_groups: odd.map(|group| (group.name.clone(), group.line)).collect(),
             pole: pole(&mesh),
             repeated: repeated(&mesh),
@@ -55,12 +60,31 @@ impl AssetMesh {
         }
     }
 
-    /// Whether the application gets through the file.
+    /// A vertex with the group that it belongs to, where that is sure.
+    pub fn named(&self, vertex: impl TryInto<u32> + Display + Copy) -> String {
+        let number = vertex.try_into().unwrap_or(u32::MAX);
+        let mut homes = self.groups.iter().filter(|(_, (first, last))| (*first..=*last).contains(&number));
+        match (homes.next(), homes.next()) {
+            (Some((group, _)), None) => format!("vertex {vertex} (`{group}`)"),
+            _ => format!("vertex {vertex}"),
+        }
+    }
+
+    /// Whether an application gets through the file, be there groups of which some faces alone have texture coordinates.
     pub fn is_sound(&self) -> bool {
         let facts = &self.facts;
         let stops = facts.unreadable_lines > 0 || facts.face_out_of_range.count > 0 || !facts.short_faces.is_empty();
-        !stops && facts.vertices > 0 && facts.partial_uv.is_empty()
+        !stops && facts.vertices > 0
     }
+}
+
+/// Groups with faces that are kept. Assets have a few.
+const MOST_GROUPS: usize = 256;
+
+fn ranges(mesh: &Mesh) -> Vec<(Box<str>, (u32, u32))> {
+    let used = mesh.groups.iter().filter_map(|group| Some((group.name.as_str().into(), group.vertices?)));
+    let used: Vec<_> = used.take(MOST_GROUPS + 1).collect();
+    if (2..=MOST_GROUPS).contains(&used.len()) { used } else { Vec::new() }
 }
 
 fn corners(mesh: &Mesh, face: Face) -> &[u32] {
@@ -148,10 +172,20 @@ mod tests {
     }
 
     #[test]
+    fn a_vertex_is_named_with_its_group_where_there_are_several() {
+        let one = of(&format!("{FACES}g only\nf 1 2 3\n"));
+        assert_eq!((one.groups.len(), one.named(1)), (0, "vertex 1".to_owned()));
+        let two = of(&format!("{FACES}g a\nf 1 2 3\ng b\nf 3 4 1\n"));
+        let three = of("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 2 0 0\nv 3 0 0\nv 3 1 0\ng a\nf 1 2 3\ng b\nf 4 5 6\n");
+        assert_eq!((two.named(1_u64), three.named(4_u64)), ("vertex 1".to_owned(), "vertex 4 (`b`)".to_owned()));
+        assert_eq!(three.named(99_i64), "vertex 99");
+    }
+
+    #[test]
     fn what_the_loader_stops_at_is_not_sound() {
         for (faces, is_sound) in [
             ("f 1 2 3\n", true),
-            ("f 1/1 2/2 3/3\nf 1 2 3\n", false),
+            ("f 1/1 2/2 3/3\nf 1 2 3\n", true),
             ("f 1 2\n", false),
             ("f 1 2 9\n", false),
             ("f 1 2 -1\n", false),

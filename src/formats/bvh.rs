@@ -26,6 +26,8 @@ pub struct Motion {
     pub fault: Option<Fault>,
     /// `Frames` as it is written, if it is a whole number, and its line.
     pub frames: Option<(Box<str>, u32)>,
+    /// The line of a `Frame Time` of 0.
+    pub timeless: Option<u32>,
     /// Frames that there are.
     pub frames_there: usize,
     /// How many of them are behind the announced ones.
@@ -155,7 +157,8 @@ impl<'t, L: Iterator<Item = (Range<usize>, &'t [u8])>> Reader<'t, L> {
         self.keyword("`MOTION`", &["MOTION"])?;
         let frames = self.frame_count()?;
         self.keyword("`Frame Time:`", &["Frame"])?;
-        self.number(2, "`Frame Time:`")?;
+        let time = self.number(2, "`Frame Time:`")?;
+        self.motion.timeless = (time == 0.0).then_some(self.line);
         self.frames(frames)
     }
 
@@ -357,6 +360,7 @@ mod tests {
             of("Frames: 1\nFrame Time: 0,1\n"),
             Some((18, FaultKind::NotANumber("`Frame Time:`", "0,1".into())))
         );
+        assert_eq!(read(format!("{HEAD}Frames: 1\nFrame Time: 0.0\n1 2 3\n").as_bytes()).timeless, Some(18));
         assert_eq!(of("Frames: 9\nFrame Time: 1\n1 2 3\n \n"), Some((19, FaultKind::TooFew)));
         assert_eq!(of("Frames: 9\nFrame Time: 1\n1 2 3\n \n1 2 3\n"), Some((20, FaultKind::BlankFrame)));
         assert_eq!(of("Frames: 1\nFrame Time: 1\n1 2\n"), Some((19, FaultKind::ShortFrame(2, 3))));

@@ -22,9 +22,11 @@ use super::picture::Picture;
 use super::pose_units::PoseUnits;
 use super::program::{Shaders, Version};
 use super::selection_filter::SelectionFilter;
+use super::shader_source::ShaderSource;
 use super::target::TargetFacts;
 use super::target_cat::TargetCategories;
 use super::target_catalog::TargetCatalog;
+use super::uv_map::UvMap;
 
 /// Content of a file as rules need it.
 #[derive(Debug, Clone, Default)]
@@ -66,6 +68,10 @@ pub enum Content {
     Packed(Box<Packed>),
     /// `.mhmat`.
     Material(Box<Material>),
+    /// A source of a shader.
+    ShaderSource(Box<ShaderSource>),
+    /// `.mhuv`.
+    UvMap(Box<UvMap>),
     /// `.mhpose`.
     Pose(Box<Pose>),
     /// `body-poses.json`, `face-poses.json`.

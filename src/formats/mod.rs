@@ -46,6 +46,7 @@ pub mod pose_units;
 pub mod program;
 mod readers;
 pub mod selection_filter;
+pub mod shader_source;
 mod table;
 pub mod target;
 pub mod target_cat;
@@ -54,6 +55,7 @@ pub(crate) mod target_edit;
 mod target_facts;
 mod target_repeats;
 mod target_row;
+pub mod uv_map;
 
 pub(crate) use content::Content;
 use number::stored;

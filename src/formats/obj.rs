@@ -161,6 +161,7 @@ impl Parser {
             b"vt" => self.uv(line, words),
             b"f" => self.face(line, words),
             b"g" => self.group(words.next().unwrap_or_default()),
+            b"o" => self.mesh.facts.object = words.next().map(|name| String::from_utf8_lossy(name).into()),
             _ => {}
         }
     }

@@ -7,7 +7,10 @@ use super::inline_ignore::{self, InlineIgnore};
 use super::json_file::{self, JsonFacts, JsonFault};
 use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
-use super::{Content, bvh, meta as metadata, mhbin, mhbin_asset, mhclo, mhm, mhmat, mhpose, mhw, npz, obj, picture};
+use super::{
+    Content, bvh, meta as metadata, mhbin, mhbin_asset, mhclo, mhm, mhmat, mhpose, mhw, npz, obj, picture,
+    shader_source, uv_map,
+};
 use crate::json::{self, Document, SchemaFaults};
 use crate::source::{Encoding, GzipFault, Limits, try_gunzip, zip_bomb};
 
@@ -165,6 +168,16 @@ pub(super) fn asset_mesh(input: &Input<'_>) -> Parsed {
         parsed.content = Content::AssetMesh(Box::new(AssetMesh::of(obj::parse(input.bytes))));
     }
     parsed
+}
+
+/// Source of a shader.
+pub(super) fn shader_source(input: &Input<'_>) -> Parsed {
+    Parsed { content: Content::ShaderSource(Box::new(shader_source::read(input.bytes))), ..hashed(input) }
+}
+
+/// A map of texture coordinates.
+pub(super) fn uv_map(input: &Input<'_>) -> Parsed {
+    Parsed { content: Content::UvMap(Box::new(uv_map::read(input.bytes))), ..hashed(input) }
 }
 
 /// A packed base mesh. What unpacks beyond all limits is not looked into.

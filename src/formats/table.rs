@@ -2,8 +2,8 @@
 
 use super::picture::{HEAD, TAIL};
 use super::readers::{
-    archive, asset_mesh, clothes, material, mesh, mesh_archive, meta, model, motion, packed, picture, pose, target,
-    weights, zip,
+    archive, asset_mesh, clothes, material, mesh, mesh_archive, meta, model, motion, packed, picture, pose,
+    shader_source, target, uv_map, weights, zip,
 };
 use super::{
     Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, pose_units, program, selection_filter,
@@ -89,7 +89,7 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 30] = [
+pub(crate) static FORMATS: [Format; 32] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
@@ -124,6 +124,8 @@ pub(crate) static FORMATS: [Format; 30] = [
     read(Kind::Motion, "motion", Syntax::Text, motion),
     read(Kind::MotionMeta, "description of a motion", Syntax::Text, meta),
     read(Kind::AssetMesh, "mesh", Syntax::Text, asset_mesh),
+    read(Kind::ShaderSource, "shader", Syntax::Text, shader_source),
+    read(Kind::UvMap, "map of texture coordinates", Syntax::Text, uv_map),
     Format { needs: Needs::Mesh, ..read(Kind::Packed, "file", Syntax::Binary, zip) },
     plain(Kind::Json, "JSON", Syntax::Json),
     Format { reader: Some(Reader::Ends(picture)), ..plain(Kind::Image, "picture", Syntax::Binary) },

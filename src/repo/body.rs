@@ -7,6 +7,7 @@ use std::sync::OnceLock;
 use super::landmarks::{Landmarks, Region, Unreached};
 use super::{FileFacts, Layers, Reference, ReferenceKind, View, Worn, parent};
 use crate::diag::Application;
+use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::bvh::Motion;
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhpose::Pose;
@@ -203,6 +204,12 @@ impl<'v> Body<'v> {
     /// Whose body it is.
     pub(crate) const fn application(&self) -> Application {
         self.view.application()
+    }
+
+    /// Whether the application gets through the mesh of an asset.
+    pub(crate) fn opens(&self, mesh: &AssetMesh) -> bool {
+        let is_mixed = !mesh.facts.partial_uv.is_empty();
+        mesh.is_sound() && (!is_mixed || self.is_makehuman1())
     }
 
     /// Whether `MakeHuman` 1 has it.

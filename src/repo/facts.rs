@@ -23,8 +23,10 @@ use crate::formats::picture::Picture;
 use crate::formats::pose_units::PoseUnits;
 use crate::formats::program::{Shaders, Version};
 use crate::formats::selection_filter::SelectionFilter;
+use crate::formats::shader_source::ShaderSource;
 use crate::formats::target::TargetFacts;
 use crate::formats::target_catalog::TargetCatalog;
+use crate::formats::uv_map::UvMap;
 use crate::formats::{Content, Needs};
 use crate::json::SchemaFaults;
 use crate::source::{Encoding, GzipFault, ReadFault};
@@ -129,6 +131,15 @@ impl FileFacts {
         names_some && self.kind.format().needs != Needs::Nothing
     }
 
+    /// Whether there is more in it than is kept.
+    pub fn is_kept_in_part(&self) -> bool {
+        match &*self.content {
+            Content::Material(material) => material.left_out > 0,
+            Content::Filter(filter) => filter.is_cut,
+            _ => false,
+        }
+    }
+
     /// The target facts, if it is a target that could be read.
     pub fn target(&self) -> Option<&TargetFacts> {
         if let Content::Target(facts) = &*self.content { Some(facts) } else { None }
@@ -172,6 +183,16 @@ impl FileFacts {
     /// The material, if it is one that could be read.
     pub fn material(&self) -> Option<&Material> {
         if let Content::Material(material) = &*self.content { Some(material) } else { None }
+    }
+
+    /// The source of a shader, if it is one.
+    pub fn shader_source(&self) -> Option<&ShaderSource> {
+        if let Content::ShaderSource(source) = &*self.content { Some(source) } else { None }
+    }
+
+    /// The map of texture coordinates, if it is one.
+    pub fn uv_map(&self) -> Option<&UvMap> {
+        if let Content::UvMap(map) = &*self.content { Some(map) } else { None }
     }
 
     /// The picture, as far as its ends show it.

@@ -16,6 +16,11 @@ pub(crate) struct Layers<'a> {
 }
 
 impl<'a> Layers<'a> {
+    /// Whether it is the system that is checked.
+    pub(crate) fn checks_system(&self) -> bool {
+        self.system.is_some_and(|system| std::ptr::eq(system, self.checked))
+    }
+
     /// Whether one root plays both parts.
     pub(crate) fn is_one_root(&self) -> bool {
         matches!((self.system, self.user), (Some(system), Some(user)) if std::ptr::eq(system, user))

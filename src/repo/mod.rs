@@ -27,7 +27,7 @@ pub(crate) use layers::Layers;
 pub(crate) use path::shortened;
 pub(crate) use reference::{PictureFolders, Reference, ReferenceKind, Resolution};
 pub(crate) use references::References;
-pub(crate) use surface::{Picture, Surface, Wearer};
+pub(crate) use surface::{Picture, Shader, Surface, Wearer};
 pub(crate) use view::View;
 pub(crate) use worn::Worn;
 

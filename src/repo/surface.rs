@@ -3,6 +3,7 @@
 use super::FileFacts;
 use crate::diag::{Application, Place};
 use crate::formats::mhmat::{Line, Material};
+use crate::formats::shader_source::{ShaderSource, Uniform};
 
 /// A material that an application opens.
 #[derive(Debug)]
@@ -15,12 +16,14 @@ pub(crate) struct Surface<'a> {
     pub material: &'a Material,
     /// Who has it.
     pub wearer: Wearer,
+    /// Whether the program starts with it.
+    pub is_first: bool,
     /// Its pictures by keyword, those in use.
     pub pictures: Vec<(&'static str, Picture<'a>)>,
     /// The picture of its litsphere, if it names one.
     pub litsphere: Option<Picture<'a>>,
-    /// A file of the shader that it asks for, where shaders are files.
-    pub shader: Option<Picture<'a>>,
+    /// The shader that it asks for, where shaders are files.
+    pub shader: Option<Shader<'a>>,
 }
 
 /// Who has a material.
@@ -45,6 +48,35 @@ pub(crate) struct Picture<'a> {
     pub file: Option<&'a FileFacts>,
     /// Whether nobody can tell.
     pub is_open: bool,
+}
+
+/// A shader that a material names.
+#[derive(Debug, Clone)]
+pub(crate) struct Shader<'a> {
+    /// The name, as it is written.
+    pub text: &'a str,
+    /// Where the name stands.
+    pub place: Place,
+    /// Its sources.
+    pub files: Vec<&'a FileFacts>,
+    /// Whether nobody can tell if there are more.
+    pub is_open: bool,
+}
+
+impl<'a> Shader<'a> {
+    /// Its sources, if all of them could be read.
+    pub(crate) fn sources(&self) -> Option<Vec<&'a ShaderSource>> {
+        let sources: Vec<_> = self.files.iter().filter_map(|file| file.shader_source()).collect();
+        (!self.is_open && !sources.is_empty() && sources.len() == self.files.len()).then_some(sources)
+    }
+
+    /// A parameter that one of its sources declares.
+    pub(crate) fn uniform(&self, name: &str) -> Option<Uniform> {
+        let sources = self.files.iter().filter_map(|file| file.shader_source());
+        let mut all = sources.filter_map(|source| source.uniforms.get(name)).copied();
+        let first = all.next()?;
+        Some(all.fold(first, |known, other| Uniform { is_certain: known.is_certain || other.is_certain, ..known }))
+    }
 }
 
 impl<'a> Surface<'a> {

@@ -44,6 +44,7 @@ fn clause(entry: &NotChecked) -> String {
         ),
         Unchecked::NoSystem => format!("{} (expected in the system data; use `--system`)", names(entry)),
         Unchecked::Closed => format!("the contents of {} (cannot be listed)", names(entry)),
+        Unchecked::Part => format!("parts of {} (too large)", names(entry)),
         Unchecked::TooManyMacros => {
             format!("all effects of the macros of {} (too many to compare or try)", names(entry))
         }

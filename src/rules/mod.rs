@@ -32,7 +32,7 @@ mod wearers;
 mod weights;
 
 pub(crate) use rule::{Check, Rule, RuleCx};
-use rule::{counted, did_you_mean, either, enumerated};
+use rule::{counted, did_you_mean, either, enumerated, such};
 pub(crate) use wearers::name_wearers;
 
 /// Every rule, sorted by id. A rule that is not listed here does not exist.
@@ -135,13 +135,17 @@ pub(crate) static RULES: &[&Rule] = &[
     &material::texture_format::RULE,
     &material::value_type::RULE,
     &material::uniform_type::RULE,
+    &material::unknown_define::RULE,
     &material::unknown_keyword::RULE,
+    &material::unknown_uniform::RULE,
     &material::unreadable_texture::RULE,
     &material::unused_texture::RULE,
+    &material::uvmap_mismatch::RULE,
     &mesh::degenerate_face::RULE,
     &mesh::duplicate_face::RULE,
     &mesh::face_out_of_range::RULE,
     &mesh::group_name::RULE,
+    &mesh::name_clash::RULE,
     &mesh::ngon::RULE,
     &mesh::no_faces::RULE,
     &mesh::no_uv::RULE,
@@ -228,6 +232,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &proxy::missing_uuid::RULE,
     &proxy::missing_weights::RULE,
     &proxy::non_finite::RULE,
+    &proxy::offsets_lost::RULE,
     &proxy::scale::RULE,
     &proxy::section_keyword::RULE,
     &proxy::shifted_rows::RULE,
@@ -236,10 +241,13 @@ pub(crate) static RULES: &[&Rule] = &[
     &proxy::syntax::RULE,
     &proxy::tag::RULE,
     &proxy::topology::RULE,
+    &proxy::unknown_basemesh::RULE,
     &proxy::unknown_keyword::RULE,
     &proxy::uvlayer::RULE,
+    &proxy::version::RULE,
     &proxy::vertex_count::RULE,
     &proxy::vertex_out_of_range::RULE,
+    &proxy::weight_table_short::RULE,
     &proxy::weights_sum::RULE,
     &proxy::z_depth::RULE,
     &skeleton::cycle::RULE,

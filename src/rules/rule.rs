@@ -97,6 +97,14 @@ pub(super) fn counted(count: impl ToString, thing: &str) -> String {
     format!("{count} {thing}{}", if count == "1" { "" } else { "s" })
 }
 
+/// ` (3 such lines)` behind a message on the first of several; nothing behind one on a single case.
+pub(super) fn such(count: impl ToString, things: &str) -> String {
+    match &*count.to_string() {
+        "0" | "1" => String::new(),
+        count => format!(" ({count} such {things})"),
+    }
+}
+
 /// `a`, `a and b`, `a, b and c`; of more than five names the first five, `and 25 more`.
 pub(super) fn enumerated<T: AsRef<str>>(names: &[T]) -> String {
     let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();

@@ -33,7 +33,7 @@ fn json(root: &Path, format: &str) -> Value {
 fn people_see_a_folder_as_a_folder() {
     let repository = backups();
     let text = |format: &str| run(repository.path(), format);
-    assert!(text("concise").starts_with(&format!("{FOLDER}: info[file-unreferenced] 2 files (")));
+    assert!(text("concise").starts_with(&format!("{FOLDER}: info[file-unreferenced] 2 files are not used")));
     assert!(text("markdown").contains(&format!("### `{FOLDER}`\n")));
     let page = text("html");
     assert!(page.contains(&format!("<code>{FOLDER}</code>")) && page.contains(&format!("data-path=\"{FOLDER}\"")));
@@ -51,7 +51,7 @@ fn a_program_gets_the_path_as_it_is() {
 #[test]
 fn a_code_host_gets_the_first_file_and_reads_of_the_folder() {
     let repository = backups();
-    let named = format!("`{FOLDER}`: 2 files (");
+    let named = format!("`{FOLDER}`: 2 files are not used");
     let log = json(repository.path(), "sarif");
     let result = &log["runs"][0]["results"][0];
     assert_eq!(result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], FILE);

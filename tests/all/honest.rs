@@ -93,6 +93,20 @@ fn a_loose_target_belongs_to_the_base_mesh_in_its_header() {
 }
 
 #[test]
+fn what_is_too_large_to_be_kept_is_said() {
+    let repository = example();
+    let skin = "data/skins/figure/clay.mhmat";
+    assert_eq!(unchecked(&report(repository.path(), &["."])), []);
+    let text = fs::read_to_string(repository.path().join(skin)).unwrap();
+    write(repository.path(), skin, &(text + &"shaderParam sheen 1\n".repeat(2000)));
+    let tree = format!("{}[\"left\"]{}", "{\"a long label\": ".repeat(90), "}".repeat(90));
+    write(repository.path(), "data/clothes/figure/selection_filter.json", &format!("{{\"Slot\": {tree}}}"));
+    assert_eq!(unchecked(&report(repository.path(), &["."])), [("makehuman2", "part", 2)]);
+    let output = mhlint(repository.path(), &[skin]);
+    assert!(stdout(&output).contains("Not checked: parts of `data/skins/figure/clay.mhmat` (too large)."));
+}
+
+#[test]
 fn loose_files_take_one_base() {
     let folder = tempfile::tempdir().unwrap();
     write(folder.path(), "one.target", TARGET);

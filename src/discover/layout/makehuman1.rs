@@ -1,8 +1,8 @@
 //! MakeHuman 1: one base mesh, libraries without a folder for it (formats/makehuman1.md §1, §2.1).
 
 use super::super::Kind;
-use super::super::kind::extension;
-use super::{HM08, LIBRARIES, Layout, MAKEHUMAN2_BASES, Role, Sign, WORN};
+use super::super::kind::{SHADER_FILES, extension};
+use super::{HM08, HiddenPath, LIBRARIES, Layout, MAKEHUMAN2_BASES, Role, Sign, WORN};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -14,6 +14,7 @@ pub(super) static LAYOUT: Layout = Layout {
     place,
     role: |below| Role::of_one(below, Application::Makehuman1, Kind::BaseMesh),
     scans: |rel| library_of(rel).is_some(),
+    reads_hidden,
     ..Layout::PLAIN
 };
 
@@ -40,6 +41,7 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["3dobjs", "base.obj"] => Kind::BaseMesh,
         ["targets" | "custom", .., file] if extension(file) == "target" => Kind::Target,
         ["rigs", .., file] if extension(file) == "mhw" => Kind::Weights,
+        [_, .., file] if SHADER_FILES.iter().any(|ending| file.ends_with(ending)) => Kind::ShaderSource,
         [folder, .., file] => match Kind::by_extension(file) {
             // Elsewhere the program has such files for itself, and opens them by name or never.
             Kind::Clothes | Kind::AssetMesh | Kind::AssetWeights if !holds_worn(folder) => Kind::Other,
@@ -49,6 +51,14 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         _ => Kind::Other,
     };
     (kind, (parts.len() > 1).then_some(HM08))
+}
+
+/// Libraries list files by their extension, hidden or not; macOS and editors leave such beside each of their own (§2.1,
+/// makehuman1-observed.md 4.14).
+fn reads_hidden(path: &HiddenPath<'_>) -> bool {
+    let Some(at) = path.visible.iter().rposition(|part| library_extension(part).is_some()) else { return false };
+    let below = path.visible.get(at..).unwrap_or_default().join("/");
+    !path.is_folder && path.name.starts_with('.') && library_of(&format!("{below}/{}", path.name)).is_some()
 }
 
 fn holds_worn(folder: &str) -> bool {
@@ -103,6 +113,10 @@ mod tests {
             ("clothes/a/a.mhpxy", Kind::Packed),
             ("skins/a.mhmat", Kind::Material),
             ("skins/a.thumb", Kind::Image),
+            ("uvs/a.mhuv", Kind::UvMap),
+            ("shaders/glsl/a_vertex_shader.txt", Kind::ShaderSource),
+            ("clothes/a/a_fragment_shader.txt", Kind::ShaderSource),
+            ("clothes/a/a_shader.txt", Kind::Other),
         ] {
             let found = LAYOUT.use_of(path);
             assert_eq!((found.kind, found.owner.as_deref()), (kind, Some(HM08)), "{path}");
@@ -128,6 +142,19 @@ mod tests {
             ("shop/hat/hat.mhclo", None),
         ] {
             assert_eq!(LAYOUT.sign(path).map(|(root, _)| root), root, "{path}");
+        }
+    }
+
+    #[test]
+    fn libraries_list_what_is_hidden() {
+        for (path, is_read) in [
+            ("v1py3/data/skins/._copper.mhmat", true),
+            ("clothes/a/.#a.mhclo", true),
+            ("clothes/a/._a.obj", false),
+            ("clothes/.git/a.mhclo", false),
+            ("materials/._a.mhmat", false),
+        ] {
+            assert_eq!(super::super::is_read_though_hidden(path, false), is_read, "{path}");
         }
     }
 

@@ -6,8 +6,10 @@ use super::Reference;
 use crate::diag::Tally;
 use crate::formats::target::MeshSize;
 
-/// Weights whose sum is nearer to 1 than this are written with few decimals.
-const SUM_TOLERANCE: f64 = 0.0005;
+/// Weights whose sum is nearer to 1 than this are rounded.
+const SUM_TOLERANCE: f64 = 2e-5;
+/// Nearer than this they are written with few decimals.
+const COARSE_SUM: f64 = 0.0005;
 /// From this distance on it can be seen: some millimetres at the head.
 pub const VISIBLE_SUM: f64 = 0.002;
 
@@ -28,12 +30,16 @@ pub struct RowFacts {
     pub non_finite: Tally,
     /// Weights whose sum is not 1 (line, vertex of the asset).
     pub off_sums: Tally,
+    /// Those that no rounding explains (line, vertex of the asset).
+    pub coarse_sums: Tally,
     /// The sum that is farthest from 1, and the vertex of the asset.
     pub worst_sum: Option<(u64, f64)>,
     /// What the rows are compared by: all of each, and the first vertex with its weight.
     pub prints: [u64; 2],
     /// Whether any row has an offset.
     pub has_offsets: bool,
+    /// Whether any row takes part of a second or third vertex.
+    pub has_shares: bool,
     /// How many sums are farther from 1 than [`VISIBLE_SUM`].
     pub visible_sums: u64,
 }
@@ -57,6 +63,8 @@ impl RowFacts {
         let own = i64::try_from(self.count).unwrap_or(i64::MAX);
         self.print(row);
         self.has_offsets |= row.offset.iter().any(|part| *part != 0.0);
+        let [_, second, third] = row.weights;
+        self.has_shares |= second != 0.0 || third != 0.0;
         self.count += 1;
         let numbers = row.weights.iter().chain(&row.offset);
         if numbers.clone().any(|number| !number.is_finite()) {
@@ -98,6 +106,9 @@ impl RowFacts {
             return;
         }
         self.off_sums.add(row.line, own);
+        if off >= COARSE_SUM {
+            self.coarse_sums.add(row.line, own);
+        }
         self.visible_sums += u64::from(off > VISIBLE_SUM);
         if self.worst_sum.is_none_or(|(_, worst)| off > (worst - 1.0).abs()) {
             self.worst_sum = Some((own.unsigned_abs(), sum));

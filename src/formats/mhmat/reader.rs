@@ -8,7 +8,7 @@ use super::{Line, MOST_LINES, MOST_UNKNOWN, Material, Texture, Unknown, Word};
 use crate::formats::fields::fields;
 use crate::source::lines;
 
-/// The keywords of pictures of which the last one that is found counts, so that all lines have to be kept.
+/// The keywords of pictures of which the last one that is found counts, so that not the last line alone is kept.
 const TEXTURES: [&str; 5] =
     ["diffuseTexture", "normalmapTexture", "aomapTexture", "metallicRoughnessTexture", "emissiveTexture"];
 /// Words of a line that are kept: a keyword wants three at most, and one more shows that there are too many.
@@ -28,12 +28,12 @@ pub fn read(text: &[u8]) -> Material {
             unknown(&mut material, &mut known, &words, start);
             continue;
         };
-        if keyword.value == Value::Picture {
-            texture(&mut material, keyword.name, rest, start);
-        }
         if material.lines.len() == MOST_LINES {
             material.left_out += 1;
             continue;
+        }
+        if keyword.value == Value::Picture {
+            texture(&mut material, keyword.name, rest, start);
         }
         let kept = rest.iter().take(WORDS).map(|word| kept(start, word)).collect();
         material.lines.push(Line { keyword, number, words: kept, count: rest.len() });
@@ -126,8 +126,11 @@ mod tests {
         let many = (0..200).map(|number| format!("a{number} x\n")).collect::<Vec<_>>().concat();
         let material = read(many.as_bytes());
         assert_eq!((material.unknown.len(), material.left_out), (MOST_UNKNOWN, 200 - MOST_UNKNOWN));
-        let long = read("opacity 1\n".repeat(MOST_LINES + 3).as_bytes());
-        assert_eq!((long.lines.len(), long.left_out), (MOST_LINES, 3));
+        for line in ["opacity 1\n", "diffuseTexture a.png\n"] {
+            let long = read(line.repeat(MOST_LINES + 3).as_bytes());
+            assert_eq!((long.lines.len(), long.left_out), (MOST_LINES, 3));
+            assert!(long.textures.len() <= MOST_LINES);
+        }
     }
 
     proptest! {

@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 
 use super::view::OWN;
 use crate::diag::Place;
-use crate::discover::{Kind, library_of};
+use crate::discover::{Kind, SHADER_FILES, library_of};
 use crate::formats::mhmat::{Line, Material, Value, Word};
 use crate::repo::path::resolve;
-use crate::repo::surface::Picture;
+use crate::repo::surface::{Picture, Shader};
 use crate::repo::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, Surface, Wearer, Worn, parent};
 use crate::source::normalized;
 
@@ -21,10 +21,10 @@ const PICTURES: [&str; 7] = [
     "transparencymapTexture",
     "aomapTexture",
 ];
+/// The skin that it starts with.
+const DEFAULT_SKIN: &str = "skins/default.mhmat";
 /// What stands for no map of texture coordinates.
 const NO_MAP: &str = "uvs/default.mhuv";
-/// A shader is any of these files.
-const SHADER_FILES: [&str; 3] = ["_vertex_shader.txt", "_fragment_shader.txt", "_geometry_shader.txt"];
 
 /// The materials of all layers, with what they name.
 pub(super) fn read<'a>(layers: Layers<'a>, worn: &[Worn<'a>]) -> (Vec<Reference<'a>>, Vec<Surface<'a>>) {
@@ -80,15 +80,23 @@ impl<'a> Search<'a> {
         let of = |owner: &str| references.iter().find(|one| one.owner == owner).map(picture);
         let pictures = PICTURES.iter().filter_map(|keyword| Some((*keyword, of(keyword)?))).collect();
         let shader = material.last("shader").and_then(|line| self.shader(line));
-        Surface { application: OWN, file: self.file, material, wearer, pictures, litsphere: of(LITSPHERE), shader }
+        let of_system = self.layers.system.is_some_and(|system| std::ptr::eq(system, self.layer));
+        let is_first = of_system && self.file.rel == DEFAULT_SKIN;
+        let litsphere = of(LITSPHERE);
+        Surface { application: OWN, file: self.file, material, wearer, is_first, pictures, litsphere, shader }
     }
 
-    fn shader(&self, line: &'a Line) -> Option<Picture<'a>> {
+    fn shader(&self, line: &'a Line) -> Option<Shader<'a>> {
         let word = line.words.first()?;
-        let found = SHADER_FILES.map(|ending| self.find(&format!("{}{ending}", word.text)).1);
-        let file = found.iter().find_map(|one| if let Resolution::Found(file) = one { Some(*file) } else { None });
-        let is_open = file.is_none() && found.iter().any(is_open);
-        Some(Picture { text: &word.text, place: Place::Span(word.span.clone()), file, is_open })
+        let all = SHADER_FILES.map(|ending| self.find(&format!("{}{ending}", word.text)).1);
+        let found = |one: &Resolution<'a>| if let Resolution::Found(file) = one { Some(*file) } else { None };
+        let files = all.iter().filter_map(found).collect();
+        Some(Shader {
+            text: &word.text,
+            place: Place::Span(word.span.clone()),
+            files,
+            is_open: all.iter().any(is_open),
+        })
     }
 
     /// The first place with the file; without one, the place that comes nearest to it.
@@ -99,6 +107,10 @@ impl<'a> Search<'a> {
             let found = (normalized(&rel).unwrap_or(rel), resolution);
             if matches!(resolution, Resolution::Found(_)) {
                 return found;
+            }
+            // Nobody who writes `../x.png` means a file beside the data folder.
+            if nearest.is_some() && matches!(resolution, Resolution::Escapes) {
+                continue;
             }
             if nearest.as_ref().is_none_or(|(_, other)| resolution.distance() < other.distance()) {
                 nearest = Some(found);

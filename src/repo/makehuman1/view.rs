@@ -1,5 +1,7 @@
 //! The layers of `MakeHuman` 1 with its body, what that wears, and its poses (formats/makehuman1.md §2, §10 to §12, §16).
 
+use std::collections::BTreeSet;
+
 use super::{Asset, surfaces};
 use crate::diag::Application;
 use crate::discover::{Kind, library_of};
@@ -24,11 +26,16 @@ pub(crate) struct View<'a> {
     mesh: Option<(&'a FileFacts, &'a Mesh)>,
     /// The skeleton of the body, without its weights.
     rigs: Vec<Rig<'a>>,
+    /// The groups of the body that are shown.
+    shown: BTreeSet<String>,
     /// What the body can wear.
     pub(in crate::repo) worn: Vec<Worn<'a>>,
     /// The materials.
     pub(in crate::repo) surfaces: Vec<Surface<'a>>,
 }
+
+/// What names of groups begin with that are not shown (§1).
+const HIDDEN: [&str; 2] = ["joint-", "helper-"];
 
 /// Whether files of this kind are part of a library that is checked so far.
 pub(crate) const fn is_of_library(kind: Kind) -> bool {
@@ -40,6 +47,8 @@ pub(crate) const fn is_of_library(kind: Kind) -> bool {
             | Kind::AssetWeights
             | Kind::Motion
             | Kind::MotionMeta
+            | Kind::ShaderSource
+            | Kind::UvMap
             | Kind::Image
     )
 }
@@ -58,10 +67,13 @@ impl<'a> View<'a> {
         let worn: Vec<Worn<'a>> = layers.strongest_first().flat_map(worn).collect();
         let (mut references, surfaces) = surfaces::read(layers, &worn);
         references.extend(worn.iter().flat_map(|worn| worn.references.iter().flatten()).cloned());
+        let mesh = mesh.and_then(|file| Some((file, file.mesh()?)));
+        let groups = mesh.iter().flat_map(|(_, mesh)| &mesh.groups).map(|group| &group.name);
         Self {
             layers,
             references: References::new(references),
-            mesh: mesh.and_then(|file| Some((file, file.mesh()?))),
+            shown: groups.filter(|name| !HIDDEN.iter().any(|start| name.starts_with(start))).cloned().collect(),
+            mesh,
             rigs: rigs.into_iter().collect(),
             worn,
             surfaces,
@@ -78,6 +90,7 @@ impl<'a> View<'a> {
         let mut body = Body::new(BODY, view, Vec::new());
         body.mesh = self.mesh;
         body.obj = self.mesh;
+        body.visible_groups = self.mesh.map(|_| &self.shown);
         body.rigs = &self.rigs;
         body.worn = &self.worn;
         body.add_worn_weights(view.files().filter(|file| file.kind == Kind::AssetWeights));

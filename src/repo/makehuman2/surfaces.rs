@@ -28,7 +28,7 @@ pub(super) fn surface<'a>(
         }
     }
     let litsphere = litsphere(layers, material);
-    Surface { application: OWN, file, material, wearer, pictures, litsphere, shader: None }
+    Surface { application: OWN, file, material, wearer, is_first: false, pictures, litsphere, shader: None }
 }
 
 fn picture<'a>(reference: &Reference<'a>) -> Picture<'a> {

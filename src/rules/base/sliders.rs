@@ -27,7 +27,7 @@ const VERSION_FILE: &str = "makehuman2_version.json";
 /// What is missing of the sliders of a base, if its data are the system's and nothing overrides them.
 pub(super) fn gap(view: &View<'_>, base: &Base<'_>) -> Option<Gap> {
     let checked = view.layers.checked;
-    let is_system = view.layers.system.is_some_and(|system| std::ptr::eq(system, checked)) && base.has_system;
+    let is_system = view.layers.checks_system() && base.has_system;
     if !is_system || base.own_json.is_none() || checked.below(&format!("contarget/{}", base.name)).next().is_some() {
         return None;
     }

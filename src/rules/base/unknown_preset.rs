@@ -13,7 +13,7 @@ use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "ignores the name; the setting has no effect")],
+    breaks: &[(Makehuman2, "ignores names that do not exist: their settings have no effect")],
     docs: "`modifier-presets` and `measure` name sliders by their pattern. `random.gender`, `random.ideal` and \
         `random.rules` name them by their key. `random.groups` and `head-pattern` name groups of \
         sliders.\n\nMakeHuman 2 ignores a name that does not exist, mostly without a message; a rule of the \

@@ -19,7 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 const UNUSED: Case =
-    &[(Makehuman2, Level::Warning, "reads the numbers of the channel and does not use them: the joint does not turn")];
+    &[(Makehuman2, Level::Warning, "reads the numbers of such channels and does not use them: the joints do not turn")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, motion) in &body.motions {

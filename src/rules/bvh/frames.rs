@@ -37,6 +37,7 @@ const NUMBERS_IGNORED: Case = &[
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, motion) in &body.motions {
         out.extend(motion.fault.as_ref().and_then(|fault| at_fault(file, motion, fault)));
+        out.extend(timeless(body, file, motion));
         out.extend(surplus_frames(file, motion));
         out.extend(surplus_numbers(file, motion));
     }
@@ -67,9 +68,11 @@ fn words(motion: &Motion, fault: &Fault) -> Option<(String, Case, String)> {
         FaultKind::BlankFrame => {
             ("blank line between the frames".to_owned(), INDEX, "remove the blank line".to_owned())
         }
-        FaultKind::ShortFrame(there, needed) => {
-            (format!("the frame has {there} numbers for {}", counted(needed, "channel")), INDEX, again())
-        }
+        FaultKind::ShortFrame(there, needed) => (
+            format!("the frame has {}, but the joints have {needed} channels", counted(there, "number")),
+            INDEX,
+            again(),
+        ),
         FaultKind::WordInFrame(word) => {
             (format!("`{word}` in a frame is not a number"), VALUE, "write it with a decimal point".to_owned())
         }
@@ -83,6 +86,13 @@ fn words(motion: &Motion, fault: &Fault) -> Option<(String, Case, String)> {
     })
 }
 
+/// Of motions without time `MakeHuman` 1 divides by that.
+fn timeless(body: &Body<'_>, file: &FileFacts, motion: &Motion) -> Option<Finding> {
+    let line = motion.timeless.filter(|_| motion.fault.is_none() && body.is_makehuman1())?;
+    let finding = RULE.at(file, Place::Line(line), "`Frame Time: 0`: no time between the frames").case(NOT_SHOWN);
+    Some(finding.key("time").help("write the time of a frame in seconds, such as `Frame Time: 0.041667`"))
+}
+
 fn surplus_frames(file: &FileFacts, motion: &Motion) -> Option<Finding> {
     let (announced, line) = motion.frames.as_ref().filter(|_| motion.surplus_frames > 0)?;
     let there = motion.frames_there;
@@ -93,7 +103,7 @@ fn surplus_frames(file: &FileFacts, motion: &Motion) -> Option<Finding> {
 
 fn surplus_numbers(file: &FileFacts, motion: &Motion) -> Option<Finding> {
     let line = *motion.surplus_numbers.first.first()?;
-    let message = format!("more numbers than the {} in a frame", counted(motion.channels, "channel"));
+    let message = format!("a frame has more numbers than the joints have channels ({})", motion.channels);
     let evidence = motion.surplus_numbers.evidence();
     let finding = RULE.at(file, Place::Line(line), message).key("numbers").case(NUMBERS_IGNORED).evidence(evidence);
     Some(finding.help("remove them, or add the missing channels to the joints"))

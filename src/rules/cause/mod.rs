@@ -13,6 +13,7 @@ pub(super) mod mesh;
 pub(super) mod overlay;
 pub(super) mod schema;
 pub(super) mod weights;
+pub(super) mod worn;
 
 pub(super) use file::{counts_as_missing, is_ignored_override, is_override, is_unmet};
 pub(super) use generated::is_generated_for;

@@ -66,7 +66,12 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let in_asset = exists && cause.references.iter().all(is_of_asset);
         let systems = if exists && has_backslash { "on Linux and macOS" } else { "" };
-        let finding = cause.unfound(view, finding.fix(fix), systems).help(format!("write `{slashed}`"));
+        let help = if exists {
+            format!("write `{}`", slashed.trim_start_matches("./"))
+        } else {
+            format!("correct the name: `{slashed}` does not exist; write `/` between folders")
+        };
+        let finding = cause.unfound(view, finding.fix(fix), systems).help(help);
         out.push(if in_asset { finding.case(IN_ASSET) } else { finding });
     }
 }

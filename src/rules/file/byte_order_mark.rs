@@ -50,18 +50,22 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
 
 const NO_NAME: Case =
     &[(Makehuman2, Level::Error, "does not recognise `name`: lists the asset without a name, and models lose it")];
-const NO_UUID: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "does not recognise `uuid`: crashes with `IndexError` when a model saved with the asset is loaded",
-)];
-const NO_MESH: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "does not recognise `obj_file`: crashes with `AttributeError` when the asset is put on",
-)];
-const NO_ROWS: Case =
-    &[(Makehuman2, Level::Error, "does not recognise `verts`: crashes with `IndexError` when the asset is put on")];
+const NO_UUID: Case = &[
+    (
+        Makehuman2,
+        Level::Error,
+        "does not recognise `uuid`: crashes with `IndexError` when a model saved with the asset is loaded",
+    ),
+    (Makehuman1, Level::Error, "does not recognise `uuid`: saved models do not find the asset"),
+];
+const NO_MESH: Case = &[
+    (Makehuman2, Level::Error, "does not recognise `obj_file`: crashes with `AttributeError` when the asset is put on"),
+    (Makehuman1, Level::Error, "does not recognise `obj_file`: does not put the asset on"),
+];
+const NO_ROWS: Case = &[
+    (Makehuman2, Level::Error, "does not recognise `verts`: crashes with `IndexError` when the asset is put on"),
+    (Makehuman1, Level::Error, "does not recognise `verts`: does not put the asset on"),
+];
 
 /// What becomes of an asset without its first line, where that is more than to ignore it.
 fn first_keyword(file: &FileFacts) -> Case {

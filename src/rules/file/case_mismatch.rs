@@ -6,7 +6,7 @@ use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
 use super::folders;
 use super::named::{Cause, causes, differs_in_form, written};
-use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain, respelled};
+use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain, respelled, without_common_folders};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Change, EXAMPLES, Finding, Fix, FixKind, Level, Place, RuleInfo,
@@ -46,6 +46,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             if in_form {
                 return format!("`{name}` differs from the name on disk only in Unicode normalisation");
             }
+            let (name, on_disk) = without_common_folders(&name, &on_disk);
             format!("`{name}` is named `{on_disk}` on disk")
         });
         let Some(finding) = finding else { continue };
@@ -91,9 +92,10 @@ fn others(alike: &[String], target: &str) -> Option<String> {
     (!named.is_empty()).then(|| named.join(", "))
 }
 
-/// Whether the names are the same up to the extension of a target, which is not written in what names it.
+/// Whether the names are the same up to the extension of a target, which is not written in what names it, or of a
+/// material, which lists know in small letters alone.
 fn differs_in_extension(written: &str, real: &str) -> bool {
-    let stem = written.strip_suffix(".target");
+    let stem = written.strip_suffix(".target").or_else(|| written.strip_suffix(".mhmat"));
     stem.is_some_and(|stem| real.strip_prefix(stem).is_some_and(|rest| rest.starts_with('.')))
 }
 

@@ -99,6 +99,9 @@ fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
             counted(more, "other reference"),
             reference.from.file_name()
         ),
-        (None, _) => "leave them if saved models use both; otherwise use one file, and remove the others".to_owned(),
+        (None, _) => {
+            "keep them if saved models use both; otherwise let all references name one file, then remove the others"
+                .to_owned()
+        }
     }
 }

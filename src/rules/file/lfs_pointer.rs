@@ -59,7 +59,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .asset(layer.display(parent(&first.rel)))
             .parts_in(files.iter().map(|file| (file.file_name(), &file.path)))
             .evidence(evidence)
-            .help("run `git lfs pull`"),
+            .help("run `git lfs pull`; a ZIP of the repository has only pointers, so clone it, or download these files one by one"),
     );
 }
 

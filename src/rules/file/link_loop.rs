@@ -1,12 +1,19 @@
 //! Links that lead in a circle.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, RuleInfo,
+};
 use crate::repo::View;
 use crate::source::{WalkFault, WalkFaultKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "lists the same files over and over, or fails to open the link")],
+    breaks: &[
+        (Makehuman2, "lists the same files over and over, or fails to open the link"),
+        (Makehuman1, "passes over the link"),
+    ],
+    levels: &[(Makehuman1, Level::Info)],
     docs: "A symbolic link points to a folder above it, or to a link that points back. A program that lists the \
         folder finds the same files under longer and longer names until the system stops it.\n\nIn its target \
         folders MakeHuman 2 follows no links to folders, so such a link has no effect there (an info). `mhlint` \

@@ -101,9 +101,28 @@ pub(super) fn differing(written: &str, real: &str) -> (String, String) {
     (a.join("/"), b.join("/"))
 }
 
+/// Two paths without the folders in front that they have in common.
+pub(super) fn without_common_folders<'p>(mut one: &'p str, mut other: &'p str) -> (&'p str, &'p str) {
+    while let (Some((above, rest)), Some((same, other_rest))) = (one.split_once('/'), other.split_once('/'))
+        && above == same
+    {
+        (one, other) = (rest, other_rest);
+    }
+    (one, other)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn folders_in_common_are_left_out() {
+        let common = |one, other| without_common_folders(one, other);
+        assert_eq!(common("a/b/C", "a/b/c"), ("C", "c"));
+        assert_eq!(common("a/B/c", "a/b/c"), ("B/c", "b/c"));
+        assert_eq!(common("a/B", "a/b"), ("B", "b"));
+        assert_eq!(common("A", "a"), ("A", "a"));
+    }
 
     #[test]
     fn a_folder_is_named_without_what_is_in_it() {

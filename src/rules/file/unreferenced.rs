@@ -41,14 +41,14 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
                 &file.rel,
                 format!("`{}` is not used: {}", file.file_name(), reason.1),
             ),
-            [first, .., last] => {
-                let (count, first, last) = (files.len(), first.file_name(), last.file_name());
-                let message = format!("{count} files (`{first}` to `{last}`) are not used: {}", reason.1);
+            [first, ..] => {
+                let (count, first) = (files.len(), first.file_name());
+                let message = format!("{count} files are not used, first `{first}`: {}", reason.1);
                 RULE.in_layer(view.layers.checked, folder, message)
             }
             [] => continue,
         };
-        let help = "correct the file name, or name the file where it should be used; keep a copy if you remove it";
+        let help = help(&reason.0);
         let asset = view.layers.checked.display(folder);
         let is_lost = reason.0.ends_with(".target") && base.user_targets.is_some() && folder.starts_with("target/");
         let finding = match files.len() {
@@ -57,6 +57,17 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             _ => finding.effect("never opens them"),
         };
         out.push(finding.key(reason.0).asset(asset).parts_in(parts).evidence(Evidence::of_cases(names)).help(help));
+    }
+}
+
+/// What to do about files that have a reason in common.
+fn help(reason: &str) -> &'static str {
+    match reason {
+        "packed" => "unpack it: `gzip -d` writes the `.target` beside it",
+        "icon" => "name it in `icon` of a slider, or like the first target of one; or keep it outside of the data",
+        "picture" => "if it is an icon, move it to `icons/`; otherwise keep it outside of the data",
+        reason if reason.starts_with("capitals") => "rename it, with the name in small letters",
+        _ => "correct the name, or keep the file outside of the data: backups and sources are not needed there",
     }
 }
 

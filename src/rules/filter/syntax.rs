@@ -6,7 +6,7 @@ use crate::formats::selection_filter::Outcome;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "takes the key for a label, and crashes at start with `TypeError`")],
+    breaks: &[(Makehuman2, "reads the key as a label, and crashes at start with `TypeError`")],
     docs: "In a `selection_filter.json` the keys `Translate`, `GuessName` and `Shortcut` are special, with exactly these \
         capitals. Every other key is a label.\n\n\
         MakeHuman 2 takes `shortcut` for a label and its lists for labels below it, and crashes at start. `translate` and \
@@ -17,8 +17,8 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 });
 
 const IN_LIST: Case =
-    &[(Makehuman2, Level::Error, "takes the key for a label, and crashes with `TypeError` at every visit of the list")];
-const LABEL: Case = &[(Makehuman2, Level::Warning, "takes the key for a label and does not use what is in it")];
+    &[(Makehuman2, Level::Error, "reads the key as a label, and crashes with `TypeError` at every visit of the list")];
+const LABEL: Case = &[(Makehuman2, Level::Warning, "reads the key as a label and does not use what is in it")];
 
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(filter) = file.filter() else { return };

@@ -1,6 +1,6 @@
 //! What an asset says of itself must fit into the binary that is made of it.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, such};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::mhclo::{Clothes, Entry};
@@ -28,7 +28,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let foreign: Vec<&Entry> = foreign.into_iter().filter(|entry| !written(entry).is_ascii()).collect();
     let Some(first) = foreign.first() else { return };
     let letter = written(first).chars().find(|letter| !letter.is_ascii()).unwrap_or_default();
-    let more = if foreign.len() > 1 { format!(" ({} such values)", foreign.len()) } else { String::new() };
+    let more = such(foreign.len(), "values");
     let message = format!("`{}` has the letter `{letter}`, which is not ASCII{more}", first.keyword);
     let finding = RULE.at(file, Place::Span(first.span.clone()), message);
     let evidence = Evidence::of_cases(foreign.iter().map(|entry| entry.keyword.to_string()));

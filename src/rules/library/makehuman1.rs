@@ -18,7 +18,7 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let place = if is_topology { "`proxymeshes`" } else { "`clothes` to `tongue`" };
         let message = format!("a `.{extension}` in `{library}` is not listed, expected in {place}");
         let help = match right {
-            "mhclo" | "proxy" => format!("move it to {place}, or name it `.{right}`"),
+            "mhclo" | "proxy" => format!("move it to {place}, or rename it to end in `.{right}`"),
             _ => format!("move it to {place}"),
         };
         out.push(rule.at(file, Place::File, message).key("kind").help(help));
@@ -32,12 +32,13 @@ pub(super) fn same_names(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let uuid = |asset: &Asset<'_>| asset.uuid.map(|entry| entry.value.to_string());
         let Some((told, others)) = told(view, &assets) else { continue };
         let Some(other) = others.iter().find(|other| uuid(other) != uuid(told)) else { continue };
-        let finding = finding(rule, told, other, told.name, format!("the name `{name}` is also that of"));
+        let finding = finding(rule, told, other, told.name, "name", name);
         out.push(finding.key(name).help("give it a name of its own"));
     }
 }
 
-const COPY: Case = &[(Makehuman1, Level::Warning, "lists both and takes one for the other")];
+const COPY: Case = &[(Makehuman1, Level::Warning, "lists both; while one is worn the other cannot be chosen")];
+const APART: Case = &[(Makehuman1, Level::Warning, "lists it in both libraries")];
 
 /// Assets with a uuid in common.
 pub(super) fn same_uuids(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
@@ -48,10 +49,16 @@ pub(super) fn same_uuids(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let is_other = |other: &&&Asset<'_>| other.file.rel != told.file.rel;
         let in_library = others.iter().filter(is_other).find(|other| other.library == told.library);
         let Some(other) = in_library.or_else(|| others.iter().find(is_other)) else { continue };
-        let finding = finding(rule, told, other, told.uuid, format!("the uuid `{uuid}` is also that of"));
+        let finding = finding(rule, told, other, told.uuid, "uuid", uuid);
         let is_copy = told.file.content_hash.is_some() && told.file.content_hash == other.file.content_hash;
-        let finding = finding.key(uuid).help("give it a uuid of its own, or remove one of the two");
-        out.push(if is_copy || other.library != told.library { finding.case(COPY) } else { finding });
+        let finding = finding
+            .key(uuid)
+            .help("give it a uuid of its own, and save models that wear it again; or remove one of the two");
+        out.push(match is_copy {
+            _ if other.library != told.library => finding.case(APART),
+            true => finding.case(COPY),
+            false => finding,
+        });
     }
 }
 
@@ -62,9 +69,10 @@ fn told<'t, 'a>(view: &View<'_>, assets: &'t [Asset<'a>]) -> Option<(&'t Asset<'
     (!others.is_empty()).then_some((told, others))
 }
 
-fn finding(rule: &Rule, told: &Asset<'_>, other: &Asset<'_>, entry: Option<&Entry>, what: String) -> Finding {
+/// The finding on something that two assets have in common.
+fn finding(rule: &Rule, told: &Asset<'_>, other: &Asset<'_>, entry: Option<&Entry>, what: &str, text: &str) -> Finding {
     let place = entry.map_or(Place::File, |entry| Place::Span(entry.span.clone()));
-    let finding = rule.at(told.file, place, format!("{what} `{}`", other.file.rel));
-    let finding = finding.related(other.file.path.clone(), Place::File, "the same");
+    let finding = rule.at(told.file, place, format!("has the same {what} as `{}`: `{text}`", other.file.rel));
+    let finding = finding.related(other.file.path.clone(), Place::File, "the other asset");
     finding.between([told.file.path.as_str(), other.file.path.as_str()])
 }

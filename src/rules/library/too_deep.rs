@@ -7,7 +7,7 @@ use crate::discover::{extension, in_place_of};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "does not list it")],
+    breaks: &[(Makehuman2, "does not list it: it looks no deeper")],
     docs: "MakeHuman 2 looks for assets in the folder of the base mesh (`clothes/<base>/`) and in the folders directly in it. It \
         takes suffixes as they are written: `.mhclo`, not `.MHCLO`.\n\n\
         An asset in a deeper folder, with a suffix in capitals or with another suffix behind its own (`vest.mhclo.txt`, which \

@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, such};
 use super::fit::{Spellings, values_of};
 use super::links::{has_suffix, is_in_folder, links};
 use super::titles;
@@ -45,7 +45,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let Some(first) = wrong.first() else { continue };
         let text = first.target.as_deref().unwrap_or_default();
         let own = own_target(base, macrodef, first);
-        let more = if wrong.len() > 1 { format!(" ({} such entries)", wrong.len()) } else { String::new() };
+        let more = such(wrong.len(), "entries");
         let (message, help, effect) = if without_suffix(text).is_empty() {
             let what = if text.is_empty() { "is empty".to_owned() } else { format!("is only `{text}`") };
             let help = match own {
@@ -56,7 +56,8 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         } else {
             let (without, file) = (without_suffix(text), text.rsplit(['/', '\\']).next().unwrap_or(text));
             let message = format!("`{text}` has a suffix, but `t` must not have one{more}");
-            (message, format!("write `{without}`"), SUFFIXED.replace("{}", file))
+            let plain = without.replace('\\', "/");
+            (message, format!("write `{}`", plain.trim_start_matches("./")), SUFFIXED.replace("{}", file))
         };
         let finding = RULE.at(file, Place::Pointer(macrodef.link_pointer(first, "t")), message);
         let finding = finding.help(help).effect(effect);

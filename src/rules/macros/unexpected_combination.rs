@@ -1,6 +1,6 @@
 //! A listed combination must be one that its macro definition generates.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, such};
 use super::lacking_component;
 use super::listing::{Listing, Stranger};
 use super::misspelt_value::{MisspeltValue, misspelt_values, other_component};
@@ -16,7 +16,7 @@ use std::collections::BTreeSet;
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "never uses the entry: its target is loaded but never applied, and the intended combination has none",
+        "never uses such entries: their targets are loaded and never applied, and the intended combinations have none",
     )],
     docs: "A macrodef lists a name that its components cannot generate. A name has one value of each component, \
         in the order of `comp`, joined by `-`.\n\nMakeHuman 2 looks up only the names that it generates. It \
@@ -56,7 +56,7 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }));
         for ((home, slip), strangers) in groups {
             let Some(first) = strangers.first() else { continue };
-            let more = if strangers.len() > 1 { format!(" ({} such names)", strangers.len()) } else { String::new() };
+            let more = such(strangers.len(), "names");
             let reason = match home.and_then(|home| macros.macrodefs.get(home)) {
                 Some(home) => format!("is a combination of macrodef {}", titles::macrodef(home)),
                 None => slip.reason(&space),

@@ -76,12 +76,13 @@ fn valueless_text(keyword: &str) -> (String, Level, String, String) {
     (format!("`{keyword}` has no value"), level, effect.to_owned(), WRITE.to_owned())
 }
 
-/// A colour with another number of numbers than three. Of several lines the last counts.
+/// A colour with another number of numbers than three. Of several lines the last counts, but to `MakeHuman` 1 each.
 fn colour(surface: &Surface<'_>, line: &Line) -> Option<(String, Level, String, String)> {
     let keyword = line.keyword.name;
-    let is_last = surface.material.last(keyword).is_some_and(|last| std::ptr::eq(last, line));
+    let is_read = loader::is_1(surface.application) && line.count < 3;
+    let is_read = is_read || surface.material.last(keyword).is_some_and(|last| std::ptr::eq(last, line));
     let are_numbers = (0..line.count.min(3)).all(|at| line.number_at(at).is_some());
-    if !is_last || !are_numbers {
+    if !is_read || !are_numbers {
         return None;
     }
     match line.count {

@@ -45,7 +45,7 @@ fn fault(line: &Line) -> Option<Fault> {
         place: Surface::place(line),
         level: Level::Warning,
         message: format!("`{keyword} {text}` counts as false"),
-        effect: "takes it for false: only `true`, `yes` and `enabled` are true".to_owned(),
+        effect: "reads it as false: only `true`, `yes` and `enabled` are true".to_owned(),
         help: format!("write `{keyword} True` or `{keyword} False`"),
     })
 }

@@ -32,7 +32,7 @@ pub(super) fn report(rule: &Rule, surface: &Surface<'_>, faults: Vec<Fault>, sev
             }
         };
         let finding = rule.at(surface.file, first.place.clone(), message).level_in(surface.application, level);
-        let finding = finding.effect_in(surface.application, first.effect.clone()).help(first.help.clone());
+        let finding = finding.effect_in(surface.application, effect(&own, first)).help(help(&own, first));
         let parts = own.iter().map(|fault| (fault.key.clone(), &surface.file.path, fault.place.clone()));
         let finding = finding.key(level.to_string()).parts_at(parts);
         out.push(if own.len() > 1 {
@@ -42,6 +42,19 @@ pub(super) fn report(rule: &Rule, surface: &Surface<'_>, faults: Vec<Fault>, sev
             finding
         });
     }
+}
+
+/// What becomes of the lines, as far as it is the same for all of them.
+fn effect(own: &[&Fault], first: &Fault) -> String {
+    if own.len() == 1 { first.effect.clone() } else { first.effect.replace("ignores the line", "ignores the lines") }
+}
+
+/// What to do about the lines. Where that differs it is said of the first.
+fn help(own: &[&Fault], first: &Fault) -> String {
+    if own.iter().all(|fault| fault.help == first.help) {
+        return first.help.clone();
+    }
+    format!("for `{}`: {}", first.key, first.help)
 }
 
 /// Keywords that a message names.

@@ -2,6 +2,7 @@
 //! makehuman1.md §12, makehuman1-observed.md 1, 2).
 
 use crate::diag::Application;
+use crate::formats::mhmat::Line;
 use crate::formats::python_int;
 use crate::repo::{Surface, Wearer};
 
@@ -98,6 +99,23 @@ pub(super) fn is_phong(surface: &Surface<'_>) -> bool {
     }
 }
 
+/// The lines that set parameters of the shader in the end.
+pub(super) fn last_parameters<'s>(surface: &'s Surface<'_>) -> impl Iterator<Item = &'s Line> {
+    let own = surface.material.lines_of("shaderParam").filter(|line| line.count > 1);
+    own.filter(|line| surface.material.parameter(line.word(0)).is_some_and(|last| std::ptr::eq(last, *line)))
+}
+
+/// Parameters of shaders that MakeHuman 1 sets from other keywords.
+#[rustfmt::skip]
+pub(super) const PARAMETERS: [&str; 16] = [
+    "diffuse", "ambient", "specular", "emissive", "diffuseTexture", "bumpmapTexture", "normalmapTexture",
+    "displacementmapTexture", "specularmapTexture", "transparencymapTexture", "aomapTexture", "bumpmapIntensity",
+    "normalmapIntensity", "specularmapIntensity", "transparencymapIntensity", "aomapIntensity",
+];
+/// Defines that follow from the material.
+pub(super) const DEFINES: [&str; 8] =
+    ["DIFFUSE", "BUMPMAP", "NORMALMAP", "DISPLACEMENT", "SPECULARMAP", "VERTEX_COLOR", "TRANSPARENCYMAP", "AOMAP"];
+
 /// A number that the last line of a keyword sets, as it is written.
 pub(super) fn number(surface: &Surface<'_>, keyword: &str) -> Option<f64> {
     surface.material.last(keyword)?.number_at(0)
@@ -115,7 +133,7 @@ pub(super) fn crash(surface: &Surface<'_>, exception: &str) -> String {
         return format!("crashes with `{exception}` {}; {}", when(surface), models(surface));
     }
     match surface.wearer {
-        Wearer::Skin if surface.file.rel == DEFAULT_SKIN => {
+        Wearer::Skin if surface.is_first => {
             format!("does not start: `{exception}` at the default skin")
         }
         Wearer::Skin => format!("does not show the skin: `{exception}` when it is chosen"),
@@ -123,9 +141,6 @@ pub(super) fn crash(surface: &Surface<'_>, exception: &str) -> String {
         Wearer::Choice => format!("does not show the material: `{exception}` when it is chosen"),
     }
 }
-
-/// The skin that MakeHuman 1 starts with.
-const DEFAULT_SKIN: &str = "skins/default.mhmat";
 
 /// When the material is read.
 pub(super) const fn when(surface: &Surface<'_>) -> &'static str {

@@ -6,14 +6,14 @@ use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Finding, Level, RuleInfo,
 };
-use crate::repo::{Picture, Surface, View};
+use crate::repo::{Shader, Surface, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "silently draws the surface like phong, without its settings"), (Makehuman1, "logs an error and draws the surface without a shader")],
     docs: "A material asks for a shader that MakeHuman 2 does not have for materials. It has `phong`, `litsphere`, `pbr` \
         and `toon`, in small letters; of a path such as `shaders/glsl/litsphere` it takes the last part.\n\n\
         With another name the surface is drawn like phong, but without the settings that phong gets. The name is kept \
-        when the material is saved.\n\nA shader of MakeHuman 1 is a path without its ending, such as `shaders/glsl/litsphere`. Without one of its files the surface is drawn without a shader.\n\nWrite one of the four names.",
+        when the material is saved.\n\nA shader of MakeHuman 1 is a path without its ending, such as `shaders/glsl/litsphere`. Without one of its files the surface is drawn without a shader.\n\nWrite one of the four names for MakeHuman 2, and the whole path for MakeHuman 1.",
     ..RuleInfo::new("material-missing-shader", Level::Warning, "a material asks for a shader that does not exist")
 });
 
@@ -37,7 +37,7 @@ fn of_files(view: &View<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();
     let has_shaders = layers.strongest_first().any(|layer| layer.below(FOLDER).next().is_some());
     for surface in view.surfaces().iter().filter(|surface| layers.is_checked(surface.file) && has_shaders) {
-        let missing = |shader: &&Picture<'_>| shader.file.is_none() && !shader.is_open;
+        let missing = |shader: &&Shader<'_>| shader.files.is_empty() && !shader.is_open;
         let Some(shader) = surface.shader.as_ref().filter(missing) else { continue };
         let name = shader.text.rsplit('/').next().unwrap_or_default();
         let shown: String = shader.text.chars().take(60).collect();

@@ -17,15 +17,6 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     ..RuleInfo::new("material-protected-name", Level::Error, "a name of a shader that the program keeps for itself")
 });
 
-#[rustfmt::skip]
-const PARAMETERS: [&str; 16] = [
-    "diffuse", "ambient", "specular", "emissive", "diffuseTexture", "bumpmapTexture", "normalmapTexture",
-    "displacementmapTexture", "specularmapTexture", "transparencymapTexture", "aomapTexture", "bumpmapIntensity",
-    "normalmapIntensity", "specularmapIntensity", "transparencymapIntensity", "aomapIntensity",
-];
-const DEFINES: [&str; 8] =
-    ["DIFFUSE", "BUMPMAP", "NORMALMAP", "DISPLACEMENT", "SPECULARMAP", "VERTEX_COLOR", "TRANSPARENCYMAP", "AOMAP"];
-
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
         let faults = surface.material.lines.iter().filter_map(|line| fault(surface, line)).collect();
@@ -37,8 +28,8 @@ fn fault(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
     let keyword = line.keyword.name;
     let name = match keyword {
         // Without a value it has another finding.
-        "shaderParam" if line.count > 1 => PARAMETERS.into_iter().find(|own| *own == line.word(0))?,
-        "shaderDefine" => DEFINES.into_iter().find(|own| *own == line.word(0))?,
+        "shaderParam" if line.count > 1 => loader::PARAMETERS.into_iter().find(|own| *own == line.word(0))?,
+        "shaderDefine" => loader::DEFINES.into_iter().find(|own| *own == line.word(0))?,
         _ => return None,
     };
     Some(Fault {

@@ -66,7 +66,7 @@ fn words(application: Application, line: &Line) -> Option<(String, String)> {
     match line.keyword.value {
         Value::Whole => match python_int(line.word(0).as_bytes())? {
             0..=2 => None,
-            3.. => Some(("takes it for 0: the texture keeps its colours".to_owned(), "write 0, 1 or 2".to_owned())),
+            3.. => Some(("reads it as 0: the texture keeps its colours".to_owned(), "write 0, 1 or 2".to_owned())),
             _ => Some(("does nothing with it: the texture keeps its colours".to_owned(), "write 0, 1 or 2".to_owned())),
         },
         Value::Number => {

@@ -1,10 +1,11 @@
 //! A parameter of a shader is of the kind that the shader has.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, counted};
 use super::fault::{Fault, report};
 use super::loader;
 use crate::diag::{Application::Makehuman1, Finding, Level, RuleInfo};
 use crate::formats::mhmat::Line;
+use crate::formats::shader_source::Shape;
 use crate::repo::{Surface, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
@@ -13,51 +14,66 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         `AdditiveShading` of `litsphere`, or a number for a picture, such as `litsphereTexture`.\n\n\
         MakeHuman 1 puts the asset on, and then raises an exception in each frame as soon as it comes to this surface. \
         What would be drawn after it is missing for as long as the asset is worn.\n\n\
-        The shaders that come with the program are checked. Write one number, or the name of a picture.",
+        Parameters are looked up in the sources of the shader. One that is only there under `#if`, or is used only there, is not checked.\n\n\
+        Write as many numbers as the shader declares, or the name of a picture.",
     ..RuleInfo::new("material-uniform-type", Level::Error, "a parameter of a shader of another kind")
 });
 
-/// Shader, parameter, and whether that is a picture; of the shaders that come with the program (formats/makehuman1.md §13).
-const UNIFORMS: [(&str, &str, bool); 8] = [
-    ("litsphere", "AdditiveShading", false),
-    ("litsphere", "litsphereTexture", true),
-    ("xray", "edgefalloff", false),
-    ("xray", "intensity", false),
-    ("toon", "silhouetteThreshold", false),
-    ("toon", "ambientIntensity", false),
-    ("toon", "specularIntensity", false),
-    ("toon", "diffuseIntensity", false),
+/// Shader, parameter, and what it takes; of the shaders that come with the program (formats/makehuman1.md §13), where
+/// their sources are not at hand.
+const UNIFORMS: [(&str, &str, Shape); 8] = [
+    ("litsphere", "AdditiveShading", Shape::Numbers(1)),
+    ("litsphere", "litsphereTexture", Shape::Picture),
+    ("xray", "edgefalloff", Shape::Numbers(1)),
+    ("xray", "intensity", Shape::Numbers(1)),
+    ("toon", "silhouetteThreshold", Shape::Numbers(1)),
+    ("toon", "ambientIntensity", Shape::Numbers(1)),
+    ("toon", "specularIntensity", Shape::Numbers(1)),
+    ("toon", "diffuseIntensity", Shape::Numbers(1)),
 ];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
-        let shader = loader::shader(surface);
-        let own = surface.material.lines.iter().filter(|line| line.keyword.name == "shaderParam" && line.count > 1);
-        let is_last =
-            |line: &&Line| surface.material.parameter(line.word(0)).is_some_and(|last| std::ptr::eq(last, *line));
-        let faults = own.filter(is_last).filter_map(|line| fault(shader, line)).collect();
+        let faults = loader::last_parameters(surface).filter_map(|line| fault(surface, line)).collect();
         report(&RULE, surface, faults, "have values of another kind than the shader", out);
     }
 }
 
-fn fault(shader: &str, line: &Line) -> Option<Fault> {
-    let (_, name, is_picture) = UNIFORMS.iter().find(|own| own.0 == shader && own.1 == line.word(0))?;
+/// What a parameter of the shader takes, where it is sure to be in use.
+fn shape(surface: &Surface<'_>, name: &str) -> Option<Shape> {
+    let shader = surface.shader.as_ref().filter(|shader| !shader.files.is_empty());
+    let Some(shader) = shader else {
+        let own = loader::shader(surface);
+        return UNIFORMS.iter().find(|known| known.0 == own && known.1 == name).map(|known| known.2);
+    };
+    shader.uniform(name).filter(|uniform| uniform.is_certain).map(|uniform| uniform.value)
+}
+
+fn fault(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
+    let name = line.word(0);
+    let shape = shape(surface, name).filter(|_| !loader::PARAMETERS.contains(&name))?;
     // Several values that are not numbers stop the reader before that.
     let are_numbers = (1..line.count.min(line.words.len())).all(|at| line.number_at(at).is_some());
-    let (what, help) = match (is_picture, line.count) {
-        (true, _) if are_numbers => ("a number, but the shader expects a picture", "write the name of a picture"),
-        (false, 2) if !are_numbers => {
-            ("a word, but the shader expects a number", "write a number with a decimal point")
+    let (what, help) = match (shape, line.count - 1) {
+        (Shape::Picture, _) if are_numbers => {
+            ("a number, but the shader expects a picture".to_owned(), "write the name of a picture".to_owned())
         }
-        (false, 3..) if are_numbers => ("several numbers, but the shader expects one", "write one number"),
+        (Shape::Numbers(count), 1) if !are_numbers => {
+            let numbers = counted(count, "number");
+            (format!("a word, but the shader expects {numbers}"), format!("write {numbers} with decimal points"))
+        }
+        (Shape::Numbers(count), given) if are_numbers && given != count => {
+            let numbers = counted(count, "number");
+            (format!("{}, but the shader expects {count}", counted(given, "number")), format!("write {numbers}"))
+        }
         _ => return None,
     };
     Some(Fault {
-        key: (*name).to_owned(),
+        key: name.to_owned(),
         place: Surface::place(line),
         level: Level::Error,
         message: format!("`{name}` has {what}"),
         effect: "ends each frame at this surface: what would be drawn after it is not drawn".to_owned(),
-        help: help.to_owned(),
+        help,
     })
 }

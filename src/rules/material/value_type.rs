@@ -51,7 +51,7 @@ fn fault(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
         Value::Whole => {
             let is_last = surface.material.last(keyword).is_some_and(|last| std::ptr::eq(last, line));
             let word = words.next().filter(|word| is_last && python_int(word.text.as_bytes()).is_none())?;
-            (word, Level::Warning, "takes it for 0: the texture keeps its colours".to_owned())
+            (word, Level::Warning, "reads it as 0: the texture keeps its colours".to_owned())
         }
         _ => return None,
     };

@@ -22,7 +22,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         body.\n\n\
         Give the vertex a finite position.",
     counts: "vertices",
-    ..RuleInfo::new("mesh-non-finite", Level::Error, "the position of a vertex is not finite")
+    ..RuleInfo::new("mesh-non-finite", Level::Error, "the position of a vertex is NaN or infinite")
 });
 
 /// Each vertex of an asset is fitted to the base mesh, wherever it lies.
@@ -45,8 +45,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
 fn of_worn(file: &FileFacts, facts: &MeshFacts) -> Option<Finding> {
     let (line, _) = facts.non_finite_uvs.first.first()?;
     let message = match facts.non_finite_uvs.count {
-        1 => "a texture coordinate is not finite".to_owned(),
-        count => format!("{count} texture coordinates are not finite"),
+        1 => "a texture coordinate is NaN or infinite".to_owned(),
+        count => format!("{count} texture coordinates are NaN or infinite"),
     };
     let finding = RULE.at(file, Place::Line(*line), message).key("uv").case(UV);
     Some(finding.help("give it finite numbers, or export the mesh again"))
@@ -57,8 +57,8 @@ fn positions(view: &View<'_>, file: &FileFacts, facts: &MeshFacts) -> Option<Fin
     let (line, vertex) = tally.first.first()?;
     let named = view.landmarks(file).map_or_else(|| format!("vertex {vertex}"), |body| body.vertex(*vertex));
     let message = match tally.count {
-        1 => format!("the position of {named} is not finite"),
-        count => format!("the positions of {count} vertices are not finite, first {named}"),
+        1 => format!("the position of {named} is NaN or infinite"),
+        count => format!("the positions of {count} vertices are NaN or infinite, first {named}"),
     };
     let element = Element { kind: "vertex", index: vertex.unsigned_abs() };
     let place = if *line == 0 { Place::Element(element) } else { Place::Row(*line, element) };

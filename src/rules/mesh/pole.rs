@@ -33,7 +33,8 @@ fn finding(worn: &Worn<'_>) -> Option<Finding> {
         return None;
     }
     let place = entry.map_or(Place::File, |entry: &Entry| Place::Span(entry.word_span()));
-    let message = format!("vertex {vertex} of `{}` has {faces} faces, but {} are kept", file.file_name(), kept.max(0));
+    let message =
+        format!("{} of `{}` has {faces} faces, but {} are kept", mesh.named(vertex), file.file_name(), kept.max(0));
     let finding = RULE.at(worn.file, place, message).related(file.path.clone(), Place::File, "the mesh");
     Some(finding.help(format!("write `max_pole {}`", faces.div_ceil(2))))
 }

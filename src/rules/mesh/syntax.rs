@@ -1,6 +1,6 @@
 //! Every line of a mesh must be readable.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, such};
 use super::{ASSET_INDEX, ASSET_VALUE, ReadMesh, read};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
@@ -58,7 +58,7 @@ fn short_face(view: &View<'_>, file: &FileFacts, mesh: &ReadMesh<'_>) -> Option<
 fn nameless(file: &FileFacts, mesh: &ReadMesh<'_>) -> Option<Finding> {
     let tally = &mesh.facts.nameless;
     let (line, _) = tally.first.first()?;
-    let more = if tally.count > 1 { format!(" ({} such lines)", tally.count) } else { String::new() };
+    let more = such(tally.count, "lines");
     let message = format!("a line `g` or `o` has no name{more}");
     Some(RULE.at(file, Place::Line(*line), message).key("name").help("write a name, or remove the line"))
 }

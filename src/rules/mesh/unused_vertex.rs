@@ -12,7 +12,7 @@ use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "keeps and counts the vertex but never shows it"),
+        (Makehuman2, "keeps and counts such vertices but never shows them"),
         (Makehuman1, "does not put the asset on: it loads no mesh with loose vertices"),
     ],
     levels: &[(Makehuman1, Level::Error)],
@@ -53,9 +53,10 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
 fn loose(file: &FileFacts, mesh: &AssetMesh) -> Option<Finding> {
     let tally = &mesh.facts.unused;
     let (_, vertex) = tally.first.first().filter(|_| mesh.is_sound() && mesh.faces > 0)?;
+    let first = mesh.named(*vertex);
     let message = match tally.count {
-        1 => format!("no face uses vertex {vertex}"),
-        count => format!("{count} of {} vertices are not used by any face, first vertex {vertex}", mesh.facts.vertices),
+        1 => format!("no face uses {first}"),
+        count => format!("{count} of {} vertices are not used by any face, first {first}", mesh.facts.vertices),
     };
     let help = "remove the vertex, and its row in the asset; or give it a face";
     Some(RULE.at(file, Place::File, message).help(help).evidence(tally.evidence(mesh.facts.vertices)))

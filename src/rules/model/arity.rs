@@ -1,6 +1,6 @@
 //! A line of a model has all its words.
 
-use super::super::{Check, Rule, RuleCx, counted};
+use super::super::{Check, Rule, RuleCx, counted, such};
 use super::{own, when};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, SavedModel, View};
@@ -23,7 +23,7 @@ fn finding(saved: &SavedModel<'_>) -> Option<Finding> {
     let short = &saved.model.short;
     let first = short.first()?;
     let keyword = &first.keyword.text;
-    let more = if short.len() > 1 { format!(" ({} such lines)", short.len()) } else { String::new() };
+    let more = such(short.len(), "lines");
     let message = match (first.found, first.needed) {
         (1, 2) => format!("`{keyword}` has no value{more}"),
         (found, needed) => format!("`{keyword}` has {}, expected {}{more}", counted(found - 1, "value"), needed - 1),

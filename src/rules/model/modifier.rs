@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::cause::overlay::has_sliders;
 use super::super::cause::schema::is_faulty;
-use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
+use super::super::{Check, Rule, RuleCx, counted, did_you_mean, such};
 use super::known_pattern::Known;
 use super::modifier_value::{Faulty, faulty};
 use super::{own, when};
@@ -126,7 +126,7 @@ fn out_of_range(base: &Base<'_>, saved: &SavedModel<'_>) -> Option<Finding> {
 }
 
 fn more(count: usize) -> String {
-    if count > 1 { format!(" ({count} such lines)") } else { String::new() }
+    such(count, "lines")
 }
 
 fn patterns<'m>(modifiers: impl Iterator<Item = &'m Modifier>) -> crate::diag::Cases {

@@ -6,7 +6,7 @@ use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "takes the whole line for one tag")],
+    breaks: &[(Makehuman2, "reads the whole line as one tag")],
     docs: "The tags of a model (`.mhm`) are separated by semicolons: `tags adult;casual`.\n\n\
         With commas MakeHuman 2 takes all of them for one tag, by which nobody finds the model.\n\n\
         Write semicolons.",

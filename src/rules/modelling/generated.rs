@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::super::Rule;
 use super::super::cause::is_generated_for;
+use super::super::{Rule, such};
 use super::marks::ANEW;
 use crate::diag::{Evidence, Finding, Place};
 use crate::formats::target_cat::Category;
@@ -23,7 +23,7 @@ pub(super) fn hidden(rule: &Rule, base: &Base<'_>) -> Option<Finding> {
     let hidden: Vec<&BoundSlider<'_>> = base.sliders.iter().filter(is_hidden).collect();
     let first = hidden.first().filter(|_| own.categories.iter().any(|category| !category.items.is_empty()))?;
     let (key, group) = (first.slider.key.as_str(), first.slider.group.as_deref().unwrap_or_default());
-    let more = if hidden.len() > 1 { format!(" ({} such sliders)", hidden.len()) } else { String::new() };
+    let more = such(hidden.len(), "sliders");
     let message =
         format!("`{key}` is never shown: no item of the generated target_cat.json has the group `{group}`{more}");
     let finding = rule.at(first.file, Place::pointer([key, "group"]), message).key("generated").help(ANEW);

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::super::Rule;
 use super::super::cause::is_generated_for;
+use super::super::{Rule, such};
 use crate::diag::{Evidence, Finding, Place};
 use crate::repo::makehuman2::Base;
 use crate::repo::{Reference, ReferenceKind};
@@ -18,7 +18,7 @@ pub(super) const ANEW: &str =
 pub(super) fn needless(rule: &Rule, marked: &[&Reference<'_>]) -> Option<Finding> {
     let first = marked.first()?;
     let owners: BTreeSet<&str> = marked.iter().map(|reference| reference.owner).collect();
-    let more = if owners.len() > 1 { format!(" ({} such entries)", owners.len()) } else { String::new() };
+    let more = such(owners.len(), "entries");
     let key = first.owner;
     let message = format!("`{key}` has the key `user`, so `{}` is expected among the user targets{more}", first.text);
     let finding = rule.at(first.from, Place::key([key, "user"]), message).key("user");
@@ -36,7 +36,7 @@ pub(super) fn missing(rule: &Rule, base: &Base<'_>, first: &Reference<'_>, count
     let system =
         base.targets.map_or_else(|| format!("target/{}", base.name), |folder| folder.layer.display(&folder.rel()));
     let side = if first.kind == ReferenceKind::Incr { "incr" } else { "decr" };
-    let more = if count > 1 { format!(" ({count} such names)") } else { String::new() };
+    let more = such(count, "names");
     let message =
         format!("`{}` lacks the key `user`, so `{}` is expected in `{system}`{more}", first.owner, first.text);
     let finding = rule.at(first.from, first.place.clone(), message).key(format!("{} {side}", first.owner));

@@ -85,7 +85,7 @@ fn fault(
         if !partner.pattern.names().iter().any(|name| name == third) {
             return None;
         }
-        let help = format!("write `\"{back}\": \"{pattern}\"` in `{other}`, or correct the counterpart here");
+        let help = format!("correct `{member}` here: `{other}` has a counterpart of its own");
         return Some((format!("`{own}` has the counterpart `{other}`, which names `{its_partner}`"), ONE_WAY, help));
     }
     if its_member == member {

@@ -10,7 +10,7 @@ use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, Rule
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "never shows the slider; only saved models can set it")],
+    breaks: &[(Makehuman2, "never shows such sliders; only saved models can set them")],
     docs: "No item of `target_cat.json` shows the slider. It is shown under the item whose `group|cat` equals its \
         `group`, letter by letter.\n\nMakeHuman 2 silently hides a slider whose group no item has, or that has \
         no group. Without any `target_cat.json` it shows no slider (an error, as when the file cannot be read). \

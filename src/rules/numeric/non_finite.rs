@@ -16,17 +16,17 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         no normal, and MakeHuman 2 divides by zero and goes on (sine of the angle below 1e-7, which is zero in its \
         32-bit floats). For a vertex, displacements add up to more than a 32-bit float can hold.\n\n\
         The finding is reported at the target that moves the joints or the vertex most at that setting. Fix its \
-        rows there. Planes whose joints are on one straight line on the default character and displacements that are not finite have \
+        rows there. Planes whose joints are on one straight line on the default character and displacements that are NaN or infinite have \
         rules of their own.",
-    ..RuleInfo::new("numeric-non-finite", Level::Error, "a vertex or matrix is not finite at some slider setting")
+    ..RuleInfo::new("numeric-non-finite", Level::Error, "a vertex or matrix is NaN or infinite at some slider setting")
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if let Some(seen) = untold(body, measures, Trouble::NonFinite) {
         let vertex = body.vertex(seen.element);
         let message = match seen.count {
-            1 => format!("the position of {vertex} is not finite"),
-            count => format!("the positions of {count} vertices are not finite, first {vertex}"),
+            1 => format!("the position of {vertex} is NaN or infinite"),
+            count => format!("the positions of {count} vertices are NaN or infinite, first {vertex}"),
         };
         out.push(
             at_setting(&RULE, body, seen, &message)

@@ -27,7 +27,7 @@ const TOLERANCE: f64 = 1e-4;
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((vertex, moved)) = measures.weights.as_ref().and_then(|weights| weights.rest_distance) else { return };
-    // A default character that is not finite is the cause then, and told as such.
+    // A default character that is NaN or infinite is the cause then, and told as such.
     if measures.space.is_none() {
         return;
     }

@@ -70,6 +70,8 @@ fn without_sliders(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
 fn without_macros(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
     let folder = format!("target/{}", base.name);
     let help = "add a macro.json to contarget; without macros, write `{\"components\": {}, \"macrodef\": []}`";
+    // With a macro.json nothing is read from the folder of the system data any more.
+    let whole = "add a macro.json to contarget, with all targets of the base: none are read from `target/` then";
     let own = base.other_targets.map_or(0, |contarget| contarget.targets().count());
     match system {
         SystemFolder::Absent => {
@@ -80,11 +82,11 @@ fn without_macros(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
             let (own, be) = (counted(own, "target file"), if own == 1 { "is" } else { "are" });
             let message =
                 format!("macro.json is missing: targets come from `{folder}`, and {own} in contarget {be} never read");
-            Some((Level::Warning, message, "loads the targets of the system data with the same names", help))
+            Some((Level::Warning, message, "loads the targets of the system data with the same names", whole))
         }
         SystemFolder::Exists => {
             let message = format!("macro.json is missing: targets and icons come from `{folder}` of the system data");
-            Some((Level::Info, message, "uses these sliders with the targets of the system data", help))
+            Some((Level::Info, message, "uses these sliders with the targets of the system data", whole))
         }
         // Its references are among what was not checked.
         SystemFolder::Unknown => None,

@@ -6,7 +6,7 @@ use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, Rule
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "reads the file in contarget instead of the one in the system data")],
+    breaks: &[(Makehuman2, "reads the files in contarget instead of those in the system data")],
     docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace the files in the system data of \
         the same names completely; nothing is merged. With macro.json the targets change as well: none in the \
         system data can be reached. That is what overrides are for; the finding lists what is no longer reachable. \

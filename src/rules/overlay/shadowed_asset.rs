@@ -3,18 +3,26 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
+};
 use crate::discover::extension;
 use crate::repo::makehuman2::{Asset, View};
-use crate::repo::{FileFacts, Layer, parent};
+use crate::repo::{FileFacts, Layer, makehuman1, parent};
 
-pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "lists the user's asset in place of the system's")],
+pub(in crate::rules) static RULE: Rule = Check::Libraries(run, shared).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "lists the user's asset in place of the system's"),
+        (Makehuman1, "takes the user's file wherever it is named, also in materials of the system"),
+    ],
     docs: "An asset of the user has the name and uuid of one of the system. MakeHuman 2 lists the user's. Its material and mesh \
         are looked for beside it, so the folder has to be complete.\n\n\
         A material or mesh of the user in a folder that only the system has an asset in is never used (a warning): MakeHuman \
         2 takes what lies beside the system's asset. Materials in `eyes/<base>/materials` are an exception, and those that a \
         model names.\n\n\
+        MakeHuman 1 looks for a name such as `litspheres/x.png` in the data of the user first, whoever names it: a file of \
+        the user in `litspheres`, `textures`, `shaders` or `uvs` replaces that of the system with the same path.\n\n\
         Nothing has to be done if the asset is meant to be replaced. Otherwise give it a name and a uuid of its own, or copy \
         the whole asset.",
     ..RuleInfo::new("overlay-shadowed-asset", Level::Info, "an asset of the user replaces one of the system")
@@ -43,6 +51,22 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     };
     let idle = grouped(view.layers.checked.files.values().filter(is_idle).map(|file| (parent(&file.rel), file)));
     out.extend(idle.into_iter().filter_map(|(folder, files)| unused(view, folder, &files)));
+}
+
+/// Folders of MakeHuman 1 whose files are named from anywhere.
+const SHARED: [&str; 4] = ["litspheres", "textures", "shaders", "uvs"];
+
+fn shared(view: &makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let (checked, Some(system)) = (view.layers.checked, view.layers.system) else { return };
+    if view.layers.checks_system() {
+        return;
+    }
+    for file in SHARED.into_iter().flat_map(|folder| checked.below(folder)) {
+        let Some(other) = system.file(&file.rel) else { continue };
+        let finding = RULE.at(file, Place::File, format!("replaces the system's `{}`", file.rel)).key(&file.rel);
+        let finding = finding.related(other.path.clone(), Place::File, "the replaced file");
+        out.push(finding.help("give it a name of its own if it is not meant to replace that one"));
+    }
 }
 
 fn replacing(view: &View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {

@@ -1,6 +1,6 @@
 //! A pose unit turns a bone by nine numbers.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, such};
 use super::{at, turns};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::pose_units::TurnFault;
@@ -30,7 +30,7 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         TurnFault::Count(count) => format!("has {count} numbers, expected 9"),
         TurnFault::NotANumber | TurnFault::NonFinite => "has a value that is not a number".to_owned(),
     };
-    let more = if faulty.len() > 1 { format!(" ({} such matrices)", faulty.len()) } else { String::new() };
+    let more = such(faulty.len(), "matrices");
     let message = format!("the matrix of bone `{}` in unit `{}` {what}{more}", turn.bone, unit.name);
     let evidence = Evidence::of_cases(faulty.iter().map(|(place, ..)| place));
     let finding = RULE.at(file, Place::Pointer(place.clone()), message).evidence(evidence);

@@ -57,7 +57,7 @@ fn unread(view: &View<'_>, file: &FileFacts, misspelt: &Misspelt) -> Finding {
         count => format!("`{word}` is not recognised, expected `{meant}` ({})", counted(count, "such line")),
     };
     let effect = match *meant {
-        "name" => "ignores the line: the motion has the name of its file",
+        "name" => "ignores such lines: the motion has the name of its file",
         "tag" => "ignores the line: the motion has no such tag",
         _ => "ignores the line: the motion has no author",
     };

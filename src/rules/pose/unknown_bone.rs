@@ -12,7 +12,7 @@ use crate::formats::bvh::{Joint, Motion};
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently ignores the joint: its bone stays in the rest pose"), (Makehuman1, "refuses the pose with a message: it was made for another rig")],
+    breaks: &[(Makehuman2, "silently ignores the joint: its bone stays in the rest pose"), (Makehuman1, "does not show the pose: it was made for another rig")],
     levels: &[(Makehuman1, Level::Error)],
     docs: "A joint of a BVH file is not a bone of the skeleton that poses the base: the one that `base.json` names in \
         `pose-skeleton`. A name ends at the first space.\n\n\

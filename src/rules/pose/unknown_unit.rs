@@ -1,6 +1,6 @@
 //! Poses set units that exist, and units have counterparts that exist.
 
-use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::super::{Check, Rule, RuleCx, did_you_mean, such};
 use super::{UNITS, foreign_unit, names};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{Body, BodyPose};
@@ -27,7 +27,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let partners = units.units.iter().filter_map(|unit| Some((unit, unit.partner.as_ref()?)));
         let lost: Vec<_> = partners.filter(|(_, (_, partner))| !known.contains(partner.as_str())).collect();
         let Some((unit, (key, partner))) = lost.first().filter(|_| body.layers.is_checked(file)) else { continue };
-        let more = if lost.len() > 1 { format!(" ({} such units)", lost.len()) } else { String::new() };
+        let more = such(lost.len(), "units");
         let message = format!("`{key}` of unit `{}` is `{partner}`, which does not exist{more}", unit.name);
         let near = cx.suggestions.nearest(partner, known.iter().copied());
         let finding = RULE.at(file, Place::pointer([unit.name.as_str(), key]), message).key("partner").case(NO_MIRROR);

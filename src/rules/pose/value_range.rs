@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, such};
 use super::UNITS;
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::formats::mhpose::UnitValue;
@@ -66,7 +66,7 @@ fn finding(pose: &BodyPose<'_>, units: &str, fault: Fault, all: &[&UnitValue]) -
             ("but it has no `bones`", "write a negative value, or add `bones` to the unit".to_owned(), "bones")
         }
     };
-    let more = if all.len() > 1 { format!(" ({} such values)", all.len()) } else { String::new() };
+    let more = such(all.len(), "values");
     let message = format!("unit `{unit}` is set to {value}, {what}{more}");
     let finding = RULE.at(pose.file, Place::pointer([UNITS, unit]), message).key(key).against(units).help(help);
     let finding = finding.evidence(Evidence::of_cases(all.iter().map(|one| &one.unit)));

@@ -28,10 +28,13 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         }
         let message = format!("`{}` must end in `.{right}`: capitals matter", file.file_name());
-        let finding = RULE.at(file, Place::File, message).help(format!("rename it to `{name}`"));
+        let finding = RULE.at(file, Place::File, message);
         out.push(match twin {
-            Some(twin) => finding.case(TWINS).related(twin.path.clone(), Place::File, "the other file"),
-            None => finding,
+            Some(twin) => {
+                let help = "remove one of the two files, or give this one a name of its own";
+                finding.case(TWINS).related(twin.path.clone(), Place::File, "the other file").help(help)
+            }
+            None => finding.help(format!("rename it to `{name}`")),
         });
     }
 }

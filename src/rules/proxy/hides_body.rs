@@ -4,12 +4,19 @@ use std::ops::Range;
 
 use super::super::{Check, Rule, RuleCx};
 use super::{lone_archives, texts};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::obj::Mesh;
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "hides the whole body; the exports to glTF and OBJ crash with `ValueError`")],
+    breaks: &[
+        (Makehuman2, "hides the whole body; the exports to glTF and OBJ crash with `ValueError`"),
+        (Makehuman1, "shows nothing of the body below the asset"),
+    ],
+    levels: &[(Makehuman1, Level::Info)],
     docs: "The vertices below `delete_verts` hide all faces of the body that are shown, or nearly all.\n\n\
         A face is hidden if all its vertices are in the list. If none is left, MakeHuman 2 crashes in the exports to \
         glTF and OBJ. If more than 19 of 20 are hidden, this is reported as info: a suit may be meant so.\n\n\
@@ -18,7 +25,10 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("proxy-hides-body", Level::Error, "an asset hides the whole body")
 });
 
-const ALMOST: Case = &[(Makehuman2, Level::Info, "shows little of the body below the asset")];
+const ALMOST: Case = &[
+    (Makehuman2, Level::Info, "shows little of the body below the asset"),
+    (Makehuman1, Level::Info, "shows little of the body below the asset"),
+];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = body.whole_mesh() else { return };

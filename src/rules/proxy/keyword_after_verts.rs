@@ -1,6 +1,6 @@
 //! Below the vertex rows only some lines are found.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, such};
 use super::keywords::known_to_makehuman1;
 use super::{Text, sections, texts};
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo};
@@ -9,7 +9,7 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "does not put the asset on: it reads the line as a vertex row")],
-    docs: "A line with a word that is not a keyword stands below `verts`. MakeHuman 1 reads every such line as a vertex row, so \
+    docs: "A line with a word that is not a keyword is below `verts`. MakeHuman 1 reads every such line as a vertex row, so \
         that the asset cannot be put on. Above `verts` it ignores unknown words.\n\n\
         Keywords may stand anywhere, but the library looks no further than `verts`: a `tag` below it does not count \
         before the asset was put on, and a `uuid` below it in the data of the program is not found (warnings).\n\n\
@@ -30,7 +30,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.extend(unknown(&text));
         out.extend(unseen(&text, "tag", TAG));
         // From the data of a user an archive is made, in which it is found.
-        if body.layers.system.is_some_and(|system| std::ptr::eq(system, body.layers.checked)) {
+        if body.layers.checks_system() {
             out.extend(unseen(&text, "uuid", UUID));
         }
     }
@@ -45,7 +45,7 @@ fn unknown(text: &Text<'_, '_>) -> Option<Finding> {
     };
     let found: Vec<&Entry> = text.clothes.entries.iter().filter(is_unknown).collect();
     let first = found.first()?;
-    let more = if found.len() > 1 { format!(" ({} such lines)", found.len()) } else { String::new() };
+    let more = such(found.len(), "lines");
     let message = format!("`{}` below `verts` is not a keyword{more}", first.keyword);
     let finding = RULE.at(text.file, Place::Span(first.keyword_span.clone()), message);
     let evidence = Evidence::of_cases(found.iter().map(|entry| entry.keyword.to_string()));
@@ -57,7 +57,7 @@ fn unseen(text: &Text<'_, '_>, keyword: &str, case: Case) -> Option<Finding> {
     let is_below = |entry: &&Entry| entry.section != Section::Header && !entry.has_colon;
     let entry = text.clothes.all(keyword).find(is_below)?;
     let is_told = keyword == "uuid" && text.clothes.all(keyword).any(|entry| entry.section == Section::Header);
-    let message = format!("`{keyword}` stands below `verts`");
+    let message = format!("`{keyword}` is below `verts`");
     let finding = RULE.at(text.file, Place::Span(entry.keyword_span.clone()), message).key(keyword).case(case);
     (!is_told).then(|| finding.help("move the line above `verts`"))
 }

@@ -25,9 +25,8 @@ const READ: [&str; 18] = [
     "weights",
 ];
 
-/// What only other applications read, or once did.
-const OTHERS: [&str; 27] = [
-    "basemesh",
+/// What MakeHuman 1 reads besides.
+const OF_MAKEHUMAN1: [&str; 12] = [
     "max_pole",
     "special_pose",
     "uvLayer",
@@ -40,6 +39,11 @@ const OTHERS: [&str; 27] = [
     "r_shear_x",
     "r_shear_y",
     "r_shear_z",
+];
+
+/// What no application reads any more, or only MPFB does.
+const OTHERS: [&str; 15] = [
+    "basemesh",
     "backface_culling",
     "transparent",
     "shapekey",
@@ -68,7 +72,7 @@ const ALIASES: [(&str, &str); 5] = [
 /// Whether MakeHuman 1 reads the keyword, or passes over it as one of old.
 pub(super) fn known_to_makehuman1(keyword: &str) -> bool {
     let of_others = keyword == "texture";
-    !of_others && (READ.contains(&keyword) || OTHERS.contains(&keyword))
+    !of_others && (READ.contains(&keyword) || is_other(keyword))
 }
 
 /// Whether a line has one of the keywords that MakeHuman 1 cannot take, outside of comments.
@@ -85,7 +89,7 @@ pub(super) fn is_harmless(keyword: &str) -> bool {
 /// Whether a line has a keyword, however it is spelt.
 pub(super) fn is_known(entry: &Entry) -> bool {
     let written = entry.keyword.trim_start_matches('\u{feff}');
-    !entry.is_comment && (READ.contains(&written) || OTHERS.contains(&written) || meant(entry).is_some())
+    !entry.is_comment && (READ.contains(&written) || is_other(written) || meant(entry).is_some())
 }
 
 /// The keyword of an application that a line of an unknown one is meant to have.
@@ -96,27 +100,11 @@ pub(super) fn meant_in(application: Application, entry: &Entry) -> Option<&'stat
         return READ.into_iter().find(|known| **known == *entry.keyword);
     }
     meant(entry).or_else(|| {
-        let is_unknown = !entry.is_comment && !READ.contains(&&*entry.keyword) && !OTHERS.contains(&&*entry.keyword);
-        let near = nearest(&entry.keyword, OTHERS).filter(|_| is_unknown)?;
+        let is_unknown = !entry.is_comment && !READ.contains(&&*entry.keyword) && !is_other(&entry.keyword);
+        let near = nearest(&entry.keyword, others()).filter(|_| is_unknown)?;
         own.iter().copied().find(|known| *known == near)
     })
 }
-
-/// What MakeHuman 1 reads besides.
-const OF_MAKEHUMAN1: [&str; 12] = [
-    "max_pole",
-    "special_pose",
-    "uvLayer",
-    "shear_x",
-    "shear_y",
-    "shear_z",
-    "l_shear_x",
-    "l_shear_y",
-    "l_shear_z",
-    "r_shear_x",
-    "r_shear_y",
-    "r_shear_z",
-];
 
 /// The keyword that a line of an unknown one is meant to have.
 pub(super) fn meant(entry: &Entry) -> Option<&'static str> {
@@ -124,7 +112,7 @@ pub(super) fn meant(entry: &Entry) -> Option<&'static str> {
     if entry.is_comment || entry.section == Section::Deleted && entry.value.is_empty() {
         return None;
     }
-    if READ.contains(&written) || OTHERS.contains(&written) {
+    if READ.contains(&written) || is_other(written) {
         return None;
     }
     // With a byte order mark, which has a finding of its own.
@@ -139,10 +127,19 @@ pub(super) fn meant(entry: &Entry) -> Option<&'static str> {
     let alias = || ALIASES.iter().find(|(other, _)| *other == folded).map(|(_, known)| *known);
     let near = || {
         // One that is nearer to a keyword of another application is meant as that.
-        let near = nearest(written, READ.into_iter().chain(OTHERS))?;
+        let near = nearest(written, READ.into_iter().chain(others()))?;
         READ.into_iter().find(|known| *known == near)
     };
     same.or_else(alias).or_else(near)
+}
+
+/// Keywords that MakeHuman 2 has no use for.
+fn others() -> impl Iterator<Item = &'static str> {
+    OF_MAKEHUMAN1.into_iter().chain(OTHERS)
+}
+
+fn is_other(word: &str) -> bool {
+    others().any(|known| known == word)
 }
 
 /// Without capitals, lines and dashes.

@@ -1,6 +1,6 @@
 //! An author or a licence must be ASCII.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, such};
 use super::texts;
 use crate::diag::{Application::Makehuman1, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhclo::Entry;
@@ -21,7 +21,7 @@ const KEPT: [&str; 4] = ["author", "license", "copyright", "homepage"];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Nothing is compiled in the data of the program.
-    if body.layers.system.is_some_and(|system| std::ptr::eq(system, body.layers.checked)) {
+    if body.layers.checks_system() {
         return;
     }
     for text in texts(body) {
@@ -29,10 +29,12 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let lost: Vec<&Entry> = text.clothes.entries.iter().filter(is_lost).collect();
         let Some(first) = lost.first() else { continue };
         let letter = first.value.chars().find(|letter| !letter.is_ascii()).unwrap_or_default();
-        let more = if lost.len() > 1 { format!(" ({} such values)", lost.len()) } else { String::new() };
+        let more = such(lost.len(), "values");
         let message = format!("`{}` has the letter `{letter}`, which is not ASCII{more}", first.keyword);
         let finding = RULE.at(text.file, Place::Span(first.span.clone()), message);
         let evidence = Evidence::of_cases(lost.iter().map(|entry| entry.keyword.to_string()));
-        out.push(finding.evidence(evidence).help("write the value with the letters a to z only"));
+        out.push(
+            finding.evidence(evidence).help("write it with plain letters, without accents: `Juergen` for `Jürgen`"),
+        );
     }
 }

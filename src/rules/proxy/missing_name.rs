@@ -2,23 +2,33 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{missing::missing, texts};
-use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, RuleInfo,
+};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "lists the asset without a name, and models lose it")],
+    breaks: &[
+        (Makehuman2, "lists the asset without a name, and models lose it"),
+        (Makehuman1, "lists the asset under the name of its file"),
+    ],
+    levels: &[(Makehuman1, Level::Info)],
     docs: "An asset has no `name`.\n\n\
         MakeHuman 2 lists it under an empty name at the first start, and as `generic` from the second start on. Models \
         that were saved with the one do not find the other: the asset is missing in them without a message.\n\n\
         The library reads the file up to the first vertex row with several numbers, so a `name` below the rows does \
         not count.\n\n\
+        MakeHuman 1 takes the name of the file.\n\n\
         Add a line `name`, with a single word, above `verts`.",
     ..RuleInfo::new("proxy-missing-name", Level::Error, "an asset has no name")
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
-        if text.clothes.scanned.name.is_none() {
+        let is_missing =
+            if text.is_makehuman1() { text.last("name").is_none() } else { text.clothes.scanned.name.is_none() };
+        if is_missing {
             out.extend(
                 missing(&text, "name", "name")
                     .map(|(place, message, help)| RULE.at(text.file, place, message).help(help)),

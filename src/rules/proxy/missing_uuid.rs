@@ -2,10 +2,10 @@
 
 use super::super::cause::library::empty_uuid;
 use super::super::{Check, Rule, RuleCx};
-use super::{missing::missing, texts};
+use super::{Text, missing::missing, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Finding, Level, RuleInfo,
+    Case, Finding, Level, RuleInfo,
 };
 use crate::repo::Body;
 
@@ -20,16 +20,30 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("proxy-missing-uuid", Level::Error, "an asset has no uuid")
 });
 
+const TOPOLOGY: Case = &[(Makehuman1, Level::Info, "puts the topology on all the same")];
+const SINGLE: Case =
+    &[(Makehuman1, Level::Error, "does not put a second asset without one on, and saved models lose both")];
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
-        // Topologies do without in MakeHuman 1; an empty line is worse there, and has a finding of its own.
-        let is_lost = || !text.worn.is_topology() && text.last("uuid").is_none() && empty_uuid(text.clothes).is_none();
+        // An empty line is worse in MakeHuman 1, and has a finding of its own.
+        let is_lost = || text.last("uuid").is_none() && empty_uuid(text.clothes).is_none();
         let is_missing = if text.is_makehuman1() { is_lost() } else { text.clothes.scanned.uuid.is_none() };
         if is_missing {
-            out.extend(
-                missing(&text, "uuid", "new uuid, from a generator")
-                    .map(|(place, message, help)| RULE.at(text.file, place, message).help(help)),
-            );
+            let told = missing(&text, "uuid", "new uuid, from a generator");
+            let told = told.map(|(place, message, help)| RULE.at(text.file, place, message).help(help));
+            out.extend(told.map(|finding| match known_by(&text) {
+                Some(case) => finding.case(case),
+                None => finding,
+            }));
         }
     }
+}
+
+/// What else becomes of an asset of which one alone is worn.
+fn known_by(text: &Text<'_, '_>) -> Option<Case> {
+    if text.worn.is_topology() {
+        return Some(TOPOLOGY);
+    }
+    (!text.file.rel.starts_with("clothes/")).then_some(SINGLE)
 }

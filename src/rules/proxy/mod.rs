@@ -19,6 +19,7 @@ pub(super) mod missing_name;
 pub(super) mod missing_uuid;
 pub(super) mod missing_weights;
 pub(super) mod non_finite;
+pub(super) mod offsets_lost;
 mod older;
 pub(super) mod scale;
 mod scale_lines;
@@ -30,16 +31,22 @@ pub(super) mod stale_binary;
 pub(super) mod syntax;
 pub(super) mod tag;
 pub(super) mod topology;
+pub(super) mod unknown_basemesh;
 pub(super) mod unknown_keyword;
 pub(super) mod uvlayer;
+pub(super) mod version;
 pub(super) mod vertex_count;
 pub(super) mod vertex_out_of_range;
+pub(super) mod weight_table_short;
 pub(super) mod weights_sum;
 pub(super) mod z_depth;
+
+use std::fmt::Display;
 
 use archives::{Archive, archives, lone_archives, rebuild};
 use older::needs_value;
 
+use super::such;
 use crate::diag::{
     Application::{self, Makehuman1, Makehuman2},
     Case, Evidence, Level,
@@ -113,6 +120,11 @@ impl<'v> Text<'_, 'v> {
         }
     }
 
+    /// A vertex of the asset, with its group in the mesh.
+    fn vertex(&self, vertex: impl TryInto<u32> + Display + Copy) -> String {
+        self.worn.mesh().map_or_else(|| format!("vertex {vertex}"), |(_, mesh)| mesh.named(vertex))
+    }
+
     /// The first few faults of one kind, and how many there are.
     fn faults(&self, is_wanted: impl Fn(FaultKind) -> bool) -> Option<(Vec<&'v Fault>, u64)> {
         let (faults, count) = self.clothes.faults.of(is_wanted)?;
@@ -163,7 +175,7 @@ fn lines(faults: &[&Fault], count: u64) -> Evidence {
 
 /// ` (3 lines)` behind a message on the first of several.
 fn more(count: u64) -> String {
-    if count > 1 { format!(" ({count} such lines)") } else { String::new() }
+    such(count, "lines")
 }
 
 pub(super) const STOPS_WITH_VALUE: &str =
@@ -179,7 +191,7 @@ const VALUE: Case = &[
 ];
 const INDEX: Case = &[
     (Makehuman2, Level::Error, STOPS_WITH_INDEX),
-    (Makehuman1, Level::Error, "does not put the asset on: `IndexError` when it reads the file"),
+    (Makehuman1, Level::Error, "does not put the asset on: `IndexError`"),
 ];
 const OVERFLOW: Case = &[
     (Makehuman2, Level::Error, STOPS_WITH_OVERFLOW),

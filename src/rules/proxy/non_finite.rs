@@ -16,26 +16,39 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         Python reads `nan` and `inf` as numbers, so the asset can be put on, but the vertex is nowhere. The glTF export \
         of a figure that wears the asset crashes with `ValueError`.\n\n\
         Export the asset again, or give the row finite numbers.",
-    ..RuleInfo::new("proxy-non-finite", Level::Error, "a number of a vertex row is not finite")
+    ..RuleInfo::new("proxy-non-finite", Level::Error, "a number of a vertex row is NaN or infinite")
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body).filter(|text| !text.stops()) {
         let rows = &text.clothes.rows;
         let line = rows.non_finite.first.first().map_or(Place::File, |(line, _)| Place::Line(*line));
-        out.extend(finding(text.file, rows, line, "give the row finite numbers, or export the asset again"));
+        let help = "give the row finite numbers, or export the asset again";
+        out.extend(finding(text.file, rows, line, |vertex| text.vertex(vertex), help));
     }
     let archives = lone_archives(body).filter_map(|archive| {
-        finding(archive.file, &archive.asset.rows, Place::File, "export the asset again, or remove the archive")
+        finding(
+            archive.file,
+            &archive.asset.rows,
+            Place::File,
+            |vertex| format!("vertex {vertex}"),
+            "export the asset again, or remove the archive",
+        )
     });
     out.extend(archives);
 }
 
-fn finding(file: &FileFacts, rows: &RowFacts, place: Place, help: &str) -> Option<Finding> {
-    let (_, vertex) = rows.non_finite.first.first()?;
+fn finding(
+    file: &FileFacts,
+    rows: &RowFacts,
+    place: Place,
+    vertex: impl Fn(i64) -> String,
+    help: &str,
+) -> Option<Finding> {
+    let vertex = vertex(rows.non_finite.first.first()?.1);
     let message = match rows.non_finite.count {
-        1 => format!("a number in the row of vertex {vertex} is not finite"),
-        count => format!("numbers in the rows of {count} vertices are not finite, first vertex {vertex}"),
+        1 => format!("a number in the row of {vertex} is NaN or infinite"),
+        count => format!("numbers in the rows of {count} vertices are NaN or infinite, first {vertex}"),
     };
     Some(RULE.at(file, place, message).evidence(rows.non_finite.evidence(rows.count)).help(help))
 }

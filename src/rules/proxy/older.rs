@@ -55,7 +55,7 @@ pub(super) fn needs_value(keyword: &str) -> bool {
 
 pub(super) const SCALE_ALONE: Case =
     &[(Makehuman1, Level::Error, "does not put the asset on: `TypeError` when it is fitted")];
-const NOWHERE: Case = &[(Makehuman1, Level::Warning, "divides by 0: all vertices of the asset are nowhere")];
+const NOWHERE: Case = &[(Makehuman1, Level::Warning, "divides by 0: all vertices of the asset have no position (NaN)")];
 const MIRRORED: Case = &[(Makehuman1, Level::Warning, "mirrors all offsets along the axis")];
 pub(super) const NO_SHEAR: Case = &[(Makehuman1, Level::Warning, "uses the scale and ignores the shear")];
 
@@ -74,5 +74,5 @@ pub(super) fn shear<'v>(text: &Text<'_, 'v>) -> Option<(&'v Entry, String)> {
     let is_shear = |entry: &&Entry| !entry.is_comment && sorts.iter().any(|sort| entry.keyword.starts_with(sort));
     let entry = text.clothes.entries.iter().find(is_shear).filter(|_| text.is_makehuman1())?;
     let scale = ["x_scale", "y_scale", "z_scale"].into_iter().find(|axis| text.last(axis).is_some())?;
-    Some((entry, format!("`{}` stands beside `{scale}`, which is used alone", entry.keyword)))
+    Some((entry, format!("`{}` is beside `{scale}`, which alone is used", entry.keyword)))
 }

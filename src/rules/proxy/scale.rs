@@ -11,7 +11,7 @@ use crate::formats::mhclo::Scale;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "does not scale the offsets: the asset stands off small figures and cuts into large ones"), (Makehuman1, "scales the offsets along the axis by another number than written")],
+    breaks: &[(Makehuman2, "does not scale the offsets: the asset is too far from small figures and cuts into large ones"), (Makehuman1, "scales the offsets along the axis by another number than written")],
     docs: "`x_scale`, `y_scale` and `z_scale` name two vertices of the base mesh and the distance that they had along \
         the axis when the asset was made. MakeHuman 2 divides their distance on the figure by that number, and scales \
         the offsets of all rows with it.\n\n\
@@ -35,7 +35,7 @@ const FLAT: Case = &[
 const OTHER: Case = &[(Makehuman2, Level::Warning, "scales all offsets along the axis by a wrong factor")];
 const LOST: Case = &[
     (Makehuman2, Level::Error, "loses all vertices; the glTF export of the figure crashes with `ValueError`"),
-    (Makehuman1, Level::Warning, "loses all vertices: they are nowhere"),
+    (Makehuman1, Level::Warning, "leaves all vertices without a position (NaN)"),
 ];
 const FROM_END: Case = &[
     (Makehuman2, Level::Warning, "counts from the end and scales by another distance"),
@@ -52,16 +52,18 @@ const USUAL: std::ops::RangeInclusive<f32> = 0.2..=5.0;
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
         out.extend(scale_lines::unreadable(&RULE, &text));
-        if text.stops() || text.worn.is_topology() {
+        // Topologies are scaled by MakeHuman 1 alone.
+        if text.stops() || text.worn.is_topology() && !text.is_makehuman1() {
             continue;
         }
-        // Without offsets there is nothing to scale, but what stops the loader stops it.
+        // Without offsets there is nothing to scale, but what stops the loader stops it, and what is not a number stays so.
         let has_offsets = text.clothes.rows.has_offsets;
-        let scales = text.clothes.scales.iter().enumerate();
-        let mut own: Vec<Finding> =
-            scales.filter_map(|(axis, scale)| fault(body, &text, axis, scale.as_ref()?)).collect();
+        let needs_offsets = |scale: &Scale| !text.is_makehuman1() || scale.distance != 0.0 && !scale.distance.is_nan();
+        let scales = text.clothes.scales.iter().enumerate().filter_map(|(axis, scale)| Some((axis, scale.as_ref()?)));
+        let faults = scales.filter_map(|(axis, scale)| Some((needs_offsets(scale), fault(body, &text, axis, scale)?)));
         // Lines that were exchanged, or written in another unit, have one cause: the worst is told.
-        own.retain(|finding| has_offsets || text.is_makehuman1() || finding.level == Level::Error);
+        let is_felt = |(needs, finding): &(bool, Finding)| has_offsets || !needs || finding.level == Level::Error;
+        let mut own: Vec<Finding> = faults.filter(is_felt).map(|(_, finding)| finding).collect();
         own.sort_by_key(|finding| std::cmp::Reverse(finding.level));
         let more = own.len().saturating_sub(1);
         out.extend(own.into_iter().next().map(|mut first| {

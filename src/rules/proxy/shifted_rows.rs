@@ -10,7 +10,7 @@ use crate::formats::mhclo::{Fault, FaultKind};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "drops the row and ties every later vertex to the row of the next one"), (Makehuman1, "does not put the asset on: the first word of the row is not a vertex")],
+    breaks: &[(Makehuman2, "drops such rows, and ties every later vertex to the row of another one"), (Makehuman1, "does not put the asset on: the first word of the row is not a vertex")],
     levels: &[(Makehuman1, Level::Error)],
     docs: "A vertex row does not begin with a plain number. MakeHuman 2 accepts only digits there: no sign, no \
         decimal point, no underscore, no letter.\n\n\

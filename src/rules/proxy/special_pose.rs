@@ -20,6 +20,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 const CUT: Case = &[(Makehuman1, Level::Error, "does not put the asset on: `IndexError` when it reads the line")];
+const UNUSED: Case = &[(Makehuman1, Level::Info, "keeps the line and does not use it")];
+const MISSING: Case = &[(Makehuman1, Level::Warning, "logs an error when the asset is put on")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
@@ -32,8 +34,31 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let finding = RULE.at(text.file, place, "`special_pose` needs a kind and a file").key("words");
             finding.case(CUT).help("remove the line, or write `special_pose foot` and the name of a `.bvh`")
         } else {
-            let message = format!("`special_pose {}` replaces the pose of the whole figure", first.value);
-            RULE.at(text.file, place, message).help("remove the line")
+            shown(body, RULE.at(text.file, place, "").help("remove the line"), &first.value)
         });
     }
 }
+
+/// The finding on a line that can be read.
+fn shown(body: &Body<'_>, mut finding: Finding, value: &str) -> Finding {
+    let mut words = value.split_whitespace();
+    let (kind, name) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
+    if kind != FEET {
+        finding.message = format!("`special_pose {kind}`: no other kind than `{FEET}` is used");
+        return finding.case(UNUSED);
+    }
+    let is_there = |folder: &str| {
+        let rel = if folder.is_empty() { name.to_owned() } else { format!("{folder}/{name}") };
+        body.layers.strongest_first().any(|layer| layer.file(&rel).is_some())
+    };
+    if body.layers.system.is_some() && !is_there(FOLDER) && !is_there("") {
+        finding.message = format!("the pose `{name}` of `special_pose` does not exist");
+        return finding.case(MISSING);
+    }
+    finding.message = format!("`special_pose {value}` replaces the pose of the whole figure");
+    finding
+}
+
+/// The kind of poses that is used, and where they are.
+const FEET: &str = "foot";
+const FOLDER: &str = "special_poses/foot";

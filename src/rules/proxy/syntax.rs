@@ -102,7 +102,7 @@ fn lone_author(text: &Text<'_, '_>) -> Option<Finding> {
     let comment = text.clothes.scanned.lone_author.as_ref().filter(|_| !text.is_makehuman1())?;
     let message = format!("the comment `{}` has `author` in it but no second word", comment.text);
     let finding = RULE.at(text.file, Place::Span(comment.span.clone()), message).key("author").case(INDEX);
-    Some(finding.help("write `# author` with a name behind it, or remove the comment"))
+    Some(finding.help("write `# author` followed by a name, or remove the comment"))
 }
 
 fn told(text: &Text<'_, '_>, fault: &Fault, message: String, case: Case, help: &str) -> Finding {

@@ -46,7 +46,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let message = format!("unknown keyword `{}`", entry.keyword);
             let finding = RULE.at(text.file, Place::Span(entry.keyword_span.clone()), message).key(&*entry.keyword);
             let finding = if is_there || keywords::is_harmless(meant) { finding.case(HARMLESS) } else { finding };
-            out.push(finding.help(format!("did you mean `{meant}`?")));
+            let is_spelt = *meant == *entry.keyword;
+            let without_colon = || format!("write `{meant}` without the colon");
+            out.push(finding.help(if is_spelt { without_colon() } else { format!("did you mean `{meant}`?") }));
         }
     }
 }

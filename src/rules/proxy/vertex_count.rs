@@ -31,11 +31,11 @@ const SINGLE: Case = &[(Makehuman1, Level::Warning, "puts all vertices of the as
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body).filter(|text| !text.stops()) {
-        out.extend(finding(&text));
+        out.extend(finding(body, &text));
     }
 }
 
-fn finding(text: &Text<'_, '_>) -> Option<Finding> {
+fn finding(body: &Body<'_>, text: &Text<'_, '_>) -> Option<Finding> {
     let rows = text.clothes.rows.count;
     // To MakeHuman 1 some of them are rows.
     let dropped = text.clothes.faults.of(|kind| kind == FaultKind::DroppedRow).map_or(0, |(_, count)| count);
@@ -52,7 +52,7 @@ fn finding(text: &Text<'_, '_>) -> Option<Finding> {
     if sections::misspelt_list(text).is_some() {
         return None;
     }
-    let (file, mesh) = text.worn.mesh().filter(|(_, mesh)| mesh.is_sound())?;
+    let (file, mesh) = text.worn.mesh().filter(|(_, mesh)| body.opens(mesh))?;
     let vertices = mesh.facts.vertices;
     let unread = dropped + sections::rows_above(text);
     if rows == vertices || rows as u64 + unread == vertices as u64 {

@@ -87,6 +87,10 @@ fn negative(text: &Text<'_, '_>, tally: &Tally) -> Option<Finding> {
 }
 
 fn seam(text: &Text<'_, '_>, tally: &Tally, vertices: usize) -> Option<Finding> {
+    // MakeHuman 1 makes no duplicates.
+    if text.is_makehuman1() {
+        return finding(text, tally, "a vertex row", vertices.checked_sub(1));
+    }
     let (line, vertex) = tally.first.first()?;
     let message = match tally.count {
         1 => format!("a vertex row names {vertex}, a UV-seam duplicate: the base mesh has {vertices} vertices"),

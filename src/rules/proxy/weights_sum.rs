@@ -17,7 +17,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         MakeHuman 2 uses them as they are. A sum of 0.9 moves the vertex by a tenth of its distance from the origin, \
         which lies between the feet: hardly noticeable at a shoe, but 15 cm (1.5) at the head. A sum of 0 puts it at \
         the origin. Single weights may be negative or above 1.\n\n\
-        Sums that are off by less than 0.002 are reported as info.\n\n\
+        Sums that are off by less than 0.002 are reported as info; for MakeHuman 1, whose own assets have none that are off by \
+        more than 0.00002, from there on as a warning.\n\n\
         Export the asset again, or correct the weights.",
     ..RuleInfo::new("proxy-weights-sum", Level::Warning, "the weights of a vertex row do not sum to 1")
 });
@@ -26,20 +27,35 @@ const SMALL: Case = &[
     (Makehuman2, Level::Info, "moves the vertices by a few millimetres at most"),
     (Makehuman1, Level::Warning, "pulls the vertices towards the origin, by a few millimetres at most"),
 ];
+const SLIGHT: Case = &[(Makehuman1, Level::Warning, "moves the vertices by less than a centimetre")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body).filter(|text| !text.stops()) {
         let rows = &text.clothes.rows;
-        let (Some((line, _)), Some((vertex, sum))) = (rows.off_sums.first.first(), rows.worst_sum) else { continue };
-        let message = match rows.off_sums.count {
-            1 => format!("the fitting weights of vertex {vertex} of the asset sum to {sum:.3} instead of 1"),
-            count => format!(
-                "the fitting weights of {count} vertices of the asset do not sum to 1, at worst {sum:.3} (vertex {vertex})"
-            ),
-        };
-        let evidence = rows.off_sums.evidence(rows.count).with_worst(sum, format!("vertex {vertex}"));
-        let finding = RULE.at(text.file, Place::Line(*line), message).evidence(evidence);
+        // Sums that few decimals explain are told where there are no others.
+        let is_slight = rows.coarse_sums.count == 0;
+        let sums = if is_slight { &rows.off_sums } else { &rows.coarse_sums };
+        let (Some((line, _)), Some((vertex, sum))) = (sums.first.first(), rows.worst_sum) else { continue };
+        if is_slight && !text.is_makehuman1() {
+            continue;
+        }
+        let finding = RULE.at(text.file, Place::Line(*line), message(sums.count, &text.vertex(vertex), sum, is_slight));
+        let finding = finding.evidence(sums.evidence(rows.count).with_worst(sum, format!("vertex {vertex}")));
         let finding = finding.help("export the asset again, or correct the weights so that each row sums to 1");
-        out.push(if rows.visible_sums == 0 { finding.case(SMALL) } else { finding });
+        out.push(match (is_slight, rows.visible_sums) {
+            (true, _) => finding.case(SLIGHT),
+            (false, 0) => finding.case(SMALL),
+            _ => finding,
+        });
+    }
+}
+
+fn message(count: u64, vertex: &str, sum: f64, is_slight: bool) -> String {
+    let digits = if is_slight { 5 } else { 3 };
+    match count {
+        1 => format!("the fitting weights of {vertex} of the asset sum to {sum:.digits$} instead of 1"),
+        _ => format!(
+            "the fitting weights of {count} vertices of the asset do not sum to 1, at worst {sum:.digits$} ({vertex})"
+        ),
     }
 }

@@ -9,7 +9,7 @@ use crate::repo::{Body, Worn};
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "takes the asset for the topology in the glTF export and gives it the material of the skin",
+        "treats the asset as the topology in the glTF export and gives it the material of the skin",
     )],
     docs: "`z_depth` says what is drawn, and hides, above what: higher numbers lie farther outside. Clothes have 50 if \
         there is no line, topologies always 1.\n\n\

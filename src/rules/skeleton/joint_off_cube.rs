@@ -11,7 +11,7 @@ use crate::formats::obj::Mesh;
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "places the joint off its cube, and moves it with the wrong vertices")],
+    breaks: &[(Makehuman2, "places such joints off their cubes, and moves them with the wrong vertices")],
     docs: "A joint lists only part of its cube together with other vertices. The base mesh marks joints with small \
         cubes, groups whose names begin with `joint-`; a joint lists the vertices of its cube and lies at their \
         mean.\n\n\

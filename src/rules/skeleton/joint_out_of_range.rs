@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, such};
 use super::{Rig, rigs};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
@@ -72,7 +72,7 @@ fn fault(vertex: i64, (vertices, with_seams): (usize, usize)) -> Option<Fault> {
 
 fn finding(rig: &Rig<'_>, fault: Fault, cases: &[(&str, usize, i64)], vertices: usize) -> Option<Finding> {
     let (joint, at, vertex) = cases.first()?;
-    let more = if cases.len() > 1 { format!(" ({} such entries)", cases.len()) } else { String::new() };
+    let more = such(cases.len(), "entries");
     let (key, what) = match fault {
         Fault::Beyond => ("beyond", format!("vertex {vertex}, but the base mesh has {vertices} vertices")),
         Fault::Float => ("float", "a vertex number with a decimal point".to_owned()),

@@ -17,7 +17,7 @@ pub(super) struct Measured<'a> {
     pub(super) measure: &'a SkeletonMeasure,
 }
 
-/// Skeletons of the base that could be measured. Those on a mesh that is not finite are left out: mesh and targets
+/// Skeletons of the base that could be measured. Those on a mesh that is NaN or infinite are left out: mesh and targets
 /// are at fault there.
 pub(super) fn measured<'a>(body: &'a Body<'_>, measures: &'a Measures) -> Vec<Measured<'a>> {
     let files: BTreeMap<&str, &'a FileFacts> = body.rigs.iter().map(|rig| (rig.file.path.as_str(), rig.file)).collect();

@@ -12,7 +12,7 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "loads and poses the bone like any other; only tools that mirror by name miss the counterpart",
+        "loads and poses such bones like any other; only tools that mirror by name miss the counterparts",
     )],
     docs: "A bone of one side has no counterpart on the other. Left and right bones are recognised by their names: \
         `hand.L` and `hand.R`, `hand_l` and `hand_r`, `l-hand` and `r-hand`.\n\n\

@@ -9,7 +9,7 @@ use crate::eval::measures::Measures;
 use crate::repo::{Body, Rig};
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "exports these vertices without a bone: they stay behind in every pose")],
+    breaks: &[(Makehuman2, "exports these vertices without a bone: they do not move in any pose")],
     docs: "Vertices lose all their weights in the export because no bone of this skeleton claims the default bones \
         that hold them.\n\n\
         MakeHuman 2 exports a skeleton with the weights of the default skeleton (`pose-skeleton` of base.json). A \

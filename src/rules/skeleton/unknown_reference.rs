@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::super::{Check, Rule, RuleCx, did_you_mean, such};
 use super::{Rig, rigs};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Bone;
@@ -62,7 +62,7 @@ fn spelled_out(rig: &Rig<'_>, bone: &Bone, member: &str, text: &str) -> Finding 
 
 fn finding(rig: &Rig<'_>, unknown: &[(&str, &str, &str)], known: &BTreeSet<&str>, cx: &RuleCx<'_>) -> Option<Finding> {
     let (bone, member, name) = unknown.first()?;
-    let more = if unknown.len() > 1 { format!(" ({} such names)", unknown.len()) } else { String::new() };
+    let more = such(unknown.len(), "names");
     let message = format!("`{member}` of bone `{bone}` names `{name}`, which the default skeleton does not have{more}");
     let help = did_you_mean(cx.suggestions.nearest(name, known.iter().copied()), "name bones of the default skeleton");
     let cases = unknown.iter().map(|(bone, _, name)| format!("{bone}: {name}"));

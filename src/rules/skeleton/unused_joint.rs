@@ -11,7 +11,7 @@ use crate::formats::mhskel::Section;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "ignores the joint: nothing uses it")],
+    breaks: &[(Makehuman2, "ignores joints that nothing uses")],
     docs: "No bone (`head`, `tail`) and no plane names a joint, so the joint has no effect. It is either a \
         left-over, or a bone that should use it names another one.\n\n\
         Remove it, or use it.",

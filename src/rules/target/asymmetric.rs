@@ -63,7 +63,7 @@ fn is_told_by_cubes(target: &TargetMeasure) -> bool {
 fn one_sided(body: &Body<'_>, file: &FileFacts, target: &TargetMeasure) -> Option<Finding> {
     let mirror = &target.own_mirror;
     let different = mirror.different.len();
-    let (vertex, worst) = mirror.worst?;
+    let (vertex, worst) = target.most_asymmetric()?;
     let message = match different {
         1 => format!("{} differs from its mirror image by {}", body.vertex(vertex), length(worst)),
         count => {
@@ -84,9 +84,9 @@ fn one_sided(body: &Body<'_>, file: &FileFacts, target: &TargetMeasure) -> Optio
 
 /// One line for all targets in which a few vertices were missed; it stands at their folder.
 fn uneven(body: &Body<'_>, slight: &[(&FileFacts, &TargetMeasure)], checked: usize) -> Option<Finding> {
-    let worst = |target: &TargetMeasure| target.own_mirror.worst.map_or(0.0, |(_, worst)| worst);
+    let worst = |target: &TargetMeasure| target.most_asymmetric().map_or(0.0, |(_, worst)| worst);
     let (file, target) = slight.iter().max_by(|a, b| worst(a.1).total_cmp(&worst(b.1)))?;
-    let (vertex, distance) = target.own_mirror.worst?;
+    let (vertex, distance) = target.most_asymmetric()?;
     let (name, by) = (&target.name, format!("{} by {}", body.vertex(vertex), length(distance)));
     let message = match slight.len() {
         1 => format!("`{name}` is slightly asymmetric: {by}"),

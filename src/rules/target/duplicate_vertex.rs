@@ -7,7 +7,7 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     fix: FixKind::Unsafe,
-    breaks: &[(Makehuman2, "applies only the last row of the vertex, not the sum")],
+    breaks: &[(Makehuman2, "applies only the last row of a vertex, not the sum")],
     docs: "A vertex has more than one row in a target.\n\n\
         MakeHuman 2 passes all rows to NumPy at once, which keeps the last row of a vertex and drops the others. \
         Other programs add them up, so the same file yields two different shapes. If the rows of a vertex are \

@@ -5,7 +5,7 @@ use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently skips the line: the vertex does not move")],
+    breaks: &[(Makehuman2, "silently skips such lines: their vertices do not move")],
     docs: "A line of a target does not have exactly four fields. A row is `INDEX X Y Z`, separated by spaces.\n\n\
         MakeHuman 2 silently skips every line without four fields, comments included. A remark behind a row (`12 \
         .1 .2 .3 # nose`) makes five or more fields, and the row is lost; a missing number makes three.\n\n\

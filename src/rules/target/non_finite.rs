@@ -9,7 +9,7 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "loses the vertex when the target is applied, with all normals, joints and clothes that depend on it",
+        "loses such vertices when the target is applied, with all normals, joints and clothes that depend on them",
     )],
     docs: "A displacement is `nan`, infinite, or too large for a 32-bit float (beyond 3.4e38).\n\n\
         Python accepts such numbers and MakeHuman 2 adds them to the mesh. The vertex is lost, and with it every \
@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         text, this is a warning.\n\n\
         Usually an export divided by zero. Write the right numbers, or remove the rows.",
     counts: "rows, by vertex",
-    ..RuleInfo::new("target-non-finite", Level::Error, "a displacement is not finite")
+    ..RuleInfo::new("target-non-finite", Level::Error, "a displacement is NaN or infinite")
 });
 
 const OUTDATED: Case = &[(
@@ -31,8 +31,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some((_, index)) = facts.non_finite.first.first() else { continue };
         let vertex = body.vertex(*index);
         let message = match facts.non_finite.count {
-            1 => format!("the displacement of {vertex} is not finite"),
-            count => format!("{count} displacements are not finite, first that of {vertex}"),
+            1 => format!("the displacement of {vertex} is NaN or infinite"),
+            count => format!("{count} displacements are NaN or infinite, first that of {vertex}"),
         };
         let finding = RULE
             .at(file, first_row(&facts.non_finite), message)

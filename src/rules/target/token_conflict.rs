@@ -33,8 +33,7 @@ const WORDS: [(&str, &[&str]); 9] = [
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
-    let is_system = view.layers.system.is_some_and(|system| std::ptr::eq(system, layer));
-    if !is_system || layer.file("targets.npz").is_some() {
+    if !view.layers.checks_system() || layer.file("targets.npz").is_some() {
         return;
     }
     let mut told: Option<&str> = None;

@@ -10,7 +10,7 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "treats the bone as if the file did not list it: it moves no vertex"),
+        (Makehuman2, "treats such bones as if the file did not list them: they move no vertex"),
         (Mpfb, "creates no vertex group for the bone: it moves no vertex"),
     ],
     docs: "A bone has an empty list of weights.\n\n\

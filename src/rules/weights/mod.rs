@@ -18,7 +18,6 @@ pub(super) mod unbound;
 pub(super) mod unknown_bone;
 pub(super) mod unweighted_vertex;
 pub(super) mod vertex_out_of_range;
-mod worn;
 pub(super) mod wrong_side;
 
 use super::cause::weights::{has_unusable_entries, unusable_entries};

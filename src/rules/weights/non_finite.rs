@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{Tallied, tallied, weigh};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    Finding, Level, RuleInfo,
+    Case, Finding, Level, RuleInfo,
 };
 use crate::repo::Body;
 
@@ -19,24 +19,31 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ],
     levels: &[(Mpfb, Level::Warning)],
     docs: "A weight is NaN, infinite, or too large for a 32-bit float, which makes it infinite.\n\n\
-        Python's JSON reader accepts NaN and Infinity. MakeHuman 2 then divides by a sum that is not finite \
+        Python's JSON reader accepts NaN and Infinity. MakeHuman 2 then divides by a sum that is NaN or infinite \
         either and drops every entry of the vertex, without assigning it to the root bone as it does with other \
         unweighted vertices. Entering pose mode pulls the vertex to the origin. Other readers reject the file.\n\n\
         Paint the weight of the vertex again.",
     counts: "entries",
-    ..RuleInfo::new("weights-non-finite", Level::Error, "a weight is not finite")
+    ..RuleInfo::new("weights-non-finite", Level::Error, "a weight is NaN or infinite")
 });
+
+/// Of an asset's own weights.
+const OF_ASSET: Case = &[
+    (Makehuman2, Level::Error, USUAL),
+    (Makehuman1, Level::Warning, "assigns the vertex to the bone `root`: it does not move with the limbs of the body"),
+];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for Tallied { own, weights, tally, bone, vertex, weight, place } in tallied(body, |facts| &facts.non_finite) {
         let message = match tally.count {
             1 => format!("bone `{bone}` has weight {weight} for {vertex}"),
             count => {
-                format!("{count} weights are not finite, first {weight} for {vertex} in bone `{bone}`")
+                format!("{count} weights are NaN or infinite, first {weight} for {vertex} in bone `{bone}`")
             }
         };
         let evidence = tally.evidence(weights.facts.pairs);
         let finding = RULE.at(own.file, place, message).help("write a number from 0 to 1").evidence(evidence);
-        out.push(weigh(own, finding));
+        let is_of_asset = own.name.is_none();
+        out.push(weigh(own, if is_of_asset { finding.case(OF_ASSET) } else { finding }));
     }
 }

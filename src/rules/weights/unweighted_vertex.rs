@@ -1,8 +1,9 @@
 //! Every vertex should have a weight.
 
+use super::super::cause::worn;
 use super::super::regions::in_words;
 use super::super::{Check, Rule, RuleCx};
-use super::{has_unusable_entries, is_empty, readable_own, weigh, worn};
+use super::{has_unusable_entries, is_empty, readable_own, weigh};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Cases, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo,
@@ -10,13 +11,13 @@ use crate::diag::{
 use crate::formats::mhw::Weights;
 use crate::repo::{Body, FileFacts, Region, Unreached};
 
-const USUAL: &str = "assigns the vertex to the root bone: it stays behind when the body is posed";
+const USUAL: &str = "assigns such vertices to the root bone: they do not move with the limbs of the body";
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, USUAL),
         (Makehuman1, USUAL),
-        (Mpfb, "does not move the vertex: it stays behind when the body is posed"),
+        (Mpfb, "does not move such vertices: they stay where they are when the body is posed"),
     ],
     docs: "A vertex of the base mesh, or of an asset with its own weights, has no weight, so it follows no bone. Vertices that no face uses are not \
         counted.\n\n\
@@ -36,7 +37,9 @@ const WITHOUT_ANY: Case = &[
 const ALL_ON_ROOT: &str = "assigns the whole mesh to the root bone: no other bone moves anything";
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    out.extend(worn::all(body).filter_map(|own| of_asset(&own)));
+    // To MakeHuman 1 weights that end before the last vertex are worse (`proxy-weight-table-short`).
+    let is_short = |own: &worn::Own<'_>| body.is_makehuman1() && own.listed() < own.vertices;
+    out.extend(worn::all(body).filter(|own| !is_short(own)).filter_map(|own| of_asset(&own)));
     let mut room = MOST_NAMED;
     // Entries that cannot be used may be the missing ones.
     for (own, weights) in readable_own(body).filter(|(_, weights)| !has_unusable_entries(weights)) {
@@ -58,9 +61,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// The finding on the weights of an asset, which takes nothing from the body.
 fn of_asset(own: &worn::Own<'_>) -> Option<Finding> {
     let (count, first) = own.unreached().filter(|_| !has_unusable_entries(own.weights) && own.outside().is_none())?;
+    let first = own.mesh.named(first);
     let message = match count {
-        1 => format!("vertex {first} of the asset has no weight"),
-        count => format!("{count} of {} vertices of the asset have no weight, first vertex {first}", own.vertices),
+        1 => format!("{first} of the asset has no weight"),
+        count => format!("{count} of {} vertices of the asset have no weight, first {first}", own.vertices),
     };
     let finding = RULE.at(own.file, Place::pointer(["weights"]), message).key("asset");
     let finding =

@@ -1,8 +1,9 @@
 //! Weights must be for vertices that exist.
 
+use super::super::cause::worn;
 use super::super::proxy::{STOPS_WITH_INDEX, STOPS_WITH_OVERFLOW};
 use super::super::{Check, Rule, RuleCx};
-use super::{Tallied, tallied, worn};
+use super::{Tallied, tallied};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, RuleInfo,
@@ -36,11 +37,15 @@ const OF_ASSET_NEGATIVE: Case = &[
 ];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    out.extend(worn::all(body).filter_map(|own| of_asset(&own)));
+    let assets: Vec<worn::Own<'_>> = worn::all(body).collect();
+    out.extend(assets.iter().filter_map(of_asset));
     if body.has_foreign_mesh {
         return;
     }
     for Tallied { own, weights, tally, bone, vertex, place, .. } in tallied(body, |facts| &facts.out_of_range) {
+        if assets.iter().any(|asset| std::ptr::eq(asset.file, own.file)) {
+            continue;
+        }
         let vertices = weights.facts.vertices;
         let size = match vertices.checked_sub(1) {
             Some(last) => format!("; the mesh has vertices 0 to {last}"),

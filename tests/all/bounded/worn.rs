@@ -14,7 +14,6 @@ pub(super) const INPUTS: &[Input] = &[
     Input { name: "asset: rows with faults", times: 10_000, files: rows, args: &["data"], exit: 1 },
     Input { name: "asset: lines of the head", times: 20_000, files: head, args: &["data"], exit: 1 },
     Input { name: "asset: ranges to hide", times: 20_000, files: ranges, args: &["data"], exit: 1 },
-    Input { name: "material: lines", times: 20_000, files: material, args: &["data"], exit: 1 },
     Input { name: "filter: paths below paths", times: 5_000, files: filter, args: &["data"], exit: 1 },
     Input { name: "pose: units that do not exist", times: 10_000, files: pose, args: &["data"], exit: 1 },
 ];
@@ -109,11 +108,6 @@ fn head(times: usize) -> Files {
 fn ranges(times: usize) -> Files {
     let lines = lines(times, |at| format!("{at} - {} -\n-{at}\n", at / 2));
     with("clothes/b/one/one.mhclo", format!("name one\nuuid 1\nobj_file o.obj\nverts 0\n0\ndelete_verts\n{lines}"))
-}
-
-fn material(times: usize) -> Files {
-    let lines = lines(times, |at| format!("diffuseTexture t{at}.png\ndifuseColor 1 2\nopacity 5{at}\n"));
-    with("skins/b/skin.mhmat", lines)
 }
 
 fn filter(times: usize) -> Files {

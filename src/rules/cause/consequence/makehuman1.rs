@@ -17,7 +17,11 @@ const WHITE: &str = "draws the surface with the default white material";
 const NO_SKINS: &str = "lists no skin at all: one file that cannot be read empties the list";
 const NO_POSES: &str = "lists no pose at all: one file that cannot be read empties the list";
 const NO_POSE: &str = "lists the pose and does not show it";
+const NO_SHADER: &str = "logs an error and draws the surface without a shader";
+const NO_MAP: &str = "raises an exception when the material is used";
 const PLACEHOLDER: &str = "shows a placeholder instead of the picture";
+
+const KEYWORD: Cell = cell(MarkedWord, Warning, "does not recognise the first keyword and ignores its line");
 
 #[rustfmt::skip]
 const ROWS: &[Row] = &[
@@ -26,7 +30,7 @@ const ROWS: &[Row] = &[
         cell(Pointer, Error, NOT_WORN),
         cell(Empty, Error, NOT_WORN),
         cell(NotUtf8, Warning, "drops the bytes that are not UTF-8"),
-        cell(MarkedWord, Warning, "does not recognise the first keyword and ignores its line"),
+        KEYWORD,
         cell(MarkedComment, Info, "logs an unknown keyword; the line is only a comment"),
     ]),
     row(Kind::Material, Scanned, Scan, &[
@@ -34,14 +38,14 @@ const ROWS: &[Row] = &[
         cell(Closed, Error, NO_SKINS),
         cell(Pointer, Warning, WHITE),
         cell(Empty, Warning, WHITE),
-        cell(MarkedWord, Warning, "does not recognise the first keyword and ignores its line"),
+        KEYWORD,
         level(MarkedComment, Info),
     ]),
     anywhere(Kind::Material, Use, &[
-        cell(NotUtf8, Error, "does not put the asset on: its material cannot be read"),
+        cell(NotUtf8, Error, "does not put an asset with this material on: it cannot be read"),
         cell(Pointer, Warning, WHITE),
         cell(Empty, Warning, WHITE),
-        cell(MarkedWord, Warning, "does not recognise the first keyword and ignores its line"),
+        KEYWORD,
         level(MarkedComment, Info),
     ]),
     anywhere(Kind::AssetMesh, Use, &[
@@ -65,7 +69,7 @@ const ROWS: &[Row] = &[
         cell(Closed, Error, NO_POSES),
         cell(Pointer, Error, NO_POSE),
         cell(Empty, Error, NO_POSE),
-        cell(NotUtf8, Error, NO_POSE),
+        cell(NotUtf8, Error, "does not show the pose; without a `.meta` beside it, lists no pose at all"),
         cell(MarkedWord, Error, NO_POSE),
         cell(MarkedComment, Error, NO_POSE),
     ]),
@@ -74,7 +78,25 @@ const ROWS: &[Row] = &[
         cell(NotUtf8, Error, NO_POSES),
         cell(Pointer, Warning, "shows the pose without its tags and description"),
         cell(Empty, Info, "shows the pose without tags and description"),
-        cell(MarkedWord, Warning, "does not recognise the first keyword and ignores its line"),
+        KEYWORD,
+        level(MarkedComment, Info),
+    ]),
+    anywhere(Kind::ShaderSource, Use, &[
+        cell(Closed, Warning, NO_SHADER),
+        cell(Pointer, Warning, NO_SHADER),
+        cell(Empty, Warning, NO_SHADER),
+        // How the compiler of a graphics card takes them is not known.
+        nothing(NotUtf8),
+        nothing(MarkedWord),
+        nothing(MarkedComment),
+    ]),
+    anywhere(Kind::UvMap, Use, &[
+        cell(Closed, Error, NO_MAP),
+        cell(Pointer, Error, NO_MAP),
+        // One without faces fits no mesh, and `uvs/default.mhuv` is meant to be empty.
+        nothing(Empty),
+        cell(NotUtf8, Error, NO_MAP),
+        level(MarkedWord, Info),
         level(MarkedComment, Info),
     ]),
     anywhere(Kind::Image, Use, &[

@@ -94,7 +94,7 @@ const ROWS: &[Row] = &[
     anywhere(Kind::MeshArchive, Start, &[
         cell(Absent, Error, NO_BASE),
         cell(Closed, Error, "crashes at every start: it reads no other mesh while the archive exists"),
-        cell(Pointer, Error, "takes the pointer for the mesh and crashes with `ValueError` at every start"),
+        cell(Pointer, Error, "reads the pointer as a mesh and crashes with `ValueError` at every start"),
         cell(Empty, Error, "crashes with `EOFError` at every start until the file is deleted by hand"),
     ]),
     row(Kind::Geometry, At::Single(ScriptedRanges), Tools, &[cell(Syntax, Warning, NOT_READ)]),
@@ -233,7 +233,7 @@ const IN_GENERAL: &[Cell] = &[
     level(Closed, Error),
     level(Pointer, Error),
     cell(Refused, Warning, "treats it as missing, if it reads it at all"),
-    cell(MarkedRow, Error, "takes the first line for a row and crashes at start with `ValueError`"),
+    cell(MarkedRow, Error, "reads the first line as a row and crashes at start with `ValueError`"),
     cell(MarkedWord, Warning, "does not recognise the first word and ignores its line"),
     cell(MarkedComment, Info, "ignores the first line, which is only a comment"),
     cell(NotUtf8, Error, "crashes with `UnicodeDecodeError` when the file is used"),

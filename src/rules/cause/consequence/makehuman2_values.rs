@@ -194,7 +194,8 @@ pub(super) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -
 pub(super) fn of_special(file: &FileFacts) -> Option<Consequence> {
     let Content::Modelling(model) = &*file.content else { return None };
     let is_reset_to_one = model.sliders.iter().any(|slider| slider.default.is_some_and(|default| !default.is_finite()));
-    let effect = "resets the slider to a value that is not finite; then every text on sizes crashes with `ValueError`";
+    let effect =
+        "resets the slider to a value that is NaN or infinite; then every text on sizes crashes with `ValueError`";
     is_reset_to_one.then(|| Consequence::new(Error, effect))
 }
 

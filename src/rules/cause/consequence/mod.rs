@@ -174,7 +174,9 @@ mod tests {
                 let found = table.consequence(row, row.moment(spot), damage);
                 // It never opens a packed target.
                 let is_never = (application, format.kind, damage) == (Makehuman2, Kind::PackedTarget, Damage::Pointer);
-                assert!(found.is_some() || is_never, "{application:?} {:?} {damage:?}", format.kind);
+                // What a compiler of shaders makes of other letters is not known.
+                let is_open = (application, format.kind, damage) == (Makehuman1, Kind::ShaderSource, Damage::NotUtf8);
+                assert!(found.is_some() || is_never || is_open, "{application:?} {:?} {damage:?}", format.kind);
             }
         }
     }

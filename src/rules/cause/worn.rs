@@ -3,36 +3,39 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diag::{Evidence, Place};
+use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::mhw::Weights;
 use crate::repo::{Body, FileFacts, Reference, ReferenceKind};
 
 /// Weights of an asset of the checked layer.
-pub(super) struct Own<'v> {
-    pub(super) file: &'v FileFacts,
-    pub(super) weights: &'v Weights,
-    /// Vertices of the mesh that they are for.
-    pub(super) vertices: usize,
+pub(in crate::rules) struct Own<'v> {
+    pub(in crate::rules) file: &'v FileFacts,
+    pub(in crate::rules) weights: &'v Weights,
+    /// The mesh that they are for.
+    pub(in crate::rules) mesh: &'v AssetMesh,
+    /// Its vertices.
+    pub(in crate::rules) vertices: usize,
 }
 
 /// Entries for vertices that the mesh does not have.
-pub(super) struct Outside<'v> {
-    pub(super) bone: &'v str,
-    pub(super) vertex: i64,
-    pub(super) place: Place,
-    pub(super) evidence: Evidence,
-    pub(super) is_negative: bool,
+pub(in crate::rules) struct Outside<'v> {
+    pub(in crate::rules) bone: &'v str,
+    pub(in crate::rules) vertex: i64,
+    pub(in crate::rules) place: Place,
+    pub(in crate::rules) evidence: Evidence,
+    pub(in crate::rules) is_negative: bool,
 }
 
 /// The weights that assets name, each once: for the first mesh.
-pub(super) fn all<'v>(body: &Body<'v>) -> impl Iterator<Item = Own<'v>> {
+pub(in crate::rules) fn all<'v>(body: &Body<'v>) -> impl Iterator<Item = Own<'v>> {
     let mut own: BTreeMap<&str, Own<'v>> = BTreeMap::new();
     for worn in body.worn {
-        let mesh = worn.mesh().filter(|(_, mesh)| mesh.is_sound());
+        let mesh = worn.mesh().filter(|(_, mesh)| body.opens(mesh));
         let file = worn.reference(ReferenceKind::AssetWeights).and_then(Reference::meant);
         let file = file.filter(|file| body.layers.is_checked(file));
         let (Some(file), Some((_, mesh))) = (file, mesh) else { continue };
         if let Some(weights) = file.weights().filter(|weights| weights.has_weights) {
-            own.entry(&file.path).or_insert(Own { file, weights, vertices: mesh.facts.vertices });
+            own.entry(&file.path).or_insert(Own { file, weights, mesh, vertices: mesh.facts.vertices });
         }
     }
     own.into_values()
@@ -40,7 +43,7 @@ pub(super) fn all<'v>(body: &Body<'v>) -> impl Iterator<Item = Own<'v>> {
 
 impl<'v> Own<'v> {
     /// The entries that name vertices beyond the mesh, or below 0.
-    pub(super) fn outside(&self) -> Option<Outside<'v>> {
+    pub(in crate::rules) fn outside(&self) -> Option<Outside<'v>> {
         let entries = self.weights.bones.iter().flat_map(|bone| bone.pairs.iter().map(move |pair| (bone, pair)));
         let beyond = |vertex: i64| usize::try_from(vertex).is_ok_and(|vertex| vertex < self.vertices);
         let mut outside = entries.filter(|(_, pair)| !beyond(pair.vertex)).peekable();
@@ -51,8 +54,15 @@ impl<'v> Own<'v> {
         Some(Outside { bone, vertex, place, evidence: evidence.out_of(self.weights.facts.pairs), is_negative })
     }
 
+    /// How many vertices there are up to the last one that is listed, be it with 0.
+    pub(in crate::rules) fn listed(&self) -> usize {
+        let pairs = self.weights.bones.iter().flat_map(|bone| &bone.pairs);
+        let last = pairs.filter_map(|pair| usize::try_from(pair.vertex).ok()).max();
+        last.map_or(0, |last| last.saturating_add(1))
+    }
+
     /// How many vertices have no weight other than 0, and the first of them.
-    pub(super) fn unreached(&self) -> Option<(usize, usize)> {
+    pub(in crate::rules) fn unreached(&self) -> Option<(usize, usize)> {
         let pairs = self.weights.bones.iter().flat_map(|bone| &bone.pairs).filter(|pair| pair.weight != 0.0);
         let reached: BTreeSet<usize> = pairs.filter_map(|pair| usize::try_from(pair.vertex).ok()).collect();
         let count = self.vertices.saturating_sub(reached.range(..self.vertices).count());
