@@ -146,8 +146,8 @@ fn help_says_what_to_write_in_the_words_of_the_file() {
 fn help_names_a_picture_as_the_material_has_to_write_it() {
     let otherwise = "correct the name, add the picture, or remove the line";
     for (picture, expected) in [
-        ("plain/maps/skin.png", "write `maps/skin.png`, where the picture is"),
-        ("other/skin.png", "write `other/skin.png`, where the picture is"),
+        ("plain/maps/skin.png", "write `maps/skin.png`: the picture is there"),
+        ("other/skin.png", "write `other/skin.png`: the picture is there"),
         // The first part of such a name is left out.
         ("skins/skin.png", otherwise),
         ("plain/my maps/skin.png", otherwise),

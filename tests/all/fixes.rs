@@ -197,8 +197,8 @@ fn git_and_patch_apply_every_diff() {
     let side = root.join("data/target/figure/head/head-side-in.target");
     let rows = fs::read(&side).unwrap();
     fs::write(&side, [b"# \xff\n".as_slice(), &rows, b"450 0 0 0\n# \r"].concat()).unwrap();
-    for empty in ["teen-maxmuscle", "male-adult-minmuscle"] {
-        fs::write(root.join(format!("data/target/figure/macro_build/{empty}.target")), "").unwrap();
+    for (name, text) in [("teen-maxmuscle", "# no row\n"), ("male-adult-minmuscle", "")] {
+        fs::write(root.join(format!("data/target/figure/macro_build/{name}.target")), text).unwrap();
     }
     let diff = check(root, &["--diff", "--unsafe-fixes"]).stdout;
     let patched = |program: &str, args: &[&str]| {
@@ -219,7 +219,9 @@ fn git_and_patch_apply_every_diff() {
     let by_patch = patched("patch", &["-p1", "-i"]);
     check(root, &["--fix", "--unsafe-fixes"]);
     let fixed = content(root);
-    assert!(!fixed.keys().any(|path| path.ends_with("teen-maxmuscle.target")), "an empty file is deleted");
+    assert!(!fixed.keys().any(|path| path.ends_with("teen-maxmuscle.target")), "a file without rows is deleted");
+    let is_kept = fixed.keys().any(|path| path.ends_with("male-adult-minmuscle.target"));
+    assert!(is_kept, "what is left of an export that failed is kept");
     for other in [by_git, by_patch].into_iter().flatten() {
         assert_eq!(changed(&other, &fixed), Vec::<PathBuf>::new());
     }

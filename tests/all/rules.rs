@@ -112,7 +112,7 @@ fn weights_are_checked_as_makehuman_1_reads_them() {
     let config = mhlint::Config { only: vec!["weights".to_owned()], ..mhlint::Config::default() };
     let outcome = trial::lint_trees(&[mhlint::Application::Makehuman1], vec![tree], None, &config).unwrap();
     let expected =
-        ["clothes/hat/hat.mhw:1:104: error[weights-negative] bone `tip` has the negative weight -0.25 for vertex 1"];
+        ["clothes/hat/hat.mhw:1:104: warning[weights-negative] bone `tip` has the negative weight -0.25 for vertex 1"];
     assert_eq!(concise(&outcome), expected);
 }
 

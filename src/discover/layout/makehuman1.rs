@@ -2,7 +2,7 @@
 
 use super::super::Kind;
 use super::super::kind::{SHADER_FILES, extension};
-use super::{HM08, HiddenPath, LIBRARIES, Layout, MAKEHUMAN2_BASES, Role, Sign, WORN};
+use super::{HM08, HiddenPath, LIBRARIES, Layout, MAKEHUMAN2_BASES, Role, Sign, Single, WORN};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -15,6 +15,7 @@ pub(super) static LAYOUT: Layout = Layout {
     role: |below| Role::of_one(below, Application::Makehuman1, Kind::BaseMesh),
     scans: |rel| library_of(rel).is_some(),
     reads_hidden,
+    single,
     ..Layout::PLAIN
 };
 
@@ -24,6 +25,15 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         [.., "3dobjs", "base.obj"] => Some((Sign::Weak, 2)),
         [.., "proxymeshes", _, name] if extension(name) == "proxy" => Some((Sign::Strong, 3)),
         [.., "rigs", name] if extension(name) == "mhskel" => Some((Sign::Strong, 2)),
+        // Packs of nothing but skins, or of poses, each with what else belongs to one.
+        [.., "skins", name] if extension(name) == "mhmat" => Some((Sign::Faint, 2)),
+        [.., "skins", base, name] if extension(name) == "mhmat" && !MAKEHUMAN2_BASES.contains(base) => {
+            Some((Sign::Faint, 3))
+        }
+        [.., "poses", name] if matches!(extension(name), "meta" | "thumb") => Some((Sign::Faint, 2)),
+        [.., library, name] if WORN.contains(library) && extension(name).eq_ignore_ascii_case("mhclo") => {
+            Some((Sign::Faint, 2))
+        }
         // An asset in its own folder: in a pack or of a user there may be nothing else.
         [.., library, asset, name]
             if WORN.contains(library)
@@ -63,6 +73,15 @@ fn reads_hidden(path: &HiddenPath<'_>) -> bool {
 
 fn holds_worn(folder: &str) -> bool {
     WORN.contains(&folder) || folder == TOPOLOGIES
+}
+
+fn single(rel: &str) -> Option<Single> {
+    let name = rel.strip_prefix("litspheres/skinmat_").and_then(|name| name.strip_suffix(".png"));
+    match name {
+        Some("african" | "asian" | "caucasian") => Some(Single::SkinPicture),
+        _ if extension(rel) == "thumb" => Some(Single::Thumbnail),
+        _ => None,
+    }
 }
 
 /// The folder of what stands for the body.
@@ -132,14 +151,20 @@ mod tests {
     }
 
     #[test]
-    fn an_asset_in_its_own_folder_is_a_sign_and_one_below_a_base_mesh_is_none() {
+    fn assets_in_a_library_are_a_sign_and_those_below_a_base_mesh_are_none() {
         for (path, root) in [
             ("pack/clothes/hat/hat.mhclo", Some("pack")),
             ("hair/bob/bob.mhclo", Some("")),
             ("clothes/hm08/hat/hat.mhclo", None),
             ("clothes/hm08/hat.mhclo", None),
-            ("clothes/hat.mhclo", None),
+            ("clothes/hat.mhclo", Some("")),
+            ("clothes/sets/hat/hat.mhclo", None),
             ("shop/hat/hat.mhclo", None),
+            ("pack/skins/tan.mhmat", Some("pack")),
+            ("pack/skins/tan/tan.mhmat", Some("pack")),
+            ("pack/skins/hm08/tan.mhmat", None),
+            ("pack/poses/walk.bvh", None),
+            ("pack/poses/walk.meta", Some("pack")),
         ] {
             assert_eq!(LAYOUT.sign(path).map(|(root, _)| root), root, "{path}");
         }

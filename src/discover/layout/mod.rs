@@ -55,6 +55,10 @@ pub(crate) enum Single {
     BesideBase,
     /// The ranges of the one base mesh that scripts know.
     ScriptedRanges,
+    /// One of the pictures that the default skin of MakeHuman 1 blends.
+    SkinPicture,
+    /// What a library shows for an asset.
+    Thumbnail,
 }
 
 /// What is asked of a name or path.

@@ -214,6 +214,11 @@ fn entry(words: Words<'_>, section: Section, is_comment: bool) -> Option<Entry> 
 }
 
 impl Entry {
+    /// The keyword as the line has it.
+    pub fn written(&self) -> String {
+        format!("{}{}", self.keyword, if self.has_colon { ":" } else { "" })
+    }
+
     /// The first word behind the keyword; empty if there is none.
     pub fn word(&self) -> &str {
         self.value.split(' ').next().unwrap_or_default()

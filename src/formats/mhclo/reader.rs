@@ -198,6 +198,16 @@ fn is_meant_as_row(first: &str, words: &[Word<'_>]) -> bool {
 
 /// Keywords that say nothing without a value.
 fn is_valued(word: &str) -> bool {
-    let valued = ["name", "uuid", "obj_file", "material", "vertexboneweights_file", "z_depth"];
-    valued.contains(&word) || matches!(word, "x_scale" | "y_scale" | "z_scale")
+    let valued = [
+        "name",
+        "uuid",
+        "obj_file",
+        "material",
+        "vertexboneweights_file",
+        "z_depth",
+        "basemesh",
+        "version",
+        "max_pole",
+    ];
+    valued.contains(&word) || word.contains("shear_") || matches!(word, "x_scale" | "y_scale" | "z_scale")
 }

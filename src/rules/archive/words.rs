@@ -82,7 +82,7 @@ pub(super) fn of_member(fault: &NpyFault) -> String {
     match fault {
         NpyFault::NotNpy => "is not a NumPy array".to_owned(),
         NpyFault::Header => "has a header that NumPy, the array library of MakeHuman, rejects".to_owned(),
-        NpyFault::Object => "contains Python objects, which are never unpickled".to_owned(),
+        NpyFault::Object => "contains Python objects, which are never loaded".to_owned(),
         NpyFault::MissingField(name) => format!("has no field `{name}`"),
         NpyFault::WrongType("", kind) => format!("has values of the wrong type `{kind}`"),
         NpyFault::WrongType(name, kind) => format!("has a field `{name}` of the wrong type `{kind}`"),

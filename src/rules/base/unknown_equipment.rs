@@ -14,7 +14,8 @@ use crate::repo::makehuman2::{Asset, Base, View};
 const EQUIPMENT: [&str; 8] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue", "proxy"];
 const ONLY_CLOTHES: &str = "offers only clothes: hair, eyes, teeth and topologies cannot be chosen";
 const MEMBER: &str = "visible groups";
-const INVISIBLE: &str = "silently shows nothing and a height of 0 cm; the glTF export crashes with `ValueError`";
+const INVISIBLE: &str =
+    "shows no figure and a height of 0 cm, without a message; the glTF export crashes with `ValueError`";
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `KeyError` at start")],
@@ -86,8 +87,8 @@ fn not_offered(view: &View<'_>, base: &Base<'_>, file: &FileFacts, settings: &Ba
     let kinds: BTreeSet<&str> = lost.iter().map(|asset| asset.category).collect();
     let Some(first) = kinds.first() else { return };
     let message = match kinds.len() {
-        1 => format!("`equipment` lacks `{first}`, of which the base has {}", counted(lost.len(), "asset")),
-        count => format!("`equipment` lacks {count} kinds of which the base has assets, first `{first}`"),
+        1 => format!("`equipment` lacks `{first}`, but the base has {}", counted(lost.len(), "asset")),
+        count => format!("`equipment` lacks {count} kinds but the base has assets, first `{first}`"),
     };
     let finding = RULE.at(file, Place::pointer(["equipment"]), message).key("lacking").parts(kinds.iter().copied());
     let finding = finding.level(Level::Warning).effect("does not offer these assets; only saved models wear them");

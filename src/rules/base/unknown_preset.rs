@@ -81,7 +81,9 @@ fn measures(file: &FileFacts, names: &Names<'_, '_>, settings: &BaseJson, out: &
             }
             ("chest" | "waist" | "hips" | "underbust", Some(slider)) if slider.measure.is_none() => {
                 let message = format!("`{purpose}` names `{}`, which has no `measure`", slider.key);
-                Some(finding(file, &at, message, pattern).help("use the pattern of an entry with `measure`, or `none`"))
+                let finding =
+                    finding(file, &at, message, pattern).effect("ignores the setting: the measure is not shown");
+                Some(finding.help("use the pattern of an entry with `measure`, or `none`"))
             }
             // Not a pattern is what `size` needs; other keys are read by nobody.
             ("gender" | "age" | "chest" | "waist" | "hips" | "underbust", None) => {

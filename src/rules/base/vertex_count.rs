@@ -66,7 +66,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             )
         } else {
             format!(
-                "check that this is the right mesh, then write `\"numverts\": {vertices}` and rebuild the binary assets"
+                "restore the right mesh; if this one is meant, write `\"numverts\": {vertices}` and rebuild the binary assets"
             )
         })
         .related(mesh_file.path.clone(), Place::File, format!("has {vertices} vertices"));

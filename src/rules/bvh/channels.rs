@@ -18,8 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("bvh-channels", Level::Error, "the channels of a BVH joint do not fit")
 });
 
-const UNUSED: Case =
-    &[(Makehuman2, Level::Warning, "reads the numbers of such channels and does not use them: the joints do not turn")];
+const UNUSED: Case = &[(Makehuman2, Level::Warning, "ignores the numbers of these channels: the joints do not turn")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, motion) in &body.motions {
@@ -34,7 +33,7 @@ fn miscounted(file: &FileFacts, fault: &Fault) -> Option<Finding> {
     let (message, help) = match fault.kind {
         FaultKind::NoChannels => (
             "the joint has no channels".to_owned(),
-            "add a `CHANNELS` line with three rotations, and three numbers to every frame".to_owned(),
+            "export the motion again with rotations for every joint".to_owned(),
         ),
         FaultKind::ChannelsNotWhole(ref word) => {
             (format!("`CHANNELS {word}` is not a whole number"), "write the number of channels".to_owned())

@@ -26,12 +26,12 @@ const NOT_SHOWN: Case = &[
 ];
 
 const FRAMES_IGNORED: Case = &[
-    (Makehuman2, Level::Warning, "ignores the frames after the announced ones"),
-    (Makehuman1, Level::Warning, "ignores the frames after the announced ones"),
+    (Makehuman2, Level::Warning, "ignores the extra frames"),
+    (Makehuman1, Level::Warning, "ignores the extra frames"),
 ];
 const NUMBERS_IGNORED: Case = &[
-    (Makehuman2, Level::Warning, "ignores the surplus numbers at the end of the line"),
-    (Makehuman1, Level::Warning, "ignores the surplus numbers at the end of the line"),
+    (Makehuman2, Level::Warning, "ignores the extra numbers at the end of the line"),
+    (Makehuman1, Level::Warning, "ignores the extra numbers at the end of the line"),
 ];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -58,7 +58,7 @@ fn words(motion: &Motion, fault: &Fault) -> Option<(String, Case, String)> {
         FaultKind::NotWhole(word) => {
             (format!("`Frames: {word}` is not a whole number"), VALUE, "write the number of frames".to_owned())
         }
-        FaultKind::NoFrames(0) => ("`Frames: 0`: the motion has no frame".to_owned(), NOT_SHOWN, again()),
+        FaultKind::NoFrames(0) => ("`Frames: 0`: the motion has no frames".to_owned(), NOT_SHOWN, again()),
         FaultKind::NoFrames(count) => (format!("`Frames: {count}` is negative"), VALUE, again()),
         FaultKind::TooFew => {
             let ((announced, _), there) = (motion.frames.as_ref()?, motion.frames_there);
@@ -73,17 +73,25 @@ fn words(motion: &Motion, fault: &Fault) -> Option<(String, Case, String)> {
             INDEX,
             again(),
         ),
-        FaultKind::WordInFrame(word) => {
-            (format!("`{word}` in a frame is not a number"), VALUE, "write it with a decimal point".to_owned())
-        }
+        FaultKind::WordInFrame(word) => (format!("`{word}` in a frame is not a number"), VALUE, number(word)),
         FaultKind::NotANumber(of, word) if fault.kind.is_of_frames() => {
-            (format!("`{word}` of {of} is not a number"), VALUE, "write it with a decimal point".to_owned())
+            (format!("`{word}` of {of} is not a number"), VALUE, number(word))
         }
         FaultKind::Missing(of) if fault.kind.is_of_frames() => {
-            (format!("{of} has no value"), INDEX, "add the number".to_owned())
+            (format!("{of} has no value"), INDEX, format!("write a number after {of}"))
         }
         _ => return None,
     })
+}
+
+/// What to write in place of a word.
+fn number(word: &str) -> String {
+    match word.split_once(',') {
+        Some((whole, part)) if [whole, part].iter().all(|digits| digits.parse::<i64>().is_ok()) => {
+            format!("write `{whole}.{part}`")
+        }
+        _ => "replace it with a number, or export the motion again".to_owned(),
+    }
 }
 
 /// Of motions without time `MakeHuman` 1 divides by that.
@@ -98,7 +106,7 @@ fn surplus_frames(file: &FileFacts, motion: &Motion) -> Option<Finding> {
     let there = motion.frames_there;
     let message = format!("`Frames: {announced}`, but the file has {there} frames");
     let finding = RULE.at(file, Place::Line(*line), message).key("surplus").case(FRAMES_IGNORED);
-    Some(finding.help(format!("write `Frames: {there}`, or remove the surplus lines")))
+    Some(finding.help(format!("write `Frames: {there}`, or remove the extra lines")))
 }
 
 fn surplus_numbers(file: &FileFacts, motion: &Motion) -> Option<Finding> {

@@ -33,16 +33,22 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
+/// What to write in place of a word.
+fn instead(expected: &str, found: &str) -> String {
+    let keyword = expected.trim_matches('`');
+    match found.strip_prefix(keyword).filter(|rest| keyword.ends_with(':') && !rest.is_empty()) {
+        Some(value) => format!("write `{keyword} {value}`, with a space between them"),
+        None if found == "ROOT" => "keep one `ROOT`, and make the other a `JOINT` in it".to_owned(),
+        None => format!("write {expected} on a line of its own here"),
+    }
+}
+
 /// Message, consequence and help.
 fn words(fault: &Fault) -> Option<(String, Case, String)> {
     Some(match &fault.kind {
         FaultKind::Expected(expected, found) => {
             let case = if fault.is_inside { REJECTED } else { BEFORE_ROOT };
-            (
-                format!("expected {expected}, found `{found}`"),
-                case,
-                format!("write {expected} on a line of its own here"),
-            )
+            (format!("expected {expected}, found `{found}`"), case, instead(expected, found))
         }
         FaultKind::Blank(expected) => {
             (format!("expected {expected}, found a blank line"), INDEX, "remove the blank line".to_owned())

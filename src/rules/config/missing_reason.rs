@@ -14,7 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Upkeep(run).rule(RuleInfo {
 
 fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for ignore in upkeep.ignores.iter().filter(|ignore| ignore.state == IgnoreState::NoReason) {
-        let message = format!("the {} for `{}` has no reason and no effect", called(ignore), ignore.rule);
+        let message = format!("the {} for `{}` has no reason, so it has no effect", called(ignore), ignore.rule);
         let help = match ignore.covers {
             Some(_) => "add `reason = \"…\"` to say why the finding is acceptable",
             None => "write the reason after the name of the rule",

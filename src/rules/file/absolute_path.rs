@@ -29,6 +29,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             text => format!("`{text}` is an absolute path"),
         });
         let finding = finding.map(|finding| cause.unfound(view, finding, "on other computers"));
-        out.extend(finding.map(|finding| finding.help("write the path relative to its folder in the data")));
+        out.extend(finding.map(|finding| {
+            finding.help("copy the file into the data unless it is in it, and write its path relative to its folder")
+        }));
     }
 }

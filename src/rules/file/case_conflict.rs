@@ -27,7 +27,12 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let before: Vec<String> =
             paths.iter().filter(|path| *path != last).map(|path| format!("`{}`", name(path))).collect();
         let message = format!("{} and `{}` differ only in case", before.join(", "), name(last));
-        let help = "rename all but one, and update the references to them";
+        let is_folder = paths.iter().any(|path| layer.folders.iter().any(|folder| folder == path));
+        let help = if is_folder {
+            "move all files into one of the folders, and remove the others"
+        } else {
+            "keep the file that is in use, and rename or remove the others"
+        };
         let finding = RULE.in_layer(layer, last, message).key(folded).help(help);
         let finding = finding.asset(layer.display(folder)).parts(&paths);
         out.push(finding.related(layer.display(first), Place::File, "the other name"));

@@ -2,15 +2,15 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
-use super::folders;
 use super::named::{Cause, causes, differs_in_form, written};
 use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain, respelled, without_common_folders};
+use super::{fixed_names, folders};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Change, EXAMPLES, Finding, Fix, FixKind, Level, Place, RuleInfo,
 };
+use crate::discover::extension;
 use crate::repo::{Reference, ReferenceKind, Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
@@ -32,11 +32,18 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    fixed_names(view, out);
+    fixed_names::findings(&RULE, view, out);
     let mut told = BTreeSet::new();
     for cause in causes(view, |reference| found(reference).map(|found| differing(&plain(&reference.rel), found).0)) {
         let Some(first) = cause.references.first() else { continue };
         let Some(target) = found(first) else { continue };
+        // A skin that is not listed for its extension is reported as such.
+        if first.kind == ReferenceKind::Skin
+            && extension(target) != "mhmat"
+            && view.layers().checked.file(target).is_some()
+        {
+            continue;
+        }
         let written = plain(&first.rel);
         let (name, on_disk) = differing(&written, target);
         let holder = view.layers().strongest_first().find(|layer| layer.file(target).is_some());
@@ -129,23 +136,6 @@ fn fix(view: &View<'_>, cause: &Cause<'_, '_>, title: &str) -> Fix {
     });
     let names: Vec<_> = names.collect::<Option<_>>().unwrap_or_default();
     names.into_iter().fold(fix, |fix, (reference, text)| written(fix, reference, Some(text)))
-}
-
-/// Files that are looked for by fixed names.
-fn fixed_names(view: &View<'_>, out: &mut Vec<Finding>) {
-    let layer = view.layers().checked;
-    for file in layer.files.values().filter(|file| !view.is_generated(&file.rel)) {
-        let Some(right) = (view.layout().misnamed)(&file.rel, &|rel| layer.file(rel).is_some()) else { continue };
-        let (name, wanted) = (file.file_name(), right.rsplit('/').next().unwrap_or_default());
-        let message = format!("`{name}` must be named `{wanted}`");
-        let loss = consequence(view, &right, Damage::Absent);
-        let level = loss.map_or(Level::Error, |loss| loss.level);
-        let effect = loss.and_then(|loss| loss.effect);
-        let effect = effect.map_or_else(|| format!("silently treats `{wanted}` as missing"), str::to_owned);
-        let finding = RULE.at(file, Place::File, message).key("name").help(format!("rename it to `{wanted}`"));
-        let finding = finding.level_in(view.application(), level);
-        out.push(finding.effect_in(view.application(), format!("on Linux, {effect}")));
-    }
 }
 
 #[cfg(test)]

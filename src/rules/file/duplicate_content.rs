@@ -77,7 +77,7 @@ fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
     match (found.next(), found.count()) {
         // With another target the slider would have another name in saved models.
         (Some(reference), _) if matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr) => format!(
-            "keep both files if `{}` in {} is meant to have the same shape, because saved models find a slider by the \
+            "keep the files if `{}` in {} is meant to have the same shape, because saved models find a slider by the \
              name of its target; otherwise give it its own shape",
             reference.owner,
             reference.from.file_name()
@@ -86,7 +86,7 @@ fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
             "keep both if each asset is to have its own mesh; otherwise name one of the files in both".to_owned()
         }
         (Some(reference), 0) => format!(
-            "use `{}` for `{}` in {}, then remove `{}`",
+            "use `{}` for `{}` in {}, then remove `{}` if nothing else names it",
             first.file_name(),
             reference.owner,
             reference.from.file_name(),
@@ -100,7 +100,7 @@ fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
             reference.from.file_name()
         ),
         (None, _) => {
-            "keep them if saved models use both; otherwise let all references name one file, then remove the others"
+            "leave them if each is in use, also by saved models; if a copy is a mistake, export what was meant"
                 .to_owned()
         }
     }

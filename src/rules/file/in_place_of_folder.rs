@@ -34,7 +34,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.extend(finding(&file.rel, "file", "folder", "remove or rename the file"));
         }
     }
-    for folder in layer.folders.iter().filter(|folder| is_file(view.kind_at(folder))) {
+    let is_opened = |folder: &str| is_file(view.kind_at(folder)) || is_archive(view, folder);
+    for folder in layer.folders.iter().filter(|folder| is_opened(folder)) {
         out.extend(finding(folder, "folder", "file", "rename the folder, or replace it with the file"));
     }
 }
@@ -42,4 +43,13 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// Whether loaders open what is of this kind as a file.
 fn is_file(kind: Kind) -> bool {
     kind.is_text() || kind == Kind::TargetArchive
+}
+
+/// Whether a folder has the name of the archive that MakeHuman 2 makes of the asset beside it.
+fn is_archive(view: &View<'_>, folder: &str) -> bool {
+    let stem = folder.strip_suffix(".mhbin").filter(|_| (view.layout().scans)(folder));
+    let layer = view.layers().checked;
+    let is_text =
+        |stem: &str| ["mhclo", "proxy"].iter().any(|suffix| layer.file(&format!("{stem}.{suffix}")).is_some());
+    view.kind_at(folder) == Kind::Packed && stem.is_some_and(is_text)
 }

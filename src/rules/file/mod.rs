@@ -19,6 +19,7 @@ pub(super) mod unportable_name;
 pub(super) mod unreadable;
 pub(super) mod unreferenced;
 
+mod fixed_names;
 mod folders;
 mod icons;
 mod named;

@@ -6,7 +6,7 @@ use super::super::cause::is_unmet;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Finding, Level, Place, RuleInfo,
+    Case, Finding, Level, Place, RuleInfo,
 };
 use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
@@ -33,8 +33,13 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let help = if file.file_name().starts_with("._") { "delete it: macOS keeps its own notes in it" } else { help };
     let message = format!("`{}` is not UTF-8 ({guess})", file.file_name());
     let finding = loss.of(view, RULE.at(file, Place::Span(at..at + 1), message)).help(help);
+    let is_whole = !matches!(file.encoding.guess, None | Some(Guess::SingleByte));
+    let finding = if is_whole && file.kind == Kind::Clothes { finding.case(NO_LINE) } else { finding };
     out.push(if file.kind == Kind::Target { weigh(&view.target(file), finding) } else { finding });
 }
+
+/// Of an asset in another encoding, or of something else under its name, no line is left.
+const NO_LINE: Case = &[(Makehuman1, Level::Error, "lists the asset and does not put it on: it recognises no line")];
 
 const SAVE: &str = "save the file as UTF-8 without a byte order mark";
 

@@ -27,7 +27,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let leaves = |resolution| matches!(resolution, Resolution::Escapes);
     for cause in causes(view, |reference| leaves(reference.resolution).then(String::new)) {
         let finding = cause.finding(&RULE, |text| format!("`{text}` leads outside the data folder"));
-        out.extend(finding.map(|finding| finding.help("copy the file into the data folder")));
+        out.extend(
+            finding.map(|finding| finding.help("copy the file into the data folder, and write the path of the copy")),
+        );
     }
     let layer = view.layers().checked;
     for fault in layer.walk_faults.iter().filter(|fault| fault.kind == WalkFaultKind::LinkLeavesRoot) {

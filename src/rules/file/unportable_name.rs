@@ -84,7 +84,7 @@ fn fault(name: &str) -> Option<Fault> {
     }
     if name.ends_with(['.', ' ']) {
         let what = "ends with a dot or space, which Windows removes";
-        return fault(what, SHORTENED, "remove the end of the name");
+        return fault(what, SHORTENED, "remove the dot or space at the end");
     }
     if is_reserved(name) {
         return fault("is a reserved name on Windows", NOT_ON_WINDOWS, "give it another name");

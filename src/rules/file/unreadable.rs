@@ -24,7 +24,12 @@ const FAILED: &str = "cannot be read: mhlint failed on this file; please report 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     let finding = |rel: &str, damage: Damage, message: String| {
-        let help = "fix the link or the permissions, or replace the file";
+        let is_lock = rel.rsplit('/').next().is_some_and(|name| name.starts_with(".#"));
+        let help = if is_lock {
+            "delete it: an editor has left it behind"
+        } else {
+            "fix the link or the permissions, or replace the file"
+        };
         let finding = RULE.in_layer(layer, rel, message).help(help);
         consequence(view, rel, damage).map(|loss| loss.of(view, finding))
     };

@@ -64,10 +64,12 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
 fn help(reason: &str) -> &'static str {
     match reason {
         "packed" => "unpack it: `gzip -d` writes the `.target` beside it",
-        "icon" => "name it in `icon` of a slider, or like the first target of one; or keep it outside of the data",
+        "icon" => {
+            "write its name in the `icon` of a slider, rename it after the first target of a slider, or keep it outside of the data"
+        }
         "picture" => "if it is an icon, move it to `icons/`; otherwise keep it outside of the data",
-        reason if reason.starts_with("capitals") => "rename it, with the name in small letters",
-        _ => "correct the name, or keep the file outside of the data: backups and sources are not needed there",
+        reason if reason.starts_with("capitals") => "rename it, with its extension in small letters",
+        _ => "correct the name, or keep it outside of the data: backups and sources are not needed there",
     }
 }
 
@@ -130,7 +132,7 @@ fn reason(base: &Base<'_>, file: &FileFacts, references: &References<'_>) -> Opt
             (format!("capitals {lower}"), format!("names are case-sensitive, expected `{lower}`"))
         }
         (Kind::Image, _) => ("picture".to_owned(), "icons must be in `icons/` of the target folder".to_owned()),
-        _ => ("name".to_owned(), "no loader opens a file with this name here".to_owned()),
+        _ => ("name".to_owned(), "no program opens files with such names here".to_owned()),
     })
 }
 

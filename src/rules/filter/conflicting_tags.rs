@@ -66,8 +66,7 @@ fn finding(asset: &Asset<'_>, filter: &SelectionFilter) -> Option<Finding> {
         given if given == path => format!("`{path}`"),
         given => format!("`{path}` (from `{given}`)"),
     };
-    let message =
-        format!("{} and {} are labels of which an asset can have only one", label(one, first), label(other, second));
+    let message = format!("{} and {} exclude each other", label(one, first), label(other, second));
     let finding = RULE.at(asset.file, Place::File, message).key(format!("{one} {other}"));
     let finding = finding.evidence(Evidence::of_cases(labels.iter().map(|(path, _)| path)));
     Some(finding.help(

@@ -31,7 +31,7 @@ fn run(view: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding
         let Some(first) = places.first() else { continue };
         let more = if places.len() > 1 { format!(" ({} entries)", places.len()) } else { String::new() };
         let message = format!("`{path}` is not in the tree of labels{more}");
-        let help = did_you_mean(nearest(filter, &path, cx), "name a path of the tree, or add the label");
+        let help = did_you_mean(nearest(filter, &path, cx), "use a path that exists in the tree, or add the label");
         let mut finding = RULE.at(file, Place::Pointer(first.clone()), message).key(&path).help(help);
         if places.iter().all(|place| place.starts_with("/Shortcut/")) {
             finding = finding.effect_in(view.application(), "shows nothing for this part of the button's rule");

@@ -16,8 +16,11 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     ..RuleInfo::new("filter-syntax", Level::Error, "a special key of a selection filter in another spelling")
 });
 
-const IN_LIST: Case =
-    &[(Makehuman2, Level::Error, "reads the key as a label, and crashes with `TypeError` at every visit of the list")];
+const IN_LIST: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "reads the key as a label, and crashes with `TypeError` every time the list is opened",
+)];
 const LABEL: Case = &[(Makehuman2, Level::Warning, "reads the key as a label and does not use what is in it")];
 
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -16,8 +16,8 @@ use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "crashes where it uses the value, mostly with `TypeError` or `KeyError` at start"),
-        (Makehuman1, "does not put the asset on that has these weights"),
+        (Makehuman2, "crashes when it uses the value, usually at start with `TypeError` or `KeyError`"),
+        (Makehuman1, "does not put on the asset that uses these weights"),
     ],
     docs: "Each format has a JSON Schema that says which keys an object needs and what their values are. `mhlint \
         schema NAME` prints it, and editors can use it for completion and checks.\n\nMakeHuman 2 checks almost \

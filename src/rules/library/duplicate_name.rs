@@ -19,7 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(Rule
 });
 
 pub(in crate::rules) static OF_WORN: Rule = Check::Libraries(run_worn, |view, _, out| makehuman1::same_names(&OF_WORN, view, out)).rule(RuleInfo {
-    breaks: &[(Makehuman2, "lists both under one name; a model whose uuid fits neither wears either of them"), (Makehuman1, "lists both under one name")],
+    breaks: &[(Makehuman2, "lists both under one name; a model whose uuid matches neither may wear the wrong one"), (Makehuman1, "lists both under one name")],
     docs: "Two assets of one category have the same name and different uuids. MakeHuman 2 lists both under this name.\n\n\
         A model finds its asset by name and uuid; if the uuid fits none, by the name alone, and then it wears either of \
         them.\n\n\
@@ -42,20 +42,27 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let is_listed = matches!(asset.category, "models" | "poses" | "expressions") && !asset.name.is_empty();
         is_listed.then(|| format!("{} {}", asset.category, asset.name))
     };
-    find(&RULE, view, key, "name", "give it a name of its own", out);
+    find(&RULE, view, key, "name", "give the newer of the two a name of its own", out);
 }
 
 fn run_worn(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let key = |asset: &Asset<'_>| {
         (asset.is_worn() && !asset.name.is_empty()).then(|| format!("{} {}", asset.category, asset.name))
     };
-    find(&OF_WORN, view, key, "name", "give it a name of its own", out);
+    find(&OF_WORN, view, key, "name", "give the newer of the two a name of its own", out);
 }
 
 fn run_uuid(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Without a uuid all have the same: that has a finding of its own.
     let key = |asset: &Asset<'_>| (asset.is_worn() && asset.uuid != "0").then(|| asset.uuid.clone());
-    find(&OF_UUID, view, key, "uuid", "give it a uuid of its own", out);
+    find(
+        &OF_UUID,
+        view,
+        key,
+        "uuid",
+        "give the newer of the two a uuid of its own, and load and save every model that wears it",
+        out,
+    );
 }
 
 /// Findings on the assets of the checked layer with a key in common that are not known by the same.

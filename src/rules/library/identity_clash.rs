@@ -49,7 +49,7 @@ fn finding(view: &View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
     let message = format!("`{}` has {what} `{}`{more}", told.name, first.file.rel);
     let mut finding = RULE.at(told.file, Place::File, message).key(format!("{} {}", told.name, told.uuid));
     for other in others {
-        finding = finding.related(other.file.path.clone(), Place::File, "the other asset with this name and uuid");
+        finding = finding.related(other.file.path.clone(), Place::File, "the other asset");
     }
     let finding = finding.between(own.iter().map(|one| one.file.path.as_str()));
     Some(if others.iter().all(|other| is_copy(view, told, other)) {
@@ -62,12 +62,17 @@ fn finding(view: &View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
 /// What both are known by, and what to change.
 fn words(told: &Asset<'_>, other: &Asset<'_>) -> (&'static str, &'static str) {
     if told.is_worn() || other.is_worn() {
-        return ("the same name and uuid as", "give it a name and a uuid of its own");
+        return (
+            "the same name and uuid as",
+            "give the newer of the two a name and a uuid of its own: saved models find assets by these",
+        );
     }
     match told.category {
-        "models" => ("the same name and file name as", "give it another file name"),
-        "skins" => ("the same file name as", "give it another file name"),
-        "poses" if told.uuid.starts_with("bvh_") => ("the same name and file name as", "give it another file name"),
-        _ => ("the same name as", "give it a name of its own"),
+        "models" => ("the same name and file name as", "give the newer of the two another file name"),
+        "skins" => ("the same file name as", "give the newer of the two another file name"),
+        "poses" if told.uuid.starts_with("bvh_") => {
+            ("the same name and file name as", "give the newer of the two another file name")
+        }
+        _ => ("the same name as", "give the newer of the two a name of its own"),
     }
 }

@@ -1,10 +1,11 @@
 //! The libraries of MakeHuman 1: what lies in which, and by what it is known (formats/makehuman1.md §2.1, §10.7).
 
-use super::super::Rule;
-use crate::diag::{Application::Makehuman1, Case, Finding, Level, Place, grouped};
+use super::super::{Rule, counted, did_you_mean};
+use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped, nearest};
 use crate::discover::{extension, library_extension};
 use crate::formats::mhclo::Entry;
 use crate::repo::makehuman1::{Asset, View};
+use crate::source::is_below;
 
 /// What is worn in a library that lists another extension.
 pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
@@ -15,7 +16,7 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         };
         let Some(right) = library_extension(library).filter(|right| *right != extension) else { continue };
         let is_topology = extension == "proxy";
-        let place = if is_topology { "`proxymeshes`" } else { "`clothes` to `tongue`" };
+        let place = if is_topology { "`proxymeshes`" } else { "`clothes`, `hair` or another folder of its kind" };
         let message = format!("a `.{extension}` in `{library}` is not listed, expected in {place}");
         let help = match right {
             "mhclo" | "proxy" => format!("move it to {place}, or rename it to end in `.{right}`"),
@@ -24,6 +25,41 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         out.push(rule.at(file, Place::File, message).key("kind").help(help));
     }
 }
+
+/// Folders with assets that are no library, such as `Clothes` or `hairs`.
+pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers.checked;
+    // Where a link leads to, assets may be on purpose; the link is reported.
+    if !layer.linked_folders.is_empty() {
+        return;
+    }
+    let tops = layer.files.values().filter_map(|file| Some((file.rel.split('/').next()?, file)));
+    let lost = tops.filter(|(top, file)| {
+        let is_worn = matches!(extension(&file.rel), "mhclo" | "proxy");
+        let of_other_case = library_extension(&top.to_lowercase()) == Some(extension(&file.rel));
+        file.rel.contains('/')
+            && !file.is_loose()
+            && !KNOWN.contains(top)
+            && library_extension(top).is_none()
+            && (is_worn || of_other_case)
+    });
+    for (top, files) in grouped(lost) {
+        let Some(first) = files.first() else { continue };
+        let message = format!("folder `{top}` is not read ({})", counted(files.len(), "asset"));
+        let near = nearest(top, LIBRARIES);
+        let finding = rule.at(first, Place::File, message).key(format!("folder {top}"));
+        let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
+        let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
+        out.push(finding.help(did_you_mean(near, "move the assets to the folder of their kind, such as `clothes`")));
+    }
+}
+
+/// Folders that hold assets for the program itself.
+const KNOWN: [&str; 1] = ["3dobjs"];
+
+/// The folders that lists show.
+const LIBRARIES: [&str; 10] =
+    ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue", "proxymeshes", "skins", "poses"];
 
 /// Assets of one library with a name in common and different uuids.
 pub(super) fn same_names(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
@@ -38,25 +74,29 @@ pub(super) fn same_names(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 }
 
 const COPY: Case = &[(Makehuman1, Level::Warning, "lists both; while one is worn the other cannot be chosen")];
-const APART: Case = &[(Makehuman1, Level::Warning, "lists it in both libraries")];
+const APART: Case = &[(Makehuman1, Level::Info, "lists each in its own library")];
+const REPLACED: Case = &[(Makehuman1, Level::Info, "lists both; while one is worn the other cannot be chosen")];
 
 /// Assets with a uuid in common.
 pub(super) fn same_uuids(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let known = view.assets().filter_map(|asset| Some((&*asset.uuid?.value, asset)));
     for (uuid, assets) in grouped(known) {
         let Some((told, others)) = told(view, &assets) else { continue };
-        // A user's file in the place of one of the system is meant to replace it.
-        let is_other = |other: &&&Asset<'_>| other.file.rel != told.file.rel;
-        let in_library = others.iter().filter(is_other).find(|other| other.library == told.library);
-        let Some(other) = in_library.or_else(|| others.iter().find(is_other)) else { continue };
+        let is_elsewhere = |other: &&&Asset<'_>| other.file.rel != told.file.rel;
+        let in_library = others.iter().filter(is_elsewhere).find(|other| other.library == told.library);
+        let Some(other) = in_library.or_else(|| others.iter().find(is_elsewhere)).or_else(|| others.first()) else {
+            continue;
+        };
         let finding = finding(rule, told, other, told.uuid, "uuid", uuid);
         let is_copy = told.file.content_hash.is_some() && told.file.content_hash == other.file.content_hash;
         let finding = finding
             .key(uuid)
-            .help("give it a uuid of its own, and save models that wear it again; or remove one of the two");
+            .help("give the newer of the two a uuid of its own, and load and save every model that wears it; or remove one of them");
         out.push(match is_copy {
             _ if other.library != told.library => finding.case(APART),
             true => finding.case(COPY),
+            // A user's file in the place of one of the system is meant to replace it.
+            false if other.file.rel == told.file.rel => finding.case(REPLACED),
             false => finding,
         });
     }
@@ -64,8 +104,13 @@ pub(super) fn same_uuids(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 
 /// Of several assets one of the checked layer, and all others.
 fn told<'t, 'a>(view: &View<'_>, assets: &'t [Asset<'a>]) -> Option<(&'t Asset<'a>, Vec<&'t Asset<'a>>)> {
-    let told = assets.iter().filter(|asset| view.layers.is_checked(asset.file)).max_by_key(|asset| &asset.file.rel)?;
-    let others: Vec<&Asset<'_>> = assets.iter().filter(|other| !std::ptr::eq(other.file, told.file)).collect();
+    // What is behind a link is not listed.
+    let linked = &view.layers.checked.linked_folders;
+    let is_listed = |asset: &&Asset<'_>| !linked.iter().any(|folder| is_below(&asset.file.rel, folder));
+    let own = assets.iter().filter(|asset| view.layers.is_checked(asset.file));
+    let told = own.filter(is_listed).max_by_key(|asset| &asset.file.rel)?;
+    let others: Vec<&Asset<'_>> =
+        assets.iter().filter(is_listed).filter(|other| !std::ptr::eq(other.file, told.file)).collect();
     (!others.is_empty()).then_some((told, others))
 }
 

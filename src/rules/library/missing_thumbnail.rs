@@ -9,7 +9,7 @@ use crate::repo::makehuman2::{Asset, View};
 use crate::repo::{FileFacts, Resolution, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows a general picture in the list")],
+    breaks: &[(Makehuman2, "shows the default picture in the list")],
     docs: "An asset has no picture: a PNG with the name of its file and the suffix `.thumb` beside it. MakeHuman 2 shows a \
         general picture instead.\n\n\
         If there is a `.thumb` beside it that belongs to no asset, the picture was meant for it and has the wrong name (a \

@@ -11,8 +11,8 @@ use crate::repo::{FileFacts, View};
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "lists the first word at the first start and all of them from the second on: saved models lose the asset",
-    ), (Makehuman1, "saves models that lose the asset: a line of a model is split at blanks")],
+        "lists the asset by the first word at the first start and by the whole name from the second on: saved models lose it",
+    ), (Makehuman1, "saves models that lose the asset: a line of a model is split at spaces")],
     docs: "`name` or `uuid` of an asset (`.mhclo`, `.proxy`) has several words.\n\n\
         When MakeHuman 2 lists the text, it takes the first word only. Once the asset was put on it lists the binary, which \
         has all of them. A model that was saved with the one does not find the asset by the other, and the line of a \
@@ -24,11 +24,12 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 const UUID: Case = &[(
     Makehuman2,
     Level::Warning,
-    "lists the first word at the first start and all of them from the second on: saved models lose the material chosen for \
-        the asset",
+    "reads the first word at the first start and the whole uuid from the second on: saved models lose the material chosen \
+        for the asset",
 )];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    out.extend(in_path(view, file));
     let is_listed = file.kind == Kind::Clothes && (view.layout().scans)(&file.rel);
     let Some(clothes) = file.clothes().filter(|_| is_listed) else { return };
     let is_makehuman1 = view.is_makehuman1();
@@ -42,7 +43,26 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         let finding = RULE.at(file, Place::Span(entry.span.clone()), message).key(keyword);
         out.push(match keyword {
             "name" => finding.help(format!("write `{keyword} {}`", entry.value.replace(' ', "_"))),
-            _ => finding.case(UUID).help("write the uuid as one word"),
+            _ => finding.case(UUID).help(format!("write `uuid {}`", entry.word())),
         });
     }
+}
+
+/// A model names poses and skins by their paths.
+fn in_path(view: &View<'_>, file: &FileFacts) -> Option<Finding> {
+    let library = file.rel.split('/').next().filter(|_| view.is_makehuman1() && (view.layout().scans)(&file.rel))?;
+    let what = match library {
+        "poses" => "pose",
+        "skins" => "skin",
+        _ => return None,
+    };
+    let has_space = file.rel.contains(char::is_whitespace);
+    let message = format!("the path of the {what} has a space: `{}`", file.rel);
+    let finding = RULE.at(file, Place::File, message).key("path").help("rename it without spaces");
+    has_space.then(|| {
+        finding.effect_in(
+            view.application(),
+            format!("saves models that lose the {what}: a line of a model is split at spaces"),
+        )
+    })
 }

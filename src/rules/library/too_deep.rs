@@ -2,12 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{SUFFIXES, suffix};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::discover::{extension, in_place_of};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "does not list it: it looks no deeper")],
+    breaks: &[(Makehuman2, "does not list what is in deeper folders")],
     docs: "MakeHuman 2 looks for assets in the folder of the base mesh (`clothes/<base>/`) and in the folders directly in it. It \
         takes suffixes as they are written: `.mhclo`, not `.MHCLO`.\n\n\
         An asset in a deeper folder, with a suffix in capitals or with another suffix behind its own (`vest.mhclo.txt`, which \
@@ -15,6 +15,8 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         Move the folder of the asset up, or rename the file.",
     ..RuleInfo::new("library-too-deep", Level::Error, "an asset that the list does not find")
 });
+
+const UNLISTED: Case = &[(Makehuman2, Level::Error, "does not list it")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
@@ -25,6 +27,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let is_for = |suffix: &str| in_place_of(suffix).contains(category);
         let is_skin = *category == "skins" && extension(name) == "mhmat";
         let own = suffix(name).filter(|suffix| is_for(suffix));
+        if *category == "skins" && !is_skin && extension(name).eq_ignore_ascii_case("mhmat") {
+            out.push(capitals(file, "mhmat"));
+            continue;
+        }
         match own {
             Some(suffix) if extension(name) != suffix => out.push(capitals(file, suffix)),
             _ if parts.len() > 4 && (is_skin || own.is_some()) && !is_used_elsewhere(view, file) => {
@@ -43,14 +49,14 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 fn capitals(file: &FileFacts, suffix: &str) -> Finding {
     let message = format!("`{}` must end in `.{suffix}`: capitals matter", file.file_name());
-    RULE.at(file, Place::File, message).key("suffix").help(format!("rename it to end in `.{suffix}`"))
+    RULE.at(file, Place::File, message).key("suffix").case(UNLISTED).help(format!("rename it to end in `.{suffix}`"))
 }
 
 fn doubled(file: &FileFacts) -> Finding {
     let name = file.file_name();
     let (right, last) = name.rsplit_once('.').unwrap_or((name, ""));
     let message = format!("`{name}` ends in `.{last}`, which keeps it out of the list");
-    RULE.at(file, Place::File, message).key("suffix").help(format!("rename it to `{right}`"))
+    RULE.at(file, Place::File, message).key("suffix").case(UNLISTED).help(format!("rename it to `{right}`"))
 }
 
 fn too_deep(folder: &str, right: &str, files: &[&FileFacts]) -> Option<Finding> {

@@ -9,7 +9,7 @@ use crate::repo::{FileFacts, View};
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "shows an empty picture in the list")],
     docs: "A `.thumb` beside an asset is not a picture, such as a text or a download that was cut off. It has to be a PNG.\n\n\
-        MakeHuman 1 shows a general picture for an asset without a `.thumb`, and an empty one for a broken file.\n\n\
+        MakeHuman 1 shows the default picture for an asset without a `.thumb`, and an empty one for a broken file.\n\n\
         Save a PNG of at most 128 by 128 pixels under this name, or remove the file.",
     ..RuleInfo::new("library-unreadable-thumbnail", Level::Warning, "a picture of an asset that is not one")
 });

@@ -12,7 +12,10 @@ use crate::discover::{extension, in_place_of};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::View;
 
-pub(in crate::rules) static RULE: Rule = Check::Libraries(run, |view, _, out| makehuman1::misplaced(&RULE, view, out)).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Libraries(run, |view, _, out| {
+    makehuman1::misplaced(&RULE, view, out);
+    makehuman1::unread(&RULE, view, out);
+}).rule(RuleInfo {
     breaks: &[(Makehuman2, "does not list it"), (Makehuman1, "does not list it")],
     docs: "MakeHuman 2 looks for each kind of asset in folders of its own: `.mhclo` in `clothes`, `hair`, `eyes`, `eyebrows`, \
         `eyelashes`, `teeth` and `tongue`, `.proxy` in `proxy`, `.mhskel` in `rigs`, `.mhpose` in `poses` and \
@@ -88,7 +91,7 @@ fn unread(view: &View<'_>, folder: &str, files: &[&FileFacts], bases: &BTreeSet<
     let parts = files.iter().map(|file| (file.shown(), &file.path));
     let finding = RULE.at(first, Place::File, message).key(format!("folder {folder}")).parts_in(parts);
     let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
-    Some(finding.help(did_you_mean(near, "rename it to the kind of its assets: `clothes`, `hair`, `eyes` …")))
+    Some(finding.help(did_you_mean(near, "rename it to the kind of its assets, such as `clothes`, `hair` or `eyes`")))
 }
 
 /// Whether a worn asset is listed nowhere under its name.
@@ -101,15 +104,16 @@ fn is_lost(view: &View<'_>, file: &FileFacts) -> bool {
 fn misplaced(file: &FileFacts, suffix: &str, category: &str, right: &[&str]) -> Finding {
     let shown: Vec<String> = right.iter().map(|folder| format!("`{folder}`")).collect();
     let shown = match shown.as_slice() {
-        [first, .., last] if shown.len() > 2 => format!("{first} to {last}"),
+        [first, second, _, ..] => format!("{first}, {second} or another folder of its kind"),
         _ => shown.join(" or "),
     };
     let message = format!("a `.{suffix}` in `{category}` is not listed, expected in {shown}");
     let help = match suffix {
         "mhclo" if category == "proxy" => {
-            "move it to the folder of its kind, or rename it to end in `.proxy`".to_owned()
+            "move it to the folder of its kind if it is worn over the skin; rename it to end in `.proxy` if it replaces it"
+                .to_owned()
         }
-        "proxy" => "move it to `proxy`, or rename it to end in `.mhclo`".to_owned(),
+        "proxy" => "move it to `proxy` if it replaces the skin; rename it to end in `.mhclo` if it is worn over it".to_owned(),
         _ => format!("move it to {shown}"),
     };
     RULE.at(file, Place::File, message).key("kind").help(help)

@@ -16,7 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         that the combination is meant to change nothing.\n\nMakeHuman 2 loads and applies the file without a \
         message. If a shape is expected here, this is the wrong file. A slider that uses the same file does \
         nothing either, and needs the file (a warning).\n\nWrite `null` and remove the file, or save the \
-        intended shape in it.",
+        intended shape in it. The fix leaves a file of 0 bytes alone: mostly an export failed.",
     counts: "combinations",
     ..RuleInfo::new("macro-empty-target", Level::Info, "a combination uses a target that moves nothing")
 });
@@ -79,7 +79,9 @@ fn fix(
     let users = view.references.to_file(target).count() + unmet.get(stem(&target.rel)).copied().unwrap_or_default();
     let archived = base.targets.is_some_and(|folder| folder.archive().is_some());
     let fix = Fix::new(RULE.info.fix, "write `null` and remove the file");
-    if users != links.len() || archived || !view.layers.is_checked(target) {
+    // One of 0 bytes is mostly what is left of an export that failed.
+    let is_lost = target.size == 0;
+    if users != links.len() || archived || is_lost || !view.layers.is_checked(target) {
         return fix;
     }
     let nulls =

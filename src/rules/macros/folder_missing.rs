@@ -78,7 +78,7 @@ fn folder_of_files(base: &Base<'_>, own: &[MacroLink<'_>]) -> Option<String> {
         .filter_map(|file| targets.name_of(file)?.rsplit_once('/').map(|(folder, _)| folder.to_owned()));
     let holds_all =
         |folder: &String| own.iter().all(|link| targets.target(&format!("{folder}/{}", link.reference.text)).is_some());
-    folders.find(holds_all).map(|folder| format!("write `{folder}`, where its targets are"))
+    folders.find(holds_all).map(|folder| format!("write `{folder}`: its targets are there"))
 }
 
 fn nearest_folder(base: &Base<'_>, folder: &str, cx: &RuleCx<'_>) -> String {

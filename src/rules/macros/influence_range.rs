@@ -72,7 +72,7 @@ fn finding(wrong: &[i64], sliders: &[&BoundSlider<'_>], count: i64) -> Option<Fi
         let effect = if sliders.iter().all(in_range) {
             "ignores the index; the slider works, because another index is left"
         } else {
-            "keeps the negative index; the slider works, because it only checks whether any index is left"
+            "keeps the negative index; the slider works, because MakeHuman 2 only checks whether any index is left"
         };
         finding = finding.level(Level::Info).effect(effect);
     }

@@ -75,7 +75,7 @@ fn finding(
     let finding = if kind == Kind::Hole {
         with_files(finding, survey)
     } else {
-        let effect = "applies nothing for these combinations, which is probably intended";
+        let effect = "applies nothing here, which is probably intended";
         let help = "leave it if no shape is meant here; otherwise add the entries";
         finding.level(Level::Info).effect(effect).help(help)
     };
@@ -88,7 +88,7 @@ fn with_files(mut finding: Finding, survey: &Survey<'_>) -> Finding {
         finding = finding.related(&file.path, Place::File, "unused file that fits");
     }
     finding.help(match survey.files.as_slice() {
-        [] => "add the entries, with `null` as `t` where nothing should change".to_owned(),
+        [] => "add what is missing, with `null` as `t` where nothing should change".to_owned(),
         [one] => format!("add an entry with the unused file `{}` as `t`", one.stem()),
         files => format!("add entries with the {} unused files as `t`", files.len()),
     })

@@ -84,6 +84,8 @@ const PER_CENT: f64 = 10.0;
 fn help(steps: &[f64]) -> &'static str {
     if steps.last().is_some_and(|last| *last >= PER_CENT) {
         "divide the steps by 100; they run from 0 to 1"
+    } else if steps.iter().filter(|step| **step >= 1.0).count() > 1 {
+        "scale the steps so that they run from 0 to 1"
     } else {
         "set the first step to 0 and the last step to 1"
     }

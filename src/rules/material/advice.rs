@@ -33,7 +33,7 @@ impl<'v, 'a> Advice<'v, 'a> {
             return format!("rename `{name}` without spaces, and write that name: a name ends at the first space");
         }
         if let Some(name) = self.moved(reference, &folders) {
-            return format!("write `{name}`, where the picture is");
+            return format!("write `{name}`: the picture is there");
         }
         let around = self.below(around(&folders)).filter(|file| self.is_free(file));
         let names = around.filter_map(|file| near(file, &folders)).filter(|name| is_name(name));

@@ -23,8 +23,9 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 });
 
 const OF_ASSET: Case =
-    &[(Makehuman2, Level::Warning, "offers it, but a saved model wears the standard material again")];
-const OF_SKIN: Case = &[(Makehuman2, Level::Warning, "offers it, but a saved model has the default skin again")];
+    &[(Makehuman2, Level::Warning, "offers it, but a saved model goes back to the default material when it is loaded")];
+const OF_SKIN: Case =
+    &[(Makehuman2, Level::Warning, "offers it, but a saved model goes back to the default skin when it is loaded")];
 const OF_ALL: Case = &[(
     Makehuman2,
     Level::Warning,

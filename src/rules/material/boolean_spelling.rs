@@ -29,9 +29,28 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let flags = lines.filter(|line| line.keyword.value == Value::Flag && line.count > 0);
         let is_last =
             |line: &&Line| surface.material.last(line.keyword.name).is_some_and(|last| std::ptr::eq(last, *line));
-        let faults = flags.filter(is_last).filter_map(fault).collect();
+        let of_shader = surface.material.lines_of("shaderConfig").filter(|_| loader::is_1(surface.application));
+        let faults = flags.filter(is_last).filter_map(fault).chain(of_shader.filter_map(of_config)).collect();
         report(&RULE, surface, faults, "have words that count as false", out);
     }
+}
+
+/// A part of the shader that is switched on or off.
+fn of_config(line: &Line) -> Option<Fault> {
+    let word = line.word(1).to_lowercase();
+    if line.count < 2 || TRUE.contains(&&*word) || FALSE.contains(&&*word) {
+        return None;
+    }
+    let shown = |at: usize| line.word(at).chars().take(40).collect::<String>();
+    let (key, text) = (format!("shaderConfig {}", shown(0)), shown(1));
+    Some(Fault {
+        message: format!("`{key} {text}` counts as false"),
+        place: Surface::place(line),
+        level: Level::Warning,
+        effect: "reads it as false: only `true`, `yes` and `enabled` are true".to_owned(),
+        help: format!("write `{key} True` or `{key} False`"),
+        key,
+    })
 }
 
 fn fault(line: &Line) -> Option<Fault> {

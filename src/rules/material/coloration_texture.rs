@@ -14,7 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         palette, or with 16 bits a channel has another number of bits a pixel.\n\n\
         MakeHuman 2 crashes when the asset is put on. It is then worn but not drawn, and every move of a slider \
         crashes again until a new figure is loaded.\n\n\
-        Save the picture as RGB or RGBA with 8 bits a channel, or write `colorationMethod 0`.",
+        Save the picture as RGB or RGBA with 8 bits per channel, or write `colorationMethod 0`.",
     ..RuleInfo::new("material-coloration-texture", Level::Error, "a texture that cannot be given other colours")
 });
 
@@ -30,7 +30,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let message = format!("`colorationMethod` cannot colour `{}`: it is stored {stored}", file.file_name());
         let finding = RULE.at(surface.file, picture.place.clone(), message).key("diffuseTexture");
         let effect = format!("crashes with `TypeError` {}; {}", loader::when(surface), loader::models(surface));
-        let help = "save the picture as RGB with 8 bits a channel, or write `colorationMethod 0`";
+        let help = "save the picture as RGB, or as RGBA if parts are transparent, with 8 bits per channel; or write `colorationMethod 0`";
         out.push(finding.effect_in(view.application(), effect).help(help));
     }
 }

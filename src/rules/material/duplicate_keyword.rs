@@ -71,7 +71,7 @@ fn finding(view: &View<'_>, surface: &Surface<'_>, keyword: &str, parameter: &st
     let message = format!("`{what}` has {} lines with different values", lines.len());
     let finding = RULE.at(surface.file, Surface::place(last), message).key(what);
     let finding = finding.related(surface.file.path.clone(), Surface::place(unused), "has no effect");
-    Some(finding.help("remove the lines that are not meant"))
+    Some(finding.help("keep the line you want, and remove the others"))
 }
 
 const fn start(place: &Place) -> Option<usize> {

@@ -46,15 +46,26 @@ pub(super) fn report(rule: &Rule, surface: &Surface<'_>, faults: Vec<Fault>, sev
 
 /// What becomes of the lines, as far as it is the same for all of them.
 fn effect(own: &[&Fault], first: &Fault) -> String {
-    if own.len() == 1 { first.effect.clone() } else { first.effect.replace("ignores the line", "ignores the lines") }
+    if own.len() == 1 {
+        first.effect.clone()
+    } else {
+        first.effect.replace("ignores the line", "ignores the lines").replace("reads it as", "reads them as")
+    }
 }
 
-/// What to do about the lines. Where that differs it is said of the first.
+/// What to do about the lines. Where that differs it is said of a few of them.
 fn help(own: &[&Fault], first: &Fault) -> String {
     if own.iter().all(|fault| fault.help == first.help) {
         return first.help.clone();
     }
-    format!("for `{}`: {}", first.key, first.help)
+    let mut told: Vec<String> = own.iter().map(|fault| format!("for `{}`: {}", fault.key, fault.help)).collect();
+    told.dedup();
+    let more = told.len().saturating_sub(NAMED);
+    told.truncate(NAMED);
+    if more > 0 {
+        told.push(format!("likewise {more} more"));
+    }
+    told.join("; ")
 }
 
 /// Keywords that a message names.

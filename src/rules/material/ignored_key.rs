@@ -26,7 +26,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let names = ignored.iter().map(|line| line.keyword.name);
         let finding = RULE.at(surface.file, Surface::place(first), message).evidence(Evidence::of_cases(names));
-        out.push(finding.help("remove the lines if the material is for MakeHuman 2 alone"));
+        out.push(finding.help("leave them if the material is for other applications too; otherwise remove them"));
     }
 }
 

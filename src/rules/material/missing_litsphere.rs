@@ -7,7 +7,7 @@ use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Evidence, Finding, Level, RuleInfo, grouped,
 };
-use crate::repo::{Picture, Surface, View};
+use crate::repo::{Picture, Resolution, Surface, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "silently draws the surface with the shader `phong`"), (Makehuman1, "logs an error and draws the surface with a placeholder")],
@@ -16,7 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         MakeHuman 2 looks for the name without its folders in `shaders/litspheres/` of the user and of the system. \
         Without a picture it draws the surface with the shader `phong`. If the picture does not exist and the material has no \
         `name`, it crashes with `TypeError` instead (error).\n\nMakeHuman 1 looks for the picture as for any other, mostly in `litspheres/` of its data.\n\n\
-        Name a picture of that folder, or put it there.",
+        Use a picture of that folder, or put this one there.",
     ..RuleInfo::new("material-missing-litsphere", Level::Warning, "a litsphere without its picture")
 });
 
@@ -31,6 +31,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut missing = Vec::new();
     for surface in own.filter(|surface| loader::shader(surface) == "litsphere") {
         match &surface.litsphere {
+            Some(picture) if is_told(view, surface, picture) => {}
             Some(picture) if picture.file.is_none() && !picture.is_open && !is_quoted(picture.text) => {
                 missing.push((file_name(picture.text), (surface, picture)));
             }
@@ -42,6 +43,12 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (name, surfaces) in grouped(missing) {
         out.extend(finding(name, &surfaces));
     }
+}
+
+/// Whether the name leads to a file but for its capitals or backslashes, which is reported as such.
+fn is_told(view: &View<'_>, surface: &Surface<'_>, picture: &Picture<'_>) -> bool {
+    let mut references = view.references().of_file(surface.file).filter(|one| one.place == picture.place);
+    references.any(|one| !matches!(one.resolution, Resolution::Missing | Resolution::Found(_)))
 }
 
 fn unnamed(surface: &Surface<'_>) -> Option<Finding> {
@@ -67,6 +74,6 @@ fn finding(name: &str, surfaces: &[(&Surface<'_>, &Picture<'_>)]) -> Option<Find
     let names = surfaces.iter().map(|(surface, _)| surface.file.file_name());
     let finding = finding.parts_at(parts).evidence(Evidence::of_cases(names));
     let folder = if loader::is_1(first.application) { "litspheres/" } else { "shaders/litspheres/" };
-    let finding = finding.help(format!("name a picture of `{folder}`, or put it there"));
+    let finding = finding.help(format!("use a picture of `{folder}`, or put this one there"));
     Some(if stops(first) { finding.case(STOPS) } else { finding })
 }

@@ -47,7 +47,7 @@ fn of_files(view: &View<'_>, out: &mut Vec<Finding>) {
         let help = if is_there {
             format!("write `{FOLDER}/{name}`")
         } else {
-            format!("name a shader of `{FOLDER}`, without `_vertex_shader.txt`")
+            format!("use a shader of `{FOLDER}`, without `_vertex_shader.txt`")
         };
         out.push(finding.key(shown).help(help));
     }

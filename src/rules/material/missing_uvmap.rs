@@ -5,7 +5,7 @@ use crate::diag::{Application::Makehuman1, Finding, Level, RuleInfo};
 use crate::repo::{ReferenceKind, Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "raises `FileNotFoundError` when the material is used")],
+    breaks: &[(Makehuman1, "fails with `FileNotFoundError` when the material is used")],
     docs: "A material names a map of texture coordinates in `uvMap` that does not exist. MakeHuman 1 looks for it in the \
         folder of the material, then below the data of the user and of the system. `uvs/default.mhuv` stands for no map.\n\n\
         Without it the asset is put on only in part, and a skin is not shown.\n\n\

@@ -20,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
         let faults = surface.material.lines.iter().filter_map(|line| fault(surface, line)).collect();
-        report(&RULE, surface, faults, "have names that the program keeps for itself", out);
+        report(&RULE, surface, faults, "have reserved names", out);
     }
 }
 
@@ -36,7 +36,7 @@ fn fault(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
         key: name.to_owned(),
         place: Surface::place(line),
         level: Level::Error,
-        message: format!("`{keyword} {name}` is a name that the program keeps for itself"),
+        message: format!("`{keyword} {name}` is a reserved name"),
         effect: loader::crash(surface, "RuntimeError"),
         help: "use the keyword of the material for it, or remove the line".to_owned(),
     })

@@ -92,7 +92,7 @@ fn words(application: Application, line: &Line) -> Option<(String, String)> {
                 "write red, green and blue from 0 to 1".to_owned()
             };
             let effect = if loader::is_1(application) {
-                "limits each number to 0 to 1: the surface gets a wrong colour"
+                "limits each number to the range from 0 to 1: the surface gets a wrong colour"
             } else {
                 "does not limit the colour: the surface gets a wrong colour"
             };

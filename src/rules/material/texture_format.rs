@@ -10,7 +10,7 @@ use crate::formats::picture::PictureFormat;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows it, but exports it under the wrong format: other programs may not load it")],
+    breaks: &[(Makehuman2, "shows it, but exports it with the wrong format: other programs may not load it")],
     docs: "A texture has the extension of another format than its content: a JPEG that was renamed to `.png`, say.\n\n\
         MakeHuman 2 shows such a picture, since it looks at the content. The glTF export goes by the extension: with \
         embedded textures a JPEG is announced as PNG, which other programs refuse.\n\n\

@@ -9,10 +9,10 @@ use crate::formats::shader_source::Shape;
 use crate::repo::{Surface, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "ends each frame at this surface: what would be drawn after it is not drawn")],
+    breaks: &[(Makehuman1, "stops drawing each frame at this surface: everything after it is missing")],
     docs: "A `shaderParam` has a value that its shader cannot take: several numbers or a word for a single number, such as \
         `AdditiveShading` of `litsphere`, or a number for a picture, such as `litsphereTexture`.\n\n\
-        MakeHuman 1 puts the asset on, and then raises an exception in each frame as soon as it comes to this surface. \
+        MakeHuman 1 puts the asset on, and then fails in each frame as soon as it comes to this surface. \
         What would be drawn after it is missing for as long as the asset is worn.\n\n\
         Parameters are looked up in the sources of the shader. One that is only there under `#if`, or is used only there, is not checked.\n\n\
         Write as many numbers as the shader declares, or the name of a picture.",
@@ -39,14 +39,13 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// What a parameter of the shader takes, where it is sure to be in use.
+/// What a parameter of the shader takes, where it is sure to be in use: of the program's own shaders that is known.
 fn shape(surface: &Surface<'_>, name: &str) -> Option<Shape> {
-    let shader = surface.shader.as_ref().filter(|shader| !shader.files.is_empty());
-    let Some(shader) = shader else {
-        let own = loader::shader(surface);
-        return UNIFORMS.iter().find(|known| known.0 == own && known.1 == name).map(|known| known.2);
-    };
-    shader.uniform(name).filter(|uniform| uniform.is_certain).map(|uniform| uniform.value)
+    let own = loader::shader(surface);
+    let known = UNIFORMS.iter().find(|known| known.0 == own && known.1 == name).map(|known| known.2);
+    let Some(shader) = surface.shader.as_ref().filter(|shader| !shader.files.is_empty()) else { return known };
+    let declared = shader.uniform(name)?;
+    if declared.is_certain { Some(declared.value) } else { known.filter(|known| *known == declared.value) }
 }
 
 fn fault(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
@@ -60,7 +59,7 @@ fn fault(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
         }
         (Shape::Numbers(count), 1) if !are_numbers => {
             let numbers = counted(count, "number");
-            (format!("a word, but the shader expects {numbers}"), format!("write {numbers} with decimal points"))
+            (format!("a word, but the shader expects {numbers}"), format!("write {numbers} with a decimal point"))
         }
         (Shape::Numbers(count), given) if are_numbers && given != count => {
             let numbers = counted(count, "number");
@@ -73,7 +72,7 @@ fn fault(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
         place: Surface::place(line),
         level: Level::Error,
         message: format!("`{name}` has {what}"),
-        effect: "ends each frame at this surface: what would be drawn after it is not drawn".to_owned(),
+        effect: "stops drawing each frame at this surface: everything after it is missing".to_owned(),
         help,
     })
 }

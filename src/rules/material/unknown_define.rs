@@ -8,7 +8,7 @@ use crate::formats::mhmat::Line;
 use crate::formats::shader_source::ShaderSource;
 use crate::repo::{Shader, Surface, View};
 
-const EFFECT: &str = "defines the name, and nothing changes";
+const EFFECT: &str = "defines the names without effect";
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman1, EFFECT)],
@@ -16,7 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         MakeHuman 1 looks for these words at the beginning of a line alone; `#if defined(X)` is not one of them.\n\n\
         The name is defined when the shader is compiled, and nothing changes.\n\n\
         Correct the name, or remove the line.",
-    ..RuleInfo::new("material-unknown-define", Level::Info, "a define that the shader does not ask for")
+    ..RuleInfo::new("material-unknown-define", Level::Info, "a define that the shader does not use")
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -24,7 +24,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some(sources) = surface.shader.as_ref().and_then(Shader::sources) else { continue };
         let own = surface.material.lines_of("shaderDefine").filter(|line| line.count > 0);
         let faults = own.filter_map(|line| fault(&sources, line)).collect();
-        report(&RULE, surface, faults, "define what the shader does not ask for", out);
+        report(&RULE, surface, faults, "define names that the shader does not use", out);
     }
 }
 
@@ -38,7 +38,7 @@ fn fault(sources: &[&ShaderSource], line: &Line) -> Option<Fault> {
     Some(Fault {
         place: Surface::place(line),
         level: Level::Info,
-        message: format!("the shader does not ask for `{shown}`"),
+        message: format!("the shader does not use `{shown}`"),
         key: shown,
         effect: EFFECT.to_owned(),
         help: "correct the name, or remove the line".to_owned(),

@@ -5,7 +5,7 @@ use super::fault::{Fault, report};
 use super::loader;
 use crate::diag::{
     Application::{self, Makehuman1, Makehuman2},
-    Finding, Level, Place, RuleInfo,
+    Finding, Level, Place, RuleInfo, nearest,
 };
 use crate::formats::mhmat::{Line, Material, Unknown};
 use crate::repo::{Surface, View};
@@ -46,8 +46,9 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let foreign = material.lines.iter().filter_map(|line| of_others(surface, line));
         // A byte order mark has a finding of its own.
         let unknown = material.unknown.iter().filter(|one| !one.word.text.starts_with(MARK));
-        let mut faults: Vec<Fault> =
-            unknown.map(|one| unknown_word(cx, surface.application, one)).chain(foreign).collect();
+        let of_shader = material.lines_of("shaderConfig").filter(|_| loader::is_1(surface.application));
+        let unknown = unknown.map(|one| unknown_word(cx, surface.application, one));
+        let mut faults: Vec<Fault> = unknown.chain(foreign).chain(of_shader.filter_map(of_config)).collect();
         faults.sort_by_key(|fault| start(&fault.place));
         report(&RULE, surface, faults, "begin with unknown words", out);
     }
@@ -87,6 +88,27 @@ fn unknown_word(cx: &RuleCx<'_>, application: Application, one: &Unknown) -> Fau
         level,
         help,
     }
+}
+
+/// What can be switched on and off in a shader of MakeHuman 1 (formats/makehuman1.md §12).
+const PARTS: [&str; 8] =
+    ["diffuse", "bump", "normal", "displacement", "spec", "vertexColors", "transparency", "ambientOcclusion"];
+
+/// A part that no shader has.
+fn of_config(line: &Line) -> Option<Fault> {
+    let text: String = line.word(0).chars().take(40).collect();
+    let help = match nearest(&text, PARTS) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "remove the line".to_owned(),
+    };
+    (line.count > 0 && !PARTS.contains(&&*text)).then(|| Fault {
+        message: format!("`shaderConfig` does not know `{text}`"),
+        key: format!("shaderConfig {text}"),
+        place: Surface::place(line),
+        level: Level::Warning,
+        effect: "logs a warning and ignores the line".to_owned(),
+        help,
+    })
 }
 
 /// A keyword of another application for something that MakeHuman 2 calls otherwise, and that is not set by that name.

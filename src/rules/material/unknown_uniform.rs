@@ -8,7 +8,7 @@ use crate::formats::mhmat::Line;
 use crate::formats::shader_source::ShaderSource;
 use crate::repo::{Shader, Surface, View};
 
-const EFFECT: &str = "keeps the value and does not use it";
+const EFFECT: &str = "ignores the values";
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman1, EFFECT)],

@@ -5,7 +5,7 @@ use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo, nearest};
 use crate::repo::View;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "multiplies the texture with 0: nothing glows, on screen and in exports")],
+    breaks: &[(Makehuman2, "multiplies the texture by 0: nothing glows, on screen and in exports")],
     docs: "A material has an `emissiveTexture`, but no `emissiveFactor`. The factor is 0 where it is not set, so the \
         surface does not glow.\n\nAdd `emissiveFactor 1.0`, or remove the texture.",
     ..RuleInfo::new("material-unused-texture", Level::Warning, "a texture without effect")

@@ -6,7 +6,7 @@ use crate::formats::uv_map::{UvFault, UvMap};
 use crate::repo::{Body, FileFacts, Reference, ReferenceKind, Surface, View, Wearer, Worn};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "raises `NameError` when the material is used")],
+    breaks: &[(Makehuman1, "fails with `NameError` when the material is used")],
     docs: "A map of texture coordinates, named in `uvMap` of a material, cannot be used for the mesh: it has another number of \
         faces, faces with different numbers of corners, a corner without a texture coordinate (`f 1/1 2/2 3/3`), or a \
         number beyond the lines `vt`.\n\n\
@@ -16,8 +16,8 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     ..RuleInfo::new("material-uvmap-mismatch", Level::Error, "a map of texture coordinates does not fit the mesh")
 });
 
-const RAGGED: Case = &[(Makehuman1, Level::Error, "raises `ValueError` when the material is used")];
-const BEYOND: Case = &[(Makehuman1, Level::Error, "raises `IndexError` when the material is used")];
+const RAGGED: Case = &[(Makehuman1, Level::Error, "fails with `ValueError` when the material is used")];
+const BEYOND: Case = &[(Makehuman1, Level::Error, "fails with `IndexError` when the material is used")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let own = view.references().iter().filter(|one| one.kind == ReferenceKind::UvMap);
@@ -49,7 +49,7 @@ fn broken(file: &FileFacts, line: u32, fault: &UvFault, map: &UvMap) -> Finding 
         }
         UvFault::Ragged(corners) => {
             let message = format!("a face has {}, but the first has {}", counted(corners, "corner"), map.corners);
-            (message, RAGGED, "give all faces as many corners as those of the mesh have")
+            (message, RAGGED, "give each face the same number of corners as in the mesh")
         }
         UvFault::OutOfRange(number) => {
             let uvs = counted(map.uvs, "`vt` line");

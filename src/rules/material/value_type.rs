@@ -73,12 +73,15 @@ fn shown(text: &str) -> String {
 }
 
 fn help(line: &Line, text: &str) -> String {
+    if line.keyword.value == Value::Parameter && line.word(0).ends_with("Texture") {
+        return "rename the picture without spaces, and write nothing behind its name".to_owned();
+    }
     let is_colour = line.keyword.value == Value::Colour;
     let plain = text.trim_end_matches('%');
     let with_point = plain.replacen(',', ".", 1);
     match with_point.parse::<f64>() {
-        Ok(number) if text.ends_with('%') => format!("write `{}`", number / 100.0),
-        Ok(_) if !is_colour || !text.ends_with(',') => format!("write `{with_point}`"),
+        Ok(number) if text.ends_with('%') => format!("write `{}` in place of `{}`", number / 100.0, shown(text)),
+        Ok(_) if !is_colour || !text.ends_with(',') => format!("write `{with_point}` in place of `{}`", shown(text)),
         _ if line.keyword.value == Value::Whole => "write 0, 1 or 2".to_owned(),
         _ if is_colour => {
             "write red, green and blue as three numbers between 0 and 1, with spaces between them".to_owned()

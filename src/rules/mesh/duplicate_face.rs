@@ -9,7 +9,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "draws the face twice, in the same place, and exports both")],
     docs: "Two faces of the mesh of an asset have the same vertices. MakeHuman 1 draws both in one place: they flicker, \
         and what is transparent is darker than meant.\n\n\
-        Mostly a mesh was joined with a copy of itself. Remove the faces that are twice.",
+        Mostly a mesh was joined with a copy of itself. Remove one of each two equal faces, and keep all vertices.",
     counts: "faces",
     ..RuleInfo::new("mesh-duplicate-face", Level::Warning, "two faces with the same vertices")
 });
@@ -20,5 +20,5 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let have = if mesh.repeated == 1 { "has" } else { "have" };
     let message = format!("{faces} of {} {have} the vertices of an earlier one", mesh.faces);
     let finding = RULE.at(file, Place::File, message).evidence(Evidence::counted(mesh.repeated).out_of(mesh.faces));
-    out.push(finding.help("remove the faces that are twice"));
+    out.push(finding.help("remove one of each two equal faces, and keep all vertices"));
 }

@@ -9,7 +9,7 @@ use crate::formats::asset_mesh::AssetMesh;
 use crate::repo::{Body, FileFacts, Worn};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "keeps one of the two still in poses, if both are worn")],
+    breaks: &[(Makehuman1, "does not pose one of the two when both are worn")],
     docs: "The meshes of two assets that can be worn at once have the same name: that of the last object in the OBJ \
         (`o name`), or the name of the file if there is none.\n\n\
         MakeHuman 1 binds meshes to the skeleton by this name. Of two with one name the first does not follow poses any \

@@ -23,5 +23,5 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         count => format!("{count} faces have more than four corners, the first {corners}"),
     };
     let finding = RULE.at(file, Place::Line(*line), message).evidence(tally.evidence(mesh.faces));
-    out.push(finding.help("cut it into triangles or quads, with the vertices that are there"));
+    out.push(finding.help("split it into triangles or quads, and add no vertices"));
 }

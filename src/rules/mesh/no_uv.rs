@@ -11,7 +11,7 @@ use crate::discover::Kind;
 use crate::repo::{FileFacts, Reference, ReferenceKind, View, Worn, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "paints the whole asset with a single point of each texture, here and in exports"), (Makehuman1, "paints the whole asset with a single point of each texture")],
+    breaks: &[(Makehuman2, "paints the whole asset with a single point of each texture, on screen and in exports"), (Makehuman1, "paints the whole asset with a single point of each texture")],
     docs: "No face of the mesh of an asset has texture coordinates: its faces are written `v` or `v//n` instead of `v/t`. A \
         material of the asset has a texture, or it is a topology, which wears the skin.\n\n\
         MakeHuman 2 loads the mesh and uses the same point of a texture for all of it. Base meshes are not reported: \
@@ -27,7 +27,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let files: BTreeMap<&str, &FileFacts> = bare.map(|(_, file)| (file.path.as_str(), file)).collect();
     for file in files.into_values() {
         let finding = RULE.at(file, Place::File, "no face has texture coordinates");
-        out.push(finding.help("unwrap the mesh, and export it with texture coordinates in the same order of vertices"));
+        out.push(finding.help("unwrap the mesh and export it with texture coordinates; keep the vertex order"));
     }
 }
 

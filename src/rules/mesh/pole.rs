@@ -33,8 +33,9 @@ fn finding(worn: &Worn<'_>) -> Option<Finding> {
         return None;
     }
     let place = entry.map_or(Place::File, |entry: &Entry| Place::Span(entry.word_span()));
+    let allows = entry.map_or("MakeHuman 1 keeps".to_owned(), |entry| format!("`max_pole {}` allows", entry.word()));
     let message =
-        format!("{} of `{}` has {faces} faces, but {} are kept", mesh.named(vertex), file.file_name(), kept.max(0));
+        format!("{} of `{}` has {faces} faces, but {allows} {}", mesh.named(vertex), file.file_name(), kept.max(0));
     let finding = RULE.at(worn.file, place, message).related(file.path.clone(), Place::File, "the mesh");
-    Some(finding.help(format!("write `max_pole {}`", faces.div_ceil(2))))
+    Some(finding.help(format!("write `max_pole {}`: MakeHuman 1 allows twice that number", faces.div_ceil(2))))
 }

@@ -28,7 +28,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 
 const ABOVE: Case =
     &[(Makehuman2, Level::Warning, "loads base.mhbin of the system data and ignores the user's base.obj")];
-const BELOW: Case = &[(Makehuman2, Level::Info, "shows the user's mesh instead of that in the system data")];
+const BELOW: Case = &[(Makehuman2, Level::Info, "shows the user's mesh instead of the mesh in the system data")];
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let (Some(archive), Some((_, packed))) = (base.mesh_files.archive(), base.mesh) else { return };
@@ -65,7 +65,7 @@ impl Told<'_> {
             "find out which mesh the targets and weights are for (`numverts` of base.json); then restore base.obj, or \
              rebuild base.mhbin from it with compile_meshes.py"
         } else {
-            "move base.mhbin away, or rebuild it from base.obj with compile_meshes.py"
+            "if base.obj is the right one, move base.mhbin away, or rebuild it with compile_meshes.py"
         }
     }
 }

@@ -50,7 +50,7 @@ fn short_face(view: &View<'_>, file: &FileFacts, mesh: &ReadMesh<'_>) -> Option<
     let mut drawn = mesh.facts.short_faces.iter().filter(|face| mesh.draws(view, file, &face.group));
     let first = drawn.next()?;
     let message = format!("`{}`: a face needs at least three corners", first.text);
-    let help = "fix the line, or remove these lines in a text editor; keep all `v` lines";
+    let help = "fix the line, or remove it in a text editor; keep all `v` lines";
     Some(RULE.at(file, Place::Line(first.line), message).key("corners").help(help))
 }
 

@@ -58,6 +58,6 @@ fn loose(file: &FileFacts, mesh: &AssetMesh) -> Option<Finding> {
         1 => format!("no face uses {first}"),
         count => format!("{count} of {} vertices are not used by any face, first {first}", mesh.facts.vertices),
     };
-    let help = "remove the vertex, and its row in the asset; or give it a face";
+    let help = "delete loose vertices in the 3D program, then export mesh and asset again: without the line all later vertices get other numbers";
     Some(RULE.at(file, Place::File, message).help(help).evidence(tally.evidence(mesh.facts.vertices)))
 }

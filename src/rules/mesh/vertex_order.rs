@@ -30,7 +30,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     evidence.of = Some(of as u64);
     let finding = RULE.at(file, Place::File, message).confidence(Confidence::Medium).evidence(evidence);
     let finding = finding.related(rig.file.path.clone(), Place::File, "the skeleton made for the other order");
-    let help = "export the mesh in the old vertex order; until then nothing else is checked against it";
+    let help = "restore the mesh from a copy with the old vertex order; until then nothing else is checked against it";
     let finding = finding.help(help).against(&rig.file.path);
     out.push(finding);
 }

@@ -10,7 +10,7 @@ use crate::repo::makehuman2::{Base, SavedModel, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently shows the asset with its usual material")],
+    breaks: &[(Makehuman2, "silently shows the asset with its default material")],
     docs: "A line `material` of a model (`.mhm`) chooses another material for an asset: name and uuid of the asset, exactly as \
         in the line that puts it on, and a `.mhmat`.\n\n\
         The file is looked for in the folder of the asset; if it is missing, the first part of the path is left out and \
@@ -56,7 +56,7 @@ fn stray(saved: &SavedModel<'_>, line: &MaterialLine, worn: &BTreeSet<(&str, &st
             format!("write `{uuid}` in the line that puts `{name}` on"),
         ),
         Some((_, other)) => (
-            format!("the uuid is not the one with which the model wears `{name}`"),
+            format!("the uuid differs from that in the line that puts on `{name}`"),
             format!("write `{other}` in place of `{uuid}`"),
         ),
         None => {
@@ -68,7 +68,9 @@ fn stray(saved: &SavedModel<'_>, line: &MaterialLine, worn: &BTreeSet<(&str, &st
             (format!("the model wears no asset `{name}`"), help)
         }
     };
-    RULE.at(saved.file, Place::Span(line.name.span.clone()), message).key(format!("stray {name} {uuid}")).help(help)
+    let finding = RULE.at(saved.file, Place::Span(line.name.span.clone()), message).key(format!("stray {name} {uuid}"));
+    let finding = if same.is_some() { finding } else { finding.effect("silently ignores the line") };
+    finding.help(help)
 }
 
 fn missing(view: &View<'_>, reference: &Reference<'_>, line: &MaterialLine, cx: &RuleCx<'_>) -> Finding {
@@ -88,8 +90,8 @@ fn missing(view: &View<'_>, reference: &Reference<'_>, line: &MaterialLine, cx: 
         let help = did_you_mean(near, format!("name a material in `{folder}`, or remove the line"));
         (format!("material `{}` of `{}` does not exist", reference.text, line.name.text), help)
     } else {
-        let message = format!("the path ends at its first space: `{}` does not exist", reference.text);
-        (message, "rename the material without spaces, here as well".to_owned())
+        let message = format!("the path has a space and is cut there: `{}` does not exist", reference.text);
+        (message, "rename the material without spaces, and write the new name here".to_owned())
     };
     RULE.at(reference.from, reference.place.clone(), message).key(format!("file {}", line.name.text)).help(help)
 }

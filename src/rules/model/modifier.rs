@@ -63,7 +63,7 @@ fn non_finite(saved: &SavedModel<'_>) -> Option<Finding> {
     let is_bad = |one: &&Modifier| one.value.as_ref().is_ok_and(|value| !value.is_finite());
     let bad: Vec<&Modifier> = saved.model.modifiers.iter().filter(is_bad).collect();
     let first = bad.first()?;
-    let message = format!("the value of `{}` is NaN or infinity{}", first.pattern.text, more(bad.len()));
+    let message = format!("the value of `{}` is NaN or infinite{}", first.pattern.text, more(bad.len()));
     let finding = RULE.at(saved.file, Place::Span(first.pattern.span.clone()), message).key("non-finite");
     let finding = finding.evidence(patterns(bad.iter().copied())).help("write a number, or remove the line");
     let crash = if saved.is_start { "ValueError" } else { "UnboundLocalError" };

@@ -31,7 +31,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .at(last.file, Place::key([winner]), message)
             .key(pattern)
             .parts(sliders.iter().map(|slider| &slider.slider.key))
-            .help("remove one of the entries, or give it its own targets");
+            .help("remove one of the entries, or give it targets (a macro: a pattern) of its own");
         for other in hidden.iter().filter(|other| !std::ptr::eq(**other, *last)) {
             let place = Place::key([&other.slider.key]);
             finding = finding.related(other.file.path.clone(), place, "cannot be saved or loaded");

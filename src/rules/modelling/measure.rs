@@ -118,6 +118,6 @@ fn finding(bound: &BoundSlider<'_>, message: &str, effect: &str) -> Finding {
     let finding = RULE
         .at(bound.file, Place::pointer([key, "measure"]), format!("`{key}` {message}"))
         .key(key)
-        .help("correct the vertex numbers, which start at 0; the line may have been made for another mesh");
+        .help("correct the vertex numbers, which start at 0; the measuring line may be from another mesh");
     if effect.is_empty() { finding } else { finding.effect(effect) }
 }

@@ -13,7 +13,7 @@ use crate::repo::{Reference, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "shows a slider that does nothing and is never saved")],
-    docs: "An entry has neither `incr`, `decr`, `macro` nor `barycentric`, or has targets beside a macro.\n\nWith \
+    docs: "An entry has none of `incr`, `decr`, `macro` and `barycentric`, or has targets beside a macro.\n\nWith \
         none of the keys, MakeHuman 2 shows a slider without a pattern: it moves nothing, is never saved, and no \
         model can set it. If a misspelt key was meant to give a component its slider, the macrodefs of that \
         component never apply (an error). Beside `macro` or `barycentric`, `incr` and `decr` have no effect: \
@@ -22,7 +22,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     ..RuleInfo::new(
         "modelling-no-effect",
         Level::Warning,
-        "an entry has neither `incr`, `decr`, `macro` nor `barycentric`",
+        "an entry has none of `incr`, `decr`, `macro` and `barycentric`",
     )
 });
 
@@ -38,7 +38,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             Some((key, near)) => format!("did you mean `{near}` instead of `{key}`?"),
             None => "add `incr`, `macro` or `barycentric`, or remove the entry".to_owned(),
         };
-        let message = format!("`{}` has neither `incr`, `decr`, `macro` nor `barycentric`", slider.key);
+        let message = format!("`{}` has none of `incr`, `decr`, `macro` and `barycentric`", slider.key);
         let finding = RULE.at(bound.file, Place::key([&slider.key]), message).key(&slider.key).help(help);
         let lost = lost_macrodefs(base, bound);
         out.push(if lost.is_empty() { finding } else { finding.level(Level::Error).effect(never_applied(&lost)) });

@@ -16,9 +16,10 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     ..RuleInfo::new("modelling-one-sided-symmetry", Level::Warning, "a left/right counterpart does not point back")
 });
 
-const COUNTERPART: &str = "name the left/right counterpart";
+const ALONE: &str = "write the pattern of the left/right counterpart, or remove the key from a slider that has none";
+const COUNTERPART: &str = "write the pattern of the left/right counterpart";
 
-const ONE_WAY: &str = "mirrors changes of this slider to its counterpart, not back";
+const ONE_WAY: &str = "mirrors changes of this slider to its counterpart, but not back";
 const TO_ITSELF: &str = "mirrors the slider to itself: no other slider follows";
 const WRONG_SIDE: &str = "copies the wrong side when the figure is made symmetric";
 
@@ -59,7 +60,7 @@ fn fault(
     let pattern = names.first().map(String::as_str).unwrap_or_default();
     if std::ptr::eq(partner, bound) {
         let effect = if has_no_targets(partner) { WITHOUT_TARGETS } else { TO_ITSELF };
-        return Some((format!("`{own}` is its own counterpart"), effect, COUNTERPART.to_owned()));
+        return Some((format!("`{own}` is its own counterpart"), effect, ALONE.to_owned()));
     }
     if has_no_targets(partner) {
         let what = if partner.slider.barycentric.is_some() { "a triangle" } else { "a macro" };

@@ -92,6 +92,9 @@ fn without_pairs(
     weigh(base, sliders, RULE.at(file, place, message).help(help).evidence(evidence))
 }
 
+/// A slider is saved under the names of its targets.
+const MODELS: &str = "; saved models then find these sliders by new names";
+
 fn of_endings(
     base: &Base<'_>,
     opposites: &[(String, String)],
@@ -109,12 +112,12 @@ fn of_endings(
     let swapped = opposites.iter().any(|(d, i)| d == incr && i == decr);
     let known = opposites.iter().find(|(d, _)| d == decr);
     let help = if swapped {
-        "swap `incr` and `decr`".to_owned()
+        format!("swap `incr` and `decr`{MODELS}")
     } else if let Some((_, known)) = known {
         // A second pair for the ending would take the place of the first.
         format!("use targets that belong together: `{decr}` goes with `{known}`")
     } else {
-        format!("add `\"{decr}\": \"{incr}\"` to `target-opposites` of base.json, or correct the names")
+        format!("add `\"{decr}\": \"{incr}\"` to `target-opposites` of base.json, or correct the names{MODELS}")
     };
     let finding = RULE.at(first.file, Place::pointer([key, "decr"]), message).key(format!("{decr}/{incr}")).help(help);
     Some(weigh(base, sliders, finding.evidence(Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key)))))

@@ -7,7 +7,7 @@ use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     cannot_be_ignored: true,
-    breaks: &[(Makehuman2, "runs it as Python code with all rights of the user as soon as its window opens")],
+    breaks: &[(Makehuman2, "runs it as Python code with all the user's rights as soon as its window opens")],
     docs: "`display.formula` or `display.text` is more than harmless arithmetic. MakeHuman 2 passes the formula \
         to Python's `eval` and the result to the text with `str.format`, at every start and whenever a slider \
         moves. That can run any program, read and delete files, or never end.\n\nSafe are numbers, `val` (the \
@@ -35,9 +35,7 @@ fn finding(bound: &BoundSlider<'_>, member: &str, fault: &Fault) -> Finding {
     let key = bound.slider.key.as_str();
     let message = format!("`display.{member}` of `{key}` {}", fault.what);
     let effect = match fault.kind {
-        FaultKind::Foreign => {
-            "runs it as Python code with all rights of the user at start, or crashes with `NameError`"
-        }
+        FaultKind::Foreign => "runs it as Python code with all the user's rights at start, or crashes with `NameError`",
         FaultKind::Endless => "may hang at start or run out of memory",
         FaultKind::Syntax => "crashes at start with `SyntaxError`",
         FaultKind::Mistyped => "crashes at start with `TypeError`",

@@ -47,7 +47,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         out.push(if is_wide {
             finding.help("list the combinations, or write `null` where no shape is meant")
         } else {
-            finding.case(NARROW).help("leave it if no shape is meant there; otherwise list the combinations")
+            finding.case(NARROW).help("leave it if no shape is meant there; otherwise give the combinations targets")
         });
     }
 }

@@ -33,7 +33,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.push(
         RULE.at(file, Place::File, message)
             .confidence(Confidence::Medium)
-            .help(format!("export the mesh in decimetres, probably with scale {help}"))
+            .help(format!("export the mesh in decimetres, probably with scale {help}, in the same vertex order"))
             .evidence(Evidence::of_unnamed([format!("{length:.1} cm")])),
     );
 }

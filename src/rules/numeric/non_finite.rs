@@ -9,7 +9,7 @@ use crate::eval::survey::Trouble;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently loses the vertices, or in pose mode all skin of the bone")],
+    breaks: &[(Makehuman2, "in pose mode all skin of the bone disappears")],
     docs: "At some slider setting a vertex or the matrix of a bone is not a number, although all files contain \
         numbers and the default character is fine.\n\n\
         For a bone, the three joints of its rotation plane come to lie on one straight line or at one point. The plane then has \

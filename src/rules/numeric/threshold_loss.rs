@@ -27,6 +27,9 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     )
 });
 
+/// Above this share nobody takes it for a rounding.
+const LARGE: f64 = 0.2;
+
 fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = body.macros else { return };
     let limit = cx.option(&RULE, "percent") / 100.0;
@@ -42,7 +45,11 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
             .key("loss")
             .related(&file.path, Place::File, to_see(at))
             .parts(over().map(|(number, ..)| named(number)))
-            .help("leave it if the loss is too small to see; otherwise use fewer components in this macrodef")
+            .help(if *lost > LARGE {
+                "use fewer components in this macrodef, or split it"
+            } else {
+                "leave it if the loss is too small to see; otherwise use fewer components in this macrodef"
+            })
             .evidence(Evidence::of_cases(cases).out_of(macros.macrodefs.len()).with_worst(*lost, title)),
     );
 }

@@ -12,7 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
         "cannot load the targets and crashes with `AttributeError`: at start if the default character uses one, \
-            otherwise as soon as one gets weight",
+            otherwise as soon as a slider uses one",
     )],
     docs: "MakeHuman 2 loads all targets of a base, for macros and sliders, from one folder: `contarget/<base>` \
         if a macro.json there is in use, otherwise `target/<base>` of the system data. Single files do not fall back \

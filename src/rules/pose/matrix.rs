@@ -26,7 +26,7 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((place, unit, turn, fault)) = faulty.first() else { return };
     let what = match fault {
         TurnFault::NoList => "is not a list of nine numbers".to_owned(),
-        TurnFault::Count(9) => "has rows of other lengths than 3".to_owned(),
+        TurnFault::Count(9) => "has a row that does not have 3 numbers".to_owned(),
         TurnFault::Count(count) => format!("has {count} numbers, expected 9"),
         TurnFault::NotANumber | TurnFault::NonFinite => "has a value that is not a number".to_owned(),
     };

@@ -30,7 +30,10 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     if is_makehuman1 {
         // Capitals make no difference to it, and any letters are kept.
         let is_unknown = |one: &&Misspelt| one.word.ends_with(':') || one.word.eq_ignore_ascii_case("tags");
-        let misspelt = meta.misspelt.as_ref().filter(is_unknown).filter(|_| has("bvh"));
+        if layer.file_ignoring_case(&format!("{stem}bvh")).is_none() && !has("bvh") {
+            return out.push(orphan(view, file));
+        }
+        let misspelt = meta.misspelt.as_ref().filter(is_unknown);
         return out.extend(misspelt.map(|misspelt| unread(view, file, misspelt)));
     }
     // Beside a pose nobody reads it, and nobody misses it.

@@ -32,7 +32,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = RULE
             .in_layer(system, rel, message)
             .effect_in(view.application(), format!("exits at start with code {code}"));
-        out.push(finding.help("restore the file from the program"));
+        out.push(finding.help("restore the file from the download of the program"));
     }
 }
 
@@ -59,14 +59,14 @@ const OF_MAKEHUMAN1: [(&str, &str, Case); 5] = [
 const NO_SKIN: Case = &[(Makehuman1, Level::Warning, "logs an error and shows the body without its skin")];
 const NO_BLEND: Case = &[(Makehuman1, Level::Error, "ends each frame at the default skin, which blends this picture")];
 const NO_EYES: Case =
-    &[(Makehuman1, Level::Error, "raises `AttributeError` at start and at each reset: it puts on these eyes")];
+    &[(Makehuman1, Level::Error, "fails with `AttributeError` at start and at each reset: it puts on these eyes")];
 const NO_SHADERS: Case = &[(Makehuman1, Level::Warning, "logs errors and draws all surfaces without their shaders")];
 
 fn of_makehuman1(system: &Layer, out: &mut Vec<Finding>) {
     let has = |folder: &str| system.below(folder).any(|file| !file.file_name().ends_with(".thumb"));
     for (rel, _, case) in OF_MAKEHUMAN1.into_iter().filter(|(rel, folder, _)| !exists(system, rel) && has(folder)) {
         let finding = RULE.in_layer(system, rel, format!("`{rel}` does not exist")).case(case);
-        out.push(finding.help("restore the file from the program"));
+        out.push(finding.help("restore the file from the download of the program"));
     }
     // Without skins it is not the whole program.
     let shaders = "shaders/glsl";

@@ -31,8 +31,8 @@ const LEADING: Case = &[
     (Makehuman1, Level::Error, "does not put the asset on: `UnboundLocalError` when it reads the file"),
 ];
 const CUT: Case = &[
-    (Makehuman2, Level::Warning, "forgets the dash and hides only both ends of the range"),
-    (Makehuman1, Level::Warning, "forgets the dash and hides only both ends of the range"),
+    (Makehuman2, Level::Warning, "ignores the dash and hides only both ends of the range"),
+    (Makehuman1, Level::Warning, "ignores the dash and hides only both ends of the range"),
 ];
 const OPEN: Case = &[
     (Makehuman2, Level::Warning, "hides only the first vertex of the range"),
@@ -60,10 +60,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             deletes.cut_ranges.count == 1 && deletes.cut_ranges.first.first().is_some_and(|(_, at)| is_last(*at));
         let cut = if is_open { OPEN } else { CUT };
         out.extend(range(&text, &deletes.cut_ranges, cut, "cut", |at| {
-            format!("the range from {at} ends with its line")
+            format!("the range from {at} has no end on its line")
         }));
         out.extend(range(&text, &deletes.reversed, REVERSED, "reversed", |at| {
-            format!("the range from {at} ends with a lower number")
+            format!("the range from {at} goes down to a lower number")
         }));
     }
 }

@@ -14,7 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     ..RuleInfo::new("proxy-extension-case", Level::Error, "an asset whose extension has capitals")
 });
 
-const TWINS: Case = &[(Makehuman1, Level::Error, "lists nothing of this library: two files differ in capitals alone")];
+const TWINS: Case = &[(Makehuman1, Level::Error, "lists nothing of this library: two files differ only in case")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;

@@ -14,7 +14,7 @@ use crate::repo::{Body, FileFacts};
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "hides the whole body; the exports to glTF and OBJ crash with `ValueError`"),
-        (Makehuman1, "shows nothing of the body below the asset"),
+        (Makehuman1, "shows nothing of the body under the asset"),
     ],
     levels: &[(Makehuman1, Level::Info)],
     docs: "The vertices below `delete_verts` hide all faces of the body that are shown, or nearly all.\n\n\
@@ -26,8 +26,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 const ALMOST: Case = &[
-    (Makehuman2, Level::Info, "shows little of the body below the asset"),
-    (Makehuman1, Level::Info, "shows little of the body below the asset"),
+    (Makehuman2, Level::Info, "shows little of the body under the asset"),
+    (Makehuman1, Level::Info, "shows little of the body under the asset"),
 ];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

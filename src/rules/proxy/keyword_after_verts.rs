@@ -38,6 +38,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 /// Below the list of vertices to hide any such word is told as one that is not a number.
 fn unknown(text: &Text<'_, '_>) -> Option<Finding> {
+    if !text.has_rows_section() {
+        return None;
+    }
     let list = sections::misspelt_list(text).map(|entry| entry.line);
     let is_unknown = |entry: &&Entry| {
         let is_known = known_to_makehuman1(&entry.keyword) && !entry.has_colon || super::keywords::is_licence(entry);
@@ -46,7 +49,7 @@ fn unknown(text: &Text<'_, '_>) -> Option<Finding> {
     let found: Vec<&Entry> = text.clothes.entries.iter().filter(is_unknown).collect();
     let first = found.first()?;
     let more = such(found.len(), "lines");
-    let message = format!("`{}` below `verts` is not a keyword{more}", first.keyword);
+    let message = format!("`{}` below `verts` is not a keyword{more}", first.written());
     let finding = RULE.at(text.file, Place::Span(first.keyword_span.clone()), message);
     let evidence = Evidence::of_cases(found.iter().map(|entry| entry.keyword.to_string()));
     Some(finding.evidence(evidence).help("correct the keyword, or remove the line"))

@@ -23,7 +23,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 const COLON: Case = &[(
     Makehuman2,
     Level::Warning,
-    "does not see it in the library until the asset has been put on once; models saved before do not find the asset again",
+    "does not read it for the library until the asset has been put on once; models saved before do not find the asset again",
 )];
 const TAG: Case = &[(Makehuman2, Level::Warning, "reads the line as a tag until the asset has been put on once")];
 const AUTHOR: Case = &[(Makehuman2, Level::Warning, "shows the author as unknown")];
@@ -60,7 +60,7 @@ fn stray_tag(text: &Text<'_, '_>, entry: &Entry) -> Option<Finding> {
     }
     let message = format!("the library reads the line `{} …` as a tag because it contains `tag`", entry.keyword);
     let help = if entry.keyword.to_lowercase().starts_with("tag") {
-        "write `tag`, in a line for each tag".to_owned()
+        "write a line `tag` for each tag".to_owned()
     } else {
         "use other words, or move the text into a comment above".to_owned()
     };

@@ -18,7 +18,7 @@ pub(super) fn missing(text: &Text<'_, '_>, keyword: &str, example: &str) -> Opti
         let message = format!("`{keyword}` is below the vertex rows, where the library does not look");
         return Some((Place::Span(entry.keyword_span.clone()), message, format!("move `{keyword}` above `verts`")));
     }
-    if let Some(entry) = text.misspelt(keyword) {
+    if let Some(entry) = text.misspelt(keyword).filter(|entry| *entry.keyword != *keyword) {
         let message = format!("`{}` is not the keyword `{keyword}`", entry.keyword);
         return Some((Place::Span(entry.keyword_span.clone()), message, format!("write `{keyword}`")));
     }

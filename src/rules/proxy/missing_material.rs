@@ -22,6 +22,11 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("proxy-missing-material", Level::Warning, "the material of an asset does not exist")
 });
 
+/// It is read as a text, whatever it is.
+const PICTURE: Case = &[
+    (Makehuman2, Level::Warning, "shows the asset in plain white until a material is chosen"),
+    (Makehuman1, Level::Error, "does not put the asset on: it cannot read the file as a material"),
+];
 const NONE: Case = &[(Makehuman2, Level::Warning, "shows the asset in plain white until a material is chosen")];
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -36,7 +41,9 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some(reference) = reference.filter(|one| matches!(one.resolution, Resolution::Missing)) else { continue };
         let message = format!("material `{}` of the archive does not exist", reference.text);
         let finding = RULE.at(archive.file, Place::File, message).key(reference.text);
-        out.push(finding.help("add the material where the archive looks for it, or remove the archive"));
+        out.push(
+            finding.help("add the material where the archive looks for it, or get the asset again from its source"),
+        );
     }
 }
 
@@ -50,7 +57,9 @@ fn absent(body: &Body<'_>, text: &Text<'_, '_>, reference: &Reference<'_>, cx: &
     let message = format!("material `{}` {what}", reference.text);
     let near = cx.suggestions.nearest(reference.text, neighbours(body, text, "mhmat"));
     let help = did_you_mean(near, "correct the name, or add the material");
-    Some(RULE.at(text.file, reference.place.clone(), message).key(reference.text).help(help))
+    let finding = RULE.at(text.file, reference.place.clone(), message).key(reference.text).help(help);
+    let is_picture = matches!(reference.resolution, Resolution::Found(file) if file.kind == Kind::Image);
+    Some(if is_picture { finding.case(PICTURE) } else { finding })
 }
 
 /// A misspelt keyword has a finding of its own, and one in front of which a mark stands.

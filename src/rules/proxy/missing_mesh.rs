@@ -34,7 +34,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
         let finding = match text.worn.reference(ReferenceKind::AssetMesh) {
             Some(reference) => absent(body, &text, reference, cx),
-            None => missing(&text, "obj_file", "name of the mesh")
+            None => missing(&text, "obj_file", "file name of the mesh")
                 .map(|(place, message, help)| RULE.at(text.file, place, message).case(NO_LINE).help(help)),
         };
         let finding = finding.map(|finding| if text.worn.binary.is_some() { finding.case(PACKED) } else { finding });

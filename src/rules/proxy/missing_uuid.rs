@@ -10,19 +10,19 @@ use crate::diag::{
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `IndexError` when a model saved with the asset is loaded"), (Makehuman1, "raises `TypeError` when the asset is put on beside another one, and saved models lose it")],
+    breaks: &[(Makehuman2, "crashes with `IndexError` when a model saved with the asset is loaded"), (Makehuman1, "fails with `TypeError` when the asset is put on beside another one, and saved models lose it")],
     docs: "An asset has no `uuid`.\n\n\
         MakeHuman 2 writes the name and uuid of each asset into a saved model. Without a uuid the line has a word too \
         few, and loading the model crashes with `IndexError`.\n\n\
         The library reads the file up to the first vertex row with several numbers, so a `uuid` below the rows does \
-        not count.\n\nMakeHuman 1 cannot sort assets of one `z_depth` without it: putting two of them on raises `TypeError`. A saved model looks for the name as uuid and loses the asset. A topology needs none.\n\n\
+        not count.\n\nMakeHuman 1 cannot sort assets of one `z_depth` without it: putting two of them on fails with `TypeError`. A saved model looks for the name as uuid and loses the asset. A topology needs none.\n\n\
         Add a line `uuid` with a new identifier above `verts`.",
     ..RuleInfo::new("proxy-missing-uuid", Level::Error, "an asset has no uuid")
 });
 
 const TOPOLOGY: Case = &[(Makehuman1, Level::Info, "puts the topology on all the same")];
 const SINGLE: Case =
-    &[(Makehuman1, Level::Error, "does not put a second asset without one on, and saved models lose both")];
+    &[(Makehuman1, Level::Error, "does not put on a second asset without a uuid, and saved models lose both")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
@@ -30,7 +30,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let is_lost = || text.last("uuid").is_none() && empty_uuid(text.clothes).is_none();
         let is_missing = if text.is_makehuman1() { is_lost() } else { text.clothes.scanned.uuid.is_none() };
         if is_missing {
-            let told = missing(&text, "uuid", "new uuid, from a generator");
+            let told = missing(&text, "uuid", "uuid: that of earlier versions, or a new one from a generator");
             let told = told.map(|(place, message, help)| RULE.at(text.file, place, message).help(help));
             out.extend(told.map(|finding| match known_by(&text) {
                 Some(case) => finding.case(case),

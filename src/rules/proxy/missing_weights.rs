@@ -36,6 +36,8 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some(reference) = reference.filter(|one| matches!(one.resolution, Resolution::Missing)) else { continue };
         let message = format!("bone weights `{}` of the archive do not exist", reference.text);
         let finding = RULE.at(archive.file, Place::File, message).key(reference.text);
-        out.push(finding.help("add the weights where the archive looks for them, or remove the archive"));
+        out.push(
+            finding.help("add the weights where the archive looks for them, or get the asset again from its source"),
+        );
     }
 }

@@ -25,6 +25,7 @@ pub(super) mod scale;
 mod scale_lines;
 pub(super) mod section_keyword;
 mod sections;
+mod shear;
 pub(super) mod shifted_rows;
 pub(super) mod special_pose;
 pub(super) mod stale_binary;
@@ -91,7 +92,7 @@ impl<'v> Text<'_, 'v> {
 
     /// A line that is meant to have this keyword and has it spelt in another way, or without a value.
     fn misspelt(&self, keyword: &str) -> Option<&'v Entry> {
-        self.clothes.entries.iter().find(|entry| keywords::meant(entry) == Some(keyword))
+        self.clothes.entries.iter().find(|entry| keywords::meant_in(self.application, entry) == Some(keyword))
     }
 
     /// The rows are those of the base mesh as it is: nothing keeps them from being counted against it.
@@ -142,15 +143,18 @@ impl<'v> Text<'_, 'v> {
 
     /// Whether the section of the rows was ever opened.
     fn has_rows_section(&self) -> bool {
-        self.clothes.entries.iter().any(|entry| &*entry.keyword == "verts" && entry.section == Section::Vertices)
+        let is_known = |entry: &Entry| self.application != Makehuman1 || !entry.has_colon;
+        let mut opened = self.clothes.entries.iter().filter(|entry| entry.section == Section::Vertices);
+        opened.any(|entry| &*entry.keyword == "verts" && is_known(entry))
     }
 }
 
 /// Names of the files of a sort beside the asset, as it would write them.
 fn neighbours<'v>(body: &Body<'v>, text: &Text<'_, '_>, extension: &str) -> Vec<&'v str> {
     let folder = parent(&text.file.rel);
-    // In the folder of the base mesh lie the files of all assets.
-    if folder.matches('/').count() < 2 {
+    // In the folder of a library, or of the base mesh in it, lie the files of all assets.
+    let levels = if text.is_makehuman1() { 1 } else { 2 };
+    if folder.matches('/').count() < levels {
         return Vec::new();
     }
     let beside = body.layers.checked.below(folder);

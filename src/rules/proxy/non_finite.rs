@@ -32,7 +32,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             &archive.asset.rows,
             Place::File,
             |vertex| format!("vertex {vertex}"),
-            "export the asset again, or remove the archive",
+            "export the asset again",
         )
     });
     out.extend(archives);

@@ -29,7 +29,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let verts = text.clothes.entries.iter().find(|entry| &*entry.keyword == "verts");
         let place = verts.map_or(Place::File, |entry| Place::Line(entry.line));
-        let finding = RULE.at(text.file, place, "the rows have offsets, but all of them hang on one vertex alone");
-        out.push(finding.help("export the asset with three vertices a row"));
+        let finding = RULE.at(text.file, place, "the rows have offsets, but each row uses only one vertex");
+        out.push(finding.help("export the asset with three vertices per row"));
     }
 }

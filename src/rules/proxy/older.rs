@@ -5,13 +5,13 @@ use std::cmp::Ordering;
 use super::Text;
 use super::keywords::known_to_makehuman1;
 use crate::diag::{Application::Makehuman1, Case, Level};
-use crate::formats::mhclo::{Entry, Fault, FaultKind};
+use crate::formats::mhclo::{Fault, FaultKind};
 use crate::formats::python_int;
 
 /// Of faults of one kind those that are some, and how many there are.
 pub(super) fn meant<'v>(text: &Text<'_, 'v>, faults: &'v [Fault], count: u64) -> Option<(Vec<&'v Fault>, u64)> {
     let end = end(text);
-    let own: Vec<&Fault> = faults.iter().filter(|fault| fault.line < end && is_fault(fault)).collect();
+    let own: Vec<&Fault> = faults.iter().filter(|fault| fault.line < end && is_fault(text, fault)).collect();
     // Those that were counted and not kept are like these.
     let spared = faults.len().saturating_sub(own.len()) as u64;
     (!own.is_empty()).then(|| (own, count.saturating_sub(spared)))
@@ -23,9 +23,12 @@ fn end(text: &Text<'_, '_>) -> u32 {
     old.and_then(|(faults, _)| faults.first()).map_or(u32::MAX, |fault| fault.line)
 }
 
-fn is_fault(fault: &Fault) -> bool {
+fn is_fault(text: &Text<'_, '_>, fault: &Fault) -> bool {
+    // With a colon behind its keyword it is a line of an unknown one.
+    let is_of_colon = || text.clothes.entries.iter().any(|entry| entry.line == fault.line && entry.has_colon);
     match fault.kind {
         FaultKind::OldFormat => false,
+        FaultKind::NotWhole | FaultKind::ScaleWord | FaultKind::ShortScale | FaultKind::MissingValue => !is_of_colon(),
         // Keywords may stand below any section.
         FaultKind::DeleteWord => !known_to_makehuman1(&fault.word),
         // `+5` is a number to Python.
@@ -40,7 +43,7 @@ pub(super) fn stops(text: &Text<'_, '_>) -> bool {
         DeleteWord, DroppedRow, FieldCount, MissingValue, NotWhole, OpenRange, RowWord, ScaleWord, ShortScale,
     };
     let end = end(text);
-    text.clothes.faults.iter().filter(|fault| fault.line < end && is_fault(fault)).any(|fault| match fault.kind {
+    text.clothes.faults.iter().filter(|fault| fault.line < end && is_fault(text, fault)).any(|fault| match fault.kind {
         DeleteWord | DroppedRow | FieldCount(_) | NotWhole | OpenRange | RowWord | ScaleWord | ShortScale => true,
         MissingValue => needs_value(&fault.word),
         _ => false,
@@ -50,14 +53,14 @@ pub(super) fn stops(text: &Text<'_, '_>) -> bool {
 /// Keywords whose line is not read without a value.
 pub(super) fn needs_value(keyword: &str) -> bool {
     matches!(keyword, "obj_file" | "material" | "vertexboneweights_file" | "z_depth")
-        || matches!(keyword, "x_scale" | "y_scale" | "z_scale")
+        || keyword.contains("shear_")
+        || matches!(keyword, "x_scale" | "y_scale" | "z_scale" | "basemesh" | "version" | "max_pole")
 }
 
 pub(super) const SCALE_ALONE: Case =
     &[(Makehuman1, Level::Error, "does not put the asset on: `TypeError` when it is fitted")];
 const NOWHERE: Case = &[(Makehuman1, Level::Warning, "divides by 0: all vertices of the asset have no position (NaN)")];
 const MIRRORED: Case = &[(Makehuman1, Level::Warning, "mirrors all offsets along the axis")];
-pub(super) const NO_SHEAR: Case = &[(Makehuman1, Level::Warning, "uses the scale and ignores the shear")];
 
 /// What is wrong with the distance of a scale, by which it divides as it is written.
 pub(super) fn distance(text: &Text<'_, '_>, name: &str, distance: f32) -> Option<(String, Case)> {
@@ -66,13 +69,4 @@ pub(super) fn distance(text: &Text<'_, '_>, name: &str, distance: f32) -> Option
         Ordering::Less => Some((format!("the distance of `{name}` is {distance}, which is negative"), MIRRORED)),
         Ordering::Greater => None,
     }
-}
-
-/// A line of shear beside a scale. It shears only what has no scale.
-pub(super) fn shear<'v>(text: &Text<'_, 'v>) -> Option<(&'v Entry, String)> {
-    let sorts = ["shear_", "l_shear_", "r_shear_"];
-    let is_shear = |entry: &&Entry| !entry.is_comment && sorts.iter().any(|sort| entry.keyword.starts_with(sort));
-    let entry = text.clothes.entries.iter().find(is_shear).filter(|_| text.is_makehuman1())?;
-    let scale = ["x_scale", "y_scale", "z_scale"].into_iter().find(|axis| text.last(axis).is_some())?;
-    Some((entry, format!("`{}` is beside `{scale}`, which alone is used", entry.keyword)))
 }

@@ -2,7 +2,7 @@
 
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
-use super::{AXES, INDEX, Text, older, scale_lines, texts};
+use super::{AXES, INDEX, Text, older, scale_lines, shear, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Finding, Level, Place, RuleInfo,
@@ -52,6 +52,7 @@ const USUAL: std::ops::RangeInclusive<f32> = 0.2..=5.0;
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
         out.extend(scale_lines::unreadable(&RULE, &text));
+        out.extend(shear::finding(&RULE, body, &text));
         // Topologies are scaled by MakeHuman 1 alone.
         if text.stops() || text.worn.is_topology() && !text.is_makehuman1() {
             continue;
@@ -68,15 +69,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let more = own.len().saturating_sub(1);
         out.extend(own.into_iter().next().map(|mut first| {
             if more > 0 {
-                first.message = format!("{} (and {more} more of the scale lines)", first.message);
+                first.message = format!("{} ({more} more of the scale lines at fault)", first.message);
             }
             first
         }));
         out.extend(scale_lines::missing(&RULE, &text).filter(|_| has_offsets || text.is_makehuman1()));
-        out.extend(older::shear(&text).map(|(entry, message)| {
-            let finding = RULE.at(text.file, Place::Line(entry.line), message).key("shear").case(older::NO_SHEAR);
-            finding.help("keep the scale or the shear lines")
-        }));
     }
 }
 
@@ -99,7 +96,7 @@ fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Op
     }
     let size = text.size_of_base(body)?;
     let last = size.vertices.saturating_sub(1);
-    let names = "name two vertices of the base mesh that are far apart along the axis";
+    let names = "name two vertices of the base mesh that are far apart along the axis, with their distance";
     let end = i64::try_from(size.with_seams).unwrap_or(i64::MAX);
     let outside = |vertex: i64| vertex >= end || vertex < -end;
     if let Some(vertex) = [a, b].into_iter().find(|vertex| outside(*vertex)) {
@@ -122,7 +119,7 @@ fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Op
     let message = if a == b {
         format!("`{name}` names vertex {a} twice")
     } else {
-        format!("vertices {a} and {b} of `{name}` do not differ along that axis")
+        format!("vertices {a} and {b} of `{name}` have the same coordinate on that axis")
     };
     Some(told(message).case(FLAT).help(names))
 }

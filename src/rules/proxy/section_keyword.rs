@@ -32,6 +32,10 @@ const MORE_ROWS: Case = &[
     (Makehuman1, Level::Error, "does not put the asset on: it reads the keyword as a vertex row"),
 ];
 
+/// Below it are as many rows as the mesh has vertices.
+const SURPLUS: Case =
+    &[(Makehuman2, Level::Warning, "ignores the line"), (Makehuman1, Level::Warning, "ignores the line")];
+
 /// Rows that nobody reads.
 const ABOVE: Case = &[
     (
@@ -57,9 +61,16 @@ fn above(text: &Text<'_, '_>) -> Option<Finding> {
     let is_old = text.faults(|kind| kind == FaultKind::OldFormat).is_some();
     let first = faults.first().filter(|_| text.has_rows_section() && !is_old)?;
     let message = format!("a line of numbers is above `verts`{}", more(count));
-    let case = if text.clothes.rows.count == 0 { INDEX } else { ABOVE };
+    let is_complete = text.worn.mesh().is_some_and(|(_, mesh)| mesh.facts.vertices == text.clothes.rows.count);
+    let (case, help) = match text.clothes.rows.count {
+        0 => (INDEX, "move `verts` above all vertex rows"),
+        // A misspelt list has a finding of its own.
+        _ if is_complete && text.misspelt("delete_verts").is_some() => return None,
+        _ if is_complete => (SURPLUS, "remove the line, or write `delete_verts` above it"),
+        _ => (ABOVE, "move `verts` above all vertex rows"),
+    };
     let finding = RULE.at(text.file, Place::Line(first.line), message).key("above").case(case);
-    Some(finding.help("move `verts` above all vertex rows").evidence(lines(&faults, count)))
+    Some(finding.help(help).evidence(lines(&faults, count)))
 }
 
 fn rows(text: &Text<'_, '_>) -> Option<Finding> {
@@ -68,7 +79,7 @@ fn rows(text: &Text<'_, '_>) -> Option<Finding> {
     }
     let numbers = text.faults(|kind| kind == FaultKind::NumbersInHeader);
     if let Some(entry) = text.misspelt("verts") {
-        let message = format!("`{}` is not the keyword `verts`: the asset has no vertex rows", entry.keyword);
+        let message = format!("`{}` is not the keyword `verts`: the asset has no vertex rows", entry.written());
         return Some(told(text, entry, message, INDEX).help("write `verts`"));
     }
     let message = "the keyword `verts` is missing: the asset has no vertex rows";
@@ -80,7 +91,8 @@ fn rows(text: &Text<'_, '_>) -> Option<Finding> {
 
 fn list(text: &Text<'_, '_>) -> Option<Finding> {
     let entry = misspelt_list(text)?;
-    let message = format!("`{}` is not the keyword `delete_verts`: its numbers are read as vertex rows", entry.keyword);
+    let message =
+        format!("`{}` is not the keyword `delete_verts`: its numbers are read as vertex rows", entry.written());
     Some(told(text, entry, message, MORE_ROWS).help("write `delete_verts`"))
 }
 

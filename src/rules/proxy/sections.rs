@@ -27,7 +27,17 @@ pub(super) fn rows_above(text: &Text<'_, '_>) -> u64 {
 
 /// A line that is meant to open the list of vertices to hide, and is a row that is none.
 pub(super) fn misspelt_list<'v>(text: &Text<'_, 'v>) -> Option<&'v Entry> {
-    text.misspelt("delete_verts").filter(|entry| entry.section == Section::Vertices)
+    text.misspelt("delete_verts").filter(|entry| is_among_rows(text, entry))
+}
+
+/// Whether a line of a word that is no keyword is taken for a row. One with a colon opens a section only where that is
+/// known.
+pub(super) fn is_among_rows(text: &Text<'_, '_>, entry: &Entry) -> bool {
+    if text.application != Makehuman1 {
+        return entry.section == Section::Vertices;
+    }
+    entry.section != Section::Header
+        && text.clothes.all("verts").any(|verts| verts.line < entry.line && !verts.has_colon)
 }
 
 /// The first line in the list that begins with a letter.

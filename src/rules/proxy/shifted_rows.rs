@@ -35,7 +35,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let message = if text.is_makehuman1() { row(first, count) } else { message };
         let finding = RULE.at(text.file, Place::Span(first.span.clone()), message);
-        let finding = finding.help("begin the row with the number of a base vertex, in digits only");
+        let finding = finding
+            .help("export the asset again; by hand, begin the row with the number of a base vertex, in digits only");
         let finding = finding.evidence(lines(&faults, count));
         out.push(if text.clothes.rows.count == 0 { finding.case(INDEX) } else { finding });
     }

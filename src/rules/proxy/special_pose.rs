@@ -9,7 +9,7 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
         Makehuman1,
-        "raises `TypeError` at every slider while the asset is worn without another pose, and shows the whole pose of the file",
+        "fails with `TypeError` at every slider while the asset is worn without another pose, and shows the whole pose of the file",
     )],
     docs: "An asset asks for a pose with `special_pose`, such as `special_pose foot heels.bvh` of shoes with heels.\n\n\
         MakeHuman 1 shows the whole figure in this pose as long as no other one is chosen, and then every slider raises \

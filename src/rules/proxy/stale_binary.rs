@@ -11,7 +11,7 @@ use crate::formats::python_int;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "loads the archive unless the text is newer: changes in the text have no effect")],
+    breaks: &[(Makehuman2, "loads the archive unless the text is newer; until then the text has no effect")],
     docs: "The `.mhbin` of an asset differs from the text beside it.\n\n\
         MakeHuman 2 writes the archive when the asset is put on, and loads it in place of the text from then on, as \
         long as the text is not newer. After a download or a checkout all files are of one age, so the archive wins. \

@@ -7,7 +7,7 @@ use crate::diag::{
     Case, Finding, Level, Place, RuleInfo,
 };
 use crate::formats::mhclo::{Fault, FaultKind};
-use crate::formats::python_int;
+use crate::formats::{python_float, python_int};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -55,10 +55,13 @@ fn of_rows<'v>(text: &Text<'_, 'v>, wanted: fn(FaultKind) -> bool) -> Option<(Ve
 fn row_words(text: &Text<'_, '_>) -> Option<Finding> {
     let (faults, count) = of_rows(text, |kind| kind == FaultKind::RowWord)?;
     let first = faults.first()?;
-    let message = format!("`{}` in a vertex row is not a number{}", first.word, more(count));
+    let is_number = python_float(first.word.as_bytes()).is_some();
+    let kind = if is_number { "whole number" } else { "number" };
+    let message = format!("`{}` in a vertex row is not a {kind}{}", first.word, more(count));
     let help = match &*first.word {
         word if word.contains(',') => "write decimal points instead of commas",
         word if word.starts_with('#') => "move the comment to a line of its own",
+        _ if is_number => "write a whole number: the first three numbers are vertices",
         _ => "write a number",
     };
     Some(told(text, first, message, VALUE, help).evidence(lines(&faults, count)))

@@ -8,7 +8,7 @@ use crate::diag::{
 };
 use crate::repo::Body;
 
-const EFFECT: &str = "does not read the line, and puts the asset on";
+const EFFECT: &str = "ignores the line and puts the asset on";
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, EFFECT), (Makehuman1, EFFECT)],

@@ -1,12 +1,11 @@
 //! Misspelt keywords.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{keywords, texts};
+use super::{keywords, sections, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Finding, Level, Place, RuleInfo,
 };
-use crate::formats::mhclo::Section;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -28,13 +27,13 @@ const HARMLESS: Case = &[
 /// Those of which the loss has a rule of its own.
 const TOLD: [&str; 6] = ["name", "uuid", "obj_file", "verts", "delete_verts", "tag"];
 
-const LOST: [&str; 4] = ["uuid", "obj_file", "verts", "delete_verts"];
+const LOST: [&str; 4] = ["name", "uuid", "obj_file", "verts"];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
         for entry in &text.clothes.entries {
             // Below `verts` the line is a row to MakeHuman 1, and has a finding of its own.
-            let is_row = || entry.section != Section::Header || keywords::is_licence(entry);
+            let is_row = || sections::is_among_rows(&text, entry) || keywords::is_licence(entry);
             let is_told = |meant: &&str| {
                 if text.is_makehuman1() { LOST.contains(meant) || is_row() } else { TOLD.contains(meant) }
             };
@@ -42,8 +41,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 continue;
             };
             // With a line of the right keyword nothing is missing.
-            let is_there = text.last(meant).is_some();
-            let message = format!("unknown keyword `{}`", entry.keyword);
+            // Each tag counts.
+            let is_there = text.last(meant).is_some() && meant != "tag";
+            let message = format!("unknown keyword `{}`", entry.written());
             let finding = RULE.at(text.file, Place::Span(entry.keyword_span.clone()), message).key(&*entry.keyword);
             let finding = if is_there || keywords::is_harmless(meant) { finding.case(HARMLESS) } else { finding };
             let is_spelt = *meant == *entry.keyword;

@@ -15,6 +15,10 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // Of the data of the program no archives are made.
+    if body.layers.checks_system() {
+        return;
+    }
     for text in texts(body) {
         let Some(entry) = text.last("uvLayer") else { continue };
         let finding = RULE.at(text.file, Place::Span(entry.keyword_span.clone()), "`uvLayer` is never used");

@@ -11,7 +11,7 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "crashes with `IndexError` when the asset is put on, and again at every move of a slider and in the glTF export",
+        "crashes with `IndexError` when the asset is put on, and again whenever a slider moves and in the glTF export",
     ), (Makehuman1, "does not put the asset on: `IndexError` when it is fitted")],
     docs: "An asset names a vertex that the base mesh does not have. Vertices are counted from 0.\n\n\
         A row with such a vertex is the worst: MakeHuman 2 crashes only after the asset was added to what is worn. From \

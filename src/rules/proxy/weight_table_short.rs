@@ -7,7 +7,7 @@ use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "puts the asset on; each pose then raises `ValueError`")],
+    breaks: &[(Makehuman1, "puts the asset on; each pose then fails with `ValueError`")],
     docs: "The weights of an asset end before its last vertex: none of the last vertices is listed for any bone, not even \
         with 0.\n\n\
         MakeHuman 1 makes a table from the listed vertices alone. If it is shorter than the mesh, no pose can be shown while \
@@ -34,7 +34,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let finding = RULE.at(own.file, Place::pointer(["weights"]), message);
         let finding = finding.evidence(Evidence::counted(missing).out_of(own.vertices));
-        let help = "paint the vertices, or remove `vertexboneweights_file` to take the weights of the body";
+        let help = "give every vertex a weight and export the weights again; without own weights remove `vertexboneweights_file`";
         let finding = finding.help(help);
         out.push(if listed == 0 { finding.case(WITHOUT_ANY) } else { finding });
     }

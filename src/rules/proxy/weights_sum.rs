@@ -27,6 +27,10 @@ const SMALL: Case = &[
     (Makehuman2, Level::Info, "moves the vertices by a few millimetres at most"),
     (Makehuman1, Level::Warning, "pulls the vertices towards the origin, by a few millimetres at most"),
 ];
+const BEYOND: Case = &[
+    (Makehuman2, Level::Warning, "pushes the vertex away from the origin of the world, off the body"),
+    (Makehuman1, Level::Warning, "pushes the vertex away from the origin of the world, off the body"),
+];
 const SLIGHT: Case = &[(Makehuman1, Level::Warning, "moves the vertices by less than a centimetre")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -45,6 +49,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.push(match (is_slight, rows.visible_sums) {
             (true, _) => finding.case(SLIGHT),
             (false, 0) => finding.case(SMALL),
+            _ if sum > 1.0 => finding.case(BEYOND),
             _ => finding,
         });
     }

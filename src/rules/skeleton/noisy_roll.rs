@@ -7,7 +7,7 @@ use crate::eval::measures::Measures;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "turns the bone around its own axis by a value that may change with every morph")],
+    breaks: &[(Makehuman2, "turns the bone around its own axis by a value that may change with every slider")],
     docs: "A bone is almost parallel to the normal of its plane. Without `rotation_plane` the normal points \
         straight up (0, 1, 0), so this affects upright bones.\n\n\
         MakeHuman 2 computes the roll from the part of the normal across the bone. If hardly any of it is left, \

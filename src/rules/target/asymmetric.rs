@@ -77,7 +77,7 @@ fn one_sided(body: &Body<'_>, file: &FileFacts, target: &TargetMeasure) -> Optio
     let finding = RULE
         .at(file, Place::File, message)
         .parts(&mirror.different)
-        .help("make it symmetric, name its side, or add its ending to `nonsym` under `random` of base.json")
+        .help("leave it if that is intended, and add its ending to `nonsym` under `random` of base.json; otherwise make it symmetric")
         .evidence(evidence.with_worst(worst, format!("vertex {vertex}")));
     Some(with_setting(finding, body, file))
 }

@@ -61,21 +61,23 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
 
 const INCREASES: Case = &[(Makehuman2, Level::Warning, "creates a slider that can only increase")];
 const DECREASES: Case =
-    &[(Makehuman2, Level::Warning, "creates a slider with one direction, which decreases as it moves up")];
+    &[(Makehuman2, Level::Warning, "creates a slider that only decreases the shape, when it moves up")];
 
 fn finding(file: &FileFacts, opposite: &str, (decr, _): (&str, &str)) -> Finding {
     let message = format!("`{}` has no opposite `{opposite}`", file.stem());
     let case =
         if file.stem().strip_suffix(decr).is_some_and(|stem| stem.ends_with('-')) { DECREASES } else { INCREASES };
-    RULE.at(file, Place::File, message)
-        .case(case)
-        .help(format!("add `{opposite}.target`, or remove the ending from the file name if it has only one direction"))
+    RULE.at(file, Place::File, message).case(case).help(format!(
+        "leave it if one direction is meant; otherwise add `{opposite}.target`, before models are saved with the slider"
+    ))
 }
 
 /// The opposite is there and is not called so.
 fn renamed(finding: Finding, opposite: &str, other: &FileFacts) -> Finding {
     let name = other.file_name();
-    let help = format!("rename `{name}` to `{opposite}.target` if it is the other direction");
+    let help = format!(
+        "rename `{name}` to `{opposite}.target` if it is the other direction, before models are saved with the slider"
+    );
     let related = format!("`{name}` becomes a slider of its own");
     finding.help(help).related(other.path.clone(), Place::File, related)
 }

@@ -10,7 +10,7 @@ use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "offers a slider for one side only; symmetry leaves its counterpart unchanged")],
+    breaks: &[(Makehuman2, "offers a slider for one side only, which symmetry cannot mirror")],
     docs: "A target for the left (`l-…`, or `-l-` inside the name) has no counterpart for the right in the same \
         folder, or the reverse.\n\n\
         MakeHuman 2 reports nothing, but users notice: one ear can be changed and the other cannot, and making the \

@@ -15,7 +15,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         Python accepts such numbers and MakeHuman 2 adds them to the mesh. The vertex is lost, and with it every \
         face, joint and garment that depends on it. While an archive with other numbers is used in place of the \
         text, this is a warning.\n\n\
-        Usually an export divided by zero. Write the right numbers, or remove the rows.",
+        Usually an export divided by zero. Export the target again, or write the right numbers.",
     counts: "rows, by vertex",
     ..RuleInfo::new("target-non-finite", Level::Error, "a displacement is NaN or infinite")
 });
@@ -36,7 +36,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let finding = RULE
             .at(file, first_row(&facts.non_finite), message)
-            .help("write finite numbers, or remove the rows")
+            .help("export the target again, or correct the numbers")
             .evidence(facts.non_finite.evidence(facts.rows));
         let is_outdated = target.is_outdated();
         out.push(if is_outdated { finding.case(OUTDATED) } else { with_setting(finding, body, file) });

@@ -20,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         sliders automatically. Unused targets of macro folders are `macro-unreferenced-target`. A file that nearly \
         fits a name without a file is reported with that name. Nothing is reported while modelling.json or \
         macro.json is missing or broken.\n\n\
-        Add a slider to modelling.json, or remove the file.",
+        Add a slider to modelling.json, or keep the file outside of the data.",
     counts: "targets",
     ..RuleInfo::new("target-unreferenced", Level::Warning, "no slider and no macro uses a target")
 });
@@ -93,7 +93,7 @@ fn in_pairs<'a>(base: &Base<'_>, files: &[&'a FileFacts]) -> Vec<(&'a FileFacts,
 
 fn pair(file: &FileFacts, incr: &str, decr: &str) -> Finding {
     RULE.at(file, Place::File, format!("no slider and no macro uses `{incr}` or `{decr}`")).help(format!(
-        "add a slider with `\"incr\": \"{incr}\"` and `\"decr\": \"{decr}\"` to modelling.json, or remove the files"
+        "add a slider with `\"incr\": \"{incr}\"` and `\"decr\": \"{decr}\"` to modelling.json, or keep the files outside of the data"
     ))
 }
 
@@ -101,7 +101,7 @@ fn whole_folder(layer: &Layer, path: &str, files: &[&FileFacts]) -> Finding {
     let message = format!("no slider and no macro uses any of the {} targets in this folder", files.len());
     let evidence = Evidence::of_cases(files.iter().map(|file| file.file_name())).out_of(files.len());
     let finding = part_of(RULE.in_layer(layer, path, message), layer, path, files.iter().copied());
-    finding.help("add sliders to modelling.json, or remove the folder").evidence(evidence)
+    finding.help("add sliders to modelling.json, or keep the folder outside of the data").evidence(evidence)
 }
 
 /// Files of a folder are told one by one or all together, as it comes.
@@ -114,8 +114,12 @@ fn single(base: &Base<'_>, sliders: &BTreeMap<&str, &str>, file: &FileFacts, nam
     finding.help(match slider_without(base, sliders, name) {
         // A slider with a space in its name cannot be saved.
         _ if name.contains(char::is_whitespace) => "remove the file, or remove the spaces from its name".to_owned(),
-        Some(key) => format!("add `\"decr\": \"{name}\"` to the slider `{key}` in modelling.json, or remove the file"),
-        None => format!("add a slider with `\"incr\": \"{name}\"` to modelling.json, or remove the file"),
+        Some(key) => format!(
+            "add `\"decr\": \"{name}\"` to the slider `{key}` in modelling.json, or keep the file outside of the data"
+        ),
+        None => {
+            format!("add a slider with `\"incr\": \"{name}\"` to modelling.json, or keep the file outside of the data")
+        }
     })
 }
 

@@ -38,8 +38,7 @@ const OUTDATED: Case = &[(
 const UNUSED: Case =
     &[(Makehuman2, Level::Warning, "loads it, but crashes with `IndexError` once something uses the target")];
 const WRAPPED: Case = &[(Makehuman2, Level::Error, "moves another vertex or crashes with `IndexError`")];
-const OF_A_MACRO: Case =
-    &[(Makehuman2, Level::Error, "crashes with `IndexError` when the macro applies it, already at start")];
+const OF_A_MACRO: Case = &[(Makehuman2, Level::Error, "crashes with `IndexError` at start, when the macro applies it")];
 const OF_A_SLIDER: Case = &[(Makehuman2, Level::Error, "crashes with `IndexError` when the slider moves")];
 const SEAM: Case = &[(
     Makehuman2,
@@ -112,7 +111,7 @@ fn seam(file: &FileFacts, facts: &TargetFacts, vertices: Option<usize>) -> Findi
     RULE.at(file, first_row(tally), message)
         .key("seam")
         .case(SEAM)
-        .help("name the original vertices, or remove the rows")
+        .help("export the target again, or name the original vertices")
         .evidence(tally.evidence(facts.rows))
 }
 

@@ -9,8 +9,8 @@ use crate::diag::{
 };
 use crate::repo::Body;
 
-const USUAL: &str = "divides the weights of the vertex by their sum: per cent come out as painted, one large number among \
-    small ones does not";
+const USUAL: &str = "divides the weights of the vertex by their sum: correct if all weights are per cent; otherwise the large \
+    one gets too large a share";
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, USUAL), (Mpfb, "reads the weight as 1")],
@@ -40,7 +40,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let evidence = worst(tally.evidence(weights.facts.pairs), tally);
         let finding =
-            RULE.at(own.file, place, message).help("write the share as a number from 0 to 1").evidence(evidence);
+            RULE.at(own.file, place, message).help("leave it if all weights are per cent; otherwise normalise the weights in the 3D program and export them again").evidence(evidence);
         let is_alone = weights.facts.above_one_alone == tally.count;
         out.push(weigh(own, if is_alone { finding.case(ALONE) } else { finding }));
     }

@@ -52,7 +52,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     out.push(
         RULE.at(file, Place::key(["weights", name(worst.left)]), message)
             .parts(weights.asymmetric.iter().map(|pair| name(pair.left)))
-            .help("mirror the weights of one side")
+            .help("leave them if that is intended; otherwise mirror the weights of the better side")
             .evidence(evidence.with_worst(f64::from(difference), format!("{}[{vertex}]", name(worst.left)))),
     );
 }

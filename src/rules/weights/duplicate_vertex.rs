@@ -13,8 +13,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (
             Makehuman2,
-            "uses only one of the entries in pose mode: the missing share pulls the vertex towards the origin, \
-             half way for two equal entries",
+            "uses only one of the entries: in pose mode the vertex moves towards the origin, half way if both \
+             entries are equal",
         ),
         (Makehuman1, "adds the weights, which changes nothing"),
         (Mpfb, "adds the weights, up to 1"),

@@ -12,7 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "crashes with `ValueError`, `TypeError` or `UFuncTypeError` while loading the weights"),
         (Makehuman1, "crashes with `IndexError`, `TypeError` or `ValueError` while loading the weights"),
-        (Mpfb, "raises `TypeError` or `ValueError` while loading the weights"),
+        (Mpfb, "fails with `TypeError` or `ValueError` while loading the weights"),
     ],
     docs: "An entry of a bone is not a pair `[vertex, weight]`. The vertex is a whole number without a decimal \
         point, the weight a number.\n\n\

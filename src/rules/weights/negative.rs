@@ -24,6 +24,11 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("weights-negative", Level::Error, "a weight is negative")
 });
 
+/// Of an asset's own weights.
+const OF_ASSET: Case = &[
+    (Makehuman2, Level::Error, USUAL),
+    (Makehuman1, Level::Warning, "makes the other weights of the vertex larger than 1: it moves too far in poses"),
+];
 const ALONE: Case = &[(Makehuman2, Level::Info, BY_NEGATIVE), (Makehuman1, Level::Info, BY_NEGATIVE)];
 const BY_NEGATIVE: &str = "divides the weight by the negative sum of its vertex, which gives the right share";
 
@@ -37,6 +42,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding =
             RULE.at(own.file, place, message).help("remove the entry, or paint the weight again").evidence(evidence);
         let is_harmless = weights.facts.negative_alone == tally.count;
-        out.push(weigh(own, if is_harmless { finding.case(ALONE) } else { finding }));
+        let finding = match own.name {
+            _ if is_harmless => finding.case(ALONE),
+            None => finding.case(OF_ASSET),
+            Some(_) => finding,
+        };
+        out.push(weigh(own, finding));
     }
 }

@@ -46,7 +46,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         RULE.at(file, place, message)
             .parts(weights.over.iter().map(|(vertex, _)| vertex))
             .related(&file.path, Place::File, most_lost)
-            .help("for export, paint the vertices that lose much with fewer bones; MakeHuman itself has no limit")
+            .help("for export, use fewer bones for the vertices that lose much; MakeHuman itself has no limit")
             .evidence(evidence.with_worst(f64::from(share), format!("vertex {vertex}"))),
     );
 }

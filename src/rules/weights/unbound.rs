@@ -21,11 +21,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for BodyWeights { file, name, .. } in body.own_weights().filter(|own| own.used == WeightsUse::Unread) {
         let message = format!("no skeleton of base `{}` uses these weights", body.name);
-        out.push(
-            RULE.at(file, Place::File, message).help(format!(
-                "name `{}` as `weights_file` of a skeleton, or remove the file",
-                name.unwrap_or_default()
-            )),
-        );
+        out.push(RULE.at(file, Place::File, message).help(format!(
+            "name `{}` as `weights_file` of a skeleton, or keep the file outside of the data",
+            name.unwrap_or_default()
+        )));
     }
 }

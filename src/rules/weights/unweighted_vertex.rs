@@ -52,7 +52,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         room = left.unwrap_or(room);
         let finding = RULE
             .at(own.file, Place::pointer(["weights"]), message(body, weights, &unreached))
-            .help("paint the vertices for the bones that should move them")
+            .help("paint weights for them with the bones that should move them")
             .evidence(evidence(weights, &unreached, left.is_some()));
         out.push(weigh(own, if unreached.is_shown { finding } else { finding.at_most(Level::Info) }));
     }
@@ -67,8 +67,9 @@ fn of_asset(own: &worn::Own<'_>) -> Option<Finding> {
         count => format!("{count} of {} vertices of the asset have no weight, first {first}", own.vertices),
     };
     let finding = RULE.at(own.file, Place::pointer(["weights"]), message).key("asset");
-    let finding =
-        finding.help("paint the vertices, or remove `vertexboneweights_file` to take the weights of the body");
+    let finding = finding.help(
+        "give every vertex a weight and export the weights again; without own weights remove `vertexboneweights_file`",
+    );
     Some(finding.evidence(Evidence::counted(count).out_of(own.vertices)))
 }
 

@@ -29,7 +29,7 @@ const NEGATIVE: Case = &[(Makehuman2, Level::Error, "crashes with `OverflowError
 
 const OF_ASSET: Case = &[
     (Makehuman2, Level::Error, STOPS_WITH_INDEX),
-    (Makehuman1, Level::Error, "puts the asset on; every pose raises `ValueError`"),
+    (Makehuman1, Level::Error, "puts the asset on; every pose fails with `ValueError`"),
 ];
 const OF_ASSET_NEGATIVE: Case = &[
     (Makehuman2, Level::Error, STOPS_WITH_OVERFLOW),

@@ -1,11 +1,11 @@
 //! What MakeHuman 1 does with a file of its libraries that it cannot read or find (formats/makehuman1.md §2.3, §2.5, §10
 //! to §12, §16; makehuman1-observed.md 1, 2, 4).
 
-use super::table::At::Scanned;
-use super::table::{Cell, LOST, Row, Table, anywhere, cell, level, nothing, row};
+use super::table::At::{self, Scanned};
+use super::table::{Cell, LOST, Row, Table, anywhere, cell, nothing, row};
 use super::{Consequence, Damage, Moment};
 use crate::diag::Level::{Error, Info, Warning};
-use crate::discover::Kind;
+use crate::discover::{Kind, Single};
 use crate::repo::ReferenceKind::{AssetMaterial, AssetMesh, AssetWeights, Texture, UvMap};
 use Damage::{Closed, Dangling, Empty, MarkedComment, MarkedWord, NotUtf8, Pointer, Refused, Special, Syntax};
 use Moment::{Scan, Use};
@@ -18,9 +18,12 @@ const NO_SKINS: &str = "lists no skin at all: one file that cannot be read empti
 const NO_POSES: &str = "lists no pose at all: one file that cannot be read empties the list";
 const NO_POSE: &str = "lists the pose and does not show it";
 const NO_SHADER: &str = "logs an error and draws the surface without a shader";
-const NO_MAP: &str = "raises an exception when the material is used";
+const NO_MAP: &str = "fails when the material is used";
+const NO_FRAME: &str = "stops drawing each frame at the default skin, which blends this picture";
+const NO_THUMBNAIL: &str = "shows an empty picture in the library";
 const PLACEHOLDER: &str = "shows a placeholder instead of the picture";
 
+const COMMENT: Cell = cell(MarkedComment, Info, "ignores the first line, which is only a comment");
 const KEYWORD: Cell = cell(MarkedWord, Warning, "does not recognise the first keyword and ignores its line");
 
 #[rustfmt::skip]
@@ -31,7 +34,7 @@ const ROWS: &[Row] = &[
         cell(Empty, Error, NOT_WORN),
         cell(NotUtf8, Warning, "drops the bytes that are not UTF-8"),
         KEYWORD,
-        cell(MarkedComment, Info, "logs an unknown keyword; the line is only a comment"),
+        COMMENT,
     ]),
     row(Kind::Material, Scanned, Scan, &[
         cell(NotUtf8, Error, NO_SKINS),
@@ -39,14 +42,14 @@ const ROWS: &[Row] = &[
         cell(Pointer, Warning, WHITE),
         cell(Empty, Warning, WHITE),
         KEYWORD,
-        level(MarkedComment, Info),
+        COMMENT,
     ]),
     anywhere(Kind::Material, Use, &[
         cell(NotUtf8, Error, "does not put an asset with this material on: it cannot be read"),
         cell(Pointer, Warning, WHITE),
         cell(Empty, Warning, WHITE),
         KEYWORD,
-        level(MarkedComment, Info),
+        COMMENT,
     ]),
     anywhere(Kind::AssetMesh, Use, &[
         cell(Closed, Error, NOT_WORN),
@@ -55,7 +58,7 @@ const ROWS: &[Row] = &[
         cell(NotUtf8, Error, "does not put the asset on: the mesh is not UTF-8"),
         // Glued to a vertex it drops that one, and the rows of the asset fit no longer.
         cell(MarkedWord, Error, "drops the first line, and does not put the asset on if that is a vertex"),
-        level(MarkedComment, Info),
+        COMMENT,
     ]),
     anywhere(Kind::AssetWeights, Use, &[
         cell(Closed, Error, NOT_WORN),
@@ -79,7 +82,7 @@ const ROWS: &[Row] = &[
         cell(Pointer, Warning, "shows the pose without its tags and description"),
         cell(Empty, Info, "shows the pose without tags and description"),
         KEYWORD,
-        level(MarkedComment, Info),
+        COMMENT,
     ]),
     anywhere(Kind::ShaderSource, Use, &[
         cell(Closed, Warning, NO_SHADER),
@@ -96,8 +99,18 @@ const ROWS: &[Row] = &[
         // One without faces fits no mesh, and `uvs/default.mhuv` is meant to be empty.
         nothing(Empty),
         cell(NotUtf8, Error, NO_MAP),
-        level(MarkedWord, Info),
-        level(MarkedComment, Info),
+        cell(MarkedWord, Warning, "drops the first line, and counts the coordinates behind it from another one"),
+        COMMENT,
+    ]),
+    row(Kind::Image, At::Single(Single::SkinPicture), Use, &[
+        cell(Closed, Error, NO_FRAME),
+        cell(Pointer, Error, NO_FRAME),
+        cell(Empty, Error, NO_FRAME),
+    ]),
+    row(Kind::Image, At::Single(Single::Thumbnail), Use, &[
+        cell(Closed, Warning, NO_THUMBNAIL),
+        cell(Pointer, Warning, NO_THUMBNAIL),
+        cell(Empty, Warning, NO_THUMBNAIL),
     ]),
     anywhere(Kind::Image, Use, &[
         cell(Closed, Warning, PLACEHOLDER),
@@ -106,8 +119,11 @@ const ROWS: &[Row] = &[
     ]),
 ];
 
-const AT_MOMENT: &[(Moment, Cell)] =
-    &[(Scan, cell(Dangling, Error, "lists nothing of this library: a link to nothing empties the list"))];
+const AT_MOMENT: &[(Moment, Cell)] = &[
+    (Scan, cell(Dangling, Error, "lists nothing of this library: a link to nothing empties the list")),
+    // Nothing names it.
+    (Use, cell(Dangling, Info, "never opens it")),
+];
 
 #[rustfmt::skip]
 const UNFOUND: &[(&[crate::repo::ReferenceKind], Consequence)] = &[
@@ -115,5 +131,5 @@ const UNFOUND: &[(&[crate::repo::ReferenceKind], Consequence)] = &[
     (&[AssetWeights], Consequence::new(Error, "does not put the asset on")),
     (&[AssetMaterial], Consequence::new(Warning, "draws the asset with the default white material")),
     (&[Texture], Consequence::new(Warning, "logs an error and shows a placeholder instead of the picture")),
-    (&[UvMap], Consequence::new(Error, "raises `FileNotFoundError` when the material is used")),
+    (&[UvMap], Consequence::new(Error, "fails with `FileNotFoundError` when the material is used")),
 ];

@@ -29,7 +29,7 @@ pub(in crate::rules) const ARCHIVED: Case =
 
 /// What a mesh does that an archive is read in place of.
 pub(in crate::rules) const UNREAD_MESH: Case = &[(Makehuman2, Info, UNREAD)];
-const UNREAD: &str = "reads base.mhbin instead; compile_meshes.py, which rebuilds it, crashes";
+const UNREAD: &str = "reads base.mhbin instead; the fault takes effect once the archive is rebuilt from this mesh";
 
 pub(super) const NOT_READ: &str = "never reads this file; the scripts that align joint cubes crash";
 pub(in crate::rules) const NEVER_OPENED: &str = "never opens it; its scripts open only the geometry.json of `hm08`";
@@ -46,7 +46,7 @@ const TOOLS: &str = "never reads it; the tools that read it crash";
 const DROPS: Cell = cell(NotUtf8, Warning, "drops the bytes that are not UTF-8");
 const NO_EXPRESSIONS: &str = "offers no expressions for the base";
 const NO_POSES: &str = "offers no pose editor for the base";
-const NO_FILTER: &str = "logs a line and uses the filter of the system, or none: tags lead to no label";
+const NO_FILTER: &str = "logs a line and uses the filter of the system data; if there is none, tags lead to no label";
 const NO_VERSION: &str = "exits at start with code 20";
 const NO_SHADERS: &str = "exits at start with code 21";
 const NO_WEIGHTS: &[Cell] = &[
@@ -214,6 +214,7 @@ const ROWS: &[Row] = &[
     row(Kind::Packed, Scanned, Scan, &[
         cell(Pointer, Error, "crashes at start with `BadZipFile` while scanning the assets; the next start has no assets at all"),
         cell(Empty, Error, SCAN),
+        cell(Closed, Error, "takes the folder for the archive of the asset beside it, which is no longer listed"),
     ]),
     anywhere(Kind::Packed, Use, &[BINARY]),
     anywhere(Kind::Image, Use, NO_PICTURE),
@@ -251,13 +252,13 @@ const UNFOUND: &[(&[ReferenceKind], Consequence)] = &[
     (&[Incr, Decr], Consequence::new(Error,
         "does not find the target and crashes with `AttributeError` when its slider moves, or at start if the start \
          model sets it")),
-    (&[Icon], Consequence::new(Warning, "shows the button without a picture")),
+    (&[Icon], Consequence::new(Warning, "shows a button of zero size, which cannot be clicked")),
     (&[WeightsFile], Consequence::new(Error, "rejects the skeleton and logs a line")),
     (&[PoseSkeleton], Consequence::new(Error, NO_POSE_SKELETON)),
     (&[Model], Consequence::new(Error, TYPE_ERROR)),
     (&[Skin], Consequence::new(Warning, "silently shows the default skin")),
     (&[ModelSkeleton], Consequence::new(Warning, "silently loads the model without a skeleton")),
-    (&[ModelMaterial], Consequence::new(Warning, "silently shows the asset with its usual material")),
+    (&[ModelMaterial], Consequence::new(Warning, "silently shows the asset with its default material")),
     (&[AssetMesh], Consequence::new(Error, REFUSED_ASSET)),
     (&[AssetWeights], Consequence::new(Warning, "puts the asset on without bone weights: in a pose it collapses to the origin")),
     (&[AssetMaterial], Consequence::new(Warning, "silently shows the asset in plain white")),

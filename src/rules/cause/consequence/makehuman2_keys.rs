@@ -31,7 +31,7 @@ const RANDOM_STOPS: &str =
 static ROWS: [Row; 22] = [
     row(ModellingJson, "group", Warning, "ignores the key and never shows the slider"),
     row(ModellingJson, "macro_influence", Warning,
-        "ignores the key: all macros vanish from the figure as soon as the slider is opened"),
+        "ignores the key: hides all macro shapes when the slider is opened, until another macro slider moves"),
     row(ModellingJson, "barycentric_diffuse", Warning, "ignores the key: the skin keeps its colour"),
     row(ModellingJson, "default", Warning, "ignores the key: a reset sets the slider to 0"),
     row(ModellingJson, "measure", Warning, "ignores the key and measures nothing"),

@@ -87,7 +87,7 @@ static ROWS: [Row; 86] = [
         "crashes with `AttributeError` when the button is pressed"),
     row(SelectionFilter, "/properties/Shortcut", ANY, Error, "crashes when the list is opened"),
     row(SelectionFilter, "/$defs/branch/type", TEXT, Warning, "silently drops the label: no tag leads to it"),
-    row(SelectionFilter, "/$defs/branch/type", NULL, Error, "crashes with `TypeError` at every visit of the list"),
+    row(SelectionFilter, "/$defs/branch/type", NULL, Error, "crashes with `TypeError` every time the list is opened"),
     row(SelectionFilter, "/$defs/branch/type", ANY, Error, "crashes when it builds the lists"),
     row(SelectionFilter, "/$defs/branch/items", ANY, Error, "crashes at start with `TypeError`"),
     row(Version, "/required", ANY, Error, "crashes with `KeyError` where it uses the key"),
@@ -115,7 +115,7 @@ static ROWS: [Row; 86] = [
     row(ModellingJson, "/$defs/entry/properties/default/type", TEXT, Error,
         "repeats the text 100 times at the next reset, and later crashes with `TypeError`"),
     row(ModellingJson, "/$defs/entry/properties/tip/type", NULL, Level::Info, "shows the general hint instead"),
-    row(ModellingJson, "/$defs/entry/properties/name/type", NULL, Level::Info, "shows the slider without a text"),
+    row(ModellingJson, "/$defs/entry/properties/name/type", NULL, Level::Info, "shows the slider without a label"),
     row(ModellingJson, "/$defs/display/required", ANY, Error, "crashes at start with `KeyError`"),
     row(ModellingJson, "/$defs/display/properties/slot/type", ANY, Error, "crashes at start with `TypeError`"),
     row(TargetCategories, "/type", ANY, Error, "crashes at start with `TypeError`"),
@@ -195,7 +195,7 @@ pub(super) fn of_special(file: &FileFacts) -> Option<Consequence> {
     let Content::Modelling(model) = &*file.content else { return None };
     let is_reset_to_one = model.sliders.iter().any(|slider| slider.default.is_some_and(|default| !default.is_finite()));
     let effect =
-        "resets the slider to a value that is NaN or infinite; then every text on sizes crashes with `ValueError`";
+        "resets the slider to a value that is NaN or infinite; then the size information crashes with `ValueError`";
     is_reset_to_one.then(|| Consequence::new(Error, effect))
 }
 

@@ -12,12 +12,12 @@ pub(super) static TABLE: Table = Table {
     in_general: LOST,
     unfound: &[(
         &[Slot, SliderName],
-        Consequence::new(Error, "does not find the target and raises an exception when its slider moves"),
+        Consequence::new(Error, "does not find the target and fails when its slider moves"),
     )],
 };
 
 /// Blender imports the add-on, which reads the file at once and catches nothing.
-const STOPS: &str = "raises an exception while the add-on is imported: MPFB cannot be enabled";
+const STOPS: &str = "fails while the add-on is imported: MPFB cannot be enabled";
 
 const REFUSED: &[Cell] = &[
     cell(Damage::Closed, Error, STOPS),
