@@ -74,6 +74,8 @@ pub(super) fn same_names(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 }
 
 const COPY: Case = &[(Makehuman1, Level::Warning, "lists both; while one is worn the other cannot be chosen")];
+/// A copy in the folder of another kind.
+const TWICE: Case = &[(Makehuman1, Level::Warning, "lists it in both libraries, with its name and tags")];
 const APART: Case = &[(Makehuman1, Level::Info, "lists each in its own library")];
 const REPLACED: Case = &[(Makehuman1, Level::Info, "lists both; while one is worn the other cannot be chosen")];
 
@@ -93,7 +95,8 @@ pub(super) fn same_uuids(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             .key(uuid)
             .help("give the newer of the two a uuid of its own, and load and save every model that wears it; or remove one of them");
         out.push(match is_copy {
-            _ if other.library != told.library => finding.case(APART),
+            true if other.library != told.library => finding.case(TWICE),
+            false if other.library != told.library => finding.case(APART),
             true => finding.case(COPY),
             // A user's file in the place of one of the system is meant to replace it.
             false if other.file.rel == told.file.rel => finding.case(REPLACED),
