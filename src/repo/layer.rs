@@ -79,6 +79,17 @@ impl Layer {
         self.files.get(rel)
     }
 
+    /// Whether there is a folder at a path.
+    pub(crate) fn has_folder(&self, rel: &str) -> bool {
+        self.folders.binary_search_by(|folder| folder.as_str().cmp(rel)).is_ok()
+    }
+
+    /// The text of an asset that an archive at a path is made from: it lies beside it.
+    pub(crate) fn text_of_archive(&self, rel: &str) -> Option<&FileFacts> {
+        let stem = rel.strip_suffix("mhbin")?;
+        ["mhclo", "proxy"].iter().find_map(|suffix| self.file(&format!("{stem}{suffix}")))
+    }
+
     /// What the file at a path is for to an application, or would be if there were one.
     pub(crate) fn kind_at(&self, rel: &str, application: Application) -> Kind {
         self.file(rel)
@@ -152,8 +163,7 @@ impl Layer {
     /// Whether something other than a file stands at a path, or above it something that could not be walked.
     pub(crate) fn has_unusable(&self, rel: &str) -> bool {
         // Folders with other names, such as those of images, are not reported.
-        let is_folder = || self.folders.binary_search_by(|folder| folder.as_str().cmp(rel)).is_ok();
-        self.has_fault(rel) || uses_of(rel, &self.layouts).iter().any(|one| one.kind.is_text()) && is_folder()
+        self.has_fault(rel) || uses_of(rel, &self.layouts).iter().any(|one| one.kind.is_text()) && self.has_folder(rel)
     }
 
     /// Whether a path, or something above it, could not be walked. That has a finding of its own.

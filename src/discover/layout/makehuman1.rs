@@ -95,6 +95,11 @@ pub(crate) fn library_of(rel: &str) -> Option<&str> {
     is_listed.then_some(library)
 }
 
+/// The folders of libraries.
+pub(crate) fn libraries() -> impl Iterator<Item = &'static str> {
+    WORN.into_iter().chain([TOPOLOGIES, "skins", "poses"])
+}
+
 /// What the files of a library end in.
 pub(crate) fn library_extension(library: &str) -> Option<&'static str> {
     match library {

@@ -172,10 +172,8 @@ fn known_by(layer: &Layer, file: &FileFacts) -> Option<(String, String, Vec<Stri
 /// An asset that is nothing but its binary.
 fn of_packed(layer: &Layer, file: &FileFacts) -> Option<(String, String, Vec<String>)> {
     let Packed::Asset(asset) = file.packed()? else { return None };
-    let stem = file.rel.strip_suffix("mhbin")?;
-    let has_text = ["mhclo", "proxy"].iter().any(|suffix| layer.file(&format!("{stem}{suffix}")).is_some());
     let [name, uuid, ..] = &asset.texts;
-    (!has_text).then(|| (name.to_string(), uuid.to_string(), Vec::new()))
+    layer.text_of_archive(&file.rel).is_none().then(|| (name.to_string(), uuid.to_string(), Vec::new()))
 }
 
 fn of_clothes(file: &FileFacts) -> Option<(String, String, Vec<String>)> {

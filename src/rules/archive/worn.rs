@@ -56,9 +56,7 @@ fn of_asset(asset: &PackedAsset) -> Option<(String, Case)> {
 
 /// What to do about it.
 pub(super) fn help(view: &View<'_>, file: &FileFacts) -> &'static str {
-    let stem = file.rel.strip_suffix("mhbin").unwrap_or(&file.rel);
-    let has_text = ["mhclo", "proxy"].iter().any(|kind| view.layers().checked.file(&format!("{stem}{kind}")).is_some());
-    if has_text {
+    if view.layers().checked.text_of_archive(&file.rel).is_some() {
         "if the text (`.mhclo` or `.proxy`) and its mesh are up to date, delete the archive: MakeHuman 2 builds it again from them"
     } else {
         "restore the archive, or move it out of the folder"

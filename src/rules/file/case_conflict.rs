@@ -27,7 +27,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let before: Vec<String> =
             paths.iter().filter(|path| *path != last).map(|path| format!("`{}`", name(path))).collect();
         let message = format!("{} and `{}` differ only in case", before.join(", "), name(last));
-        let is_folder = paths.iter().any(|path| layer.folders.iter().any(|folder| folder == path));
+        let is_folder = paths.iter().any(|path| layer.has_folder(path));
         let help = if is_folder {
             "move all files into one of the folders, and remove the others"
         } else {

@@ -39,18 +39,14 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         Kind::TargetArchive => "delete it; MakeHuman 2 rebuilds it from the targets",
         Kind::BaseJson | Kind::BaseMesh => "restore the content",
         Kind::MeshArchive => "delete the archive, or rebuild it with compile_meshes.py",
-        Kind::Packed if has_text(view, file) => "delete the archive: it is built again from the text beside it",
+        Kind::Packed if view.layers().checked.text_of_archive(&file.rel).is_some() => {
+            "delete the archive: it is built again from the text beside it"
+        }
         Kind::Packed => "get the asset again from its source",
         kind if kind.is_json() => "restore the content from a backup or the original download",
         _ => "restore the content; if the file is not needed, remove it with all references to it",
     };
     out.push(loss.of(view, RULE.at(file, Place::File, message)).help(help));
-}
-
-/// Whether the text that an archive was made from is beside it.
-fn has_text(view: &View<'_>, file: &FileFacts) -> bool {
-    let stem = file.rel.strip_suffix(".mhbin").unwrap_or(&file.rel);
-    ["mhclo", "proxy"].iter().any(|suffix| view.layers().checked.file(&format!("{stem}.{suffix}")).is_some())
 }
 
 /// An empty value counts as no file, too. In a generated modelling.json it is usual.

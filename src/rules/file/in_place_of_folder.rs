@@ -47,9 +47,5 @@ fn is_file(kind: Kind) -> bool {
 
 /// Whether a folder has the name of the archive that MakeHuman 2 makes of the asset beside it.
 fn is_archive(view: &View<'_>, folder: &str) -> bool {
-    let stem = folder.strip_suffix(".mhbin").filter(|_| (view.layout().scans)(folder));
-    let layer = view.layers().checked;
-    let is_text =
-        |stem: &str| ["mhclo", "proxy"].iter().any(|suffix| layer.file(&format!("{stem}.{suffix}")).is_some());
-    view.kind_at(folder) == Kind::Packed && stem.is_some_and(is_text)
+    (view.layout().scans)(folder) && view.layers().checked.text_of_archive(folder).is_some()
 }

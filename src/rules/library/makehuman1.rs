@@ -1,9 +1,12 @@
 //! The libraries of MakeHuman 1: what lies in which, and by what it is known (formats/makehuman1.md §2.1, §10.7).
 
+use std::collections::BTreeSet;
+
 use super::super::{Rule, counted, did_you_mean};
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped, nearest};
-use crate::discover::{extension, library_extension};
+use crate::discover::{extension, libraries, library_extension};
 use crate::formats::mhclo::Entry;
+use crate::repo::FileFacts;
 use crate::repo::makehuman1::{Asset, View};
 use crate::source::is_below;
 
@@ -29,16 +32,17 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 /// Folders with assets that are no library, such as `Clothes` or `hairs`.
 pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
-    // Where a link leads to, assets may be on purpose; the link is reported.
-    if !layer.linked_folders.is_empty() {
-        return;
-    }
+    // What a link leads to may be there on purpose; the link is reported.
+    let linked = layer.linked_folders.iter().flat_map(|folder| layer.below(folder));
+    let linked: BTreeSet<_> = linked.filter_map(|file| Some((file.file_name(), file.content_hash?))).collect();
+    let is_linked = |file: &FileFacts| file.content_hash.is_some_and(|hash| linked.contains(&(file.file_name(), hash)));
     let tops = layer.files.values().filter_map(|file| Some((file.rel.split('/').next()?, file)));
     let lost = tops.filter(|(top, file)| {
         let is_worn = matches!(extension(&file.rel), "mhclo" | "proxy");
         let of_other_case = library_extension(&top.to_lowercase()) == Some(extension(&file.rel));
         file.rel.contains('/')
             && !file.is_loose()
+            && !is_linked(file)
             && !KNOWN.contains(top)
             && library_extension(top).is_none()
             && (is_worn || of_other_case)
@@ -46,7 +50,7 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     for (top, files) in grouped(lost) {
         let Some(first) = files.first() else { continue };
         let message = format!("folder `{top}` is not read ({})", counted(files.len(), "asset"));
-        let near = nearest(top, LIBRARIES);
+        let near = nearest(top, libraries());
         let finding = rule.at(first, Place::File, message).key(format!("folder {top}"));
         let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
         let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
@@ -56,10 +60,6 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 
 /// Folders that hold assets for the program itself.
 const KNOWN: [&str; 1] = ["3dobjs"];
-
-/// The folders that lists show.
-const LIBRARIES: [&str; 10] =
-    ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue", "proxymeshes", "skins", "poses"];
 
 /// Assets of one library with a name in common and different uuids.
 pub(super) fn same_names(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {

@@ -1,7 +1,7 @@
 //! Bone weights have a file of their own.
 
 use super::super::{Check, Rule, RuleCx, such};
-use super::{Text, texts};
+use super::{Text, keywords, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Evidence, Finding, Level, Place, RuleInfo,
@@ -22,27 +22,11 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("proxy-deprecated-keyword", Level::Error, "an asset with a section that is no longer read")
 });
 
-/// Keywords of old that MakeHuman 1 knows and passes over (formats/makehuman1.md §10.1).
-const OLD: [&str; 13] = [
-    "backface_culling",
-    "transparent",
-    "shapekey",
-    "subsurf",
-    "shrinkwrap",
-    "solidify",
-    "objfile_layer",
-    "uvtex_layer",
-    "use_projection",
-    "mask_uv_layer",
-    "texture_uv_layer",
-    "delete",
-    "vertexgroup_file",
-];
 const PASSED_OVER: Case = &[(Makehuman1, Level::Info, "logs a warning and ignores the line")];
 
 /// The first line with a keyword of old.
 fn passed_over(text: &Text<'_, '_>) -> Option<Finding> {
-    let is_old = |entry: &&Entry| !entry.is_comment && !entry.has_colon && OLD.contains(&&*entry.keyword);
+    let is_old = |entry: &&Entry| !entry.is_comment && !entry.has_colon && keywords::OLD.contains(&&*entry.keyword);
     let found: Vec<&Entry> = text.clothes.entries.iter().filter(is_old).filter(|_| text.is_makehuman1()).collect();
     let first = found.first()?;
     let message = format!("`{}` is a keyword that is no longer used{}", first.keyword, such(found.len(), "lines"));

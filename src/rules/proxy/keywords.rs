@@ -41,9 +41,8 @@ const OF_MAKEHUMAN1: [&str; 12] = [
     "r_shear_z",
 ];
 
-/// What no application reads any more, or only MPFB does.
-const OTHERS: [&str; 15] = [
-    "basemesh",
+/// Of old: MakeHuman 1 knows them and passes over them (formats/makehuman1.md §10.1).
+pub(super) const OLD: [&str; 13] = [
     "backface_culling",
     "transparent",
     "shapekey",
@@ -57,8 +56,10 @@ const OTHERS: [&str; 15] = [
     "texture_uv_layer",
     "delete",
     "vertexgroup_file",
-    "texture",
 ];
+
+/// What MakeHuman 1 keeps and never looks at, and what only MPFB reads.
+const OTHERS: [&str; 2] = ["basemesh", "texture"];
 
 /// Other words for the same.
 const ALIASES: [(&str, &str); 5] = [
@@ -135,7 +136,7 @@ pub(super) fn meant(entry: &Entry) -> Option<&'static str> {
 
 /// Keywords that MakeHuman 2 has no use for.
 fn others() -> impl Iterator<Item = &'static str> {
-    OF_MAKEHUMAN1.into_iter().chain(OTHERS)
+    OF_MAKEHUMAN1.into_iter().chain(OLD).chain(OTHERS)
 }
 
 fn is_other(word: &str) -> bool {
