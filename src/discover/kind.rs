@@ -72,7 +72,7 @@ pub enum Kind {
 /// Kinds by extension, wherever the file lies. The hooks for pre-commit start on these.
 const BY_EXTENSION: [(Kind, &[&str]); 13] = [
     (Kind::Skeleton, &["mhskel"]),
-    (Kind::AssetWeights, &["mhw"]),
+    (Kind::AssetWeights, &["mhw", "jsonw"]),
     (Kind::Pose, &["mhpose"]),
     (Kind::Json, &["json"]),
     (Kind::Clothes, &["mhclo", "proxy"]),
@@ -93,10 +93,15 @@ impl Kind {
     }
 
     /// The kind of a file of which nothing but its name counts. Extensions are compared as the applications do:
-    /// `X.TARGET` is no target.
+    /// `X.TARGET` is no target, but `X.OBJ` is a mesh.
     pub(super) fn by_extension(file: &str) -> Self {
         let extension = extension(file);
-        let row = BY_EXTENSION.iter().find(|(_, extensions)| extensions.contains(&extension));
+        let is_own = |kind: Self, own: &str| match kind {
+            // Whatever names one opens it as it is written, in whatever capitals.
+            Self::AssetMesh | Self::Image if own != "thumb" => own.eq_ignore_ascii_case(extension),
+            _ => own == extension,
+        };
+        let row = BY_EXTENSION.iter().find(|(kind, extensions)| extensions.iter().any(|own| is_own(*kind, own)));
         row.map_or(Self::Other, |(kind, _)| *kind)
     }
 

@@ -24,6 +24,8 @@ pub struct AssetMesh {
     pub groups: Vec<(Box<str>, (u32, u32))>,
     /// The vertex with most faces, and how many it has.
     pub pole: Option<(u32, u32)>,
+    /// The same for those that share an edge with it, of vertices with five faces and more.
+    pub neighbours: Option<(u32, u32)>,
     /// Faces that repeat the corners of an earlier one.
     pub repeated: usize,
     /// What it is compared by.
@@ -46,6 +48,7 @@ impl AssetMesh {
     pub fn of(mut mesh: Mesh) -> Self {
         let mut facts = std::mem::take(&mut mesh.facts);
         facts.repeating = Vec::new();
+        let counts = faces_of_vertices(&mesh);
         let odd = mesh.groups.iter().filter(|group| group.faces > 0 && !group.name.is_ascii());
         Self {
             faces: mesh.faces.len(),
@@ -53,7 +56,8 @@ impl AssetMesh {
             has_uvs: mesh.corner_uvs.iter().any(|uv| *uv != NO_UV),
             groups: ranges(&mesh),
             odd_groups: odd.map(|group| (group.name.clone(), group.line)).collect(),
-            pole: pole(&mesh),
+            pole: most(&counts),
+            neighbours: neighbours(&mesh, &counts),
             repeated: repeated(&mesh),
             print: MeshPrint::of(&mesh),
             facts,
@@ -92,17 +96,44 @@ fn corners(mesh: &Mesh, face: Face) -> &[u32] {
     mesh.corners.get(run).unwrap_or_default()
 }
 
-/// The first of the vertices with most faces, and how many.
-fn pole(mesh: &Mesh) -> Option<(u32, u32)> {
+/// How many faces each vertex has.
+fn faces_of_vertices(mesh: &Mesh) -> Vec<u32> {
     let mut faces = vec![0_u32; mesh.positions.len()];
     for vertex in mesh.faces.iter().flat_map(|face| corners(mesh, *face)) {
         if let Some(count) = faces.get_mut(*vertex as usize) {
             *count = count.saturating_add(1);
         }
     }
-    let most = faces.iter().copied().max().filter(|most| *most > 0)?;
-    let vertex = faces.iter().position(|count| *count == most)?;
+    faces
+}
+
+/// The first of the vertices with the highest count, and that.
+fn most(counts: &[u32]) -> Option<(u32, u32)> {
+    let most = counts.iter().copied().max().filter(|most| *most > 0)?;
+    let vertex = counts.iter().position(|count| *count == most)?;
     Some((u32::try_from(vertex).ok()?, most))
+}
+
+/// Vertices with fewer faces have hardly more neighbours.
+const MANY_FACES: u32 = 5;
+
+/// The first of the vertices with most neighbours, and how many.
+fn neighbours(mesh: &Mesh, faces: &[u32]) -> Option<(u32, u32)> {
+    let has_many = |vertex: u32| faces.get(vertex as usize).is_some_and(|count| *count >= MANY_FACES);
+    let mut pairs: Vec<(u32, u32)> = Vec::new();
+    for face in &mesh.faces {
+        let corners = corners(mesh, *face);
+        for (one, other) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+            pairs.extend(
+                [(*one, *other), (*other, *one)].into_iter().filter(|(one, other)| has_many(*one) && one != other),
+            );
+        }
+    }
+    pairs.sort_unstable();
+    pairs.dedup();
+    let runs = pairs.chunk_by(|one, other| one.0 == other.0).filter_map(|run| Some((run.first()?.0, run.len())));
+    let (vertex, count) = runs.rev().max_by_key(|(_, count)| *count)?;
+    Some((vertex, u32::try_from(count).ok()?))
 }
 
 fn repeated(mesh: &Mesh) -> usize {
@@ -165,7 +196,11 @@ mod tests {
     #[test]
     fn poles_and_repeated_faces_are_counted() {
         let mesh = of(&format!("{FACES}f 1 2 3\nf 1 3 4\nf 3 2 1\nf 1 4 2\n"));
-        assert_eq!((mesh.pole, mesh.repeated), (Some((0, 4)), 1));
+        assert_eq!((mesh.pole, mesh.repeated, mesh.neighbours), (Some((0, 4)), 1, None));
+        let fan = of(
+            "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 4 0 0\nv 5 0 0\nv 6 0 0\nf 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 6\nf 1 6 7\n",
+        );
+        assert_eq!((fan.pole, fan.neighbours), (Some((0, 5)), Some((0, 6))));
         assert_eq!((of(FACES).pole, of(FACES).repeated), (None, 0));
         let named = of(&format!("{FACES}g\no\ng a\nf 1 2 3 4 1\n"));
         assert_eq!((named.facts.nameless.count, named.facts.ngons.count), (2, 1));

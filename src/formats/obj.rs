@@ -161,7 +161,10 @@ impl Parser {
             b"vt" => self.uv(line, words),
             b"f" => self.face(line, words),
             b"g" => self.group(words.next().unwrap_or_default()),
-            b"o" => self.mesh.facts.object = words.next().map(|name| String::from_utf8_lossy(name).into()),
+            b"o" => {
+                let name = words.next().map(|name| String::from_utf8_lossy(name).into());
+                self.mesh.facts.object = name.map(|name| (name, self.line));
+            }
             _ => {}
         }
     }

@@ -44,8 +44,8 @@ pub struct MeshFacts {
     pub partial_uv: Vec<PartialUv>,
     /// Groups and objects without a name (line).
     pub nameless: Tally,
-    /// The name of the last object.
-    pub object: Option<Box<str>>,
+    /// The name of the last object, with its line.
+    pub object: Option<(Box<str>, u32)>,
     /// Faces with more than four corners (line, corners).
     pub ngons: Tally,
     /// Lowest and highest coordinate along each axis, mesh units, of the vertices that the faces of each group use.

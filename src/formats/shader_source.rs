@@ -94,6 +94,12 @@ fn shape(kind: &str) -> Shape {
             "vec2" => Shape::Numbers(2),
             "vec3" => Shape::Numbers(3),
             "vec4" => Shape::Numbers(4),
+            "mat2" | "mat2x2" => Shape::Numbers(4),
+            "mat2x3" | "mat3x2" => Shape::Numbers(6),
+            "mat2x4" | "mat4x2" => Shape::Numbers(8),
+            "mat3" | "mat3x3" => Shape::Numbers(9),
+            "mat3x4" | "mat4x3" => Shape::Numbers(12),
+            "mat4" | "mat4x4" => Shape::Numbers(16),
             _ => Shape::Other,
         },
     }

@@ -1,7 +1,7 @@
 //! `.mhuv` of `MakeHuman` 1: texture coordinates for a mesh, face by face (formats/makehuman1.md §14).
 
 use super::fields::fields;
-use super::python_int;
+use super::{python_float, python_int};
 use crate::source::lines;
 
 /// What is counted of a map.
@@ -26,6 +26,8 @@ pub enum UvFault {
     Ragged(usize),
     /// A number for which there is no texture coordinate.
     OutOfRange(i64),
+    /// A texture coordinate that is not two numbers.
+    NotTwoNumbers,
 }
 
 /// Reads all lines; others than `vt` and `f` say nothing.
@@ -35,7 +37,14 @@ pub fn read(text: &[u8]) -> UvMap {
     for (number, (_, line)) in (1..).zip(lines(text)) {
         let words = fields(line);
         match words.split_first() {
-            Some(((_, b"vt"), _)) => map.uvs += 1,
+            Some(((_, b"vt"), numbers)) => {
+                map.uvs += 1;
+                let is_sound =
+                    numbers.len() > 1 && numbers.iter().take(2).all(|(_, word)| python_float(word).is_some());
+                if map.fault.is_none() && !is_sound {
+                    map.fault = Some((number, UvFault::NotTwoNumbers));
+                }
+            }
             Some(((_, b"f"), corners)) => {
                 map.faces += 1;
                 if map.faces == 1 {
@@ -83,6 +92,8 @@ mod tests {
             ("f 1/1 2/2 3//4\n", (5, UvFault::NoUv("3//4".into()))),
             ("f 1/1 2/2 3/3\nf 1/1 2/2\n", (6, UvFault::Ragged(2))),
             ("f 1/1 2/2 3/3\nf 1/1 2/4 3/3\n", (6, UvFault::OutOfRange(4))),
+            ("vt 0,5 1\nf 1/1 2/2 3/9\n", (5, UvFault::NotTwoNumbers)),
+            ("vt 0.5\n", (5, UvFault::NotTwoNumbers)),
         ] {
             assert_eq!(read(faces).fault, Some(fault), "{faces}");
         }

@@ -22,6 +22,8 @@ pub(crate) struct Surface<'a> {
     pub pictures: Vec<(&'static str, Picture<'a>)>,
     /// The picture of its litsphere, if it names one.
     pub litsphere: Option<Picture<'a>>,
+    /// Those of other parameters of its shader, by name.
+    pub parameters: Vec<(&'a str, Picture<'a>)>,
     /// The shader that it asks for, where shaders are files.
     pub shader: Option<Shader<'a>>,
 }
@@ -80,6 +82,12 @@ impl<'a> Shader<'a> {
 }
 
 impl<'a> Surface<'a> {
+    /// Whether the last line of a keyword says so, as both `MakeHuman`s read it.
+    pub(crate) fn is_true(&self, keyword: &str) -> bool {
+        let said = self.material.last(keyword).map(|line| line.word(0).to_lowercase());
+        said.is_some_and(|word| matches!(word.as_str(), "yes" | "enabled" | "true"))
+    }
+
     /// The picture of a keyword.
     pub(crate) fn picture(&self, keyword: &str) -> Option<&Picture<'a>> {
         self.pictures.iter().find(|(own, _)| *own == keyword).map(|(_, picture)| picture)
@@ -91,9 +99,10 @@ impl<'a> Surface<'a> {
     }
 
     /// All pictures that are there, with what they are for.
-    pub(crate) fn found(&self) -> impl Iterator<Item = (&'static str, &Picture<'a>, &'a FileFacts)> {
+    pub(crate) fn found(&self) -> impl Iterator<Item = (&'a str, &Picture<'a>, &'a FileFacts)> {
         let litsphere = self.litsphere.iter().map(|picture| ("litsphereTexture", picture));
-        let all = self.pictures.iter().map(|(keyword, picture)| (*keyword, picture)).chain(litsphere);
+        let parameters = self.parameters.iter().map(|(name, picture)| (*name, picture));
+        let all = self.pictures.iter().map(|(keyword, picture)| (*keyword, picture)).chain(litsphere).chain(parameters);
         all.filter_map(|(keyword, picture)| Some((keyword, picture, picture.file?)))
     }
 

@@ -6,6 +6,7 @@ use crate::discover::Kind;
 use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::mhbin_asset::Packed;
 use crate::formats::mhclo::{Clothes, Entry};
+use crate::source::Guess;
 
 /// An asset that a body wears.
 #[derive(Debug)]
@@ -18,6 +19,8 @@ pub(crate) struct Worn<'a> {
     pub binary: Option<&'a FileFacts>,
     /// What it names, with what is there; `None` where that cannot be read.
     pub references: Option<Vec<Reference<'a>>>,
+    /// Whether the application drops bytes that are not UTF-8 and reads the rest.
+    pub(super) drops_bytes: bool,
 }
 
 /// What an archive names.
@@ -64,13 +67,15 @@ impl<'a> Worn<'a> {
         });
         let references = references.or_else(|| packed_references(layer, file, base));
         let binary = layer.file(&format!("{own}/{}.mhbin", file.stem()));
-        Self { file, base, binary, references }
+        Self { file, base, binary, references, drops_bytes: false }
     }
 
     /// What is in its text, if that can be relied on.
     pub(crate) fn clothes(&self) -> Option<&'a Clothes> {
         let encoding = &self.file.encoding;
-        self.file.clothes().filter(|_| encoding.invalid_utf8_at.is_none() && !encoding.blank && !encoding.only_comments)
+        let is_text =
+            encoding.invalid_utf8_at.is_none() || self.drops_bytes && encoding.guess == Some(Guess::SingleByte);
+        self.file.clothes().filter(|_| is_text && !encoding.blank && !encoding.only_comments)
     }
 
     /// The last name of a kind in it.

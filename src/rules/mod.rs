@@ -145,6 +145,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &mesh::duplicate_face::RULE,
     &mesh::face_out_of_range::RULE,
     &mesh::group_name::RULE,
+    &mesh::missing_groups::RULE,
     &mesh::name_clash::RULE,
     &mesh::ngon::RULE,
     &mesh::no_faces::RULE,

@@ -20,6 +20,8 @@ pub struct Encoding {
     pub blank: bool,
     /// Nothing but lines that begin with `#`, at least one of them, byte order mark aside.
     pub only_comments: bool,
+    /// Nothing but lines that begin with `#` have bytes that are not UTF-8.
+    pub only_comments_invalid: bool,
     /// What the bytes probably are, where they are no UTF-8.
     pub guess: Option<Guess>,
     /// Words of the first line behind a byte order mark; what is read wrongly because of it.
@@ -43,6 +45,8 @@ impl Encoding {
             lfs_pointer: bytes.starts_with(LFS_POINTER),
             blank,
             only_comments: !blank && lines(content).all(|(_, line)| says_nothing(line.trim_ascii())),
+            only_comments_invalid: invalid_utf8_at.is_some()
+                && lines(content).all(|(_, line)| is_comment_or_valid(line)),
             guess: invalid_utf8_at.map(|_| guess(bytes)),
             marked_words: if byte_order_mark { marked_words(content) } else { Vec::new() },
         }
@@ -74,6 +78,10 @@ fn guess(bytes: &[u8]) -> Guess {
     } else {
         Guess::SingleByte
     }
+}
+
+fn is_comment_or_valid(line: &[u8]) -> bool {
+    line.trim_ascii_start().starts_with(b"#") || std::str::from_utf8(line).is_ok()
 }
 
 fn marked_words(content: &[u8]) -> Vec<String> {

@@ -6,6 +6,7 @@ use super::view::OWN;
 use crate::diag::Place;
 use crate::discover::{Kind, SHADER_FILES, library_of};
 use crate::formats::mhmat::{Line, Material, Value, Word};
+use crate::formats::shader_source::Shape;
 use crate::repo::path::resolve;
 use crate::repo::surface::{Picture, Shader};
 use crate::repo::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, Surface, Wearer, Worn, parent};
@@ -40,8 +41,9 @@ pub(super) fn read<'a>(layers: Layers<'a>, worn: &[Worn<'a>]) -> (Vec<Reference<
                 None => Wearer::Choice,
             };
             let search = Search { layers, layer, file, base };
-            let references = search.references(material);
-            surfaces.push(search.surface(material, wearer, &references));
+            let shader = material.last("shader").and_then(|line| search.shader(line));
+            let references = search.references(material, shader.as_ref());
+            surfaces.push(search.surface(material, wearer, &references, shader));
             all.extend(references);
         }
     }
@@ -57,13 +59,16 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn references(&self, material: &'a Material) -> Vec<Reference<'a>> {
+    fn references(&self, material: &'a Material, shader: Option<&Shader<'a>>) -> Vec<Reference<'a>> {
         let picture = |keyword: &'static str| {
             let word = material.last(keyword)?.words.first()?;
             Some(self.reference(ReferenceKind::Texture, word, keyword))
         };
         let mut references: Vec<_> = PICTURES.into_iter().filter_map(picture).collect();
         references.extend(litsphere(material).map(|word| self.reference(ReferenceKind::Texture, word, LITSPHERE)));
+        references.extend(
+            parameters(material, shader).map(|(name, word)| self.reference(ReferenceKind::Texture, word, name)),
+        );
         let map = material.last("uvMap").and_then(|line| line.words.first());
         let map = map.filter(|word| word.text.trim_start_matches("data/") != NO_MAP);
         references.extend(map.map(|word| self.reference(ReferenceKind::UvMap, word, "uvMap")));
@@ -76,14 +81,22 @@ impl<'a> Search<'a> {
         Reference { kind, base, from, place, text, owner, folder_at_fault: None, rel, resolution }
     }
 
-    fn surface(&self, material: &'a Material, wearer: Wearer, references: &[Reference<'a>]) -> Surface<'a> {
+    fn surface(
+        &self,
+        material: &'a Material,
+        wearer: Wearer,
+        references: &[Reference<'a>],
+        shader: Option<Shader<'a>>,
+    ) -> Surface<'a> {
         let of = |owner: &str| references.iter().find(|one| one.owner == owner).map(picture);
         let pictures = PICTURES.iter().filter_map(|keyword| Some((*keyword, of(keyword)?))).collect();
-        let shader = material.last("shader").and_then(|line| self.shader(line));
+        let named = parameters(material, shader.as_ref()).filter_map(|(name, _)| Some((name, of(name)?)));
+        let parameters = named.collect();
         let of_system = self.layers.system.is_some_and(|system| std::ptr::eq(system, self.layer));
         let is_first = of_system && self.file.rel == DEFAULT_SKIN;
         let litsphere = of(LITSPHERE);
-        Surface { application: OWN, file: self.file, material, wearer, is_first, pictures, litsphere, shader }
+        let (application, file) = (OWN, self.file);
+        Surface { application, file, material, wearer, is_first, pictures, litsphere, parameters, shader }
     }
 
     fn shader(&self, line: &'a Line) -> Option<Shader<'a>> {
@@ -95,7 +108,8 @@ impl<'a> Search<'a> {
             text: &word.text,
             place: Place::Span(word.span.clone()),
             files,
-            is_open: all.iter().any(is_open),
+            // A path from the root of a disk is that of its author.
+            is_open: all.iter().any(|one| is_open(one) && !matches!(one, Resolution::Absolute)),
         })
     }
 
@@ -140,6 +154,20 @@ const LITSPHERE: &str = "litsphereTexture";
 fn litsphere(material: &Material) -> Option<&Word> {
     let line = material.parameter(LITSPHERE).filter(|line| line.count == 2)?;
     line.words.get(1).filter(|word| line.keyword.value == Value::Parameter && word.number().is_none())
+}
+
+/// The pictures of other parameters: what is not a number, where the shader takes a picture or the name says so.
+fn parameters<'a>(material: &'a Material, shader: Option<&Shader<'a>>) -> impl Iterator<Item = (&'a str, &'a Word)> {
+    let lines = material.lines_of("shaderParam").filter(|line| line.count == 2);
+    lines.filter_map(move |line| {
+        let (name, word) = (line.word(0), line.words.get(1)?);
+        let is_known = shader.is_some_and(|shader| shader.sources().is_some());
+        let declared = shader.and_then(|shader| shader.uniform(name));
+        let is_picture = declared.map_or(!is_known && name.ends_with("Texture"), |own| own.value == Shape::Picture);
+        let is_last = material.parameter(name).is_some_and(|last| std::ptr::eq(last, line));
+        let is_other = name != LITSPHERE && !PICTURES.contains(&name);
+        (is_picture && is_last && is_other && word.number().is_none()).then_some((name, word))
+    })
 }
 
 fn picture<'a>(reference: &Reference<'a>) -> Picture<'a> {

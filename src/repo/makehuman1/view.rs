@@ -35,13 +35,14 @@ pub(crate) struct View<'a> {
 }
 
 /// What names of groups begin with that are not shown (§1).
-const HIDDEN: [&str; 2] = ["joint-", "helper-"];
+pub(crate) const HIDDEN: [&str; 2] = ["joint-", "helper-"];
 
-/// Whether files of this kind are part of a library that is checked so far.
+/// Whether files of this kind are checked so far: those of libraries, and the body that wears them.
 pub(crate) const fn is_of_library(kind: Kind) -> bool {
     matches!(
         kind,
-        Kind::Clothes
+        Kind::BaseMesh
+            | Kind::Clothes
             | Kind::Material
             | Kind::AssetMesh
             | Kind::AssetWeights
@@ -62,7 +63,8 @@ impl<'a> View<'a> {
         let rigs = rig.map(|file| Rig { file, weights: None, is_default: true, is_found: true });
         let worn = |layer| {
             let listed = Worn::all(layer, OWN).filter(|(file, _)| library_of(&file.rel).is_some());
-            listed.map(move |(file, base)| Worn::of(layer, file, base, |name| !name.has_colon, false))
+            let of = move |(file, base)| Worn::of(layer, file, base, |name| !name.has_colon, false);
+            listed.map(move |one| Worn { drops_bytes: true, ..of(one) })
         };
         let worn: Vec<Worn<'a>> = layers.strongest_first().flat_map(worn).collect();
         let (mut references, surfaces) = surfaces::read(layers, &worn);

@@ -28,7 +28,17 @@ pub(super) fn surface<'a>(
         }
     }
     let litsphere = litsphere(layers, material);
-    Surface { application: OWN, file, material, wearer, is_first: false, pictures, litsphere, shader: None }
+    Surface {
+        application: OWN,
+        file,
+        material,
+        wearer,
+        is_first: false,
+        pictures,
+        litsphere,
+        parameters: Vec::new(),
+        shader: None,
+    }
 }
 
 fn picture<'a>(reference: &Reference<'a>) -> Picture<'a> {

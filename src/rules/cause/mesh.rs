@@ -1,13 +1,22 @@
-//! A mesh that an archive is read in place of: whatever is off in it nobody meets.
+//! Base meshes: one that an archive is read in place of, in which nobody meets what is off, and that of MakeHuman 1.
 
-use super::consequence::UNREAD_MESH;
-use crate::diag::Finding;
+use super::consequence::{STOPS_AT_START, UNREAD_MESH};
+use crate::diag::{Application::Makehuman1, Case, Finding, Level};
 use crate::formats::obj::Mesh;
 use crate::repo::{FileFacts, View};
 
-/// A finding on a mesh: at most an info while an archive is read in its place.
+/// What becomes of MakeHuman 1 without its base mesh (formats/makehuman1-observed.md 4.27).
+const NO_START: Case = &[(Makehuman1, Level::Error, STOPS_AT_START)];
+
+/// A finding on a base mesh: at most an info while an archive is read in its place. What keeps MakeHuman 1 from putting on an
+/// asset keeps it from starting here.
 pub(in crate::rules) fn weigh(view: &View<'_>, file: &FileFacts, finding: Finding) -> Finding {
-    if view.is_replaced(&file.rel) { finding.case(UNREAD_MESH) } else { finding }
+    let is_refused = finding.breaks.iter().any(|one| one.application == Makehuman1 && one.level == Level::Error);
+    match () {
+        () if view.is_replaced(&file.rel) => finding.case(UNREAD_MESH),
+        () if view.is_makehuman1() && is_refused => finding.case(NO_START),
+        () => finding,
+    }
 }
 
 /// Whether an archive is read in place of the mesh and has the fault as well: then it is told of the archive.

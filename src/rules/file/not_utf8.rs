@@ -34,12 +34,18 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let message = format!("`{}` is not UTF-8 ({guess})", file.file_name());
     let finding = loss.of(view, RULE.at(file, Place::Span(at..at + 1), message)).help(help);
     let is_whole = !matches!(file.encoding.guess, None | Some(Guess::SingleByte));
-    let finding = if is_whole && file.kind == Kind::Clothes { finding.case(NO_LINE) } else { finding };
+    let finding = match file.kind {
+        Kind::Clothes if is_whole => finding.case(NO_LINE),
+        Kind::Clothes if file.encoding.only_comments_invalid => finding.case(IN_COMMENTS),
+        _ => finding,
+    };
     out.push(if file.kind == Kind::Target { weigh(&view.target(file), finding) } else { finding });
 }
 
 /// Of an asset in another encoding, or of something else under its name, no line is left.
 const NO_LINE: Case = &[(Makehuman1, Level::Error, "lists the asset and does not put it on: it recognises no line")];
+
+const IN_COMMENTS: Case = &[(Makehuman1, Level::Info, "drops the letters, which are only in comments")];
 
 const SAVE: &str = "save the file as UTF-8 without a byte order mark";
 

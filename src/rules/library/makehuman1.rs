@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 
 use super::super::{Rule, counted, did_you_mean};
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped, nearest};
-use crate::discover::{extension, libraries, library_extension};
+use crate::discover::{extension, libraries, library_extension, library_of};
 use crate::formats::mhclo::Entry;
 use crate::repo::FileFacts;
 use crate::repo::makehuman1::{Asset, View};
-use crate::source::is_below;
+use crate::source::{Guess, is_below};
 
 /// What is worn in a library that lists another extension.
 pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
@@ -60,6 +60,56 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 
 /// Folders that hold assets for the program itself.
 const KNOWN: [&str; 1] = ["3dobjs"];
+
+const NO_PICTURE: &str = "add a PNG of at most 128 by 128 pixels, with the name of the asset and the suffix `.thumb`";
+const OTHER_PICTURE: Case =
+    &[(Makehuman1, Level::Warning, "shows the default picture in the list: it looks for `.thumb` alone")];
+
+/// What is listed without a picture: skins may have a `.png`.
+pub(super) fn without_pictures(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers.checked;
+    let beside = |file: &FileFacts, extension: &str| {
+        let stem = file.rel.rsplit_once('.').map_or(&*file.rel, |(stem, _)| stem);
+        layer.file(&format!("{stem}.{extension}"))
+    };
+    let listed = layer.files.values().filter_map(|file| Some((library_of(&file.rel)?, file)));
+    // Of copies with one uuid one has a picture.
+    let known = grouped(view.assets().filter_map(|asset| Some((&*asset.uuid?.value, asset.file.path.as_str()))));
+    let copies: BTreeSet<&str> = known.into_values().filter(|files| files.len() > 1).flatten().collect();
+    let bare = listed.filter(|(library, file)| {
+        // What cannot be read or walked has a finding of its own, and what is behind a link is not listed.
+        let is_sound = file.encoding.guess.is_none_or(|guess| guess == Guess::SingleByte) && !file.encoding.lfs_pointer;
+        let is_listed = !layer.linked_folders.iter().any(|folder| is_below(&file.rel, folder));
+        let has = |extension| beside(file, extension).is_some();
+        let is_pictured = has("thumb") || *library == "skins" && has("png");
+        let is_own = !copies.contains(file.path.as_str()) && !file.file_name().starts_with('.');
+        is_sound && is_listed && is_own && !is_pictured
+    });
+    for (library, files) in grouped(bare) {
+        let unused = |file: &&&FileFacts| {
+            beside(file, "png").is_some_and(|picture| view.references.to_file(picture).next().is_none())
+        };
+        let (other, none): (Vec<&FileFacts>, Vec<&FileFacts>) = files.into_iter().partition(|file| unused(&file));
+        for (files, case, key) in [(other, OTHER_PICTURE, "png"), (none, &[][..], "none")] {
+            let Some(first) = files.first() else { continue };
+            let message = match (files.len(), key) {
+                (1, "png") => format!("`{}.png` is not used as the picture of `{}`", first.stem(), first.file_name()),
+                (1, _) => format!("`{}` has no picture", first.file_name()),
+                (count, _) => {
+                    format!("{} in `{library}` have no picture, first `{}`", counted(count, "asset"), first.file_name())
+                }
+            };
+            let help = if key == "png" {
+                "save it as PNG of at most 128 by 128 pixels with the suffix `.thumb`"
+            } else {
+                NO_PICTURE
+            };
+            let finding = rule.at(first, Place::File, message).key(format!("{library} {key}")).case(case);
+            let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
+            out.push(finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown()))).help(help));
+        }
+    }
+}
 
 /// Assets of one library with a name in common and different uuids.
 pub(super) fn same_names(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {

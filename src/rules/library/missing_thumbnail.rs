@@ -3,15 +3,22 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use super::makehuman1;
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
+};
 use crate::discover::{extension, listed_in};
 use crate::repo::makehuman2::{Asset, View};
 use crate::repo::{FileFacts, Resolution, parent};
 
-pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows the default picture in the list")],
+pub(in crate::rules) static RULE: Rule = Check::Libraries(run, of_makehuman1).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "shows the default picture in the list"),
+        (Makehuman1, "shows the default picture in the list"),
+    ],
     docs: "An asset has no picture: a PNG with the name of its file and the suffix `.thumb` beside it. MakeHuman 2 shows a \
-        general picture instead.\n\n\
+        general picture instead, and so does MakeHuman 1, which takes a `.png` beside a skin as well.\n\n\
         If there is a `.thumb` beside it that belongs to no asset, the picture was meant for it and has the wrong name (a \
         warning): another stem, or `.Thumb`.\n\n\
         Add a picture of at most 128 by 128 pixels.",
@@ -53,6 +60,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         out.extend(without(category, base, &plain));
     }
+}
+
+fn of_makehuman1(view: &crate::repo::makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    makehuman1::without_pictures(&RULE, view, out);
 }
 
 fn stem(rel: &str) -> &str {

@@ -29,7 +29,9 @@ const STOPS: Case = &[(
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let own = view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file));
     let mut missing = Vec::new();
-    for surface in own.filter(|surface| loader::shader(surface) == "litsphere") {
+    // What is blended stands in for the picture of the line.
+    let is_blended = |surface: &Surface<'_>| loader::is_1(surface.application) && surface.is_true("autoBlendSkin");
+    for surface in own.filter(|surface| loader::shader(surface) == "litsphere" && !is_blended(surface)) {
         match &surface.litsphere {
             Some(picture) if is_told(view, surface, picture) => {}
             Some(picture) if picture.file.is_none() && !picture.is_open && !is_quoted(picture.text) => {

@@ -41,7 +41,12 @@ fn of_files(view: &View<'_>, out: &mut Vec<Finding>) {
         let Some(shader) = surface.shader.as_ref().filter(missing) else { continue };
         let name = shader.text.rsplit('/').next().unwrap_or_default();
         let shown: String = shader.text.chars().take(60).collect();
-        let finding = RULE.at(surface.file, shader.place.clone(), format!("shader `{shown}` does not exist"));
+        let message = if shader.text.starts_with('/') || shader.text.get(1..2) == Some(":") {
+            format!("shader `{shown}` is an absolute path: it exists on one computer at most")
+        } else {
+            format!("shader `{shown}` does not exist")
+        };
+        let finding = RULE.at(surface.file, shader.place.clone(), message);
         let is_there =
             layers.strongest_first().any(|layer| layer.file(&format!("{FOLDER}/{name}_fragment_shader.txt")).is_some());
         let help = if is_there {

@@ -2,12 +2,14 @@
 
 use std::collections::BTreeMap;
 
+use super::super::cause::consequence::NO_FRAME;
 use super::super::{Check, Rule, RuleCx};
 use super::picture::fault;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Evidence, Finding, Level, Place, RuleInfo,
+    Case, Evidence, Finding, Level, Place, RuleInfo,
 };
+use crate::discover::Single;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
@@ -23,8 +25,14 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     ..RuleInfo::new("material-unreadable-texture", Level::Warning, "a texture that is not a picture")
 });
 
+const BLENDED: Case = &[(Makehuman1, Level::Error, NO_FRAME)];
+
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut named: BTreeMap<&str, (&FileFacts, Vec<String>)> = BTreeMap::new();
+    let is_blended = |file: &FileFacts| (view.layout().single)(&file.rel) == Some(Single::SkinPicture);
+    for file in view.files().filter(|file| is_blended(file)) {
+        named.insert(&file.path, (file, vec!["the default skin".to_owned()]));
+    }
     for surface in view.surfaces() {
         for (keyword, _, file) in surface.found().filter(|(_, _, file)| view.layers().is_checked(file)) {
             let cases = &mut named.entry(&file.path).or_insert((file, Vec::new())).1;
@@ -34,6 +42,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, cases) in named.into_values() {
         let Some(message) = fault(file) else { continue };
         let finding = RULE.at(file, Place::File, message).evidence(Evidence::of_unnamed(cases));
+        let finding = if is_blended(file) { finding.case(BLENDED) } else { finding };
         out.push(finding.help("export it again as PNG, or restore it"));
     }
 }

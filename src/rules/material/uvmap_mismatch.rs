@@ -19,6 +19,9 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 const RAGGED: Case = &[(Makehuman1, Level::Error, "fails with `ValueError` when the material is used")];
 const BEYOND: Case = &[(Makehuman1, Level::Error, "fails with `IndexError` when the material is used")];
 
+const NUMBERS: Case =
+    &[(Makehuman1, Level::Error, "fails with `ValueError` or `IndexError` when the material is used")];
+
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let own = view.references().iter().filter(|one| one.kind == ReferenceKind::UvMap);
     let bodies = view.bodies();
@@ -31,6 +34,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 reference.place.clone(),
                 "this material uses it",
             ),
+            None if map.faces > 0 && map.corners != CORNERS => other_corners(reference, map),
             None => match other_faces(view, &bodies, reference, map) {
                 Some(finding) => finding,
                 None => continue,
@@ -56,8 +60,22 @@ fn broken(file: &FileFacts, line: u32, fault: &UvFault, map: &UvMap) -> Finding 
             let message = format!("texture coordinate {number} does not exist: the map has {uvs}");
             (message, BEYOND, "export the map again")
         }
+        UvFault::NotTwoNumbers => {
+            let message = "a `vt` line is not two numbers".to_owned();
+            (message, NUMBERS, "export the map again, with a point in decimals")
+        }
     };
     RULE.at(file, Place::Line(line), message).key("map").case(case).help(help)
+}
+
+/// MakeHuman 1 keeps triangles as faces with four corners; a map has to have as many.
+const CORNERS: usize = 4;
+
+fn other_corners(reference: &Reference<'_>, map: &UvMap) -> Finding {
+    let message =
+        format!("the faces of `{}` have {}, expected {CORNERS}", reference.text, counted(map.corners, "corner"));
+    let finding = RULE.at(reference.from, reference.place.clone(), message).key(reference.text).case(RAGGED);
+    finding.help("repeat the first corner of each triangle in the map, or remove the line")
 }
 
 /// The finding on the first mesh whose faces are not as many.

@@ -18,7 +18,8 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     docs: "A face uses the number of a vertex or texture coordinate that does not exist. The numbers start at \
         1.\n\n\
         MakeHuman 2 crashes on numbers beyond the last one. It also crashes on 0 and on negative numbers, although \
-        the OBJ format allows negative numbers for counting backwards.\n\n\
+        the OBJ format allows negative numbers for counting backwards. MakeHuman 1 loads no such mesh: the asset cannot be put on, and with such a base mesh \
+        it does not start.\n\n\
         Usually lines are missing in the file. Export the mesh again, with absolute numbers.",
     counts: "faces",
     ..RuleInfo::new(

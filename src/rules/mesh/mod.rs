@@ -4,6 +4,7 @@ pub(super) mod degenerate_face;
 pub(super) mod duplicate_face;
 pub(super) mod face_out_of_range;
 pub(super) mod group_name;
+pub(super) mod missing_groups;
 pub(super) mod name_clash;
 pub(super) mod ngon;
 pub(super) mod no_faces;
@@ -53,6 +54,13 @@ impl ReadMesh<'_> {
     /// A finding with the consequence for the sort of mesh.
     fn weigh(&self, view: &View<'_>, file: &FileFacts, finding: Finding, of_asset: Case) -> Finding {
         if self.asset.is_some() { finding.case(of_asset) } else { weigh(view, file, finding) }
+    }
+
+    /// A vertex with its group.
+    fn named(&self, view: &View<'_>, file: &FileFacts, vertex: i64) -> String {
+        let of_base = || view.landmarks(file).map(|body| body.vertex(vertex));
+        let named = self.asset.map(|asset| asset.named(vertex)).or_else(of_base);
+        named.unwrap_or_else(|| format!("vertex {vertex}"))
     }
 
     /// Whether the faces of a group are drawn: of an asset all.

@@ -36,9 +36,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             meshes.iter().find(|(other, mesh)| worn.file.rel != other.file.rel && together(worn, other, file, mesh));
         let Some((_, other)) = other else { continue };
         let shown: String = name.chars().take(40).collect();
+        let own = worn.mesh().and_then(|(_, mesh)| mesh.facts.object.as_ref());
+        let place = own.map_or(Place::File, |(_, line)| Place::Line(*line));
         let message = format!("the mesh `{shown}` has the name of that in `{}`", other.rel);
-        let finding =
-            RULE.at(file, Place::File, message).key(shown).related(other.path.clone(), Place::File, "the other");
+        let finding = RULE.at(file, place, message).key(shown).related(other.path.clone(), Place::File, "the other");
         let finding = finding.between([file.path.as_str(), other.path.as_str()]);
         out.push(finding.help("give the object another name in the line `o` of one of the two files"));
     }
@@ -46,7 +47,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 /// What a mesh is known by.
 fn name<'v>(file: &'v FileFacts, mesh: &'v AssetMesh) -> &'v str {
-    mesh.facts.object.as_deref().unwrap_or_else(|| file.stem())
+    mesh.facts.object.as_ref().map_or_else(|| file.stem(), |(name, _)| name)
 }
 
 /// Whether two assets can be worn at once. Those with one uuid cannot.

@@ -23,6 +23,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         see `base-unknown-equipment`.\n\n\
         An asset with such a mesh is put on and shows nothing, and the glTF export crashes. If the file has no vertices \
         either, MakeHuman 2 crashes when the asset is put on.\n\n\
+        MakeHuman 1 does not put such an asset on, and does not start with such a base mesh.\n\n\
         Export the mesh again, with its faces.",
     ..RuleInfo::new("mesh-no-faces", Level::Error, "a mesh has no faces")
 });

@@ -19,7 +19,8 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     docs: "The position of a vertex is `nan` or infinite.\n\n\
         Python reads `nan` and `inf` as numbers, so MakeHuman 2 loads the mesh. Everything computed from the \
         vertex is lost: the normals around it, joints and fitted assets that use it, and the height of the \
-        body.\n\n\
+        body. MakeHuman 1 does the same.\n\n\
+        The vertices of an asset are fitted to the body, wherever the OBJ has them: this is reported as info.\n\n\
         Give the vertex a finite position.",
     counts: "vertices",
     ..RuleInfo::new("mesh-non-finite", Level::Error, "the position of a vertex is NaN or infinite")
@@ -27,6 +28,12 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 
 /// Each vertex of an asset is fitted to the base mesh, wherever it lies.
 const FITTED: Case = &[(Makehuman2, Level::Info, "computes the position from the `.mhclo`: no visible effect")];
+/// To the vertices of the body everything else is fitted.
+const OF_BASE: Case = &[(
+    Makehuman1,
+    Level::Error,
+    "loses everything computed from the vertex: joints, and what is fitted to the body there",
+)];
 const UV: Case =
     &[(Makehuman2, Level::Error, "crashes with `ValueError` in the glTF export of every figure that wears the asset")];
 
@@ -37,7 +44,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     }
     let Some(mesh) = file.mesh() else { return };
     if !is_in_archive(view, file, |mesh| mesh.facts.non_finite.count > 0) {
-        out.extend(positions(view, file, &mesh.facts).map(|finding| weigh(view, file, finding)));
+        let weighed = |finding: Finding| weigh(view, file, finding).case(OF_BASE);
+        out.extend(positions(view, file, &mesh.facts).map(weighed));
     }
 }
 

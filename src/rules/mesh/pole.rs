@@ -8,9 +8,9 @@ use crate::repo::{Body, Worn};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "does not put the asset on: its mesh cannot be loaded")],
-    docs: "A vertex of the mesh of an asset belongs to more faces than MakeHuman 1 keeps for one. These are 16, or twice the \
-        number behind `max_pole` in the asset. It does not put an asset on whose mesh has more.\n\n\
-        Write half of the number of faces, rounded up, behind `max_pole`.",
+    docs: "A vertex of the mesh of an asset belongs to more faces, or has more neighbours, than MakeHuman 1 keeps for one. \
+        These are 16, or twice the number behind `max_pole` in the asset. It does not put an asset on whose mesh has more.\n\n\
+        Write half of the larger number, rounded up, behind `max_pole`.",
     ..RuleInfo::new("mesh-pole", Level::Error, "a vertex with more faces than are kept")
 });
 
@@ -26,16 +26,18 @@ fn finding(worn: &Worn<'_>) -> Option<Finding> {
     let entry = worn.clothes()?.all("max_pole").rev().find(|entry| !entry.has_colon);
     let (file, mesh) = worn.mesh().filter(|(_, mesh)| mesh.is_sound())?;
     let (vertex, faces) = mesh.pole?;
+    let beside = mesh.neighbours.filter(|(_, count)| *count > faces);
+    let (vertex, most, what) = beside.map_or((vertex, faces, "faces"), |(vertex, count)| (vertex, count, "neighbours"));
     // A word that is no number has a finding of its own.
     let half = entry.map_or(Some(USUAL), |entry| python_int(entry.word().as_bytes()))?;
     let kept = half.saturating_mul(2);
-    if i64::from(faces) <= kept {
+    if i64::from(most) <= kept {
         return None;
     }
     let place = entry.map_or(Place::File, |entry: &Entry| Place::Span(entry.word_span()));
     let allows = entry.map_or("MakeHuman 1 keeps".to_owned(), |entry| format!("`max_pole {}` allows", entry.word()));
     let message =
-        format!("{} of `{}` has {faces} faces, but {allows} {}", mesh.named(vertex), file.file_name(), kept.max(0));
+        format!("{} of `{}` has {most} {what}, but {allows} {}", mesh.named(vertex), file.file_name(), kept.max(0));
     let finding = RULE.at(worn.file, place, message).related(file.path.clone(), Place::File, "the mesh");
-    Some(finding.help(format!("write `max_pole {}`: MakeHuman 1 allows twice that number", faces.div_ceil(2))))
+    Some(finding.help(format!("write `max_pole {}`: MakeHuman 1 allows twice that number", most.div_ceil(2))))
 }

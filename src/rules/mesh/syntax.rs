@@ -15,7 +15,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         corners. Fewer corners are harmless in hidden groups. Lines other than these and `g name` are ignored.\n\n\
         MakeHuman 2 reads the numbers without checking them and crashes on the first one that is missing or not a \
         number: at start for a base mesh, and when an asset is put on for its mesh. A line cannot be continued with \
-        `\\`.\n\nMakeHuman 1 loads no mesh with such a line, so that the asset cannot be put on. It also needs a name behind `g` and `o`.\n\n\
+        `\\`.\n\nMakeHuman 1 loads no mesh with such a line: the asset cannot be put on, and with such a base mesh the program does not start. It also needs a name behind `g` and `o`.\n\n\
         Export the mesh again, or fix the line.",
     counts: "lines",
     ..RuleInfo::new("mesh-syntax", Level::Error, "a line of a mesh cannot be read")

@@ -1,13 +1,12 @@
 //! Vertices that no face uses.
 
 use super::super::{Check, Rule, RuleCx};
-use super::of_asset;
+use super::{ReadMesh, read};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Finding, Level, Place, RuleInfo,
 };
-use crate::formats::asset_mesh::AssetMesh;
-use crate::formats::obj::Mesh;
+use crate::formats::obj::{Mesh, MeshFacts};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
@@ -19,7 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     docs: "A vertex belongs to no face.\n\n\
         MakeHuman 2 keeps such vertices; they can be moved, weighted and used by joints and clothes like any \
         others. Programs that drop them on import number all later vertices differently, so that targets, weights \
-        and clothes no longer fit.\n\nMakeHuman 1 loads no mesh of an asset with such a vertex (an error).\n\n\
+        and clothes no longer fit.\n\nMakeHuman 1 loads no mesh with such a vertex (an error): the asset cannot be put on, and with such a base mesh it does not start.\n\n\
         Keep them if something refers to them. Do not add new ones: removing one later renumbers the mesh.",
     counts: "vertices",
     ..RuleInfo::new("mesh-unused-vertex", Level::Info, "no face uses a vertex")
@@ -27,16 +26,15 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if view.is_makehuman1() {
-        return out.extend(of_asset(view, file).and_then(|mesh| loose(file, mesh)));
+        let finding = read(view, file).and_then(|mesh| loose(view, file, &mesh));
+        return out.extend(finding);
     }
     // Behind an archive it is told of that one.
     if view.is_replaced(&file.rel) {
         return;
     }
     // Faces that could not be read may be the ones that use them; a mesh without faces has a finding of its own.
-    let facts = |mesh: &Mesh| (mesh.facts.unreadable_lines, mesh.facts.face_out_of_range.count);
-    let can_be_read = |mesh: &Mesh| facts(mesh) == (0, 0) && mesh.facts.short_faces.is_empty();
-    let is_whole = |mesh: &&Mesh| can_be_read(mesh) && !mesh.faces.is_empty();
+    let is_whole = |mesh: &&Mesh| can_be_read(&mesh.facts) && !mesh.faces.is_empty();
     let Some(mesh) = file.mesh().filter(is_whole) else { return };
     let tally = &mesh.facts.unused;
     let Some((_, vertex)) = tally.first.first() else { return };
@@ -49,15 +47,25 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     out.push(RULE.at(file, Place::File, message).help(help).evidence(tally.evidence(mesh.facts.vertices)));
 }
 
-/// MakeHuman 1 refuses the whole mesh.
-fn loose(file: &FileFacts, mesh: &AssetMesh) -> Option<Finding> {
+/// MakeHuman 1 refuses the whole mesh. Faces that could not be read may be the ones that use the vertices.
+fn loose(view: &View<'_>, file: &FileFacts, mesh: &ReadMesh<'_>) -> Option<Finding> {
     let tally = &mesh.facts.unused;
-    let (_, vertex) = tally.first.first().filter(|_| mesh.is_sound() && mesh.faces > 0)?;
-    let first = mesh.named(*vertex);
+    let (_, vertex) = tally.first.first().filter(|_| can_be_read(mesh.facts) && mesh.faces > 0)?;
+    let first = mesh.named(view, file, *vertex);
     let message = match tally.count {
         1 => format!("no face uses {first}"),
         count => format!("{count} of {} vertices are not used by any face, first {first}", mesh.facts.vertices),
     };
-    let help = "delete loose vertices in the 3D program, then export mesh and asset again: without the line all later vertices get other numbers";
-    Some(RULE.at(file, Place::File, message).help(help).evidence(tally.evidence(mesh.facts.vertices)))
+    let help = match mesh.asset {
+        Some(_) => {
+            "delete loose vertices in the 3D program, then export mesh and asset again: without the line all later vertices get other numbers"
+        }
+        None => "restore the mesh: its vertices are the same in all copies of MakeHuman 1",
+    };
+    let finding = RULE.at(file, Place::File, message).help(help).evidence(tally.evidence(mesh.facts.vertices));
+    Some(mesh.weigh(view, file, finding, &[]))
+}
+
+fn can_be_read(facts: &MeshFacts) -> bool {
+    (facts.unreadable_lines, facts.face_out_of_range.count) == (0, 0) && facts.short_faces.is_empty()
 }

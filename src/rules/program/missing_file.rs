@@ -22,7 +22,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();
     let Some(system) = layers.system.filter(|system| std::ptr::eq(*system, layers.checked)) else { return };
     if view.is_makehuman1() {
-        return of_makehuman1(system, out);
+        return of_makehuman1(view, system, out);
     }
     if !holds_program(system) {
         return;
@@ -51,20 +51,35 @@ fn holds_program(layer: &Layer) -> bool {
 /// (formats/makehuman1-observed.md 4).
 const OF_MAKEHUMAN1: [(&str, &str, Case); 5] = [
     ("skins/default.mhmat", "shaders", NO_SKIN),
-    ("litspheres/skinmat_african.png", "litspheres", NO_BLEND),
-    ("litspheres/skinmat_asian.png", "litspheres", NO_BLEND),
-    ("litspheres/skinmat_caucasian.png", "litspheres", NO_BLEND),
+    ("litspheres/skinmat_african.png", LITSPHERES, NO_BLEND),
+    ("litspheres/skinmat_asian.png", LITSPHERES, NO_BLEND),
+    ("litspheres/skinmat_caucasian.png", LITSPHERES, NO_BLEND),
     ("eyes/high-poly/high-poly.mhclo", "eyes", NO_EYES),
 ];
+const LITSPHERES: &str = "litspheres";
 const NO_SKIN: Case = &[(Makehuman1, Level::Warning, "logs an error and shows the body without its skin")];
 const NO_BLEND: Case = &[(Makehuman1, Level::Error, "ends each frame at the default skin, which blends this picture")];
 const NO_EYES: Case =
     &[(Makehuman1, Level::Error, "fails with `AttributeError` at start and at each reset: it puts on these eyes")];
 const NO_SHADERS: Case = &[(Makehuman1, Level::Warning, "logs errors and draws all surfaces without their shaders")];
 
-fn of_makehuman1(system: &Layer, out: &mut Vec<Finding>) {
-    let has = |folder: &str| system.below(folder).any(|file| !file.file_name().ends_with(".thumb"));
-    for (rel, _, case) in OF_MAKEHUMAN1.into_iter().filter(|(rel, folder, _)| !exists(system, rel) && has(folder)) {
+fn of_makehuman1(view: &View<'_>, system: &Layer, out: &mut Vec<Finding>) {
+    let blends = view.surfaces().iter().any(|surface| surface.is_first && surface.is_true("autoBlendSkin"));
+    let has_files = |folder: &str| system.below(folder).any(|file| !file.file_name().ends_with(".thumb"));
+    let has = |folder: &str| has_files(folder) || folder == LITSPHERES && blends;
+    let is_missing = |rel: &str, folder: &str| !exists(system, rel) && has(folder);
+    let blended = OF_MAKEHUMAN1.iter().filter(|(_, folder, _)| *folder == LITSPHERES);
+    let has_none = blended.clone().all(|(rel, folder, _)| is_missing(rel, folder));
+    if has_none {
+        let message =
+            "the pictures `skinmat_african.png`, `skinmat_asian.png` and `skinmat_caucasian.png` do not exist";
+        let finding = RULE.in_layer(system, LITSPHERES, message).case(NO_BLEND);
+        out.push(finding.help("restore the folder from the program"));
+    }
+    for (rel, _, case) in OF_MAKEHUMAN1.into_iter().filter(|(rel, folder, _)| is_missing(rel, folder)) {
+        if has_none && rel.starts_with(LITSPHERES) {
+            continue;
+        }
         let finding = RULE.in_layer(system, rel, format!("`{rel}` does not exist")).case(case);
         out.push(finding.help("restore the file from the download of the program"));
     }

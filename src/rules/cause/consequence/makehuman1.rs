@@ -8,10 +8,11 @@ use crate::diag::Level::{Error, Info, Warning};
 use crate::discover::{Kind, Single};
 use crate::repo::ReferenceKind::{AssetMaterial, AssetMesh, AssetWeights, Texture, UvMap};
 use Damage::{Closed, Dangling, Empty, MarkedComment, MarkedWord, NotUtf8, Pointer, Refused, Special, Syntax};
-use Moment::{Scan, Use};
+use Moment::{Scan, Start, Use};
 
 pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_general: LOST, unfound: UNFOUND };
 
+pub(in crate::rules) const STOPS_AT_START: &str = "stops at start: only the splash picture stays on the screen";
 const NOT_WORN: &str = "lists the asset and does not put it on";
 const WHITE: &str = "draws the surface with the default white material";
 const NO_SKINS: &str = "lists no skin at all: one file that cannot be read empties the list";
@@ -19,7 +20,7 @@ const NO_POSES: &str = "lists no pose at all: one file that cannot be read empti
 const NO_POSE: &str = "lists the pose and does not show it";
 const NO_SHADER: &str = "logs an error and draws the surface without a shader";
 const NO_MAP: &str = "fails when the material is used";
-const NO_FRAME: &str = "stops drawing each frame at the default skin, which blends this picture";
+pub(in crate::rules) const NO_FRAME: &str = "stops drawing each frame at the default skin, which blends this picture";
 const NO_THUMBNAIL: &str = "shows an empty picture in the library";
 const PLACEHOLDER: &str = "shows a placeholder instead of the picture";
 
@@ -28,6 +29,14 @@ const KEYWORD: Cell = cell(MarkedWord, Warning, "does not recognise the first ke
 
 #[rustfmt::skip]
 const ROWS: &[Row] = &[
+    anywhere(Kind::BaseMesh, Start, &[
+        cell(Closed, Error, STOPS_AT_START),
+        cell(Pointer, Error, STOPS_AT_START),
+        cell(Empty, Error, STOPS_AT_START),
+        cell(NotUtf8, Error, STOPS_AT_START),
+        cell(MarkedWord, Error, "drops the first vertex, and stops at start"),
+        COMMENT,
+    ]),
     anywhere(Kind::Clothes, Scan, &[
         cell(Closed, Error, NOT_WORN),
         cell(Pointer, Error, NOT_WORN),

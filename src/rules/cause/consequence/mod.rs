@@ -9,6 +9,7 @@ mod makehuman2_values;
 mod mpfb;
 mod table;
 
+pub(in crate::rules) use makehuman1::{NO_FRAME, STOPS_AT_START};
 pub(in crate::rules) use makehuman2::{
     ARCHIVED, NEVER_OPENED, NO_POSE_SKELETON, UNREAD_MESH, ignored_override, is_opened_by_scripts,
 };

@@ -1,0 +1,30 @@
+//! The base mesh of MakeHuman 1 has groups for joints and helpers.
+
+use super::super::{Check, Rule, RuleCx, either};
+use crate::diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
+use crate::repo::Body;
+use crate::repo::makehuman1::HIDDEN;
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Makehuman1, "draws joints and helpers together with the body, and does not find joints by their names")],
+    docs: "No group of the base mesh has a name that begins with `joint-`, or none with `helper-`. Mostly the mesh was \
+        exported without its groups (lines `g name`).\n\n\
+        MakeHuman 1 hides these groups by their names, and joints that a skeleton does not list are the centres of \
+        the groups `joint-…`. It loads a mesh without them and shows everything.\n\n\
+        Restore the mesh, or export it with its groups (in Blender: `Object Groups` or `Material Groups`).",
+    ..RuleInfo::new("mesh-missing-groups", Level::Warning, "the base mesh has no groups of joints or helpers")
+});
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let sound = body.mesh.filter(|(file, mesh)| mesh.is_sound() && body.layers.is_checked(file));
+    let Some((file, mesh)) = sound else { return };
+    let has = |start: &str| mesh.groups.iter().any(|group| group.name.starts_with(start));
+    let missing: Vec<String> =
+        HIDDEN.into_iter().filter(|start| !has(start)).map(|start| format!("`{start}`")).collect();
+    if missing.is_empty() {
+        return;
+    }
+    let message = format!("no group of the base mesh begins with {}", either(&missing));
+    let help = "restore the mesh, or export it with its groups (`g` lines) and in the same order of vertices";
+    out.push(RULE.at(file, Place::File, message).help(help));
+}
