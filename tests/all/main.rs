@@ -22,8 +22,10 @@ mod folders;
 mod generated;
 mod honest;
 mod hostile;
+mod hostile_worn;
 mod ignores;
 mod listing;
+mod observed;
 mod overlay;
 #[cfg(unix)]
 mod pictures;

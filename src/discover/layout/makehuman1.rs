@@ -58,6 +58,8 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
             Kind::Motion | Kind::MotionMeta if *folder != "poses" => Kind::Other,
             kind => kind,
         },
+        // What lists show for assets without a picture.
+        [file] if extension(file) == "thumb" => Kind::Image,
         _ => Kind::Other,
     };
     (kind, (parts.len() > 1).then_some(HM08))

@@ -1,23 +1,30 @@
 //! The picture of an asset in a list must be one.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
+use super::SUFFIXES;
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, Place, RuleInfo,
+};
 use crate::discover::{extension, library_extension};
 use crate::formats::picture::PictureFault;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "shows an empty picture in the list")],
+    breaks: &[
+        (Makehuman2, "shows an empty picture in the list"),
+        (Makehuman1, "shows an empty picture in the list"),
+    ],
     docs: "A `.thumb` beside an asset is not a picture, such as a text or a download that was cut off. It has to be a PNG.\n\n\
-        MakeHuman 1 shows the default picture for an asset without a `.thumb`, and an empty one for a broken file.\n\n\
+        MakeHuman 2 and MakeHuman 1 show the default picture for an asset without a `.thumb`, and an empty one for a \
+        broken file.\n\n\
         Save a PNG of at most 128 by 128 pixels under this name, or remove the file.",
     ..RuleInfo::new("library-unreadable-thumbnail", Level::Warning, "a picture of an asset that is not one")
 });
 
-fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_thumb = extension(&file.rel) == "thumb" && file.size > 0 && !file.encoding.lfs_pointer;
-    let library = file.rel.split('/').next().and_then(library_extension);
-    let Some(picture) = file.picture().filter(|_| is_thumb && library.is_some()) else { return };
+    let Some(picture) = file.picture().filter(|_| is_thumb && is_shown(view, file)) else { return };
     let what = match picture.fault {
         Some(PictureFault::NotAPicture) => "is not a picture",
         Some(PictureFault::Header) => "has a damaged header",
@@ -27,4 +34,14 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     };
     let finding = RULE.at(file, Place::File, format!("`{}` {what}", file.file_name()));
     out.push(finding.help("save a PNG under this name, or remove the file"));
+}
+
+/// Whether a list shows it: MakeHuman 2 beside what it lists, MakeHuman 1 in a library, or in place of all that is missing.
+fn is_shown(view: &View<'_>, file: &FileFacts) -> bool {
+    if view.is_makehuman1() {
+        return !file.rel.contains('/') || file.rel.split('/').next().and_then(library_extension).is_some();
+    }
+    let stem = file.rel.strip_suffix("thumb").unwrap_or(&file.rel);
+    let layer = view.layers().checked;
+    SUFFIXES.iter().chain(&["mhmat"]).any(|suffix| layer.file(&format!("{stem}{suffix}")).is_some())
 }
