@@ -187,7 +187,7 @@ struct Material {
 const MATERIALS: [Material; 9] = [
     Material {
         path: "clothes/figure/kilt/kilt",
-        lines: "diffuseColor 0.6 0.2 0.2\nroughnessFactor 0.8\nshader phong\n",
+        lines: "diffuseColor 1.0 1.0 1.0\nroughnessFactor 0.8\nshader phong\n",
         textures: &[("diffuseTexture", "kilt.png", false)],
         has_thumb: false,
     },
@@ -205,7 +205,7 @@ const MATERIALS: [Material; 9] = [
     },
     Material {
         path: "hair/figure/curls/curls",
-        lines: "diffuseColor 0.3 0.2 0.1\ntransparent True\nalphaToCoverage True\nbackfaceCull False\nshader phong\n",
+        lines: "diffuseColor 1.0 1.0 1.0\ntransparent True\nalphaToCoverage True\nbackfaceCull False\nshader phong\n",
         textures: &[("diffuseTexture", "curls.png", true)],
         has_thumb: false,
     },
@@ -235,7 +235,7 @@ const MATERIALS: [Material; 9] = [
     },
     Material {
         path: "skins/figure/copper/copper",
-        lines: "diffuseColor 0.8 0.6 0.4\nmetallicFactor 0.9\naomapIntensity 0.8\nshader pbr\n",
+        lines: "diffuseColor 1.0 1.0 1.0\nmetallicFactor 0.9\naomapIntensity 0.8\nshader pbr\n",
         textures: &[("diffuseTexture", "copper.png", false), ("aomapTexture", "copper_ao.png", false)],
         has_thumb: true,
     },

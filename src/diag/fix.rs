@@ -54,6 +54,13 @@ pub enum Change {
         /// The text; `None` for `null`.
         text: Option<String>,
     },
+    /// The key of the JSON member at a pointer becomes another one.
+    Key {
+        /// Where.
+        pointer: String,
+        /// The new key.
+        key: &'static str,
+    },
     /// The element of a JSON list at a pointer goes away.
     Element(String),
     /// An operation on the whole file.

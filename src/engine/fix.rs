@@ -262,7 +262,10 @@ fn edits(text: &mut Text, changes: &[&Change]) -> Option<Vec<Edit>> {
     let mut edits = Vec::new();
     let mut elements = Vec::new();
     let Text { bytes, finder } = text;
-    let mut finder = if changes.iter().any(|change| matches!(change, Change::Value { .. } | Change::Element(_))) {
+    let mut finder = if changes
+        .iter()
+        .any(|change| matches!(change, Change::Value { .. } | Change::Key { .. } | Change::Element(_)))
+    {
         finder.get_or_init(|| json::parse(bytes).ok().map(Finder::new));
         finder.get_mut().and_then(Option::as_mut)
     } else {
@@ -273,6 +276,7 @@ fn edits(text: &mut Text, changes: &[&Change]) -> Option<Vec<Edit>> {
             Change::Value { pointer, text } => {
                 edits.push(json::set_value(finder.as_mut()?, pointer, text.as_deref())?);
             }
+            Change::Key { pointer, key } => edits.push(json::set_key(finder.as_mut()?, pointer, key)?),
             Change::Element(pointer) => elements.push(pointer.as_str()),
             Change::Rewrite(rewrite) => edits.extend(rewritten(*rewrite, bytes)),
             Change::Remove => return None,

@@ -12,6 +12,8 @@ pub struct Pose {
     pub tags: Vec<String>,
     /// Whether `unit_poses` is there, of whatever type.
     pub has_units: bool,
+    /// Whether it has a `license`, of whatever type.
+    pub has_license: bool,
     /// What `unit_poses` sets, in file order.
     pub values: Vec<UnitValue>,
 }
@@ -35,6 +37,7 @@ pub fn read(document: &Document) -> Pose {
         name: text(root, "name"),
         tags: tags.iter().filter_map(Node::as_str).map(str::to_owned).collect(),
         has_units: units.is_some(),
+        has_license: root.get("license").is_some(),
         values: members.map(|one| UnitValue { unit: one.key.clone(), value: one.node.as_python_number() }).collect(),
     }
 }

@@ -13,6 +13,11 @@ pub(crate) fn set_value(finder: &mut Finder, pointer: &str, text: Option<&str>) 
     (node.as_str() != text).then(|| Edit::replacement(node.span.clone(), value))
 }
 
+/// Gives the member at `pointer` another key.
+pub(crate) fn set_key(finder: &mut Finder, pointer: &str, key: &str) -> Option<Edit> {
+    Some(Edit::replacement(finder.key_at(pointer)?, serde_json::Value::from(key).to_string()))
+}
+
 /// Takes the elements at `pointers` out of their lists.
 pub(crate) fn remove_elements(text: &[u8], finder: &mut Finder, pointers: &[&str]) -> Vec<Edit> {
     let mut by_list: BTreeMap<&str, BTreeSet<usize>> = BTreeMap::new();

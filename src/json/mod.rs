@@ -18,7 +18,7 @@ mod unknown_key;
 pub(crate) use jsonschema::JsonType as Shape;
 
 pub(crate) use document::{Document, Duplicate, Member, Node, Value, parse};
-pub(crate) use edit::{removals, remove_elements, set_value};
+pub(crate) use edit::{removals, remove_elements, set_key, set_value};
 pub(crate) use finder::Finder;
 pub(crate) use reader::{Reader, SyntaxFault, SyntaxKind};
 pub(crate) use schema::{SchemaFaults, UnknownKey, check, schema_names, schema_text};

@@ -2,6 +2,7 @@
 
 use super::super::counted;
 use super::super::unpacking::plain;
+use super::Sort;
 use crate::diag::{Application::Makehuman2, Case, Level};
 use crate::formats::mhbin::{MeshFault, Misfit, Part};
 use crate::formats::npz::{ArchiveFault, NpyFault};
@@ -16,8 +17,8 @@ const TORN: Case = &[(
 )];
 
 /// A fault of a packed mesh, with what comes of it where that is not the usual. Nothing where another rule has the words.
-pub(super) fn of_mesh(fault: &MeshFault) -> Option<(String, Case)> {
-    Some(match fault {
+pub(super) fn of_mesh(fault: &MeshFault) -> Option<(Sort, String, Case)> {
+    let (message, case): (String, Case) = match fault {
         MeshFault::Archive(ArchiveFault::Empty) => return None,
         MeshFault::Archive(ArchiveFault::NotZip(reason)) => (not_zip(reason), &[]),
         MeshFault::Oversized => ("unpacks to more data than any mesh of its size".to_owned(), &[]),
@@ -26,7 +27,13 @@ pub(super) fn of_mesh(fault: &MeshFault) -> Option<(String, Case)> {
         MeshFault::Member(name, fault) => (format!("member `{name}` {}", of_member(fault)), &[]),
         MeshFault::Misfit(misfit @ Misfit::Copy(_)) => (misfit_words(misfit), TORN),
         MeshFault::Misfit(misfit) => (misfit_words(misfit), &[]),
-    })
+    };
+    let sort = match fault {
+        MeshFault::Missing(_) => Sort::MissingMember,
+        MeshFault::Member(_, fault) => Sort::of(fault),
+        _ => Sort::Malformed,
+    };
+    Some((sort, message, case))
 }
 
 /// What to do about a packed mesh.

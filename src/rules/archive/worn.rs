@@ -1,5 +1,6 @@
 //! The archive of an asset that cannot be loaded, in words.
 
+use super::Sort;
 use super::words::{missing, not_zip, of_member, of_mesh};
 use crate::diag::{Application::Makehuman2, Case, Level};
 use crate::formats::mhbin::MeshFault;
@@ -27,18 +28,21 @@ const STOPS: Case =
     &[(Makehuman2, Level::Error, "crashes when the asset is put on; models that wear it load only in part")];
 
 /// What is wrong with an archive that the library scans, and what comes of it.
-pub(super) fn fault(view: &View<'_>, file: &FileFacts) -> Option<(String, Case)> {
+pub(super) fn fault(view: &View<'_>, file: &FileFacts) -> Option<(Sort, String, Case)> {
     let is_scanned = file.rel.ends_with(".mhbin") && (view.layout().scans)(&file.rel);
     match file.packed().filter(|_| is_scanned)? {
         // `file-empty` has it.
         Packed::Unopened(ArchiveFault::Empty) => None,
-        Packed::Unopened(ArchiveFault::NotZip(reason)) => Some((not_zip(reason), NOT_ZIP)),
-        Packed::Other => Some(("member `asset` is missing: this is not the archive of an asset".to_owned(), NO_ASSET)),
+        Packed::Unopened(ArchiveFault::NotZip(reason)) => Some((Sort::Malformed, not_zip(reason), NOT_ZIP)),
+        Packed::Other => {
+            let message = "member `asset` is missing: this is not the archive of an asset".to_owned();
+            Some((Sort::MissingMember, message, NO_ASSET))
+        }
         Packed::Asset(asset) => of_asset(asset),
     }
 }
 
-fn of_asset(asset: &PackedAsset) -> Option<(String, Case)> {
+fn of_asset(asset: &PackedAsset) -> Option<(Sort, String, Case)> {
     let absent = asset.faults.iter().flat_map(|fault| match fault {
         PackedFault::Missing(name) => vec![*name],
         PackedFault::Mesh(MeshFault::Missing(names)) => names.clone(),
@@ -46,11 +50,14 @@ fn of_asset(asset: &PackedAsset) -> Option<(String, Case)> {
     });
     let absent: Vec<&str> = absent.collect();
     Some(match asset.faults.first()? {
-        PackedFault::Asset(fault) => (format!("member `asset` {}", of_member(fault)), NO_HEAD),
-        _ if !absent.is_empty() => (missing(&absent), REFUSED),
-        PackedFault::Member(name, fault) => (format!("member `{name}` {}", of_member(fault)), STOPS),
-        PackedFault::Mesh(fault) => (of_mesh(fault)?.0, STOPS),
-        PackedFault::Missing(name) => (missing(&[name]), REFUSED),
+        PackedFault::Asset(fault) => (Sort::of(fault), format!("member `asset` {}", of_member(fault)), NO_HEAD),
+        _ if !absent.is_empty() => (Sort::MissingMember, missing(&absent), REFUSED),
+        PackedFault::Member(name, fault) => (Sort::of(fault), format!("member `{name}` {}", of_member(fault)), STOPS),
+        PackedFault::Mesh(fault) => {
+            let (sort, message, _) = of_mesh(fault)?;
+            (sort, message, STOPS)
+        }
+        PackedFault::Missing(name) => (Sort::MissingMember, missing(&[name]), REFUSED),
     })
 }
 

@@ -11,7 +11,7 @@ use crate::repo::makehuman2::{Base, ForeignSign, UnreadMesh, View};
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "builds binary assets with wrong delete masks; crashes with `ValueError` when they are worn with others",
+        "cannot build binary assets, or builds them with wrong delete masks and crashes when they are put on",
     )],
     docs: "`numverts` must be the number of vertices of the base mesh, the `v` lines of `base.obj`.\n\nMakeHuman \
         2 itself never reads it, but its command line tools do. `compile_meshes.py` makes the mask of hidden \

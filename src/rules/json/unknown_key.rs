@@ -35,7 +35,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         return;
     }
     let told = Told::of(view, file);
-    let unknown = file.schema.unknown.iter().filter(|unknown| !told.has(unknown));
+    let is_licence = |unknown: &UnknownKey| file.kind == Kind::Pose && unknown.pointer == "/licence";
+    let unknown = file.schema.unknown.iter().filter(|unknown| !told.has(unknown) && !is_licence(unknown));
     let by_key = grouped(unknown.map(|unknown| ((&unknown.key, &unknown.object), unknown)));
     out.extend(by_key.into_values().filter_map(|all| finding(view, file, &all)));
     out.extend(left_out(&RULE, file, file.schema.unknown_left_out, "unknown key"));

@@ -6,7 +6,7 @@ use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Finding, Level, Place, RuleInfo,
 };
-use crate::discover::{extension, library_extension};
+use crate::discover::{extension, library_extension, listed_in};
 use crate::formats::picture::PictureFault;
 use crate::repo::{FileFacts, View};
 
@@ -43,5 +43,9 @@ fn is_shown(view: &View<'_>, file: &FileFacts) -> bool {
     }
     let stem = file.rel.strip_suffix("thumb").unwrap_or(&file.rel);
     let layer = view.layers().checked;
-    SUFFIXES.iter().chain(&["mhmat"]).any(|suffix| layer.file(&format!("{stem}{suffix}")).is_some())
+    let is_listed = |suffix: &str| {
+        let rel = format!("{stem}{suffix}");
+        layer.file(&rel).is_some() && listed_in(&rel).is_some()
+    };
+    SUFFIXES.iter().any(|suffix| is_listed(suffix)) || layer.file(&format!("{stem}mhmat")).is_some()
 }

@@ -1,6 +1,7 @@
 //! Poses, expressions and motions.
 
 mod foreign_unit;
+pub(in crate::rules) mod licence_spelling;
 pub(in crate::rules) mod matrix;
 pub(in crate::rules) mod meta;
 pub(in crate::rules) mod missing_units;

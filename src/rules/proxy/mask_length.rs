@@ -12,7 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         A mask that is too short crashes when the asset is put on. One that is too long hides nothing sensible; it \
         crashes as soon as it meets the mask of another asset, in the OBJ export, and in the glTF export if it hides the \
         whole figure. Fewer rows than \
-        vertices crash after the asset was added, so thwhenever a slider moves crashes again.\n\n\
+        vertices crash after the asset was added, so that every move of a slider crashes again.\n\n\
         Usually it was made for another base mesh, or by `compile_meshes.py` with a wrong `numverts` in `base.json`.\n\n\
         Delete the archive if the text is beside it: MakeHuman 2 writes it again.",
     ..RuleInfo::new("proxy-mask-length", Level::Error, "the mask or the rows of a packed asset have another length")

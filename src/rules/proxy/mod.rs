@@ -12,6 +12,7 @@ mod keywords;
 pub(super) mod licence_keyword;
 pub(super) mod licence_lost;
 pub(super) mod mask_length;
+pub(super) mod metadata;
 mod missing;
 pub(super) mod missing_material;
 pub(super) mod missing_mesh;

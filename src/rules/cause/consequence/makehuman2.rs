@@ -57,6 +57,8 @@ const NO_WEIGHTS: &[Cell] = &[
 ];
 const WHITE: &str = "shows the default white material";
 const NO_ATTACHMENT: Cell = cell(Empty, Error, "cannot attach the asset");
+const EMPTY_ARCHIVE: &str =
+    "crashes at start while scanning the assets; beside a newer text it lists the asset and cannot put it on";
 const NO_PICTURE: &[Cell] = &[
     level(Closed, Warning),
     level(Pointer, Warning),
@@ -213,7 +215,7 @@ const ROWS: &[Row] = &[
     anywhere(Kind::AssetMesh, Use, &[NO_ATTACHMENT]),
     row(Kind::Packed, Scanned, Scan, &[
         cell(Pointer, Error, "crashes at start with `BadZipFile` while scanning the assets; the next start has no assets at all"),
-        cell(Empty, Error, SCAN),
+        cell(Empty, Error, EMPTY_ARCHIVE),
         cell(Closed, Error, "takes the folder for the archive of the asset beside it, which is no longer listed"),
     ]),
     anywhere(Kind::Packed, Use, &[BINARY]),
