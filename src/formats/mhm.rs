@@ -32,6 +32,8 @@ pub struct Model {
     pub short: Vec<ShortLine>,
     /// Lines of at least three words whose keyword is not known.
     pub unknown: Vec<WornLine>,
+    /// Whether any line begins with a keyword of models.
+    pub has_keyword: bool,
 }
 
 /// A word and where it stands, in bytes.
@@ -99,6 +101,10 @@ pub struct ShortLine {
 /// The words that put an asset on.
 pub const CATEGORIES: [&str; 8] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue", "proxy"];
 
+/// The other words that lines of models begin with.
+const KEYWORDS: [&str; 9] =
+    ["version", "uuid", "author", "name", "tags", "skinMaterial", "skeleton", "modifier", "material"];
+
 /// Lines of a sort that are kept. No character has as many.
 const MOST: usize = 50_000;
 
@@ -118,6 +124,7 @@ pub fn read(text: &[u8]) -> Model {
 impl Model {
     fn take(&mut self, line: &[u8], count: usize, word: &dyn Fn(usize) -> Word) {
         let keyword = word(0);
+        self.has_keyword |= KEYWORDS.contains(&&*keyword.text) || CATEGORIES.contains(&&*keyword.text);
         let needed = match &*keyword.text {
             "version" | "uuid" | "skinMaterial" | "skeleton" => 2,
             "material" => 4,

@@ -12,6 +12,8 @@ pub struct ShaderSource {
     pub defines: BTreeSet<Box<str>>,
     /// Its parameters by name.
     pub uniforms: BTreeMap<Box<str>, Uniform>,
+    /// Whether the word `main` is in the code.
+    pub has_main: bool,
 }
 
 /// A parameter of a shader.
@@ -40,6 +42,7 @@ pub fn read(text: &[u8]) -> ShaderSource {
     let mut words = Words { code: without_comments(text), at: 0, depth: 0 };
     let mut used: BTreeSet<Box<str>> = BTreeSet::new();
     while let Some(word) = words.next() {
+        source.has_main |= &*word == "main";
         if &*word != "uniform" {
             if words.depth == 0 && source.uniforms.contains_key(&*word) {
                 used.insert(word);

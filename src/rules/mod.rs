@@ -167,6 +167,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &model::category::RULE,
     &model::material::RULE,
     &model::modifier::RULE,
+    &model::syntax::RULE,
     &model::tags::RULE,
     &model::unknown_asset::RULE,
     &modelling::barycentric_arity::RULE,

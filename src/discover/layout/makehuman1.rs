@@ -70,7 +70,9 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
 fn reads_hidden(path: &HiddenPath<'_>) -> bool {
     let Some(at) = path.visible.iter().rposition(|part| library_extension(part).is_some()) else { return false };
     let below = path.visible.get(at..).unwrap_or_default().join("/");
-    !path.is_folder && path.name.starts_with('.') && library_of(&format!("{below}/{}", path.name)).is_some()
+    // The list of materials of an asset as well.
+    let is_listed = || library_of(&format!("{below}/{}", path.name)).is_some() || extension(path.name) == "mhmat";
+    !path.is_folder && path.name.starts_with('.') && is_listed()
 }
 
 fn holds_worn(folder: &str) -> bool {
@@ -81,6 +83,7 @@ fn single(rel: &str) -> Option<Single> {
     let name = rel.strip_prefix("litspheres/skinmat_").and_then(|name| name.strip_suffix(".png"));
     match name {
         Some("african" | "asian" | "caucasian") => Some(Single::SkinPicture),
+        _ if rel == "skins/default.mhmat" => Some(Single::FirstSkin),
         _ if extension(rel) == "thumb" => Some(Single::Thumbnail),
         _ => None,
     }

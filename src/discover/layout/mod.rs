@@ -57,6 +57,8 @@ pub(crate) enum Single {
     ScriptedRanges,
     /// One of the pictures that the default skin of MakeHuman 1 blends.
     SkinPicture,
+    /// The skin that MakeHuman 1 starts with.
+    FirstSkin,
     /// What a library shows for an asset.
     Thumbnail,
 }

@@ -116,7 +116,8 @@ impl Header {
             _ => {}
         }
         let [(_, b"#"), (_, second), ..] = words.list else { return };
-        if REMARKS.iter().any(|known| known.as_bytes() == second.strip_suffix(b":").unwrap_or(second)) {
+        let second = second.strip_suffix(b":").unwrap_or(second);
+        if REMARKS.iter().any(|known| known.as_bytes().eq_ignore_ascii_case(second)) {
             let rest = words.list.get(1..).unwrap_or_default();
             self.add(entry(Words { list: rest, ..words }, section, true));
         }

@@ -85,6 +85,16 @@ fn damage(file: &FileFacts) -> Damage {
         kind if kind.is_json() => Damage::Refused,
         Kind::Target if words.len() == ROW_FIELDS => Damage::MarkedRow,
         _ if words.first().is_none_or(|word| word.starts_with('#')) => Damage::MarkedComment,
+        // Nobody reads these lines.
+        Kind::Material if words.first().is_some_and(|word| word == "//") => Damage::MarkedComment,
+        Kind::BaseMesh | Kind::AssetMesh if !words.first().is_some_and(|word| is_of_mesh(word)) => {
+            Damage::MarkedComment
+        }
         _ => Damage::MarkedWord,
     }
+}
+
+/// Lines of a mesh that are more than a name or a note.
+fn is_of_mesh(word: &str) -> bool {
+    matches!(word, "v" | "vt" | "f" | "g")
 }

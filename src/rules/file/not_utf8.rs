@@ -34,7 +34,13 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let message = format!("`{}` is not UTF-8 ({guess})", file.file_name());
     let finding = loss.of(view, RULE.at(file, Place::Span(at..at + 1), message)).help(help);
     let is_whole = !matches!(file.encoding.guess, None | Some(Guess::SingleByte));
+    // The lists of materials of MakeHuman 1 show them as well.
+    let is_note = file.file_name().starts_with("._");
+    let is_unseen = is_note && !view.is_makehuman1() && !(view.layout().scans)(&file.rel);
     let finding = match file.kind {
+        Kind::Clothes | Kind::Material | Kind::Model | Kind::Pose | Kind::Motion | Kind::MotionMeta if is_unseen => {
+            finding.case(UNSEEN)
+        }
         Kind::Clothes if is_whole => finding.case(NO_LINE),
         Kind::Clothes if file.encoding.only_comments_invalid => finding.case(IN_COMMENTS),
         _ => finding,
@@ -45,6 +51,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
 /// Of an asset in another encoding, or of something else under its name, no line is left.
 const NO_LINE: Case = &[(Makehuman1, Level::Error, "lists the asset and does not put it on: it recognises no line")];
 
+/// What macOS leaves where no list looks.
+const UNSEEN: Case = &[(Makehuman2, Level::Info, "never opens it")];
 const IN_COMMENTS: Case = &[(Makehuman1, Level::Info, "drops the letters, which are only in comments")];
 
 const SAVE: &str = "save the file as UTF-8 without a byte order mark";

@@ -6,6 +6,7 @@ use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Finding, Level, Place, RuleInfo, grouped, steps, structural,
 };
+use crate::discover::Kind;
 use crate::json::Duplicate;
 use crate::repo::{FileFacts, View};
 
@@ -37,7 +38,11 @@ fn finding(file: &FileFacts, pointer: &str, all: &[&Duplicate]) -> Option<Findin
     Some(
         finding
             .key(structural(pointer))
-            .help(if equal { "keep one of them" } else { "rename or remove all but one" })
+            .help(match file.kind {
+                _ if equal => "keep one of them",
+                Kind::Weights | Kind::AssetWeights => "join the lists of weights under one key",
+                _ => "rename or remove all but one",
+            })
             .related(file.path.clone(), related, format!("this `{key}` is used")),
     )
 }

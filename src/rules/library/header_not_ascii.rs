@@ -26,13 +26,22 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let Some(clothes) = file.clothes().filter(|_| is_listed && is_text) else { return };
     let foreign: Vec<&Entry> = WRITTEN.iter().filter_map(|keyword| last(clothes, keyword)).collect();
     let foreign: Vec<&Entry> = foreign.into_iter().filter(|entry| !written(entry).is_ascii()).collect();
-    let Some(first) = foreign.first() else { return };
+    let Some(first) = foreign.first() else { return out.extend(other_author(file, clothes)) };
     let letter = written(first).chars().find(|letter| !letter.is_ascii()).unwrap_or_default();
     let more = such(foreign.len(), "values");
     let message = format!("`{}` has the letter `{letter}`, which is not ASCII{more}", first.keyword);
     let finding = RULE.at(file, Place::Span(first.span.clone()), message);
     let evidence = Evidence::of_cases(foreign.iter().map(|entry| entry.keyword.to_string()));
     out.push(finding.evidence(evidence).help("write it with plain letters, without accents: `Joerg` for `Jörg`"));
+}
+
+/// A comment with another word that begins with `author`, such as `# authors`: it counts as well.
+fn other_author(file: &FileFacts, clothes: &Clothes) -> Option<Finding> {
+    let author = clothes.scanned.author.as_ref()?;
+    let letter = author.text.chars().find(|letter| !letter.is_ascii())?;
+    let message = format!("the comment on the author has the letter `{letter}`, which is not ASCII");
+    let finding = RULE.at(file, Place::Span(author.span.clone()), message).key("author");
+    Some(finding.help("write it with plain letters, without accents: `Joerg` for `Jörg`"))
 }
 
 /// What of a line is written: of the names of files the first word.

@@ -52,7 +52,9 @@ fn finding(view: &View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
         finding = finding.related(other.file.path.clone(), Place::File, "the other asset");
     }
     let finding = finding.between(own.iter().map(|one| one.file.path.as_str()));
-    Some(if others.iter().all(|other| is_copy(view, told, other)) {
+    // A copy in the list of another kind: one of the lists loses it.
+    let is_copy = |other: &&Asset<'_>| other.category == told.category && is_copy(view, told, other);
+    Some(if others.iter().all(is_copy) {
         finding.case(COPY).help(format!("remove the copy, or {help}"))
     } else {
         finding.help(help)
@@ -61,6 +63,12 @@ fn finding(view: &View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
 
 /// What both are known by, and what to change.
 fn words(told: &Asset<'_>, other: &Asset<'_>) -> (&'static str, &'static str) {
+    if (told.is_worn() || other.is_worn()) && (&told.name, &told.uuid) != (&other.name, &other.uuid) {
+        return (
+            "the same name and uuid, written one behind the other, as",
+            "give the newer of the two another uuid: saved models find assets by these",
+        );
+    }
     if told.is_worn() || other.is_worn() {
         return (
             "the same name and uuid as",

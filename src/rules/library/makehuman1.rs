@@ -39,7 +39,8 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let tops = layer.files.values().filter_map(|file| Some((file.rel.split('/').next()?, file)));
     let lost = tops.filter(|(top, file)| {
         let is_worn = matches!(extension(&file.rel), "mhclo" | "proxy");
-        let of_other_case = library_extension(&top.to_lowercase()) == Some(extension(&file.rel));
+        let is_near = |top: &str| nearest(top, libraries()).and_then(library_extension) == Some(extension(&file.rel));
+        let of_other_case = library_extension(&top.to_lowercase()) == Some(extension(&file.rel)) || is_near(top);
         file.rel.contains('/')
             && !file.is_loose()
             && !is_linked(file)

@@ -42,6 +42,10 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         let message = format!("the value of `{keyword}` has a space: `{}`", entry.value);
         let finding = RULE.at(file, Place::Span(entry.span.clone()), message).key(keyword);
         out.push(match keyword {
+            _ if entry.value.contains(" #") => {
+                let bare = entry.value.split(" #").next().unwrap_or_default();
+                finding.help(format!("move the comment to a line of its own: `{keyword} {bare}`"))
+            }
             "name" => finding.help(format!("write `{keyword} {}`", entry.value.replace(' ', "_"))),
             _ => finding.case(UUID).help(format!("write `uuid {}`", entry.word())),
         });

@@ -1,5 +1,6 @@
 //! One file can keep a library from being listed.
 
+use super::super::cause::consequence::STOPS_AT_START;
 use super::super::cause::library::empty_uuid;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
@@ -28,6 +29,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let skins = view.surfaces().iter().filter(|surface| surface.wearer == Wearer::Skin);
     for surface in skins.filter(|surface| view.layers.is_checked(surface.file)) {
         let Some(line) = surface.material.lines_of("name").find(|line| line.count == 0) else { continue };
-        out.push(RULE.at(surface.file, Surface::place(line), "`name` has no value").key("name").help(HELP));
+        let finding = RULE.at(surface.file, Surface::place(line), "`name` has no value").key("name").help(HELP);
+        out.push(if surface.is_first { finding.effect(STOPS_AT_START) } else { finding });
     }
 }

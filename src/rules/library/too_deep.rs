@@ -2,24 +2,36 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{SUFFIXES, suffix};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
-use crate::discover::{extension, in_place_of};
-use crate::repo::{FileFacts, View};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
+};
+use crate::discover::{extension, in_place_of, library_extension};
+use crate::repo::{FileFacts, View, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "does not list what is in deeper folders")],
+    breaks: &[(Makehuman2, "does not list what is in deeper folders"), (Makehuman1, UNREAD)],
     docs: "MakeHuman 2 looks for assets in the folder of the base mesh (`clothes/<base>/`) and in the folders directly in it. It \
         takes suffixes as they are written: `.mhclo`, not `.MHCLO`.\n\n\
         An asset in a deeper folder, with a suffix in capitals or with another suffix behind its own (`vest.mhclo.txt`, which \
         Windows shows as `vest.mhclo`) is not listed on any system, and models that wear it lose it.\n\n\
+        MakeHuman 1 looks in folders of any depth, but does not list a file with another suffix behind its own, either.\n\n\
         Move the folder of the asset up, or rename the file.",
     ..RuleInfo::new("library-too-deep", Level::Error, "an asset that the list does not find")
 });
 
+const UNREAD: &str = "does not list it";
 const UNLISTED: Case = &[(Makehuman2, Level::Error, "does not list it")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
+    if view.is_makehuman1() {
+        let of_library =
+            |file: &FileFacts, suffix: &str| file.rel.split('/').next().and_then(library_extension) == Some(suffix);
+        let lost =
+            layer.files.values().filter(|file| double(view, file).is_some_and(|suffix| of_library(file, suffix)));
+        return out.extend(lost.map(doubled));
+    }
     let mut deep = Vec::new();
     for file in view.layers().checked.files.values().filter(|file| !file.is_loose()) {
         let parts: Vec<&str> = file.rel.split('/').collect();
@@ -33,7 +45,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         match own {
             Some(suffix) if extension(name) != suffix => out.push(capitals(file, suffix)),
-            _ if parts.len() > 4 && (is_skin || own.is_some()) && !is_used_elsewhere(view, file) => {
+            _ if parts.len() > 4 && (is_skin || own.is_some() && !is_used_elsewhere(view, file)) && !is_note(name) => {
                 let folder = parts.get(..3).map(|top| top.join("/")).unwrap_or_default();
                 deep.push(((folder, *category, *base), file));
             }
@@ -43,8 +55,22 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     // What was moved with its folder is one mistake.
     out.extend(grouped(deep).into_iter().filter_map(|((folder, category, base), files)| {
-        too_deep(&folder, &format!("{category}/{base}"), &files).map(|one| one.asset(layer.display(&folder)))
+        let mut beside = layer.below(&folder).filter(|file| parent(&file.rel) == folder);
+        let is_of_asset = beside.any(|file| suffix(&file.rel).is_some());
+        let finding = too_deep(&folder, &format!("{category}/{base}"), &files)?;
+        let finding = if is_of_asset { finding.help(help_in_asset(&folder)) } else { finding };
+        Some(finding.asset(layer.display(&folder)))
     }));
+}
+
+/// In the folder of another asset it is mostly an older version, or belongs there by mistake.
+fn help_in_asset(folder: &str) -> String {
+    format!("move it to a folder of its own beside `{folder}`, or keep an older version outside of the data")
+}
+
+/// What macOS leaves beside each file of an archive.
+fn is_note(name: &str) -> bool {
+    name.starts_with("._")
 }
 
 fn capitals(file: &FileFacts, suffix: &str) -> Finding {

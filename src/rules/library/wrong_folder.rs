@@ -58,6 +58,16 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     };
     let mut unknown: BTreeMap<&str, Vec<&FileFacts>> = BTreeMap::new();
     for file in layer.files.values().filter(|file| !file.is_loose()) {
+        match *file.rel.split('/').collect::<Vec<_>>() {
+            [category, FILTER] if CATEGORIES.contains(&category) => out.push(filter(file, category, &bases)),
+            ["skins", name] if extension(name) == "mhmat" => out.push(without_base(file, "skins", name, &bases)),
+            ["skins", folder, name] if extension(name) == "mhmat" && is_no_base(file, folder) => {
+                if !is_elsewhere("skins", folder) {
+                    out.push(without_base(file, "skins", &format!("{folder}/{name}"), &bases));
+                }
+            }
+            _ => {}
+        }
         let Some(suffix) = suffix(&file.rel).filter(|suffix| extension(&file.rel) == *suffix) else { continue };
         let parts: Vec<&str> = file.rel.split('/').collect();
         let Some(category) = parts.first().filter(|first| CATEGORIES.contains(first)) else {
@@ -99,6 +109,14 @@ fn is_lost(view: &View<'_>, file: &FileFacts) -> bool {
     let name = file.clothes().and_then(|clothes| clothes.scanned.name.as_ref());
     let base = view.library.bases().into_iter().find(|base| file.rel.split('/').nth(1) == Some(base));
     name.is_some_and(|name| base.is_none_or(|base| view.library.named(base, &name.text).next().is_none()))
+}
+
+const FILTER: &str = "selection_filter.json";
+
+/// Labels beside the folders of the base meshes instead of in one.
+fn filter(file: &FileFacts, category: &str, bases: &BTreeSet<&str>) -> Finding {
+    let finding = without_base(file, category, FILTER, bases).level(Level::Warning);
+    finding.effect("never reads it: the list has no filters")
 }
 
 fn misplaced(file: &FileFacts, suffix: &str, category: &str, right: &[&str]) -> Finding {

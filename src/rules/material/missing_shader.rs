@@ -1,12 +1,14 @@
 //! The shader of a material must exist.
 
+use std::collections::BTreeMap;
+
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::loader;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Finding, Level, RuleInfo,
+    Evidence, Finding, Level, Place, RuleInfo, grouped,
 };
-use crate::repo::{Shader, Surface, View};
+use crate::repo::{FileFacts, Surface, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "silently draws the surface like phong, without its settings"), (Makehuman1, "logs an error and draws the surface without a shader")],
@@ -36,26 +38,54 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn of_files(view: &View<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();
     let has_shaders = layers.strongest_first().any(|layer| layer.below(FOLDER).next().is_some());
-    for surface in view.surfaces().iter().filter(|surface| layers.is_checked(surface.file) && has_shaders) {
-        let missing = |shader: &&Shader<'_>| shader.files.is_empty() && !shader.is_open;
-        let Some(shader) = surface.shader.as_ref().filter(missing) else { continue };
-        let name = shader.text.rsplit('/').next().unwrap_or_default();
-        let shown: String = shader.text.chars().take(60).collect();
-        let message = if shader.text.starts_with('/') || shader.text.get(1..2) == Some(":") {
-            format!("shader `{shown}` is an absolute path: it exists on one computer at most")
-        } else {
-            format!("shader `{shown}` does not exist")
+    let own = view.surfaces().iter().filter(|surface| layers.is_checked(surface.file) && has_shaders);
+    let missing = own.filter_map(|surface| {
+        let shader = surface.shader.as_ref().filter(|shader| shader.files.is_empty() && !shader.is_open)?;
+        Some((shader.text, (surface, shader)))
+    });
+    out.extend(without_main(view));
+    for (text, all) in grouped(missing) {
+        let Some((surface, shader)) = all.first() else { continue };
+        let shown: String = text.chars().take(60).collect();
+        let more = if all.len() > 1 { format!(" ({} materials name it)", all.len()) } else { String::new() };
+        let message = match text.starts_with('/') || text.get(1..2) == Some(":") {
+            true => format!("shader `{shown}` is an absolute path: it exists on one computer at most{more}"),
+            false => format!("shader `{shown}` does not exist{more}"),
         };
-        let finding = RULE.at(surface.file, shader.place.clone(), message);
-        let is_there =
-            layers.strongest_first().any(|layer| layer.file(&format!("{FOLDER}/{name}_fragment_shader.txt")).is_some());
-        let help = if is_there {
-            format!("write `{FOLDER}/{name}`")
-        } else {
-            format!("use a shader of `{FOLDER}`, without `_vertex_shader.txt`")
+        let name = text.rsplit(['/', '\\']).next().unwrap_or_default();
+        let help = match known(view, name) {
+            Some(known) => format!("write `{FOLDER}/{known}`"),
+            None => format!("use a shader of `{FOLDER}`, without `_vertex_shader.txt`"),
         };
-        out.push(finding.key(shown).help(help));
+        let finding = RULE.at(surface.file, shader.place.clone(), message).key(shown).help(help);
+        let parts = all.iter().map(|(one, shader)| (one.file.shown(), &one.file.path, shader.place.clone()));
+        let finding = finding.parts_at(parts);
+        out.push(match all.len() {
+            1 => finding,
+            _ => finding.evidence(Evidence::of_cases(all.iter().map(|(one, _)| one.file.shown()))),
+        });
     }
+}
+
+/// Sources that cannot be compiled: nothing begins in them. One that is empty has a finding of its own.
+fn without_main(view: &View<'_>) -> Vec<Finding> {
+    let own = view.surfaces().iter().flat_map(|surface| surface.shader.iter().flat_map(|shader| &shader.files));
+    let own = own.filter(|file| view.layers().is_checked(file) && !file.encoding.blank);
+    let dead = own.filter(|file| file.shader_source().is_some_and(|source| !source.has_main));
+    // Several materials may have one shader.
+    let files: BTreeMap<&str, &FileFacts> = dead.map(|file| (file.path.as_str(), *file)).collect();
+    let finding = |file: &FileFacts| {
+        let finding = RULE.at(file, Place::File, format!("`{}` has no function `main`", file.file_name())).key("main");
+        finding.help("restore the source: a shader without `main` cannot be compiled")
+    };
+    files.into_values().map(finding).collect()
+}
+
+/// The shader of this name in the folder of shaders, in whatever capitals.
+fn known<'v>(view: &'v View<'_>, name: &str) -> Option<&'v str> {
+    let files = view.layers().strongest_first().flat_map(|layer| layer.below(FOLDER));
+    let mut names = files.filter_map(|file| file.file_name().split_once("_fragment_shader.txt"));
+    names.find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|(known, _)| known)
 }
 
 const FOLDER: &str = "shaders/glsl";

@@ -48,11 +48,12 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
             format!("{} {number}, but the mesh has {vertices} vertices and {uvs}", uses(tally, "number"))
         }
     };
+    let bad = usize::try_from(tally.count).unwrap_or(usize::MAX);
     let lines = tally.first.iter().map(|(line, _)| format!("line {line}"));
     let finding = RULE
         .at(file, Place::Line(*line), message)
         .help("count from 1, without negative numbers; export the mesh again if lines are missing")
-        .evidence(tally.evidence(mesh.faces).showing(lines));
+        .evidence(tally.evidence(mesh.faces + bad).showing(lines));
     let finding = if *number < 1 { finding.case(BELOW_ONE) } else { finding };
     out.push(mesh.weigh(view, file, finding, if *number < 1 { ASSET_OVERFLOW } else { ASSET_INDEX }));
 }

@@ -62,6 +62,10 @@ fn misplaced(saved: &SavedModel<'_>, line: &WornLine, asset: &Asset<'_>) -> Find
         "wears it as `{word}`, which decides how it is exported; the panel lists it under `{}`",
         asset.category
     ));
-    let help = format!("write `{}`, or move the asset to `{word}`", asset.category);
+    let help = match (word, asset.category) {
+        // The other way round it is exported otherwise.
+        ("hair", "clothes") => "move the asset to `hair`".to_owned(),
+        (_, category) => format!("write `{category}`, or move the asset to `{word}`"),
+    };
     finding.related(asset.file.path.clone(), Place::File, "the asset").help(help)
 }

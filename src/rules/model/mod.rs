@@ -6,6 +6,7 @@ mod known_pattern;
 pub(in crate::rules) mod material;
 pub(in crate::rules) mod modifier;
 mod modifier_value;
+pub(in crate::rules) mod syntax;
 pub(in crate::rules) mod tags;
 pub(in crate::rules) mod unknown_asset;
 

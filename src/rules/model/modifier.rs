@@ -1,6 +1,6 @@
 //! A modifier of a model is the pattern of a slider and a value that the slider has.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::cause::overlay::has_sliders;
 use super::super::cause::schema::is_faulty;
@@ -19,7 +19,8 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         blank in its name, are saved in this form. NaN stops the shape half way.\n\n\
         A pattern that no slider has is listed as missing and not applied (a warning). Values are not limited: outside \
         0 to 1 (-1 to 1 for a slider with two sides) a shape is exaggerated, and a macro vanishes above 1 (a \
-        warning). A negative value of a slider with one side is ignored.\n\n\
+        warning). A negative value of a slider with one side is ignored. Of several lines with one pattern the last counts (a \
+        warning).\n\n\
         Write the pattern as the slider has it, and a value between 0 and 1.",
     ..RuleInfo::new("model-modifier", Level::Error, "a modifier that is not the pattern of a slider and a value")
 });
@@ -31,6 +32,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     for saved in own(view, base) {
         out.extend(broken(saved));
         out.extend(non_finite(saved));
+        out.extend(repeated(saved));
         if can_tell {
             out.extend(out_of_range(base, saved));
         }
@@ -68,6 +70,26 @@ fn non_finite(saved: &SavedModel<'_>) -> Option<Finding> {
     let finding = finding.evidence(patterns(bad.iter().copied())).help("write a number, or remove the line");
     let crash = if saved.is_start { "ValueError" } else { "UnboundLocalError" };
     Some(finding.effect(format!("crashes with `{crash}` {}", when(saved))))
+}
+
+/// A pattern on two lines with different values.
+fn repeated(saved: &SavedModel<'_>) -> Option<Finding> {
+    let mut last: BTreeMap<&str, &Modifier> = BTreeMap::new();
+    let mut lost = Vec::new();
+    for one in saved.model.modifiers.iter().filter(|one| !one.pattern.text.is_empty()) {
+        let Some(earlier) = last.insert(&one.pattern.text, one) else { continue };
+        if let (Ok(before), Ok(now)) = (&earlier.value, &one.value)
+            && (before - now).abs() > 0.0
+        {
+            lost.push((earlier, one));
+        }
+    }
+    let (first, other) = lost.first()?;
+    let message = format!("`{}` is set more than once{}", first.pattern.text, more(lost.len()));
+    let finding = RULE.at(saved.file, Place::Span(other.pattern.span.clone()), message).key("repeated");
+    let finding = finding.related(saved.file.path.clone(), Place::Span(first.pattern.span.clone()), "set here before");
+    let finding = finding.evidence(patterns(lost.iter().map(|(one, _)| *one))).level(Level::Warning);
+    Some(finding.effect("uses the last value").help("remove the lines that do not count"))
 }
 
 /// A modifier of a character.

@@ -5,7 +5,7 @@ use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Finding, Level, RuleInfo,
 };
-use crate::repo::{Layer, View};
+use crate::repo::{Layer, View, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "exits at start"), (Makehuman1, "misses the file at start")],
@@ -49,25 +49,32 @@ fn holds_program(layer: &Layer) -> bool {
 
 /// What MakeHuman 1 opens by name, the folder whose other files show that it belongs there, and what is lost with it
 /// (formats/makehuman1-observed.md 4).
-const OF_MAKEHUMAN1: [(&str, &str, Case); 5] = [
+const OF_MAKEHUMAN1: [(&str, &str, Case); 7] = [
     ("skins/default.mhmat", "shaders", NO_SKIN),
     ("litspheres/skinmat_african.png", LITSPHERES, NO_BLEND),
     ("litspheres/skinmat_asian.png", LITSPHERES, NO_BLEND),
     ("litspheres/skinmat_caucasian.png", LITSPHERES, NO_BLEND),
     ("eyes/high-poly/high-poly.mhclo", "eyes", NO_EYES),
+    ("textures/texture_notfound.png", "textures", NO_PLACEHOLDER),
+    ("materials/xray.mhmat", "materials", NO_XRAY),
 ];
 const LITSPHERES: &str = "litspheres";
 const NO_SKIN: Case = &[(Makehuman1, Level::Warning, "logs an error and shows the body without its skin")];
 const NO_BLEND: Case = &[(Makehuman1, Level::Error, "ends each frame at the default skin, which blends this picture")];
 const NO_EYES: Case =
     &[(Makehuman1, Level::Error, "fails with `AttributeError` at start and at each reset: it puts on these eyes")];
+const NO_PLACEHOLDER: Case = &[(Makehuman1, Level::Warning, "logs an error for each picture that does not exist")];
+const NO_XRAY: Case = &[(Makehuman1, Level::Warning, "logs an error and shows no bones through the skin")];
 const NO_SHADERS: Case = &[(Makehuman1, Level::Warning, "logs errors and draws all surfaces without their shaders")];
 
 fn of_makehuman1(view: &View<'_>, system: &Layer, out: &mut Vec<Finding>) {
     let blends = view.surfaces().iter().any(|surface| surface.is_first && surface.is_true("autoBlendSkin"));
     let has_files = |folder: &str| system.below(folder).any(|file| !file.file_name().ends_with(".thumb"));
     let has = |folder: &str| has_files(folder) || folder == LITSPHERES && blends;
-    let is_missing = |rel: &str, folder: &str| !exists(system, rel) && has(folder);
+    // One with its extension in capitals has a finding of its own.
+    let is_there =
+        |rel: &str| exists(system, rel) || system.below(parent(rel)).any(|file| file.rel.eq_ignore_ascii_case(rel));
+    let is_missing = |rel: &str, folder: &str| !is_there(rel) && has(folder);
     let blended = OF_MAKEHUMAN1.iter().filter(|(_, folder, _)| *folder == LITSPHERES);
     let has_none = blended.clone().all(|(rel, folder, _)| is_missing(rel, folder));
     if has_none {

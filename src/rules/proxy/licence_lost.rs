@@ -1,8 +1,8 @@
 //! An author or a licence must be ASCII.
 
 use super::super::{Check, Rule, RuleCx, such};
-use super::texts;
-use crate::diag::{Application::Makehuman1, Evidence, Finding, Level, Place, RuleInfo};
+use super::{Text, texts};
+use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhclo::Entry;
 use crate::repo::Body;
 
@@ -13,13 +13,32 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         In the data of a user MakeHuman 1 compiles an asset when it is put on. It counts these texts in letters and reads \
         them back in bytes: the author is cut, and the licence becomes `CC0`. Exports carry the wrong licence from the \
         second start on.\n\n\
+        `# License:` and the like in capitals are not read at all, neither there nor in the data of the program.\n\n\
         Write these comments with letters a to z: `Juergen`, `(c)`.",
     ..RuleInfo::new("proxy-licence-lost", Level::Warning, "author or licence of an asset is not ASCII")
 });
 
 const KEPT: [&str; 4] = ["author", "license", "copyright", "homepage"];
 
+/// Words in capitals are others to the reader of comments.
+const CAPITALS: Case =
+    &[(Makehuman1, Level::Warning, "does not read the comment: an asset without license counts as CC0")];
+
+/// `# License: CC-BY` where no comment has the word as it is read.
+fn capitals(text: &Text<'_, '_>) -> Option<Finding> {
+    let comments = || text.clothes.entries.iter().filter(|entry| entry.is_comment);
+    let is_written = |entry: &&Entry| {
+        let own = ["author", "license"].into_iter().find(|known| known.eq_ignore_ascii_case(&entry.keyword));
+        own.is_some_and(|own| *own != *entry.keyword && !comments().any(|other| *other.keyword == *own))
+    };
+    let first = comments().find(is_written)?;
+    let message = format!("`{}` in a comment has to be in small letters", first.keyword);
+    let finding = RULE.at(text.file, Place::Span(first.keyword_span.clone()), message).key("capitals").case(CAPITALS);
+    Some(finding.help(format!("write `{}`", first.keyword.to_lowercase())))
+}
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    out.extend(texts(body).filter_map(|text| capitals(&text)));
     // Nothing is compiled in the data of the program.
     if body.layers.checks_system() {
         return;

@@ -108,8 +108,8 @@ fn dash_among_rows(text: &Text<'_, '_>) -> Option<Finding> {
 /// A line of the head that stands in the list.
 fn keyword_in_list(text: &Text<'_, '_>) -> Option<Finding> {
     let entry = keyword_below_list(text)?;
-    let message = format!("`{}` is below `delete_verts`, where only numbers can be", entry.keyword);
-    Some(told(text, entry, message, VALUE).help("move `delete_verts` with its numbers to the end of the file"))
+    let message = format!("`{}` is below `delete_verts`, where it is not read as a keyword", entry.keyword);
+    Some(told(text, entry, message, VALUE).help("move the line above `verts`, or remove it"))
 }
 
 fn told(text: &Text<'_, '_>, entry: &Entry, message: String, case: Case) -> Finding {

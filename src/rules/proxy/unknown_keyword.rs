@@ -47,7 +47,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let finding = RULE.at(text.file, Place::Span(entry.keyword_span.clone()), message).key(&*entry.keyword);
             let finding = if is_there || keywords::is_harmless(meant) { finding.case(HARMLESS) } else { finding };
             let is_spelt = *meant == *entry.keyword;
-            let without_colon = || format!("write `{meant}` without the colon");
+            let without_colon = || match &*meant {
+                // Without a colon it stops the loader.
+                "homepage" => "write `# homepage`: it is read in comments alone".to_owned(),
+                meant => format!("write `{meant}` without the colon"),
+            };
             out.push(finding.help(if is_spelt { without_colon() } else { format!("did you mean `{meant}`?") }));
         }
     }

@@ -83,7 +83,11 @@ fn negative(text: &Text<'_, '_>, tally: &Tally) -> Option<Finding> {
     let (line, vertex) = tally.first.first()?;
     let message = format!("`delete_verts` names vertex {vertex}, which is negative");
     let finding = RULE.at(text.file, Place::Line(*line), message).key("negative").case(FROM_END);
-    Some(finding.evidence(tally.evidence(text.clothes.deleted.len())).help("count vertices from 0"))
+    Some(
+        finding
+            .evidence(tally.evidence(text.clothes.deleted.len()))
+            .help("count vertices from 0; a range needs spaces around its dash: `173 - 204`"),
+    )
 }
 
 fn seam(text: &Text<'_, '_>, tally: &Tally, vertices: usize) -> Option<Finding> {

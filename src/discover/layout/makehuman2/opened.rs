@@ -77,6 +77,7 @@ pub(super) fn single(rel: &str) -> Option<Single> {
         ["base", _, "face-poses.json"] => Some(Single::Expressions),
         ["base", _, "body-poses.json"] => Some(Single::Poses),
         ["base", ..] => Some(Single::BesideBase),
+        _ if extension(rel) == "thumb" => Some(Single::Thumbnail),
         _ => None,
     }
 }

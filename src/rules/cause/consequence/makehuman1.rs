@@ -45,6 +45,14 @@ const ROWS: &[Row] = &[
         KEYWORD,
         COMMENT,
     ]),
+    row(Kind::Material, At::Single(Single::FirstSkin), Start, &[
+        cell(NotUtf8, Error, STOPS_AT_START),
+        cell(Closed, Error, STOPS_AT_START),
+        cell(Pointer, Warning, WHITE),
+        cell(Empty, Warning, WHITE),
+        KEYWORD,
+        COMMENT,
+    ]),
     row(Kind::Material, Scanned, Scan, &[
         cell(NotUtf8, Error, NO_SKINS),
         cell(Closed, Error, NO_SKINS),
@@ -54,7 +62,7 @@ const ROWS: &[Row] = &[
         COMMENT,
     ]),
     anywhere(Kind::Material, Use, &[
-        cell(NotUtf8, Error, "does not put an asset with this material on: it cannot be read"),
+        cell(NotUtf8, Error, "lists no materials for the assets that it is offered for, and does not put on one that names it"),
         cell(Pointer, Warning, WHITE),
         cell(Empty, Warning, WHITE),
         KEYWORD,

@@ -19,7 +19,7 @@ use ReferenceKind::{
     AssetMaterial, AssetMesh, AssetWeights, Decr, Icon, Incr, MacroTarget, Model, ModelMaterial, ModelSkeleton,
     PoseSkeleton, Skin, Texture, WeightsFile,
 };
-use Single::{BesideBase, Expressions, Poses, ScriptedRanges};
+use Single::{BesideBase, Expressions, Poses, ScriptedRanges, Thumbnail};
 
 pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_general: IN_GENERAL, unfound: UNFOUND };
 
@@ -40,7 +40,6 @@ pub(in crate::rules) const NO_POSE_SKELETON: &str = "has no poses and no bone we
     poses or rigs are opened, and crashes with `AttributeError` in the editors and the glTF export";
 const TYPE_ERROR: &str = "crashes at start with `TypeError`";
 const NO_BASE: &str = "does not load the base mesh";
-const SCAN: &str = "crashes at start while scanning the assets";
 const SCAN_SYNTAX: Cell = cell(Syntax, Error, "crashes at start with `AttributeError` while scanning the assets");
 const TOOLS: &str = "never reads it; the tools that read it crash";
 const DROPS: Cell = cell(NotUtf8, Warning, "drops the bytes that are not UTF-8");
@@ -219,6 +218,11 @@ const ROWS: &[Row] = &[
         cell(Closed, Error, "takes the folder for the archive of the asset beside it, which is no longer listed"),
     ]),
     anywhere(Kind::Packed, Use, &[BINARY]),
+    row(Kind::Image, At::Single(Thumbnail), Use, &[
+        level(Closed, Warning),
+        cell(Pointer, Warning, "shows an empty picture in the list"),
+        cell(Empty, Warning, "shows an empty picture in the list"),
+    ]),
     anywhere(Kind::Image, Use, NO_PICTURE),
     anywhere(Kind::Other, Use, &[BINARY, cell(Dangling, Info, "passes over it")]),
 ];
