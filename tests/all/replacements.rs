@@ -83,6 +83,7 @@ fn what_sarif_replaces_is_what_fix_writes() {
     let expected = [
         "file-backslash-path",
         "macro-target-extension",
+        "pose-licence-spelling",
         "target-zero-delta",
         "weights-below-threshold",
         "weights-duplicate-vertex",

@@ -134,10 +134,10 @@ impl<'a> Search<'a> {
         // Pictures are in folders of the system data, never at its top.
         let could_be_there = text.contains('/') && !text.starts_with('.');
         let is_open = self.layers.system.is_none() && could_be_there && matches!(resolution, Resolution::Missing);
-        match is_open {
-            true => (text.strip_prefix("data/").unwrap_or(text).to_owned(), Resolution::NeedsSystem),
-            false => (rel, resolution),
+        if is_open {
+            return (text.strip_prefix("data/").unwrap_or(text).to_owned(), Resolution::NeedsSystem);
         }
+        (rel, resolution)
     }
 
     /// The folder of the material, then the data of the user and of the system; at last the same without `data/` in front.

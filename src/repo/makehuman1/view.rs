@@ -23,7 +23,7 @@ pub(crate) struct View<'a> {
     /// What names a file.
     pub references: References<'a>,
     /// The base mesh, if it can be read.
-    mesh: Option<(&'a FileFacts, &'a Mesh)>,
+    pub(crate) mesh: Option<(&'a FileFacts, &'a Mesh)>,
     /// The skeleton of the body, without its weights.
     rigs: Vec<Rig<'a>>,
     /// The groups of the body that are shown.

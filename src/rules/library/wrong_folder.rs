@@ -61,10 +61,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         match *file.rel.split('/').collect::<Vec<_>>() {
             [category, FILTER] if CATEGORIES.contains(&category) => out.push(filter(file, category, &bases)),
             ["skins", name] if extension(name) == "mhmat" => out.push(without_base(file, "skins", name, &bases)),
-            ["skins", folder, name] if extension(name) == "mhmat" && is_no_base(file, folder) => {
-                if !is_elsewhere("skins", folder) {
-                    out.push(without_base(file, "skins", &format!("{folder}/{name}"), &bases));
-                }
+            ["skins", folder, name]
+                if extension(name) == "mhmat" && is_no_base(file, folder) && !is_elsewhere("skins", folder) =>
+            {
+                out.push(without_base(file, "skins", &format!("{folder}/{name}"), &bases));
             }
             _ => {}
         }

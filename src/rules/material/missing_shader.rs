@@ -48,10 +48,10 @@ fn of_files(view: &View<'_>, out: &mut Vec<Finding>) {
         let Some((surface, shader)) = all.first() else { continue };
         let shown: String = text.chars().take(60).collect();
         let more = if all.len() > 1 { format!(" ({} materials name it)", all.len()) } else { String::new() };
-        let message = match text.starts_with('/') || text.get(1..2) == Some(":") {
-            true => format!("shader `{shown}` is an absolute path: it exists on one computer at most{more}"),
-            false => format!("shader `{shown}` does not exist{more}"),
-        };
+        let is_absolute = text.starts_with('/') || text.get(1..2) == Some(":");
+        let what =
+            if is_absolute { "is an absolute path: it exists on one computer at most" } else { "does not exist" };
+        let message = format!("shader `{shown}` {what}{more}");
         let name = text.rsplit(['/', '\\']).next().unwrap_or_default();
         let help = match known(view, name) {
             Some(known) => format!("write `{FOLDER}/{known}`"),

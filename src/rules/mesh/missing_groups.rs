@@ -2,10 +2,9 @@
 
 use super::super::{Check, Rule, RuleCx, either};
 use crate::diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
-use crate::repo::Body;
-use crate::repo::makehuman1::HIDDEN;
+use crate::repo::makehuman1::{HIDDEN, View};
 
-pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "draws joints and helpers together with the body, and does not find joints by their names")],
     docs: "No group of the base mesh has a name that begins with `joint-`, or none with `helper-`. Mostly the mesh was \
         exported without its groups (lines `g name`).\n\n\
@@ -15,8 +14,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("mesh-missing-groups", Level::Warning, "the base mesh has no groups of joints or helpers")
 });
 
-fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let sound = body.mesh.filter(|(file, mesh)| mesh.is_sound() && body.layers.is_checked(file));
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let sound = view.mesh.filter(|(file, mesh)| mesh.is_sound() && view.layers.is_checked(file));
     let Some((file, mesh)) = sound else { return };
     let has = |start: &str| mesh.groups.iter().any(|group| group.name.starts_with(start));
     let missing: Vec<String> =

@@ -5,6 +5,7 @@ pub(in crate::rules) mod category;
 mod known_pattern;
 pub(in crate::rules) mod material;
 pub(in crate::rules) mod modifier;
+mod modifier_repeated;
 mod modifier_value;
 pub(in crate::rules) mod syntax;
 pub(in crate::rules) mod tags;

@@ -1,11 +1,12 @@
 //! A modifier of a model is the pattern of a slider and a value that the slider has.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::super::cause::overlay::has_sliders;
 use super::super::cause::schema::is_faulty;
 use super::super::{Check, Rule, RuleCx, counted, did_you_mean, such};
 use super::known_pattern::Known;
+use super::modifier_repeated::repeated;
 use super::modifier_value::{Faulty, faulty};
 use super::{own, when};
 use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
@@ -32,7 +33,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     for saved in own(view, base) {
         out.extend(broken(saved));
         out.extend(non_finite(saved));
-        out.extend(repeated(saved));
+        out.extend(repeated(&RULE, saved));
         if can_tell {
             out.extend(out_of_range(base, saved));
         }
@@ -70,26 +71,6 @@ fn non_finite(saved: &SavedModel<'_>) -> Option<Finding> {
     let finding = finding.evidence(patterns(bad.iter().copied())).help("write a number, or remove the line");
     let crash = if saved.is_start { "ValueError" } else { "UnboundLocalError" };
     Some(finding.effect(format!("crashes with `{crash}` {}", when(saved))))
-}
-
-/// A pattern on two lines with different values.
-fn repeated(saved: &SavedModel<'_>) -> Option<Finding> {
-    let mut last: BTreeMap<&str, &Modifier> = BTreeMap::new();
-    let mut lost = Vec::new();
-    for one in saved.model.modifiers.iter().filter(|one| !one.pattern.text.is_empty()) {
-        let Some(earlier) = last.insert(&one.pattern.text, one) else { continue };
-        if let (Ok(before), Ok(now)) = (&earlier.value, &one.value)
-            && (before - now).abs() > 0.0
-        {
-            lost.push((earlier, one));
-        }
-    }
-    let (first, other) = lost.first()?;
-    let message = format!("`{}` is set more than once{}", first.pattern.text, more(lost.len()));
-    let finding = RULE.at(saved.file, Place::Span(other.pattern.span.clone()), message).key("repeated");
-    let finding = finding.related(saved.file.path.clone(), Place::Span(first.pattern.span.clone()), "set here before");
-    let finding = finding.evidence(patterns(lost.iter().map(|(one, _)| *one))).level(Level::Warning);
-    Some(finding.effect("uses the last value").help("remove the lines that do not count"))
 }
 
 /// A modifier of a character.
