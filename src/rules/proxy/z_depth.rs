@@ -54,9 +54,12 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 /// Clothes that are meant to lie above all hair, by their number.
 fn is_hat(text: &Text<'_, '_>, depth: i64, hair: Option<i64>) -> bool {
-    let is_above = hair.is_some_and(|hair| depth > hair && depth > FAR_ABOVE);
+    let is_above = hair.is_some_and(|hair| depth > hair && (depth > FAR_ABOVE || hair > CLOTHES));
     is_above && depth <= OF_PACKED_HAIR && !is_hair(text) && !text.worn.is_topology()
 }
+
+/// The highest number that clothes have by custom: hair above it is meant to lie above them.
+const CLOTHES: i64 = 69;
 
 /// Numbers up to here are usual for clothes that nobody wants to lie above hair.
 const FAR_ABOVE: i64 = 100;
