@@ -116,6 +116,8 @@ impl Command {
 #[expect(clippy::struct_excessive_bools, reason = "each is a flag of the command line")]
 pub(super) struct CheckArgs {
     /// Files or folders to check [default: the current folder].
+    ///
+    /// In data folders files with these extensions are read: bmp bvh gif gz jpeg jpg json jsonw meta mhbin mhclo mhm mhmat mhpose mhpxy mhskel mhuv mhw npz obj png proxy target tga thumb tif tiff toml txt webp zip.
     #[arg(value_name = "PATH")]
     pub(super) paths: Vec<PathBuf>,
     /// MakeHuman's own data, used to resolve references.

@@ -149,5 +149,11 @@ mod tests {
             let lines: Vec<&str> = text.lines().map(str::trim).filter(|line| line.starts_with("files:")).collect();
             assert_eq!(lines, vec![files.as_str(); hooks], "{file}");
         }
+        // The README has the help as it is printed.
+        let help: Vec<&str> = include_str!("../../README.md").split_whitespace().collect();
+        assert!(
+            help.join(" ").contains(&format!("are read: {}.", checked.join(" "))),
+            "`--help` names other extensions"
+        );
     }
 }

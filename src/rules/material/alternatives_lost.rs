@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
+use super::alternatives_shared::unoffered;
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::discover::{Kind, extension};
 use crate::repo::{FileFacts, Layer, Reference, ReferenceKind, View, Wearer, Worn, parent};
@@ -17,7 +18,9 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         - If `obj_file` names a mesh in a sub-folder, materials next to the asset are not offered. Its own one still \
         loads.\n\
         - An asset directly in the folder of the base mesh, such as `clothes/<base>/`, is offered the materials of all \
-        assets there, and a chosen one is lost when the model is loaded.\n\n\
+        assets there, and a chosen one is lost when the model is loaded.\n\
+        - Materials in `eyes/<base>/materials/` and the like are offered for assets that have none in their own folder. If \
+        all have some, they are offered for nothing.\n\n\
         Rename the material, or keep each asset in a folder of its own, with its mesh and its materials.",
     ..RuleInfo::new("material-alternatives-lost", Level::Warning, "materials that are not offered, or lost in models")
 });
@@ -51,6 +54,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
     }
     capitals(view, out);
+    out.extend(unoffered(&RULE, view));
     let own = view.assets().iter().filter(|worn| layers.is_checked(worn.file) && !worn.is_topology());
     let meshes = own.filter_map(|worn| Some((worn, mesh(worn)?)));
     let by_folder = grouped(meshes.map(|(worn, mesh)| (parent(&mesh.rel), (worn, mesh))));

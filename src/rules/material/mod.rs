@@ -2,6 +2,7 @@
 
 mod advice;
 pub(in crate::rules) mod alternatives_lost;
+mod alternatives_shared;
 pub(in crate::rules) mod arity;
 pub(in crate::rules) mod boolean_spelling;
 pub(in crate::rules) mod coloration_texture;

@@ -1,6 +1,6 @@
 //! Whether a picture can be shown.
 
-use crate::discover::extension;
+use crate::discover::{Kind, extension};
 use crate::formats::picture::{Picture, PictureFault, PictureFormat};
 use crate::repo::FileFacts;
 
@@ -14,8 +14,10 @@ pub(super) fn is_readable(file: &FileFacts) -> bool {
 
 /// Why it is not, in words.
 pub(super) fn fault(file: &FileFacts) -> Option<String> {
-    let Picture { format, size, fault, .. } = file.picture()?;
     let name = format!("`{}`", file.file_name());
+    let Some(Picture { format, size, fault, .. }) = file.picture() else {
+        return is_something_else(file.kind).then(|| format!("{name} is not a picture"));
+    };
     Some(match (fault, format) {
         (Some(PictureFault::NotAPicture), _) => {
             let is_known = !UNMARKED.contains(&&*extension(&file.rel).to_lowercase());
@@ -34,4 +36,9 @@ pub(super) fn fault(file: &FileFacts) -> Option<String> {
         (None, Some(PictureFormat::Source(format))) => format!("{name} is a {format} file, which cannot be shown"),
         (None, _) => return None,
     })
+}
+
+/// Whether a file is a mesh, a material or another text. Of unknown files nobody can tell.
+fn is_something_else(kind: Kind) -> bool {
+    kind.is_text() && kind != Kind::Other
 }
