@@ -5,7 +5,7 @@ use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Finding, Level, RuleInfo,
 };
-use crate::repo::{Layer, View, parent};
+use crate::repo::{Layer, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "exits at start"), (Makehuman1, "misses the file at start")],
@@ -71,9 +71,9 @@ fn of_makehuman1(view: &View<'_>, system: &Layer, out: &mut Vec<Finding>) {
     let blends = view.surfaces().iter().any(|surface| surface.is_first && surface.is_true("autoBlendSkin"));
     let has_files = |folder: &str| system.below(folder).any(|file| !file.file_name().ends_with(".thumb"));
     let has = |folder: &str| has_files(folder) || folder == LITSPHERES && blends;
-    // One with its extension in capitals has a finding of its own.
-    let is_there =
-        |rel: &str| exists(system, rel) || system.below(parent(rel)).any(|file| file.rel.eq_ignore_ascii_case(rel));
+    // An asset with its extension in capitals has a finding of its own.
+    let other = |rel: &str| rel.strip_suffix(".mhclo").map(|stem| format!("{stem}.MHCLO"));
+    let is_there = |rel: &str| exists(system, rel) || other(rel).is_some_and(|other| system.file(&other).is_some());
     let is_missing = |rel: &str, folder: &str| !is_there(rel) && has(folder);
     let blended = OF_MAKEHUMAN1.iter().filter(|(_, folder, _)| *folder == LITSPHERES);
     let has_none = blended.clone().all(|(rel, folder, _)| is_missing(rel, folder));
