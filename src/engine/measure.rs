@@ -8,7 +8,7 @@ use super::load::{Data, Loaded};
 use crate::config::Config;
 use crate::diag::{Application, FailedStep, grouped};
 use crate::eval::measures::Measures;
-use crate::evaluate::{self, Rows, is_evaluated};
+use crate::evaluate::{self, Rows, is_measured};
 use crate::formats::Content;
 
 /// Measures by name of the base, as each application shows it.
@@ -143,7 +143,7 @@ fn measure_base(
     let has_base = |number: usize| owned.get(number).is_some_and(|bases| bases.contains(name));
     let stacks = data.stacks_of(has_base).into_iter();
     let seen = stacks.flat_map(|(number, stack)| stack.seen.into_iter().map(move |(of, layers)| (number, of, layers)));
-    let mut seen = seen.filter(|(_, application, _)| is_evaluated(*application)).peekable();
+    let mut seen = seen.filter(|(_, application, _)| is_measured(*application)).peekable();
     while let Some((number, application, layers)) = seen.next() {
         // Repositories over the same system data share its rows; the last one takes them.
         let own = if seen.peek().is_none() { &mut *rows } else { &mut rows.clone() };

@@ -22,6 +22,11 @@ pub enum EvalError {
     NoRoot,
     /// A second bone without parent: the given index.
     SecondRoot(usize),
+    /// A scale that lacks the given axis while others are there.
+    IncompleteScale {
+        /// 0, 1 or 2.
+        axis: usize,
+    },
 }
 
 impl EvalError {
@@ -41,6 +46,9 @@ impl fmt::Display for EvalError {
             Self::EmptyJoint => f.write_str("a joint without vertices has no position"),
             Self::NoRoot => f.write_str("every bone has a parent, so there is no root"),
             Self::SecondRoot(bone) => write!(f, "bone number {bone} is a second bone without parent"),
+            Self::IncompleteScale { axis } => {
+                write!(f, "the scale of the {} axis is missing", ["x", "y", "z"].get(*axis).unwrap_or(&"?"))
+            }
         }
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::skeleton::PARALLEL_SINE;
 use super::survey::{
-    DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, Fault, SHORTEST_BONE, Survey, Trouble, Worst, add,
+    DETACHED_STANDS, DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, Fault, SHORTEST_BONE, Survey, Trouble, Worst, add,
 };
 use super::surveyor::{FaceAtRest, Surveyor, flatness, stand};
 use super::vector::{Point, distance, dot};
@@ -38,6 +38,8 @@ struct Look<'s> {
     flipped: BTreeSet<u32>,
     /// Joints and bones at fault, whatever the setting.
     skeleton: Survey,
+    /// The same for what is worn.
+    worn: Survey,
     survey: Survey,
 }
 
@@ -53,6 +55,7 @@ impl<'s> Look<'s> {
             collapsed: BTreeSet::new(),
             flipped: BTreeSet::new(),
             skeleton: Survey::new(),
+            worn: Survey::new(),
             survey: Survey::new(),
         }
     }
@@ -86,17 +89,19 @@ impl<'s> Look<'s> {
             }
         }
         self.skeleton();
+        self.worn();
     }
 
     /// The same for what the last step moved.
     fn touched(&mut self) {
         let (surveyor, positions) = (self.surveyor, self.walk.positions());
-        let mut holds_joint = false;
+        let (mut holds_joint, mut holds_probe) = (false, false);
         self.step += 1;
         for vertex in self.walk.moved() {
             let at = vertex as usize;
             mark(&mut self.strays, vertex, !positions.get(at).is_some_and(|point| surveyor.in_range(*point)));
             holds_joint |= surveyor.holds_joint.get(at).is_some_and(|holds| *holds);
+            holds_probe |= surveyor.holds_probe.get(at).is_some_and(|holds| *holds);
             for number in surveyor.faces_of(vertex) {
                 let at = *number as usize;
                 let Some((face, judged)) = surveyor.faces.get(at).zip(self.judged.get_mut(at)) else { continue };
@@ -110,6 +115,20 @@ impl<'s> Look<'s> {
         }
         if holds_joint {
             self.skeleton();
+        }
+        if holds_probe {
+            self.worn();
+        }
+    }
+
+    fn worn(&mut self) {
+        self.worn.clear();
+        let positions = self.walk.positions();
+        for (element, probe) in self.surveyor.probes.iter().enumerate() {
+            let value = probe.drift(positions);
+            if value > DETACHED_STANDS {
+                add_one(&mut self.worn, Trouble::Detached(probe.asset), value, element);
+            }
         }
     }
 
@@ -164,7 +183,7 @@ impl<'s> Look<'s> {
             );
         }
         self.explosion(setting);
-        for (trouble, Fault { worst, elements }) in &self.skeleton {
+        for (trouble, Fault { worst, elements }) in self.skeleton.iter().chain(&self.worn) {
             let worst = worst.iter().map(|worst| Worst { setting, ..worst.clone() });
             worst.for_each(|worst| add(&mut self.survey, *trouble, worst, elements.iter().copied()));
         }

@@ -7,6 +7,7 @@ use super::settings::SliderSetting;
 use super::survey::Trouble;
 use super::symmetry::MirrorDifference;
 use super::target_measure::TargetMeasure;
+use super::worn::WornMeasure;
 
 /// Measures of one base mesh.
 #[derive(Debug, Clone, Default)]
@@ -29,6 +30,8 @@ pub struct Measures {
     pub weights: Option<WeightMeasure>,
     /// Names of the bones of the pose skeleton, as `weights` numbers them.
     pub bones: Vec<String>,
+    /// What is worn, by printed path; only assets whose rows fit the mesh.
+    pub worn: BTreeMap<String, WornMeasure>,
     /// Whether something was left out because it was too much work.
     pub is_cut: bool,
 }

@@ -8,7 +8,7 @@
 //! the application would turn into NaN is NaN here.
 //!
 //! What applications calculate alike, and what is measured on it, is here; where they differ, each has a folder with
-//! its formulas (`makehuman2`).
+//! its formulas (`makehuman1`, `makehuman2`).
 //!
 //! ```
 //! use mhlint::eval::makehuman2::joints::joint_position;
@@ -32,6 +32,7 @@
     )
 )]
 
+mod attachment;
 pub mod culprit;
 pub mod error;
 pub mod fit;
@@ -40,6 +41,7 @@ pub mod influences;
 mod lists;
 pub mod look;
 pub mod macros;
+pub mod makehuman1;
 pub mod makehuman2;
 pub mod measure;
 pub mod measures;
@@ -60,3 +62,4 @@ pub mod target_measure;
 pub mod vector;
 pub mod walk;
 pub mod weights;
+pub mod worn;

@@ -7,11 +7,12 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::error::EvalError;
+use super::fit::Reference;
 use super::macros::{MacroFault, MacroWork, Macros};
 use super::morph::{Side, apply, detail_factor};
 use super::settings::Dimension;
 use super::skeleton::SceneSkeleton;
-use super::vector::Point;
+use super::vector::{Point, Vec3};
 use super::weights::LoadedWeights;
 
 /// A base mesh with its targets, sliders, skeleton and weights.
@@ -47,6 +48,19 @@ pub struct Scene {
     pub skeleton: Option<SceneSkeleton>,
     /// Weights of the pose skeleton, bones numbered as in `skeleton`; bones the skeleton lacks are left out.
     pub weights: Option<LoadedWeights>,
+    /// What is worn.
+    pub worn: Vec<WornAsset>,
+}
+
+/// An asset that is worn, as it was put on.
+#[derive(Debug, Clone, Default)]
+pub struct WornAsset {
+    /// Where it came from, for messages of the caller.
+    pub path: String,
+    /// A row for each of its vertices.
+    pub references: Vec<Reference>,
+    /// What offsets are multiplied by; `None` for 1.
+    pub scales: Option<Vec3>,
 }
 
 /// A morph target.

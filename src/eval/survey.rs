@@ -22,6 +22,9 @@ pub const SHORTEST_BONE: f64 = 1e-4;
 /// (toes and spine at the corners of age and weight).
 pub const DRIFT_STANDS: f64 = 3.0;
 
+/// The same for a vertex of something worn.
+pub const DETACHED_STANDS: f64 = 3.0;
+
 /// The worst that was seen of one thing, and at which setting.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Worst {
@@ -61,6 +64,8 @@ pub enum Trouble {
     Flipped,
     /// Joints away from their place in the skin; the value is in stands (distance plus radius of that skin at rest).
     Drifted,
+    /// Vertices of the asset with this number away from the skin that they lie on; the value is in stands.
+    Detached(u32),
 }
 
 /// What a survey found.

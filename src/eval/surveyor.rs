@@ -1,10 +1,11 @@
 //! A scene made ready to be looked at in many settings: what the default character is like, and which faces, joints
 //! and bones depend on which vertices.
 
+use super::attachment::{Probe, probes};
 use super::lists::Lists;
 use super::macros::MacroWork;
 use super::mesh::bounding_box;
-use super::scene::{Scene, Setting};
+use super::scene::{Scene, Setting, WornAsset};
 use super::skeleton::{PARALLEL_SINE, plane_sine};
 use super::survey::{COLLAPSE_RATIO, EXPLOSION_DIAGONALS, SHORTEST_BONE};
 use super::vector::{Point, add, cross, distance, dot, sub};
@@ -43,6 +44,9 @@ pub struct Surveyor<'s> {
     skeleton_size: usize,
     /// Vertices that joints or the skin around them depend on.
     pub(super) holds_joint: Vec<bool>,
+    /// What is worn, by vertices, and which vertices these depend on.
+    pub(super) probes: Vec<Probe>,
+    pub(super) holds_probe: Vec<bool>,
     /// Bones and planes that are at fault already on the default character.
     pub(super) short_at_rest: Vec<bool>,
     pub(super) flat_at_rest: Vec<bool>,
@@ -96,6 +100,8 @@ impl<'s> Surveyor<'s> {
             is_without_anchors: false,
             skeleton_size: 0,
             holds_joint: vec![false; rest.len()],
+            probes: Vec::new(),
+            holds_probe: vec![false; rest.len()],
             short_at_rest: Vec::new(),
             flat_at_rest: Vec::new(),
         };
@@ -112,7 +118,8 @@ impl<'s> Surveyor<'s> {
     pub fn cost(&self, stop: &Stop) -> u64 {
         let rows: usize = stop.targets_unlike(&self.defaults).map(|target| self.targets.rows(target).len() + 1).sum();
         let mesh = self.scene.positions.len() + self.faces.len();
-        1 + rows as u64 + (LOOK * rows as u64).min(mesh as u64) + self.skeleton_size as u64
+        let depending = self.skeleton_size + self.probes.len() * SKIN_AROUND_JOINT;
+        1 + rows as u64 + (LOOK * rows as u64).min(mesh as u64) + depending as u64
     }
 
     fn measure(&mut self, rest: &[Point]) -> Option<()> {
@@ -145,7 +152,20 @@ impl<'s> Surveyor<'s> {
         self.range =
             (self.low.map(|low| (low - margin).max(f32::MIN)), self.high.map(|high| (high + margin).min(f32::MAX)));
         self.joints_at_rest(rest);
+        self.worn_at_rest(rest);
         Some(())
+    }
+
+    fn worn_at_rest(&mut self, rest: &[Point]) {
+        let mut near = Vec::new();
+        let anchor = |vertex, place| self.anchor(vertex, place, rest, &mut near);
+        let probes = probes(&self.scene.worn, rest, anchor);
+        for vertex in probes.iter().flat_map(Probe::vertices) {
+            if let Some(holds) = self.holds_probe.get_mut(vertex as usize) {
+                *holds = true;
+            }
+        }
+        self.probes = probes;
     }
 
     fn face(&mut self, face: usize, rest: &[Point]) {
@@ -192,6 +212,22 @@ impl<'s> Surveyor<'s> {
     pub fn length_away(&self, joint: usize, stands: f64) -> Option<f64> {
         let anchor = self.anchors.iter().find(|anchor| anchor.joint == joint)?;
         Some(stands * anchor.stand)
+    }
+
+    /// How far away from its skin the vertex with this number among all that are looked at is, mesh units.
+    pub fn length_detached(&self, probe: usize, stands: f64) -> Option<f64> {
+        Some(self.probes.get(probe)?.anchor.stand * stands)
+    }
+
+    /// The asset that it is of.
+    pub fn asset(&self, probe: usize) -> Option<&WornAsset> {
+        self.scene.worn.get(self.probes.get(probe)?.asset as usize)
+    }
+
+    /// The vertex of the asset, and the vertices of the base mesh that its row names.
+    pub fn tied(&self, probe: usize) -> Option<(u32, [u32; 3])> {
+        let probe = self.probes.get(probe)?;
+        Some((probe.vertex, probe.named()))
     }
 
     /// Whether a vertex is neither exploded nor infinite; in doubt it is not.

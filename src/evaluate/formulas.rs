@@ -6,7 +6,8 @@
 use super::cases::Kind;
 use super::data::{RestSkeleton, SkeletonFile};
 use super::gauge::gauge;
-use super::{Error, Evaluation, Rows, makehuman2};
+use super::worn::Fitted;
+use super::{Error, Evaluation, Rows, makehuman1, makehuman2};
 use crate::config::Config;
 use crate::diag::Application;
 use crate::eval::measures::Measures;
@@ -32,14 +33,14 @@ const fn formulas(application: Application) -> Option<Formulas> {
     }
 }
 
-/// Whether data of an application can be evaluated.
-pub(crate) const fn is_evaluated(application: Application) -> bool {
-    formulas(application).is_some()
+/// Whether anything of the data of an application is measured: what is worn, also where nothing else is.
+pub(crate) const fn is_measured(application: Application) -> bool {
+    matches!(application, Application::Makehuman2 | Application::Makehuman1)
 }
 
 /// The applications whose data can be evaluated.
 pub(crate) fn evaluated() -> impl Iterator<Item = Application> {
-    Application::ALL.into_iter().filter(|application| is_evaluated(*application))
+    Application::ALL.into_iter().filter(|application| formulas(*application).is_some())
 }
 
 /// Measures a body as an application shows it, taking the rows of its targets out of `rows`. `None` for an application
@@ -53,10 +54,20 @@ pub(crate) fn measure(
     rows: &mut Rows,
     options: &Config,
 ) -> Option<Measures> {
-    let composed = match formulas(application)? {
-        Formulas::Makehuman2 => makehuman2::compose::compose(&Base::resolve(name, layers), rows)?,
-    };
-    Some(gauge(&composed, options))
+    match application {
+        Application::Makehuman2 => {
+            let base = Base::resolve(name, layers);
+            let mut composed = makehuman2::compose::compose(&base, rows)?;
+            let own = makehuman2::worn::own(&base, layers);
+            let fitted = makehuman2::worn::fit(&base, &own);
+            composed.scene.worn = fitted.iter().map(Fitted::on_scene).collect();
+            let worn = || makehuman2::worn::measure(&base, &fitted);
+            let (measures, worn) = rayon::join(|| gauge(&composed, options), worn);
+            Some(Measures { worn, ..measures })
+        }
+        Application::Makehuman1 => Some(Measures { worn: makehuman1::worn::measure(layers), ..Measures::default() }),
+        Application::Mpfb => None,
+    }
 }
 
 /// The bodies that can be opened in layers as an application sees them.

@@ -149,6 +149,9 @@ fn survey(scene: &Scene, settings: &[Setting], work: u64) -> Option<(BTreeMap<Tr
         joints.into_iter().flatten().flat_map(of_joint).collect()
     };
     let in_group = |face: usize| format!("{} {face}", group(face));
+    let tied = |probe: usize| surveyor.tied(probe).map(|(_, named)| named.to_vec()).unwrap_or_default();
+    let of_asset = |probe: usize| surveyor.tied(probe).map(|(vertex, _)| format!("vertex {vertex}")).unwrap_or_default();
+    let asset = |probe: usize| surveyor.asset(probe).map(|asset| asset.path.clone()).unwrap_or_default();
     let space = survey.into_iter().filter_map(|(trouble, Fault { worst, elements })| {
         let (worst, setting) = worst.and_then(|worst| settings.get(worst.setting).map(|setting| (worst, setting)))?;
         let (vertices, named): (Vec<u32>, Option<[Name<'_>; 2]>) = match trouble {
@@ -157,16 +160,21 @@ fn survey(scene: &Scene, settings: &[Setting], work: u64) -> Option<(BTreeMap<Tr
             Trouble::Flipped => (face(worst.element), Some([&group, &group])),
             Trouble::Drifted => (of_cube(worst.element), Some([&joint, &joint])),
             Trouble::ShortBone | Trouble::FlatPlane => (of_bone(worst.element), Some([&bone, &bone])),
+            Trouble::Detached(_) => (tied(worst.element), Some([&asset, &of_asset])),
         };
         let length = match trouble {
             Trouble::Exploded => Some(surveyor.length_outside(worst.value)),
             Trouble::Drifted => surveyor.length_away(worst.element, worst.value),
+            Trouble::Detached(_) => surveyor.length_detached(worst.element, worst.value),
             _ => None,
         };
         let target = most_moving(scene, setting, &vertices).and_then(|target| scene.targets.get(target));
         let seen = Seen {
             value: worst.value,
-            element: worst.element,
+            element: match trouble {
+                Trouble::Detached(_) => surveyor.tied(worst.element).map_or(0, |(vertex, _)| vertex as usize),
+                _ => worst.element,
+            },
             length,
             name: named.map_or_else(String::new, |[name, _]| name(worst.element)),
             count: worst.count,

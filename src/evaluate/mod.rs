@@ -22,12 +22,14 @@ mod error;
 mod files;
 mod formulas;
 mod gauge;
+mod makehuman1;
 pub mod makehuman2;
 mod opened;
 mod outputs;
 mod pose;
 mod rows;
 mod settings;
+mod worn;
 
 pub use crate::eval::scene::Setting;
 pub use crate::eval::settings::SliderSetting;
@@ -41,7 +43,7 @@ pub use outputs::{fit_json, load_json, mesh_json, object, reduction_json, skelet
 pub use pose::{PosedBase, Poses, read_poses};
 pub use settings::{parse_setting, read_settings};
 
-pub(crate) use formulas::{Openable, evaluated, is_evaluated, measure, openable};
+pub(crate) use formulas::{Openable, evaluated, is_measured, measure, openable};
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -1,5 +1,6 @@
-//! The mesh of an asset (formats/makehuman2.md §8, §15.2): what is counted of it, and a print to compare it by. Where its
-//! vertices lie does not matter: they are fitted to the base mesh.
+//! The mesh of an asset (formats/makehuman2.md §8, §15.2): what is counted of it, a print to compare it by, and its faces.
+//! Where its vertices lie does not matter to applications, which fit them to the base mesh; it tells what shape the author
+//! drew.
 
 use std::fmt::Display;
 
@@ -7,7 +8,7 @@ use xxhash_rust::xxh3::xxh3_64;
 
 use super::obj::{Face, Mesh, MeshFacts, NO_UV};
 
-/// A mesh without its vertices and faces.
+/// A mesh without its texture coordinates.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct AssetMesh {
     /// What was counted.
@@ -30,6 +31,12 @@ pub struct AssetMesh {
     pub repeated: usize,
     /// What it is compared by.
     pub print: MeshPrint,
+    /// Vertices as drawn, in file order.
+    pub positions: Box<[[f32; 3]]>,
+    /// Vertices of all faces, one after the other.
+    pub corners: Box<[u32]>,
+    /// Where each face begins in `corners`, and one entry for the end.
+    pub face_starts: Box<[u32]>,
 }
 
 /// Tells meshes with other faces apart, in whatever order these stand.
@@ -60,6 +67,9 @@ impl AssetMesh {
             neighbours: neighbours(&mesh, &counts),
             repeated: repeated(&mesh),
             print: MeshPrint::of(&mesh),
+            face_starts: face_starts(&mesh),
+            positions: mesh.positions.into(),
+            corners: mesh.corners.into(),
             facts,
         }
     }
@@ -89,6 +99,12 @@ fn ranges(mesh: &Mesh) -> Vec<(Box<str>, (u32, u32))> {
     let used = mesh.groups.iter().filter_map(|group| Some((group.name.as_str().into(), group.vertices?)));
     let used: Vec<_> = used.take(MOST_GROUPS + 1).collect();
     if (2..=MOST_GROUPS).contains(&used.len()) { used } else { Vec::new() }
+}
+
+/// Faces follow one another in [`Mesh::corners`].
+fn face_starts(mesh: &Mesh) -> Box<[u32]> {
+    let end = u32::try_from(mesh.corners.len()).unwrap_or(u32::MAX);
+    mesh.faces.iter().map(|face| face.start).chain([end]).collect()
 }
 
 fn corners(mesh: &Mesh, face: Face) -> &[u32] {

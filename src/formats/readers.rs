@@ -106,9 +106,9 @@ pub(super) fn target(input: &Input<'_>) -> Parsed {
     }
 }
 
-/// What is worn. Its rows are counted and not kept.
+/// What is worn.
 pub(super) fn clothes(input: &Input<'_>) -> Parsed {
-    let clothes = mhclo::Clothes { references: Vec::new(), ..mhclo::parse(input.bytes, input.mesh) };
+    let clothes = mhclo::parse(input.bytes, input.mesh).kept();
     Parsed { content: Content::Clothes(Box::new(clothes)), ..hashed(input) }
 }
 

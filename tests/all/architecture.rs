@@ -39,7 +39,7 @@ const LIBRARIES: [(&str, &[&str]); 8] = [
     ("miette", &["report/human/block.rs"]),
     ("percent_encoding", &["report/sarif.rs"]),
     ("quick_xml", &["report/junit.rs"]),
-    ("rayon", &["engine/", "evaluate/gauge"]),
+    ("rayon", &["engine/", "evaluate/gauge", "evaluate/formulas.rs", "evaluate/worn.rs"]),
     ("tempfile", &["cli/git.rs", "fix/"]),
     ("textwrap", &["report/human/block.rs"]),
 ];

@@ -8,6 +8,7 @@ pub(super) mod macros;
 mod references;
 pub(super) mod skeleton;
 pub(super) mod weights;
+pub(super) mod worn;
 
 pub use asset::{Asset, read_asset};
 pub use macros::macros_json;

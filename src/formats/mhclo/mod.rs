@@ -24,8 +24,10 @@ pub struct Clothes {
     pub scanned: Scanned,
     /// `x_scale`, `y_scale`, `z_scale`: of several the last.
     pub scales: [Option<Scale>; 3],
-    /// The vertex lines: one for each vertex of the asset.
+    /// The vertex lines: one for each vertex of the asset. Not kept of the files of a repository.
     pub references: Vec<Reference>,
+    /// What is kept of them; empty if one of them has a number that no vertex has.
+    pub kept: Box<[Row]>,
     /// What was counted of them.
     pub rows: RowFacts,
     /// Runs of base vertices to hide, both ends included, as written.
@@ -72,7 +74,40 @@ pub struct Reference {
     pub line: u32,
 }
 
+/// A [`Reference`] whose vertices can exist.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row {
+    /// Base vertices.
+    pub vertices: [u32; 3],
+    /// Their weights.
+    pub weights: [f32; 3],
+    /// Displacement.
+    pub offset: [f32; 3],
+    /// Line from 1.
+    pub line: u32,
+}
+
+impl Row {
+    fn of(reference: &Reference) -> Option<Self> {
+        let [a, b, c] = reference.vertices.map(|vertex| u32::try_from(vertex).ok());
+        let Reference { weights, offset, line, .. } = *reference;
+        Some(Self { vertices: [a?, b?, c?], weights, offset, line })
+    }
+}
+
 impl Clothes {
+    /// With its rows as they are kept: assets of a repository have hundreds of thousands.
+    #[must_use]
+    pub fn kept(self) -> Self {
+        let kept = self.references.iter().map(Row::of).collect::<Option<_>>().unwrap_or_default();
+        Self { references: Vec::new(), kept, ..self }
+    }
+
+    /// The line of a row.
+    pub fn line_of(&self, row: usize) -> u32 {
+        self.kept.get(row).map_or(0, |row| row.line)
+    }
+
     /// The vertices to hide as runs that do not overlap, of a mesh with so many. Negative numbers count from the end.
     pub fn merged_deletes(&self, vertices: usize) -> Vec<std::ops::Range<usize>> {
         let end = i64::try_from(vertices).unwrap_or(i64::MAX);

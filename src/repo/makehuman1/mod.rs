@@ -7,4 +7,4 @@ mod view;
 
 pub(crate) use library::Asset;
 pub(in crate::repo) use view::target;
-pub(crate) use view::{HIDDEN, View, is_of_library};
+pub(crate) use view::{HIDDEN, View, is_of_library, mesh, shows, worn};

@@ -58,23 +58,17 @@ impl<'a> View<'a> {
     /// Connects layers.
     pub(crate) fn connect(layers: Layers<'a>) -> Self {
         let system = || layers.system.into_iter().flat_map(|layer| layer.files.values());
-        let mesh = system().find(|file| file.kind_in(OWN) == Kind::BaseMesh);
         let rig = system().find(|file| file.rel == POSED);
         let rigs = rig.map(|file| Rig { file, weights: None, is_default: true, is_found: true });
-        let worn = |layer| {
-            let listed = Worn::all(layer, OWN).filter(|(file, _)| library_of(&file.rel).is_some());
-            let of = move |(file, base)| Worn::of(layer, file, base, |name| !name.has_colon, false);
-            listed.map(move |one| Worn { drops_bytes: true, ..of(one) })
-        };
-        let worn: Vec<Worn<'a>> = layers.strongest_first().flat_map(worn).collect();
+        let worn = worn(layers);
         let (mut references, surfaces) = surfaces::read(layers, &worn);
         references.extend(worn.iter().flat_map(|worn| worn.references.iter().flatten()).cloned());
-        let mesh = mesh.and_then(|file| Some((file, file.mesh()?)));
+        let mesh = mesh(layers);
         let groups = mesh.iter().flat_map(|(_, mesh)| &mesh.groups).map(|group| &group.name);
         Self {
             layers,
             references: References::new(references),
-            shown: groups.filter(|name| !HIDDEN.iter().any(|start| name.starts_with(start))).cloned().collect(),
+            shown: groups.filter(|name| shows(name)).cloned().collect(),
             mesh,
             rigs: rigs.into_iter().collect(),
             worn,
@@ -116,6 +110,28 @@ impl<'a> View<'a> {
     pub(crate) fn surfaces(&self) -> &[Surface<'a>] {
         &self.surfaces
     }
+}
+
+/// What the body can wear, of all layers.
+pub(crate) fn worn(layers: Layers<'_>) -> Vec<Worn<'_>> {
+    let worn = |layer| {
+        let listed = Worn::all(layer, OWN).filter(|(file, _)| library_of(&file.rel).is_some());
+        let of = move |(file, base)| Worn::of(layer, file, base, |name| !name.has_colon, false);
+        listed.map(move |one| Worn { drops_bytes: true, ..of(one) })
+    };
+    layers.strongest_first().flat_map(worn).collect()
+}
+
+/// The base mesh, which only the system has.
+pub(crate) fn mesh(layers: Layers<'_>) -> Option<(&FileFacts, &Mesh)> {
+    let files = layers.system.into_iter().flat_map(|layer| layer.files.values());
+    let file = files.into_iter().find(|file| file.kind_in(OWN) == Kind::BaseMesh)?;
+    Some((file, file.mesh()?))
+}
+
+/// Whether a group of the base mesh is shown.
+pub(crate) fn shows(group: &str) -> bool {
+    !HIDDEN.iter().any(|start| group.starts_with(start))
 }
 
 /// What is known of a target of the checked layer.

@@ -37,6 +37,7 @@ pub(crate) use slider::{BoundSlider, Pattern};
 pub(crate) use target_folder::TargetFolder;
 pub(in crate::repo) use textures::folders as picture_folders;
 pub(crate) use view::View;
+pub(crate) use worn::worn;
 
 use crate::diag::Application;
 

@@ -5,7 +5,7 @@ use crate::discover::{Kind, Layout};
 use crate::repo::{Layers, Worn};
 
 /// The assets of all layers, sorted by base.
-pub(super) fn worn(layers: Layers<'_>) -> Vec<Worn<'_>> {
+pub(crate) fn worn(layers: Layers<'_>) -> Vec<Worn<'_>> {
     let scans = Layout::of(OWN).scans;
     let mut worn: Vec<Worn<'_>> = Vec::new();
     for layer in layers.strongest_first() {

@@ -4,6 +4,7 @@ pub(super) mod degenerate_face;
 pub(super) mod duplicate_face;
 pub(super) mod face_out_of_range;
 pub(super) mod group_name;
+pub(super) mod inside_out;
 pub(super) mod missing_groups;
 pub(super) mod name_clash;
 pub(super) mod ngon;

@@ -23,6 +23,7 @@ pub(super) mod exploded_vertex;
 pub(super) mod implausible_size;
 pub(super) mod joint_drift;
 pub(super) mod non_finite;
+pub(super) mod proxy_detached;
 pub(super) mod rest_skinning;
 pub(super) mod threshold_loss;
 pub(super) mod weights_sum;

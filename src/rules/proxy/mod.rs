@@ -3,8 +3,10 @@
 mod archives;
 pub(super) mod custom_weights;
 pub(super) mod delete_range;
+pub(super) mod degenerate_triple;
 pub(super) mod deprecated_keyword;
 pub(super) mod extension_case;
+pub(super) mod fit_drift;
 pub(super) mod hides_body;
 pub(super) mod keyword_after_verts;
 pub(super) mod keyword_spelling;
@@ -12,6 +14,7 @@ mod keywords;
 pub(super) mod licence_keyword;
 pub(super) mod licence_lost;
 pub(super) mod mask_length;
+pub(super) mod mask_uncovered;
 pub(super) mod metadata;
 mod missing;
 pub(super) mod missing_material;
@@ -22,6 +25,7 @@ pub(super) mod missing_weights;
 pub(super) mod non_finite;
 pub(super) mod offsets_lost;
 mod older;
+pub(super) mod rows_reordered;
 pub(super) mod scale;
 mod scale_lines;
 pub(super) mod section_keyword;
@@ -53,6 +57,8 @@ use crate::diag::{
     Application::{self, Makehuman1, Makehuman2},
     Case, Evidence, Level,
 };
+use crate::eval::measures::Measures;
+use crate::eval::worn::{Numbering, WornMeasure};
 use crate::formats::mhclo::{Clothes, Entry, Fault, FaultKind, Section};
 use crate::formats::target::MeshSize;
 use crate::repo::{Body, FileFacts, Reference, Resolution, Worn, parent};
@@ -147,6 +153,34 @@ impl<'v> Text<'_, 'v> {
         let is_known = |entry: &Entry| self.application != Makehuman1 || !entry.has_colon;
         let mut opened = self.clothes.entries.iter().filter(|entry| entry.section == Section::Vertices);
         opened.any(|entry| &*entry.keyword == "verts" && is_known(entry))
+    }
+}
+
+/// The assets whose rows fit the mesh, with what was measured of them.
+fn measured<'b, 'v>(
+    body: &'b Body<'v>,
+    measures: &'b Measures,
+) -> impl Iterator<Item = (Text<'b, 'v>, &'b WornMeasure)> {
+    let sound = texts(body).filter(|text| !text.stops());
+    sound.filter_map(|text| Some((text, measures.worn.get(&text.file.path)?)))
+}
+
+/// The help where another numbering gives the shape that was drawn.
+const fn numbering(numbering: Numbering) -> &'static str {
+    match numbering {
+        Numbering::Reversed => "the rows are in reverse order: with the last one first the asset has the shape of its OBJ",
+        Numbering::RowBefore => {
+            "the rows are one behind: if the first one is moved to the end, the asset has the shape of its OBJ"
+        }
+        Numbering::RowBehind => {
+            "the rows are one ahead: if the last one is moved to the beginning, the asset has the shape of its OBJ"
+        }
+        Numbering::OneLess => {
+            "the rows count the vertices of the base mesh from 1: with every number one less the asset has the shape of its OBJ"
+        }
+        Numbering::OneMore => {
+            "the vertices in the rows are one too low: with every number one more the asset has the shape of its OBJ"
+        }
     }
 }
 

@@ -1,0 +1,3 @@
+//! The formulas of MakeHuman 1. Known so far: what it adds to fitting.
+
+pub mod fit;

@@ -1,0 +1,73 @@
+//! Rows whose three vertices make no triangle.
+
+use crate::eval::fit::Reference;
+use crate::eval::vector::{Point, cross, length, sub, widen};
+
+/// What is wrong with three vertices.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TripleFault {
+    /// All three are one.
+    One,
+    /// Two are one, with a weight each.
+    Two,
+    /// They lie on a line.
+    Line,
+}
+
+/// Rows at fault.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Triples {
+    /// Their numbers with what is wrong, in order.
+    pub faults: Vec<(usize, TripleFault)>,
+}
+
+/// The area of a triangle on a line is below this part of the square of its extent.
+const LINE: f64 = 1e-6;
+
+pub(super) fn measure(positions: &[Point], references: &[Reference]) -> Triples {
+    let faults = references.iter().enumerate();
+    let faults = faults.filter_map(|(row, reference)| Some((row, fault(positions, reference)?))).collect();
+    Triples { faults }
+}
+
+fn fault(positions: &[Point], reference: &Reference) -> Option<TripleFault> {
+    let ([a, b, c], [u, v, w]) = (reference.vertices, reference.weights);
+    // One that counts alone needs no others.
+    let counting = [u, v, w].iter().filter(|weight| **weight != 0.0).count();
+    if counting < 2 {
+        return None;
+    }
+    if a == b && b == c {
+        return Some(TripleFault::One);
+    }
+    let both = |one: f32, other: f32| one != 0.0 && other != 0.0;
+    if a == b && both(u, v) || b == c && both(v, w) || a == c && both(u, w) {
+        return Some(TripleFault::Two);
+    }
+    if counting < 3 || a == b || b == c || a == c {
+        return None;
+    }
+    let at = |vertex: u32| positions.get(vertex as usize).map(|point| widen(*point));
+    let (a, b, c) = (at(a)?, at(b)?, at(c)?);
+    let extent = length(sub(b, a)) + length(sub(c, b)) + length(sub(a, c));
+    let area = length(cross(sub(b, a), sub(c, a))) / 2.0;
+    (area < LINE * extent * extent).then_some(TripleFault::Line)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn triples_are_told_by_what_counts() {
+        let positions = [[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let of = |vertices, weights| fault(&positions, &Reference { vertices, weights, offset: [0.0; 3] });
+        assert_eq!(of([0, 1, 3], [0.5, 0.25, 0.25]), None);
+        assert_eq!(of([1, 1, 1], [0.5, 0.25, 0.25]), Some(TripleFault::One));
+        assert_eq!(of([1, 1, 1], [1.0, 0.0, 0.0]), None);
+        assert_eq!(of([1, 3, 1], [0.5, 0.25, 0.25]), Some(TripleFault::Two));
+        assert_eq!(of([1, 3, 1], [0.5, 0.5, 0.0]), None);
+        assert_eq!(of([0, 1, 2], [0.5, 0.25, 0.25]), Some(TripleFault::Line));
+        assert_eq!(of([0, 1, 2], [0.5, 0.5, 0.0]), None);
+    }
+}

@@ -1,0 +1,35 @@
+//! The faces of an asset look outwards.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Confidence, Finding, Level, Place, RuleInfo,
+};
+use crate::eval::measures::Measures;
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "lights the asset from its inner side, and exports it inside out"),
+        (Makehuman1, "shows the inner side of the asset, lit from the wrong side"),
+    ],
+    docs: "All faces of the asset look inwards.\n\n\
+        The order of its corners says where a face looks: seen from the front they go anticlockwise. Here what the faces \
+        enclose is negative, and they look against the skin that they lie on. Both applications load the mesh and take its \
+        back for its front: light comes from the wrong side, and with `backfaceCull` one sees only what is inside.\n\n\
+        Usually the mesh was mirrored, or its axes exchanged, by an exporter. In Blender: select all faces in edit mode, \
+        Mesh > Normals > Recalculate Outside, and export again.",
+    ..RuleInfo::new("mesh-inside-out", Level::Warning, "all faces of an asset look inwards")
+});
+
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let is_inside_out = |path: &str| measures.worn.get(path).is_some_and(|measure| measure.is_inside_out);
+    let mut meshes: Vec<_> = body.worn.iter().filter(|worn| is_inside_out(&worn.file.path)).collect();
+    meshes.retain(|worn| worn.mesh().is_some_and(|(mesh, _)| body.layers.is_checked(mesh)));
+    meshes.dedup_by_key(|worn| worn.mesh().map(|(mesh, _)| &mesh.path));
+    for (mesh, _) in meshes.iter().filter_map(|worn| worn.mesh()) {
+        let finding = RULE.at(mesh, Place::File, "all faces look inwards");
+        let help = "turn the faces over, in Blender with Mesh > Normals > Recalculate Outside, and export the mesh again";
+        out.push(finding.confidence(Confidence::Medium).help(help));
+    }
+}
