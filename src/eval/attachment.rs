@@ -2,8 +2,8 @@
 
 use super::fit::{Reference, fit};
 use super::scene::WornAsset;
-use super::surveyor::{Anchor, stand};
-use super::vector::{Point, Vec3, distance, narrow};
+use super::surveyor::Anchor;
+use super::vector::{Point, Vec3, distance, dot, narrow, sub};
 
 /// Vertices of an asset that are looked at: half of them evenly spread, half of them those tied to vertices that lie
 /// farthest apart, in proportion to their weights.
@@ -19,14 +19,15 @@ pub(super) struct Probe {
     reference: Reference,
     /// Its offset, scaled as it was when the asset was put on.
     shift: Point,
+    /// How far it is from the nearest of its skin on the default character.
+    near: f64,
     pub(super) anchor: Anchor,
 }
 
 impl Probe {
-    /// By how many times its stand the vertex has moved away from its skin.
+    /// By how many times its stand the vertex has moved away from the nearest of its skin.
     pub(super) fn drift(&self, positions: &[Point]) -> f64 {
-        let place = self.place(positions);
-        (stand(place, &self.anchor.skin, positions) - self.anchor.distance) / self.anchor.stand
+        (from_nearest(self.place(positions), &self.anchor.skin, positions) - self.near) / self.anchor.stand
     }
 
     /// In float32: this is looked at in every setting.
@@ -70,11 +71,19 @@ pub(super) fn probes(
                 continue;
             }
             let Some(anchor) = anchor(vertex, place) else { return probes };
-            let shift = shift(&reference, worn.scales);
-            probes.push(Probe { asset, vertex: u32::try_from(vertex).unwrap_or(u32::MAX), reference, shift, anchor });
+            let (shift, near) = (shift(&reference, worn.scales), from_nearest(place, &anchor.skin, rest));
+            let vertex = u32::try_from(vertex).unwrap_or(u32::MAX);
+            probes.push(Probe { asset, vertex, reference, shift, near, anchor });
         }
     }
     probes
+}
+
+/// In float32, as it is asked for in every setting.
+fn from_nearest(place: Point, skin: &[u32], positions: &[Point]) -> f64 {
+    let points = skin.iter().filter_map(|vertex| positions.get(*vertex as usize));
+    let squares = points.map(|point| sub(*point, place)).map(|way| dot(way, way));
+    f64::from(squares.fold(f32::MAX, f32::min).sqrt())
 }
 
 fn shift(reference: &Reference, scales: Option<Vec3>) -> Point {
@@ -128,11 +137,11 @@ mod tests {
         let worn = [WornAsset { path: String::new(), references: vec![reference], scales: Some([1.0, 1.0, 2.0]) }];
         let anchor = |joint, place| {
             let skin = vec![0, 1, 2, 3];
-            Some(Anchor { joint, distance: stand(place, &skin, &rest), stand: 1.0, skin })
+            Some(Anchor { joint, distance: from_nearest(place, &skin, &rest), stand: 0.5, skin })
         };
         let probes = probes(&worn, &rest, anchor);
         let [probe] = probes.as_slice() else { panic!("{probes:?}") };
-        assert!((probe.anchor.distance - 0.2).abs() < 1e-6);
+        assert!((probe.near - 0.54f64.sqrt()).abs() < 1e-6, "{}", probe.near);
         let moved = rest.map(|p| [p[0] + 3.0, p[1], p[2] - 1.0]);
         assert!(probe.drift(&moved).abs() < 1e-6);
         let torn = [rest[0], rest[1], [0.0, 9.0, 0.0], rest[3]];

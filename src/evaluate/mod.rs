@@ -16,13 +16,14 @@
 //! # Ok::<(), mhlint::evaluate::Error>(())
 //! ```
 
+mod asset_file;
 mod cases;
 mod data;
 mod error;
 mod files;
 mod formulas;
 mod gauge;
-mod makehuman1;
+pub mod makehuman1;
 pub mod makehuman2;
 mod opened;
 mod outputs;

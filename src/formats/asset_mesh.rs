@@ -6,7 +6,7 @@ use std::fmt::Display;
 
 use xxhash_rust::xxh3::xxh3_64;
 
-use super::obj::{Face, Mesh, MeshFacts, NO_UV};
+use super::obj::{Face, Mesh, MeshFacts, NO_UV, Repeating};
 
 /// A mesh without its texture coordinates.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -29,6 +29,8 @@ pub struct AssetMesh {
     pub neighbours: Option<(u32, u32)>,
     /// Faces that repeat the corners of an earlier one.
     pub repeated: usize,
+    /// Faces with a vertex twice: the first of them, and how many.
+    pub degenerate: Option<(Repeating, usize)>,
     /// What it is compared by.
     pub print: MeshPrint,
     /// Vertices as drawn, in file order.
@@ -54,7 +56,7 @@ impl AssetMesh {
     /// What is kept of a mesh.
     pub fn of(mut mesh: Mesh) -> Self {
         let mut facts = std::mem::take(&mut mesh.facts);
-        facts.repeating = Vec::new();
+        let repeating = std::mem::take(&mut facts.repeating);
         let counts = faces_of_vertices(&mesh);
         let odd = mesh.groups.iter().filter(|group| group.faces > 0 && !group.name.is_ascii());
         Self {
@@ -66,6 +68,7 @@ impl AssetMesh {
             pole: most(&counts),
             neighbours: neighbours(&mesh, &counts),
             repeated: repeated(&mesh),
+            degenerate: repeating.first().map(|first| (first.clone(), repeating.len())),
             print: MeshPrint::of(&mesh),
             face_starts: face_starts(&mesh),
             positions: mesh.positions.into(),

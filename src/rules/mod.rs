@@ -157,6 +157,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &mesh::no_faces::RULE,
     &mesh::no_uv::RULE,
     &mesh::non_finite::RULE,
+    &mesh::not_manifold::RULE,
     &mesh::partial_uv::RULE,
     &mesh::pole::RULE,
     &mesh::reopened_group::RULE,

@@ -216,6 +216,44 @@ fn an_exact_asset_lies_on_the_base_mesh() {
     assert!(error_of(&["fit", text(&asset), "--base-mesh", DATA]).contains("line 4"));
 }
 
+/// The worked formula of MakeHuman 1: `p = w0·H[v0] + w1·H[v1] + w2·H[v2] + M·d`.
+#[test]
+fn makehuman1_fits_by_its_own_scales_and_shears() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    write("base.obj", "v 0 0 0\nv 2 0 0\nv 0 4 0\nv 0 0 8\nf 1 2 3\n");
+    write("x.obj", "v 9 9 9\nv 9 9 9\nv 9 9 9\nf 1 2 3\n");
+    let (asset, base) = (folder.path().join("x.mhclo"), folder.path().join("base.obj"));
+    let fit = |lines: &str, rows: &str| {
+        write("x.mhclo", &format!("name x\nuuid 1\nobj_file x.obj\n{lines}verts 0\n{rows}\n"));
+        let args = ["fit", text(&asset), "--app", "makehuman1", "--base-mesh", text(&base)].map(str::to_owned);
+        args.into_iter().collect::<Vec<String>>()
+    };
+    let numbers = |args: &[String], key: &str| {
+        let args: Vec<&str> = args.iter().map(String::as_str).chain(["--vertices", "0,1,2"]).collect();
+        json_of(&eval(&args))["outputs"][key].clone()
+    };
+    let rows = "1 2 3 0.5 0.25 0.25 0.1 0.2 0.3\n0\n3 2 1 1 0 0";
+    let scaled = fit("x_scale 0 1 1\ny_scale 0 2 8\nz_scale 0 3 -4\n", rows);
+    assert_eq!(numbers(&scaled, "scale"), serde_json::json!([2.0, 0.5, -2.0]));
+    assert_eq!(numbers(&scaled, "vertices"), serde_json::json!([[1.2, 1.1, 1.4], [0.0, 0.0, 0.0], [0.0, 0.0, 8.0]]));
+    let sheared = fit("shear_x 1 0 1 0\nshear_y 2 0 0 2\nshear_z 3 0 4 0\n", rows);
+    assert_eq!(numbers(&sheared, "scale"), serde_json::json!([2.0, -2.0, 2.0]));
+    let one = fit("", "3");
+    assert_eq!(numbers(&one, "vertices"), serde_json::json!([[0.0, 0.0, 8.0], [0.0, 0.0, 8.0], [0.0, 0.0, 8.0]]));
+    let error = |args: &[String]| error_of(&args.iter().map(String::as_str).collect::<Vec<_>>());
+    assert!(error(&fit("x_scale 0 1 1\n", rows)).contains("the scale of the y axis is missing"));
+    assert!(error(&fit("", "0\n1")).contains("ValueError"));
+    assert!(error(&fit("", "0\n1\n4")).contains("IndexError"));
+    assert!(error(&fit("", "0\n1\n-2 1 2 1 0 0")).contains("x.mhclo"));
+    let mut set = fit("", rows);
+    set.extend(["--set".to_owned(), "a=1".to_owned()]);
+    assert!(error(&set).contains("cannot be set yet"));
+    let mut folder_only = fit("", rows);
+    folder_only[5] = text(folder.path()).to_owned();
+    assert!(error(&folder_only).contains("contains no `3dobjs/base.obj`"));
+}
+
 /// Cases over the example repository, with outputs as printed by mhlint itself.
 fn own_cases(folder: &Path) -> (PathBuf, String) {
     let file = folder.join("cases.json");

@@ -152,6 +152,9 @@ pub(in crate::cli) struct FitArgs {
     /// Data folder, or an OBJ file of the base mesh.
     #[arg(long, value_name = "ROOT")]
     pub(super) base_mesh: PathBuf,
+    /// Fit the asset as this application does.
+    #[arg(long, value_name = "APPLICATION", default_value = "makehuman2")]
+    pub(super) app: FittedBy,
     #[command(flatten)]
     pub(super) setting: SettingArgs,
     /// Whether the asset was attached before or after the morph.
@@ -161,6 +164,15 @@ pub(in crate::cli) struct FitArgs {
     pub(super) attached: Attached,
     #[command(flatten)]
     pub(super) output: MeshOutput,
+}
+
+/// Applications whose fitting is known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum FittedBy {
+    /// MakeHuman 2.
+    Makehuman2,
+    /// MakeHuman 1; its sliders cannot be set yet.
+    Makehuman1,
 }
 
 /// When an asset was attached.

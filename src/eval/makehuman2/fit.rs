@@ -1,4 +1,4 @@
-//! What MakeHuman 2 adds to fitting: scales, hidden vertices, weights taken from the body.
+//! What MakeHuman 2 adds to fitting: scales, weights taken from the body.
 //!
 //! Source: formats/makehuman2.md §15.2.
 
@@ -31,27 +31,6 @@ pub fn axis_scales(positions: &[Point], lines: [Option<ScaleLine>; 3]) -> Result
         scales[axis] = (at(0)? - at(1)?).abs() / f64::from(line.distance);
     }
     Ok(Some(scales))
-}
-
-/// Base vertices that the asset hides. `ranges` holds (first, last), both included; a single index is a range of one,
-/// a descending range counts as its first index alone, a negative index counts from the end.
-///
-/// # Errors
-/// An index outside the mesh.
-pub fn deleted_vertices(ranges: &[(i64, i64)], vertex_count: usize) -> Result<Vec<bool>, EvalError> {
-    let mut deleted = vec![false; vertex_count];
-    let place = |index: i64| {
-        let outside = EvalError::VertexOutOfRange { vertex: index, count: vertex_count };
-        let from_end = usize::try_from(index.unsigned_abs()).ok().and_then(|i| vertex_count.checked_sub(i));
-        let found = if index < 0 { from_end } else { usize::try_from(index).ok() };
-        found.filter(|i| *i < vertex_count).ok_or(outside)
-    };
-    for (first, last) in ranges {
-        let first = place(*first)?;
-        let last = place(*last)?.max(first);
-        deleted[first..=last].fill(true);
-    }
-    Ok(deleted)
 }
 
 /// Weights of an asset without own weights: body weights times reference weights, products not above `WEIGHT_LIMIT`
@@ -102,15 +81,6 @@ mod tests {
         assert_eq!(scales(line(2, 0, f32::NAN), z), Ok(None));
         assert!(scales(line(2, 0, SMALLEST_DISTANCE), z).unwrap().is_some());
         assert_eq!(scales(y, line(0, 9, 1.0)), Err(EvalError::vertex(9, 4)));
-    }
-
-    #[test]
-    fn delete_ranges_as_the_application_reads_them() {
-        let count = |ranges: &[(i64, i64)]| deleted_vertices(ranges, 10).map(|d| d.iter().filter(|d| **d).count());
-        assert_eq!(count(&[(2, 4), (4, 5), (9, 9)]), Ok(5));
-        assert_eq!(count(&[(7, 3)]), Ok(1));
-        assert_eq!(deleted_vertices(&[(-1, -1)], 3), Ok(vec![false, false, true]));
-        assert!(count(&[(0, 10)]).is_err() && count(&[(-11, -11)]).is_err() && count(&[(i64::MIN, i64::MAX)]).is_err());
     }
 
     fn body(lists: &[&[(u32, f32)]]) -> Influences {

@@ -20,8 +20,8 @@ impl<'a> Faces<'a> {
         self.starts.windows(2).filter_map(run).filter(is_whole)
     }
 
-    /// The edges of these faces, each once, the smaller vertex first, in order.
-    pub(super) fn edges(self, count: usize) -> Vec<[u32; 2]> {
+    /// The edges of these faces, each once, the smaller vertex first, in order, and those that more than two faces have.
+    pub(super) fn edges(self, count: usize) -> (Vec<[u32; 2]>, Vec<[u32; 2]>) {
         let mut edges = Vec::new();
         for face in self.below(count) {
             for (one, other) in face.iter().zip(face.iter().cycle().skip(1)).filter(|(one, other)| one != other) {
@@ -29,8 +29,10 @@ impl<'a> Faces<'a> {
             }
         }
         edges.sort_unstable();
+        let crowded = edges.chunk_by(|one, other| one == other).filter(|run| run.len() > 2);
+        let crowded = crowded.filter_map(|run| run.first().copied()).collect();
         edges.dedup();
-        edges
+        (edges, crowded)
     }
 }
 
@@ -47,7 +49,10 @@ mod tests {
     #[test]
     fn edges_are_told_once_and_foreign_faces_left_out() {
         let faces = Faces { corners: &[0, 1, 2, 3, 2, 1, 4, 0, 1, 9], starts: &[0, 4, 7, 10] };
-        assert_eq!(faces.edges(5), [[0, 1], [0, 3], [1, 2], [1, 4], [2, 3], [2, 4]]);
+        let all = vec![[0, 1], [0, 3], [1, 2], [1, 4], [2, 3], [2, 4]];
+        assert_eq!(faces.edges(5), (all, Vec::new()));
+        let fins = Faces { corners: &[0, 1, 2, 1, 0, 3, 0, 1, 4], starts: &[0, 3, 6, 9] };
+        assert_eq!(fins.edges(5).1, [[0, 1]]);
         assert_eq!(faces.below(5).count(), 2);
         assert_eq!(fan(&[5, 6, 7, 8]).collect::<Vec<_>>(), [[5, 6, 7], [5, 7, 8]]);
     }

@@ -37,6 +37,8 @@ pub struct ShapeMeasure {
     pub disorder: Option<Disorder>,
     /// How the rows would have to be numbered for the shapes to agree.
     pub numbering: Option<Numbering>,
+    /// Edges that more than two faces have, whatever the shape.
+    pub crowded_edges: Vec<[u32; 2]>,
 }
 
 /// A vertex that leaves its neighbours.
@@ -87,9 +89,10 @@ pub(super) fn measure(
     if count != garment.drawn.len() || count < FEWEST {
         return ShapeMeasure::default();
     }
-    let edges = garment.faces.edges(count);
-    let Some(shapes) = Shapes::of(garment.drawn, fitted, &edges) else { return ShapeMeasure::default() };
-    let mut measure = ShapeMeasure { disorder: shapes.disorder(&edges, is_inside_out), ..ShapeMeasure::default() };
+    let (edges, crowded_edges) = garment.faces.edges(count);
+    let mut measure = ShapeMeasure { crowded_edges, ..ShapeMeasure::default() };
+    let Some(shapes) = Shapes::of(garment.drawn, fitted, &edges) else { return measure };
+    measure.disorder = shapes.disorder(&edges, is_inside_out);
     if measure.disorder.is_none() {
         let is_told = |vertex: usize| {
             let in_triples = triples.faults.binary_search_by_key(&vertex, |(row, _)| *row).is_ok();

@@ -4,16 +4,16 @@ use std::path::{Path, PathBuf};
 
 use super::weights::number;
 use super::{stopped, stops};
-use crate::eval::fit::{Reference, ScaleLine, fit};
+use crate::diag::Application;
+use crate::eval::fit::{Reference, ScaleLine, deleted_vertices, fit};
 use crate::eval::influences::Influences;
-use crate::eval::makehuman2::fit::{axis_scales, deleted_vertices, derived_weights};
+use crate::eval::makehuman2::fit::{axis_scales, derived_weights};
 use crate::eval::vector::Point;
 use crate::evaluate::Error;
 use crate::evaluate::Evaluation;
+use crate::evaluate::asset_file::{AssetFile, read};
 use crate::evaluate::data::{Fitted, NamedWeights};
-use crate::evaluate::files::{read_text, shown};
-use crate::formats::mhclo::{self, Clothes, FaultKind};
-use crate::formats::obj;
+use crate::formats::mhclo::Clothes;
 
 /// An asset with its mesh.
 #[derive(Debug, Clone)]
@@ -35,43 +35,10 @@ pub struct Asset {
 /// # Errors
 /// Files that cannot be read, and lines that stop the application.
 pub fn read_asset(path: &Path) -> Result<Asset, Error> {
-    let clothes = mhclo::parse(&read_text(path)?, None);
-    let stops_at = clothes.faults.first(|fault| stop(fault.kind));
-    if let Some((line, (exception, reason))) = stops_at {
-        return Err(stops(exception, format!("`{}`, line {line}: {reason}", shown(path))));
-    }
-    let name = clothes.last("obj_file").ok_or_else(|| Error::file(shown(path), "it has no `obj_file` line"))?;
-    let obj_path = path.parent().unwrap_or(Path::new("")).join(name.word());
-    let mesh = obj::parse(&read_text(&obj_path)?);
-    if let Some(bad) = mesh.facts.unreadable.first() {
-        return Err(Error::file(shown(&obj_path), format!("line {}: {}", bad.line, bad.what)));
-    }
-    let mut asset = Asset {
-        path: shown(path),
-        references: Vec::new(),
-        lines: [None; 3],
-        positions: mesh.positions,
-        clothes,
-        obj_path,
-    };
+    let AssetFile { path, clothes, obj_path, positions } = read(path, Application::Makehuman2, |_| true)?;
+    let mut asset = Asset { path, clothes, obj_path, positions, references: Vec::new(), lines: [None; 3] };
     asset.resolve()?;
     Ok(asset)
-}
-
-/// The exception at such a line, and why; `None` where the loader goes on without it.
-fn stop(kind: FaultKind) -> Option<(&'static str, String)> {
-    let (exception, reason) = match kind {
-        FaultKind::FieldCount(count) => {
-            return Some(("IndexError", format!("a vertex line needs 1, 6 or at least 9 words, but has {count}")));
-        }
-        FaultKind::ShortScale => ("IndexError", "the values of a keyword are missing"),
-        FaultKind::RowWord | FaultKind::ScaleWord | FaultKind::NotWhole => ("ValueError", "a word is not a number"),
-        FaultKind::DeleteWord => ("ValueError", "a word in the list of vertices to delete is not a number"),
-        FaultKind::OldFormat => ("ValueError", "`weights` belongs to an old format that is no longer read"),
-        FaultKind::OpenRange => ("UnboundLocalError", "a range begins with `-`"),
-        FaultKind::MissingValue | FaultKind::DroppedRow | FaultKind::NumbersInHeader => return None,
-    };
-    Some((exception, reason.to_owned()))
 }
 
 impl Asset {

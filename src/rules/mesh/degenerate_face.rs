@@ -1,9 +1,11 @@
 //! A face has each of its vertices once.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::{Mesh, Repeating};
-use crate::repo::Body;
+use crate::repo::{Body, Worn};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "creates a triangle without area; if another corner was meant, the surface has a hole")],
@@ -17,14 +19,30 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("mesh-degenerate-face", Level::Warning, "a face uses a vertex twice")
 });
 
+const HELP: &str = "write the intended corner, or make the face a triangle";
 const HIDDEN: Case = &[(Makehuman2, Level::Info, "never shows the face: its group is not visible")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, mesh)) = body.mesh else { return };
+    out.extend(of_base(body));
+    let mut told = BTreeSet::new();
+    for (file, mesh) in body.worn.iter().filter_map(Worn::mesh) {
+        let own = mesh.degenerate.as_ref().filter(|_| body.layers.is_checked(file) && body.opens(mesh));
+        let Some((first, count)) = own.filter(|_| told.insert(&file.path)) else { continue };
+        let message = match count {
+            1 => format!("the face uses {} twice", mesh.named(first.vertex)),
+            _ => format!("{count} of {} faces use a vertex twice, first {}", mesh.faces, mesh.named(first.vertex)),
+        };
+        let finding = RULE.at(file, Place::Line(first.line), message).help(HELP);
+        out.push(finding.evidence(Evidence::counted(*count).out_of(mesh.faces)));
+    }
+}
+
+fn of_base(body: &Body<'_>) -> Option<Finding> {
+    let (file, mesh) = body.mesh?;
     let is_visible = |face: &&Repeating| is_visible(body, mesh, face);
     let (visible, hidden): (Vec<&Repeating>, Vec<&Repeating>) = mesh.facts.repeating.iter().partition(is_visible);
     let (told, is_hidden) = if visible.is_empty() { (hidden, true) } else { (visible, false) };
-    let Some(first) = told.first() else { return };
+    let first = told.first()?;
     let message = match told.len() {
         1 => format!("the face uses {} twice", body.vertex(first.vertex)),
         count => {
@@ -38,10 +56,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     };
     let finding = RULE
         .at(file, place, message)
-        .help("write the intended corner, or make the face a triangle")
+        .help(HELP)
         .parts(told.iter().map(|face| face.vertex))
         .evidence(Evidence::of_unnamed(told.iter().map(told_by)).out_of(mesh.faces.len()));
-    out.push(if is_hidden { finding.case(HIDDEN) } else { finding });
+    Some(if is_hidden { finding.case(HIDDEN) } else { finding })
 }
 
 fn is_visible(body: &Body<'_>, mesh: &Mesh, face: &Repeating) -> bool {

@@ -2,12 +2,18 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::of_asset;
-use crate::diag::{Application::Makehuman1, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "draws the face twice, in the same place, and exports both")],
-    docs: "Two faces of the mesh of an asset have the same vertices. MakeHuman 1 draws both in one place: they flicker, \
+    breaks: &[
+        (Makehuman2, "draws the face twice, in the same place, and exports both"),
+        (Makehuman1, "draws the face twice, in the same place, and exports both"),
+    ],
+    docs: "Two faces of the mesh of an asset have the same vertices. Both are drawn in one place: they flicker, \
         and what is transparent is darker than meant.\n\n\
         Mostly a mesh was joined with a copy of itself. Remove one of each two equal faces, and keep all vertices.",
     counts: "faces",

@@ -11,6 +11,7 @@ pub(super) mod ngon;
 pub(super) mod no_faces;
 pub(super) mod no_uv;
 pub(super) mod non_finite;
+pub(super) mod not_manifold;
 pub(super) mod partial_uv;
 pub(super) mod pole;
 pub(super) mod reopened_group;

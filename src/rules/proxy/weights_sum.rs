@@ -1,7 +1,8 @@
 //! The weights of a vertex row sum to 1.
 
+use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
-use super::texts;
+use super::{Text, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Finding, Level, Place, RuleInfo,
@@ -43,7 +44,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if is_slight && !text.is_makehuman1() {
             continue;
         }
-        let finding = RULE.at(text.file, Place::Line(*line), message(sums.count, &text.vertex(vertex), sum, is_slight));
+        let finding = RULE.at(text.file, Place::Line(*line), message(sums.count, &text.vertex(vertex), sum, is_slight) + &moved(body, &text, vertex, sum));
         let finding = finding.evidence(sums.evidence(rows.count).with_worst(sum, format!("vertex {vertex}")));
         let finding = finding.help("export the asset again, or correct the weights so that each row sums to 1");
         out.push(match (is_slight, rows.visible_sums) {
@@ -53,6 +54,20 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             _ => finding,
         });
     }
+}
+
+/// How far the vertex is from where a sum of 1 would put it.
+fn moved(body: &Body<'_>, text: &Text<'_, '_>, vertex: u64, sum: f64) -> String {
+    let row = usize::try_from(vertex).ok().and_then(|vertex| text.clothes.kept.get(vertex));
+    let away = row.zip(body.whole_mesh()).and_then(|(row, mesh)| {
+        let [a, b, c] = row.vertices.map(|vertex| mesh.positions.get(vertex as usize));
+        let share = |weight: f32| if sum == 0.0 { 1.0 / 3.0 } else { f64::from(weight) / sum };
+        let off = [a?, b?, c?].into_iter().zip(row.weights).fold([0.0; 3], |off, (point, weight)| {
+            [0, 1, 2].map(|axis| off[axis] + f64::from(point[axis]) * (f64::from(weight) - share(weight)))
+        });
+        Some(off.iter().map(|part| part * part).sum::<f64>().sqrt()).filter(|away| away.is_finite())
+    });
+    away.map(|away| format!(", which moves it by {}", length(away))).unwrap_or_default()
 }
 
 fn message(count: u64, vertex: &str, sum: f64, is_slight: bool) -> String {
