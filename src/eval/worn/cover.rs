@@ -27,6 +27,8 @@ pub struct Uncovered {
     pub count: usize,
     /// How many are hidden.
     pub hidden: usize,
+    /// How many there are.
+    pub shown: usize,
     /// A vertex of each, in order.
     pub vertices: Vec<u32>,
     /// A vertex of the one that is farthest from the others' edge: the middle of the hole.
@@ -47,7 +49,8 @@ pub(super) fn uncovered(wearer: &Wearer<'_>, garment: &Garment<'_>, fitted: &[Po
     vertices.sort_unstable();
     vertices.dedup();
     let middle = middle(wearer, &bare)?;
-    (bare.len() >= FEWEST).then_some(Uncovered { count: bare.len(), hidden: hidden.len(), vertices, middle })
+    let shown = wearer.skin.below(wearer.positions.len()).count();
+    (bare.len() >= FEWEST).then_some(Uncovered { count: bare.len(), hidden: hidden.len(), shown, vertices, middle })
 }
 
 fn is_bare(wearer: &Wearer<'_>, face: &[u32], triangles: &Triangles) -> bool {

@@ -29,7 +29,9 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         let Some(([one, other], (file, mesh))) = edges.and_then(|edges| edges.first().copied().zip(worn.mesh())) else {
             continue;
         };
-        if !body.layers.is_checked(file) || !told.insert(&file.path) {
+        // Faces that stand twice, and those that no application takes, have findings of their own.
+        let is_told = mesh.repeated > 0 || mesh.facts.ngons.count > 0;
+        if is_told || !body.layers.is_checked(file) || !told.insert(&file.path) {
             continue;
         }
         let edges = edges.unwrap_or_default();

@@ -7,6 +7,7 @@ use crate::diag::{
     Evidence, Finding, Level, Place, RuleInfo,
 };
 use crate::eval::measures::Measures;
+use crate::eval::worn::Uncovered;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
@@ -28,7 +29,9 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (text, measure) in measured(body, measures).filter(|(text, _)| !text.worn.is_topology()) {
-        let Some(bare) = &measure.uncovered else { continue };
+        // What hides (almost) everything is told as such.
+        let told = |bare: &&Uncovered| bare.hidden.saturating_mul(20) > bare.shown.saturating_mul(19);
+        let Some(bare) = measure.uncovered.as_ref().filter(|bare| !told(bare)) else { continue };
         let list = text.clothes.entries.iter().find(|entry| &*entry.keyword == "delete_verts");
         let place = list.map_or(Place::File, |entry| Place::Line(entry.line));
         let message = format!(
