@@ -10,6 +10,7 @@ mod gunzip;
 mod limits;
 mod lines;
 mod listing;
+mod pack;
 mod place;
 mod text;
 mod tree;
@@ -26,6 +27,7 @@ pub(crate) use gunzip::{GzipFault, gunzip, try_gunzip};
 #[cfg(test)]
 pub(crate) use lines::PASSED;
 pub(crate) use lines::{Lines, first_line, lines};
+pub(crate) use pack::{MemberFault, PackFacts, PackFault};
 pub(crate) use place::{canonical, folder_of, link_targets, own_place, resolved, slashed};
 pub(crate) use tree::{Contents, Entry, EntryKind, ReadFault, WalkFault, WalkFaultKind, read_file};
 pub(crate) use zip_size::zip_bomb;

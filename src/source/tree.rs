@@ -11,6 +11,7 @@ use xxhash_rust::xxh3::xxh3_64;
 use super::Limits;
 use super::folder::inside;
 use super::listing::{Room, add_file, add_folders, folders_above, memory_entries};
+use super::pack::{Pack, PackFacts};
 use super::walk::{self, Wanted};
 use crate::diag::grouped;
 
@@ -33,12 +34,15 @@ pub struct Tree {
     changed: BTreeMap<String, Vec<u8>>,
     /// Hashes of what was read first, where somebody watches.
     seen: Option<Mutex<BTreeMap<String, u64>>>,
+    /// What is to be known of a zip besides its files.
+    pack: Option<Arc<PackFacts>>,
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Backend {
     Disk(PathBuf),
     Memory(BTreeMap<String, Arc<[u8]>>),
+    Packed(Arc<Pack>),
 }
 
 /// One thing in a tree.
@@ -131,13 +135,26 @@ impl Tree {
         label: impl Into<String>,
         files: impl IntoIterator<Item = (String, B)>,
     ) -> Self {
-        let files: BTreeMap<_, _> = files.into_iter().map(|(path, bytes)| (path, bytes.into())).collect();
-        let (entries, faults) = memory_entries(&files);
+        let files: BTreeMap<_, Arc<[u8]>> = files.into_iter().map(|(path, bytes)| (path, bytes.into())).collect();
+        let (entries, faults) = memory_entries(files.iter().map(|(path, bytes)| (path.as_str(), bytes.len() as u64)));
         Self::new(label.into(), Backend::Memory(files), entries, faults)
     }
 
+    /// A zip, as the folder that it was made of; hidden files as in [`Tree::on_disk`]. Its files are unpacked when they
+    /// are read, each on its own.
+    pub fn packed(label: impl Into<String>, zip: Vec<u8>, limits: &Limits, wanted: Wanted) -> Self {
+        let (pack, facts) = Pack::open(zip, limits);
+        let folders: Vec<String> = pack.folders().map(|folder| format!("{folder}/")).collect();
+        let is_listed = |(path, _): &(&str, u64)| !walk::has_hidden_part(path) || wanted(path, false);
+        let all = pack.files().chain(folders.iter().map(|folder| (folder.as_str(), 0))).filter(is_listed);
+        let (entries, faults) = memory_entries(all.collect::<BTreeMap<_, _>>());
+        let tree = Self::new(label.into(), Backend::Packed(Arc::new(pack)), entries, faults);
+        Self { pack: Some(Arc::new(facts)), ..tree }
+    }
+
     fn new(label: String, backend: Backend, entries: Vec<Entry>, faults: Vec<WalkFault>) -> Self {
-        Self { label, backend, depth: usize::MAX, entries, faults, changed: BTreeMap::new(), seen: None }
+        let (changed, seen, pack) = (BTreeMap::new(), None, None);
+        Self { label, backend, depth: usize::MAX, entries, faults, changed, seen, pack }
     }
 
     /// What reports put before the paths; empty for the working directory.
@@ -167,6 +184,11 @@ impl Tree {
     /// What the walk could not list.
     pub fn faults(&self) -> &[WalkFault] {
         &self.faults
+    }
+
+    /// What is to be known of a zip besides the files in it, if it is one.
+    pub fn pack(&self) -> Option<&Arc<PackFacts>> {
+        self.pack.as_ref()
     }
 
     /// The listed entry at `path`.
@@ -209,6 +231,7 @@ impl Tree {
                 .get(&entry.path)
                 .map(|bytes| bytes.to_vec())
                 .ok_or_else(|| ReadFault::Unreadable("it no longer exists".to_owned())),
+            Backend::Packed(pack) => pack.read(&entry.path),
         }?;
         if let Some(seen) = &self.seen {
             let mut seen = seen.lock().unwrap_or_else(PoisonError::into_inner);
@@ -291,8 +314,8 @@ impl Tree {
         let faults = self.faults.iter().filter(|fault| !contents.contains_key(&fault.path)).cloned();
         let faults = faults.chain(given_up).collect();
         let entries = entries.into_values().collect();
-        let (label, backend) = (self.label.clone(), self.backend.clone());
-        Self { label, backend, depth: self.depth, entries, faults, changed, seen: None }
+        let (label, backend, pack) = (self.label.clone(), self.backend.clone(), self.pack.clone());
+        Self { label, backend, depth: self.depth, entries, faults, changed, seen: None, pack }
     }
 
     /// Whether what is read at `path` is the same in both trees.

@@ -1,5 +1,6 @@
 //! MakeHuman 2: folders of assets with a folder for each base mesh in them (formats/makehuman2.md §1).
 
+pub(crate) mod importer;
 pub(crate) mod opened;
 
 use std::collections::BTreeSet;

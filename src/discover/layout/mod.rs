@@ -169,6 +169,11 @@ impl Layout {
         None
     }
 
+    /// Whether a data root has a folder of this name at its top.
+    pub(crate) fn has_at_top(&self, name: &str) -> bool {
+        self.folders.iter().any(|folders| folders.contains(&name))
+    }
+
     /// The folder at the top of a data root that differs from this name in its capitals alone.
     pub(crate) fn folder_in_other_case(&self, name: &str) -> Option<&'static str> {
         let mut known = self.folders.iter().copied().flatten().copied();

@@ -52,6 +52,7 @@ pub(super) fn load(place: &Place<'_>, reader: Reader<'_>, mut sizes: MeshSizes) 
     let folders = place.below.iter().filter(|one| !one.is_file()).map(|folder| folder.rel.to_string()).collect();
     let mut layer = Layer::new(place.path(), place.layouts.clone(), files, folders, faults_below(place));
     let links = place.below.iter().filter(|one| !one.is_file() && one.entry.link_to.is_some());
+    layer.pack.clone_from(&place.pack);
     layer.linked_folders = links.map(|folder| folder.rel.to_string()).collect();
     (layer, sizes)
 }

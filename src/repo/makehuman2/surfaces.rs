@@ -42,7 +42,10 @@ pub(super) fn surface<'a>(
 }
 
 fn picture<'a>(reference: &Reference<'a>) -> Picture<'a> {
-    let is_open = matches!(reference.resolution, Resolution::NeedsSystem | Resolution::Escapes | Resolution::Absolute);
+    let is_open = matches!(
+        reference.resolution,
+        Resolution::NeedsSystem | Resolution::Moved | Resolution::Escapes | Resolution::Absolute
+    );
     Picture { text: reference.text, place: reference.place.clone(), file: reference.found(), is_open }
 }
 

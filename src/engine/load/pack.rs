@@ -1,0 +1,152 @@
+//! A zip as what it becomes: a user's folder of MakeHuman 2 once it is imported, one of MakeHuman 1 once it is unpacked.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use super::super::error::Error;
+use super::input::Input;
+use super::place::Place;
+use crate::config::Config;
+use crate::diag::Application;
+use crate::discover::{Candidate, Kind, Layout, find_roots, import, is_lost};
+use crate::repo::{Import, Pack};
+use crate::source::{Entry, EntryKind, MemberFault, PackFacts, Tree};
+
+/// The applications that the files of a pack are checked for: those that are asked for, else those of the system data.
+pub(super) fn asked(applications: &[Application], systems: &[Place<'_>], options: &Config) -> Vec<Application> {
+    let is_given = |application: &Application| systems.iter().any(|system| system.is_of(*application));
+    let by_system = options.applications.is_empty() && !systems.is_empty();
+    let is_asked = |one: &Application| options.asks_for(*one) && (!by_system || is_given(one));
+    applications.iter().copied().filter(is_asked).collect()
+}
+
+/// What a pack is to each of these applications. `bases` are those of the system data of MakeHuman 2.
+pub(super) fn packed<'t>(
+    input: &'t Input,
+    applications: &[Application],
+    bases: &BTreeSet<String>,
+    options: &Config,
+) -> Result<Vec<Place<'t>>, Error> {
+    let Some(facts) = input.tree.pack() else { return Ok(Vec::new()) };
+    let mut places = Vec::new();
+    for application in applications {
+        places.extend(match application {
+            Application::Makehuman2 => imported(input, facts, bases, options)?,
+            other => unpacked(&input.tree, Layout::of(*other)),
+        });
+    }
+    if facts.fault.is_none() && facts.faults.is_empty() {
+        return Ok(places);
+    }
+    // What is wrong with the zip is one matter for all of them.
+    let layouts = applications.iter().map(|application| Layout::of(*application)).collect::<Vec<_>>();
+    let pack = || Pack { faults: Some(Arc::clone(facts)), import: None };
+    match places.as_mut_slice() {
+        [only] if applications.len() == 1 => only.pack.get_or_insert_default().faults = Some(Arc::clone(facts)),
+        _ => places.push(Place::of_pack(&input.tree, "", &layouts, Vec::new(), pack())),
+    }
+    Ok(places)
+}
+
+/// The files of a pack where MakeHuman 2 imports them to.
+fn imported<'t>(
+    input: &'t Input,
+    facts: &PackFacts,
+    bases: &BTreeSet<String>,
+    options: &Config,
+) -> Result<Option<Place<'t>>, Error> {
+    let layout = Layout::of(Application::Makehuman2);
+    if options.applications.is_empty() && is_for_makehuman1_alone(&input.tree) {
+        return Ok(None);
+    }
+    let base = base(input, bases, options)?;
+    let mut found: BTreeMap<String, Vec<&Entry>> = BTreeMap::new();
+    let mut places = BTreeMap::new();
+    for entry in files(&input.tree) {
+        let read_as = facts.unmarked.get(&entry.path).unwrap_or(&entry.path);
+        let place = import(read_as, &base);
+        found.extend(place.clone().filter(|place| !found.contains_key(place)).map(|place| (place, Vec::new())));
+        place.iter().for_each(|place| found.entry(place.clone()).or_default().push(entry));
+        places.insert(entry.path.clone(), place);
+    }
+    let overwritten = found.iter().filter(|(_, entries)| !are_equal(&input.tree, entries, options));
+    let overwritten = overwritten.map(|(place, entries)| (place.clone(), paths(entries))).collect();
+    let below = found.into_iter().filter_map(|(place, entries)| Some((place, *entries.last()?)));
+    let below: Vec<_> = below.map(|(place, entry)| Candidate::new(entry, place, &[layout])).collect();
+    let lost = |path: &String| is_lost(path) && places.get(path).is_some_and(Option::is_none);
+    if !below.iter().any(|one| one.kind() != Kind::Other) && !places.keys().any(lost) {
+        return Ok(None);
+    }
+    let of_kind = |wanted: fn(&MemberFault) -> bool| {
+        facts.faults.iter().filter(move |(_, fault)| wanted(fault)).map(|(name, _)| name.clone()).collect()
+    };
+    let import = Import {
+        base,
+        places,
+        overwritten,
+        misread: facts.unmarked.clone(),
+        backslashes: facts.backslashes.clone(),
+        links: of_kind(|fault| matches!(fault, MemberFault::Link { .. })),
+        replaced: of_kind(|fault| *fault == MemberFault::Replaced),
+    };
+    let pack = Pack { faults: None, import: Some(import) };
+    Ok(Some(Place::of_pack(&input.tree, "", &[layout], below, pack)))
+}
+
+fn files(tree: &Tree) -> impl Iterator<Item = &Entry> {
+    tree.entries().iter().filter(|entry| entry.kind == EntryKind::File)
+}
+
+fn paths(entries: &[&Entry]) -> BTreeSet<String> {
+    entries.iter().map(|entry| entry.path.clone()).collect()
+}
+
+/// Whether it makes no difference which of the files is kept.
+fn are_equal(tree: &Tree, entries: &[&Entry], options: &Config) -> bool {
+    let read = |entry: &Entry| tree.read(entry, &options.limits).ok();
+    match entries {
+        [] | [_] => true,
+        [first, others @ ..] => {
+            let is_equal = |other: &&Entry| other.size == first.size && read(other) == read(first);
+            others.iter().all(is_equal)
+        }
+    }
+}
+
+/// The base mesh that a pack is imported for: the one in its name, the one that is asked for, the only one there is.
+fn base(input: &Input, bases: &BTreeSet<String>, options: &Config) -> Result<String, Error> {
+    let only = || bases.first().filter(|_| bases.len() == 1).map_or("hm08", String::as_str);
+    match (&input.new_base, options.bases.as_slice()) {
+        (Some(new), _) => Ok(new.clone()),
+        (None, []) => Ok(only().to_owned()),
+        (None, [asked]) => Ok(asked.clone()),
+        (None, _) => Err(Error::SeveralBases { file: input.tree.label().to_owned() }),
+    }
+}
+
+/// Whether a pack is what MakeHuman 1 has in its data folder, or that folder, and nothing of it is for MakeHuman 2.
+fn is_for_makehuman1_alone(tree: &Tree) -> bool {
+    let root = root_in(tree, Layout::of(Application::Makehuman1));
+    let is_own = root.is_some_and(|root| root.is_empty() || root == "data");
+    let is_imported = files(tree).any(|entry| import(&entry.path, "hm08").is_some());
+    let roots = find_roots(files(tree).map(|entry| entry.path.as_str()));
+    is_own && !is_imported && !roots.iter().any(|root| root.application == Application::Makehuman2)
+}
+
+/// The files of a pack where they lie once it is unpacked: into the data folder, or around it.
+fn unpacked<'t>(tree: &'t Tree, layout: &'static Layout) -> Option<Place<'t>> {
+    root_in(tree, layout).map(|root| Place::new(tree, &root, &[layout]).into_pack())
+}
+
+/// The folder of a pack with the folders of a data root in it: the first, and none below another.
+fn root_in(tree: &Tree, layout: &Layout) -> Option<String> {
+    let root = |entry: &Entry| {
+        let parts: Vec<&str> = entry.path.split('/').collect();
+        let (_, folders) = parts.split_last()?;
+        let at = folders.iter().position(|folder| layout.has_at_top(folder))?;
+        Some(folders.get(..at)?.join("/"))
+    };
+    files(tree)
+        .filter_map(root)
+        .min_by_key(|root| (root.matches('/').count() + usize::from(!root.is_empty()), root.clone()))
+}
