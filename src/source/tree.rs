@@ -187,7 +187,7 @@ impl Tree {
     }
 
     /// What is to be known of a zip besides the files in it, if it is one.
-    pub fn pack(&self) -> Option<&Arc<PackFacts>> {
+    pub(crate) const fn pack(&self) -> Option<&Arc<PackFacts>> {
         self.pack.as_ref()
     }
 

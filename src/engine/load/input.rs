@@ -24,7 +24,9 @@ pub(in crate::engine) struct Input {
 impl Input {
     pub(in crate::engine) fn whole(tree: Tree) -> Self {
         let named = vec![tree.label().to_owned()];
-        Self { tree, narrow: Vec::new(), named, new_base: None }
+        let name = tree.label().rsplit('/').next().unwrap_or_default();
+        let new_base = tree.pack().and_then(|_| new_base(name)).map(str::to_owned);
+        Self { tree, narrow: Vec::new(), named, new_base }
     }
 
     /// A part of a tree, by its printed path.
@@ -103,9 +105,7 @@ fn open_pack(path: &Path, here: &str, limits: &Limits) -> Result<Input, Error> {
         };
         Error::Path { path: here.to_owned(), fault: PathFault::Unreadable(reason) }
     })?;
-    let input = Input::whole(Tree::packed(here, zip, limits, is_read_though_hidden));
-    let name = here.rsplit('/').next().unwrap_or(here);
-    Ok(Input { new_base: new_base(name).map(str::to_owned), ..input })
+    Ok(Input::whole(Tree::packed(here, zip, limits, is_read_though_hidden)))
 }
 
 /// A file that lies in no data root, with those beside it: they may belong together.

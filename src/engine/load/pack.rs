@@ -8,7 +8,7 @@ use super::input::Input;
 use super::place::Place;
 use crate::config::Config;
 use crate::diag::Application;
-use crate::discover::{Candidate, Kind, Layout, find_roots, import, is_lost};
+use crate::discover::{Candidate, Kind, Layout, find_roots, import, loss};
 use crate::repo::{Import, Pack};
 use crate::source::{Entry, EntryKind, MemberFault, PackFacts, Tree};
 
@@ -73,7 +73,7 @@ fn imported<'t>(
     let overwritten = overwritten.map(|(place, entries)| (place.clone(), paths(entries))).collect();
     let below = found.into_iter().filter_map(|(place, entries)| Some((place, *entries.last()?)));
     let below: Vec<_> = below.map(|(place, entry)| Candidate::new(entry, place, &[layout])).collect();
-    let lost = |path: &String| is_lost(path) && places.get(path).is_some_and(Option::is_none);
+    let lost = |path: &String| loss(path).is_some() && places.get(path).is_some_and(Option::is_none);
     if !below.iter().any(|one| one.kind() != Kind::Other) && !places.keys().any(lost) {
         return Ok(None);
     }

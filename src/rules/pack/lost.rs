@@ -3,13 +3,13 @@
 use super::super::{Rule, counted};
 use super::{Packed, top};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, grouped};
-use crate::discover::{extension, import, in_place_of, is_asset_anywhere, is_lost, listed_in, meant_for};
+use crate::discover::{Loss, extension, import, in_place_of, listed_in, loss, meant_for};
 
 const PICTURES: Case = &[(Makehuman2, Level::Warning, "ignores the pictures on import")];
 const UNLISTED: Case = &[(Makehuman2, Level::Error, "imports it to where it is not listed")];
 
 pub(super) fn report(rule: &Rule, pack: &Packed<'_>, out: &mut Vec<Finding>) {
-    let ignored = pack.import.places.iter().filter(|(path, place)| place.is_none() && is_lost(path));
+    let ignored = pack.import.places.iter().filter(|(path, place)| place.is_none() && loss(path).is_some());
     let by_top = grouped(ignored.map(|(path, _)| (path.split_once('/').map_or("", |(top, _)| top), path.as_str())));
     // What macOS adds to a zip is for macOS alone.
     let by_top = by_top.into_iter().filter(|(top, _)| *top != "__MACOSX");
@@ -56,8 +56,8 @@ fn ignored_folder(rule: &Rule, pack: &Packed<'_>, folder: &str, paths: &[&str]) 
         ),
     };
     let finding = pack.at(rule, folder, message).key(format!("ignored {folder}")).help(help);
-    let are_pictures = !paths.iter().any(|path| is_asset_anywhere(path) || extension(path) == "target");
-    let finding = if are_pictures && meant_for(folder).is_some() { finding.case(PICTURES) } else { finding };
+    let are_pictures = paths.iter().all(|path| loss(path) == Some(Loss::Picture));
+    let finding = if are_pictures { finding.case(PICTURES) } else { finding };
     finding.evidence(Evidence::of_cases(paths.iter().copied()))
 }
 

@@ -24,7 +24,7 @@ const LONGEST: u64 = 4096;
 
 /// What is wrong with a zip as a whole: nothing in it is read.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum PackFault {
+pub(crate) enum PackFault {
     /// It is no zip, or the end with the list of its members is missing.
     NoZip,
     /// The list of its members is damaged.
@@ -45,7 +45,7 @@ pub enum PackFault {
 
 /// Why no file is made of a member.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub enum MemberFault {
+pub(crate) enum MemberFault {
     /// Its name begins at a root or a drive, or has `..` in it.
     Escapes,
     /// It is a link that leads out of the pack.
@@ -72,7 +72,7 @@ pub enum MemberFault {
 
 /// What is to be known of a zip besides the files in it.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct PackFacts {
+pub(crate) struct PackFacts {
     /// What is wrong with it as a whole.
     pub fault: Option<PackFault>,
     /// Members that are no files, by name.

@@ -39,16 +39,23 @@ pub(crate) fn takes(folder: &str) -> bool {
     WORN.contains(&folder) || OTHERS.contains(&folder)
 }
 
-/// What is lost with a file that is ignored: an asset, or a picture in a folder that is nearly one that is taken.
-pub(crate) fn is_lost(path: &str) -> bool {
-    let top = path.split_once('/').map_or("", |(top, _)| top);
-    let is_target = extension(path) == "target";
-    let is_picture = || Kind::by_extension(path) == Kind::Image && meant_for(top).is_some();
-    is_listed_kind(path) || is_asset_anywhere(path) || is_target || is_picture()
+/// What is lost with a file that is ignored.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Loss {
+    /// An asset, or a part of one.
+    Asset,
+    /// A picture in a folder that is nearly one that is taken.
+    Picture,
 }
 
-fn is_listed_kind(path: &str) -> bool {
-    matches!(extension(path), "mhskel" | "mhw" | "bvh" | "proxy")
+/// What is lost with the file at a path of a pack, if it is ignored.
+pub(crate) fn loss(path: &str) -> Option<Loss> {
+    let top = path.split_once('/').map_or("", |(top, _)| top);
+    let is_asset = matches!(extension(path), "mhskel" | "mhw" | "bvh" | "proxy" | "target");
+    if is_asset || is_asset_anywhere(path) {
+        return Some(Loss::Asset);
+    }
+    (Kind::by_extension(path) == Kind::Image && meant_for(top).is_some()).then_some(Loss::Picture)
 }
 
 /// What lies below the folder of a category.
