@@ -189,7 +189,7 @@ pub(super) struct CheckArgs {
         help_heading = "Only new findings"
     )]
     pub(super) since: Option<String>,
-    /// Report only what is new or worse than in another folder.
+    /// Report only what is new or worse than in another folder or zip.
     #[arg(long, value_name = "FOLDER", help_heading = "Only new findings")]
     pub(super) against: Option<PathBuf>,
     /// Hide the findings that are listed in this file.

@@ -13,6 +13,8 @@ pub(crate) struct Pack {
     pub faults: Option<Arc<PackFacts>>,
     /// What becomes of its files, where they are not just unpacked.
     pub import: Option<Import>,
+    /// Paths below the data root of members that are no files.
+    pub lost: BTreeSet<String>,
 }
 
 /// Where an importer puts the files of a pack.
@@ -38,21 +40,25 @@ impl Import {
     /// The file of the pack that a name in another one leads to before they are imported. `from` is the path in the pack of
     /// the file with the name.
     pub(crate) fn meant(&self, from: &str, text: &str) -> Option<&str> {
-        let own = parent(from);
-        let above = own.ends_with("materials").then(|| parent(own));
-        let below = text.split_once('/').map(|(_, below)| format!("{own}/{below}"));
-        let places = [Some(format!("{own}/{text}")), above.map(|above| format!("{above}/{text}")), below];
-        let known = |place: String| self.places.get_key_value(&normalized(&place)?).map(|(path, _)| path.as_str());
-        places.into_iter().flatten().find_map(known)
+        let known = |place: String| self.places.get_key_value(&place).map(|(path, _)| path.as_str());
+        named_places(from, text).find_map(known)
     }
 }
 
 impl Pack {
-    /// Whether a name leads to a file of the pack that the importer puts elsewhere, or under another name. `from` is a file
-    /// of the layer at `root`.
-    pub(crate) fn moves(&self, root: &str, from: &FileFacts, text: &str) -> bool {
-        let Some(import) = &self.import else { return false };
-        let from = from.path.strip_prefix(root).map(|from| from.trim_start_matches('/'));
-        from.is_some_and(|from| import.meant(from, text).is_some())
+    /// Whether a name leads to something in the pack that is not there once it is unpacked or imported, for a reason that
+    /// is a fault of the pack. `from` is a file of the layer at `root`.
+    pub(crate) fn explains(&self, root: &str, from: &FileFacts, text: &str) -> bool {
+        let Some(from) = from.path.strip_prefix(root).map(|from| from.trim_start_matches('/')) else { return false };
+        let is_moved = || self.import.as_ref().is_some_and(|import| import.meant(from, text).is_some());
+        named_places(from, text).any(|place| self.lost.contains(&place)) || is_moved()
     }
+}
+
+/// Where the files around another one are looked for.
+fn named_places(from: &str, text: &str) -> impl Iterator<Item = String> {
+    let own = parent(from);
+    let above = own.ends_with("materials").then(|| format!("{}/{text}", parent(own)));
+    let below = text.split_once('/').map(|(_, below)| format!("{own}/{below}"));
+    [Some(format!("{own}/{text}")), above, below].into_iter().flatten().filter_map(|place| normalized(&place))
 }

@@ -83,7 +83,7 @@ pub enum Resolution<'a> {
     OtherLayer(&'a FileFacts),
     /// Something that cannot be opened: a folder, a broken link, a link that leaves the root.
     Unusable,
-    /// A file of the same pack, which importing the pack puts elsewhere or gives another name.
+    /// Something in the same pack that is no longer there once that is imported or unpacked: a fault of the pack.
     Moved,
     /// Nothing.
     Missing,
@@ -120,9 +120,9 @@ impl<'a> Resolution<'a> {
         }
     }
 
-    /// What is missing although a pack has it: importing the pack moves it.
+    /// What is missing although a pack has it is a fault of the pack.
     pub(super) fn in_pack(self, layers: &[&Layer], from: &FileFacts, text: &str) -> Self {
-        let is_moved = |layer: &&Layer| layer.pack.as_ref().is_some_and(|pack| pack.moves(&layer.path, from, text));
+        let is_moved = |layer: &&Layer| layer.pack.as_ref().is_some_and(|pack| pack.explains(&layer.path, from, text));
         if matches!(self, Self::Missing) && layers.iter().any(is_moved) { Self::Moved } else { self }
     }
 

@@ -10,7 +10,7 @@ use crate::config::Config;
 use crate::diag::Application;
 use crate::discover::{Candidate, Kind, Layout, find_roots, import, loss};
 use crate::repo::{Import, Pack};
-use crate::source::{Entry, EntryKind, MemberFault, PackFacts, Tree};
+use crate::source::{Entry, EntryKind, MemberFault, PackFacts, Tree, inside};
 
 /// The applications that the files of a pack are checked for: those that are asked for, else those of the system data.
 pub(super) fn asked(applications: &[Application], systems: &[Place<'_>], options: &Config) -> Vec<Application> {
@@ -32,7 +32,7 @@ pub(super) fn packed<'t>(
     for application in applications {
         places.extend(match application {
             Application::Makehuman2 => imported(input, facts, bases, options)?,
-            other => unpacked(&input.tree, Layout::of(*other)),
+            other => unpacked(&input.tree, Layout::of(*other), facts),
         });
     }
     if facts.fault.is_none() && facts.faults.is_empty() {
@@ -40,7 +40,7 @@ pub(super) fn packed<'t>(
     }
     // What is wrong with the zip is one matter for all of them.
     let layouts = applications.iter().map(|application| Layout::of(*application)).collect::<Vec<_>>();
-    let pack = || Pack { faults: Some(Arc::clone(facts)), import: None };
+    let pack = || Pack { faults: Some(Arc::clone(facts)), ..Pack::default() };
     match places.as_mut_slice() {
         [only] if applications.len() == 1 => only.pack.get_or_insert_default().faults = Some(Arc::clone(facts)),
         _ => places.push(Place::of_pack(&input.tree, "", &layouts, Vec::new(), pack())),
@@ -89,7 +89,7 @@ fn imported<'t>(
         links: of_kind(|fault| matches!(fault, MemberFault::Link { .. })),
         replaced: of_kind(|fault| *fault == MemberFault::Replaced),
     };
-    let pack = Pack { faults: None, import: Some(import) };
+    let pack = Pack { faults: None, import: Some(import), lost: lost_below("", facts) };
     Ok(Some(Place::of_pack(&input.tree, "", &[layout], below, pack)))
 }
 
@@ -134,8 +134,17 @@ fn is_for_makehuman1_alone(tree: &Tree) -> bool {
 }
 
 /// The files of a pack where they lie once it is unpacked: into the data folder, or around it.
-fn unpacked<'t>(tree: &'t Tree, layout: &'static Layout) -> Option<Place<'t>> {
-    root_in(tree, layout).map(|root| Place::new(tree, &root, &[layout]).into_pack())
+fn unpacked<'t>(tree: &'t Tree, layout: &'static Layout, facts: &PackFacts) -> Option<Place<'t>> {
+    let root = root_in(tree, layout)?;
+    let pack = Pack { lost: lost_below(&root, facts), ..Pack::default() };
+    let mut place = Place::new(tree, &root, &[layout]);
+    place.pack = Some(pack);
+    Some(place)
+}
+
+/// The members that are no files, by path below a folder.
+fn lost_below(root: &str, facts: &PackFacts) -> BTreeSet<String> {
+    facts.faults.iter().filter_map(|(path, _)| inside(path, root)).map(str::to_owned).collect()
 }
 
 /// The folder of a pack with the folders of a data root in it: the first, and none below another.

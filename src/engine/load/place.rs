@@ -47,11 +47,6 @@ impl<'t> Place<'t> {
         Self { pack: Some(pack), ..Self::with(tree, root, layouts, below, false) }
     }
 
-    /// The same of files that keep their paths.
-    pub(super) fn into_pack(self) -> Self {
-        Self { pack: Some(Pack::default()), ..self }
-    }
-
     fn with(
         tree: &'t Tree,
         root: &str,

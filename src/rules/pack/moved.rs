@@ -67,29 +67,33 @@ fn cause(pack: &Packed<'_>, one: &Reference<'_>) -> Option<Cause> {
 
 fn of_unfound(rule: &Rule, pack: &Packed<'_>, cause: &Cause, references: &[&Reference<'_>]) -> Option<Finding> {
     let first = references.first()?;
-    let count = counted(references.len(), "name");
-    let finding = |message: String| rule.at(first.from, first.place.clone(), message);
-    let finding = match cause {
-        Cause::Ignored(folder) => finding(format!("`{folder}` is not imported, but {count} of files lead into it"))
-            .key(format!("unfound {folder}"))
-            .help("put the files into the folder of the asset that names them"),
-        Cause::Renamed(folder) => finding(format!(
-            "importing renames `{folder}` to `materials`: {count} of files no longer fit"
-        ))
-        .key(format!("renamed {folder}"))
-        .help(
+    let named = format!("`{}` names `{}`", first.from.file_name(), first.text);
+    let more = if references.len() > 1 {
+        format!(" (and {})", counted(references.len() - 1, "more name"))
+    } else {
+        String::new()
+    };
+    let (message, key, help) = match cause {
+        Cause::Ignored(folder) => (
+            format!("`{folder}` is not imported, but {named}{more}"),
+            format!("unfound {folder}"),
+            "put the files into the folder of the asset that names them",
+        ),
+        Cause::Renamed(folder) => (
+            format!("importing renames the folder `{folder}`, but {named}{more}"),
+            format!("renamed {folder}"),
             "put the files beside the file that names them, or in a folder called `materials`, and correct the names",
         ),
         Cause::Misread => {
             let path = pack.import.meant(pack.path(first.from), first.text)?;
-            let read = pack.import.misread.get(path).map_or("", String::as_str);
+            let read = pack.import.misread.get(path).map_or(path, String::as_str);
             let name = |path: &str| path.rsplit('/').next().unwrap_or_default().to_owned();
-            let message = format!("`{}` is not marked as UTF-8 in the zip and becomes `{}`", name(path), name(read));
-            finding(message)
-                .key("misread")
-                .help("use names without accents, or pack with a program that marks names as UTF-8, such as 7-Zip")
+            let becomes = format!("`{}` is not marked as UTF-8 in the zip and becomes `{}`", name(path), name(read));
+            let help = "use names without accents, or pack with a program that marks names as UTF-8, such as 7-Zip";
+            (format!("{becomes}{more}"), "misread".to_owned(), help)
         }
     };
+    let finding = rule.at(first.from, first.place.clone(), message).key(key).help(help);
     let is_mesh = references.iter().any(|one| one.kind == ReferenceKind::AssetMesh);
     let level = if is_mesh { Level::Error } else { Level::Warning };
     let effect = match is_mesh {

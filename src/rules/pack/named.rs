@@ -1,6 +1,6 @@
 //! Names in a zip that are not those of files: backslashes, links, one name twice.
 
-use super::super::{Rule, counted};
+use super::super::Rule;
 use super::Packed;
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level};
 
@@ -12,17 +12,26 @@ const TWICE: Case = &[(Makehuman2, Level::Warning, "imports the last of them; th
 pub(super) fn report(rule: &Rule, pack: &Packed<'_>, out: &mut Vec<Finding>) {
     let import = pack.import;
     out.extend(of(rule, pack, &import.backslashes, BACKSLASHES).map(|(finding, first, count)| {
-        let message = format!("{} written with `\\`, first `{}`", counted(count, "name"), first.replace('/', "\\"));
+        let first = first.replace('/', "\\");
+        let message = match count {
+            1 => format!("`{first}` has `\\` between its folders"),
+            _ => format!("{count} names have `\\` between their folders, first `{first}`"),
+        };
         Finding { message, ..finding.key("backslash") }
             .help("pack with a program that writes `/`, such as 7-Zip or the file manager of the system")
     }));
     out.extend(of(rule, pack, &import.links, LINKS).map(|(finding, first, count)| {
-        let message = format!("{} in the zip, first `{first}`", counted(count, "symbolic link"));
+        let message = match count {
+            1 => format!("`{first}` is a symbolic link"),
+            _ => format!("{count} members are symbolic links, first `{first}`"),
+        };
         Finding { message, ..finding.key("link") }.help("pack the files that they lead to in their place")
     }));
     out.extend(of(rule, pack, &import.replaced, TWICE).map(|(finding, first, count)| {
-        let message =
-            format!("{} in the zip more than once with different content, first `{first}`", counted(count, "name"));
+        let message = match count {
+            1 => format!("`{first}` is in the zip more than once, with different content"),
+            _ => format!("{count} names are in the zip more than once with different content, first `{first}`"),
+        };
         Finding { message, ..finding.key("twice") }.help("pack each file once")
     }));
 }

@@ -112,7 +112,8 @@ impl Pack {
         let mut pack = Self { zip: zip.into(), hash, files: BTreeMap::new(), folders: Vec::new() };
         for record in records {
             if let Err(fault) = pack.add(&record, &mut facts) {
-                facts.faults.push((shown(&record), fault));
+                let path = name(&record).map(|name| name.path);
+                facts.faults.push((path.unwrap_or_else(|_| shown(&record)), fault));
             }
         }
         pack.drop_files_below_files(&mut facts);
