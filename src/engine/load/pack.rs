@@ -30,8 +30,12 @@ pub(super) fn packed<'t>(
     let Some(facts) = input.tree.pack() else { return Ok(Vec::new()) };
     let mut places = Vec::new();
     for application in applications {
+        let is_asked = applications.len() == 1 || !options.applications.is_empty();
         places.extend(match application {
+            Application::Makehuman2 if !is_asked && is_for_makehuman1_alone(&input.tree) => None,
             Application::Makehuman2 => imported(input, facts, bases, options)?,
+            // Only MakeHuman 2 has base meshes to add.
+            _ if !is_asked && input.new_base.is_some() => None,
             other => unpacked(&input.tree, Layout::of(*other), facts),
         });
     }
@@ -56,16 +60,12 @@ fn imported<'t>(
     options: &Config,
 ) -> Result<Option<Place<'t>>, Error> {
     let layout = Layout::of(Application::Makehuman2);
-    if options.applications.is_empty() && is_for_makehuman1_alone(&input.tree) {
-        return Ok(None);
-    }
     let base = base(input, bases, options)?;
     let mut found: BTreeMap<String, Vec<&Entry>> = BTreeMap::new();
     let mut places = BTreeMap::new();
     for entry in files(&input.tree) {
         let read_as = facts.unmarked.get(&entry.path).unwrap_or(&entry.path);
         let place = import(read_as, &base);
-        found.extend(place.clone().filter(|place| !found.contains_key(place)).map(|place| (place, Vec::new())));
         place.iter().for_each(|place| found.entry(place.clone()).or_default().push(entry));
         places.insert(entry.path.clone(), place);
     }

@@ -19,10 +19,9 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         - All else is ignored without a word: a folder around everything, `proxy`, `target`, `targets`, `materials`, files at \
         the top.\n\n\
         There is no folder for the base mesh in a pack: importing adds it.\n\n\
-        Names in a zip use `/`, and letters outside of ASCII must be marked as UTF-8. Windows programs of old write `\\\\`, \
+        Names in a zip use `/`, and letters outside of ASCII must be marked as UTF-8. Old Windows programs write `\\`, \
         which leaves files with long names at the top on Linux and macOS. Names that are not marked get other letters.\n\n\
         Change the folders, and pack them again.",
-    counts: "files",
     ..RuleInfo::new("pack-layout", Level::Error, "an asset pack with files that importing loses, renames or overwrites")
 });
 

@@ -27,6 +27,8 @@ pub(super) fn is_below_base(pack: &Packed<'_>, path: &str) -> bool {
     let parts: Vec<&str> = path.split('/').collect();
     match parts.as_slice() {
         ["base" | "models" | "themes", ..] => false,
+        // This one keeps its name: nothing is split up.
+        [_, _, "materials", _] => false,
         ["contarget", base, _, ..] | [_, base, _, _, ..] => {
             *base == pack.import.base || ["hm08", "mh2bot"].contains(base)
         }
