@@ -1,8 +1,6 @@
 //! A tree of files, from disk or from memory; callers cannot tell which.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -12,6 +10,7 @@ use super::Limits;
 use super::folder::inside;
 use super::listing::{Room, add_file, add_folders, folders_above, memory_entries};
 use super::pack::{Pack, PackFacts};
+use super::read::{ends_of, read_bounded, too_large};
 use super::walk::{self, Wanted};
 use crate::diag::grouped;
 
@@ -227,11 +226,11 @@ impl Tree {
         }
         let bytes = match &self.backend {
             Backend::Disk(root) => read_bounded(&root.join(&entry.native), entry.size, limits),
-            Backend::Memory(files) => files
-                .get(&entry.path)
-                .map(|bytes| bytes.to_vec())
-                .ok_or_else(|| ReadFault::Unreadable("it no longer exists".to_owned())),
-            Backend::Packed(pack) => pack.read(&entry.path),
+            Backend::Memory(files) => files.get(&entry.path).map(|bytes| bytes.to_vec()).ok_or_else(gone),
+            Backend::Packed(pack) => match pack.read(&entry.path) {
+                Some(bytes) => bytes.map_err(|_| ReadFault::Unreadable("it cannot be unpacked".to_owned())),
+                None => Err(gone()),
+            },
         }?;
         if let Some(seen) = &self.seen {
             let mut seen = seen.lock().unwrap_or_else(PoisonError::into_inner);
@@ -355,49 +354,8 @@ fn linked(links: &BTreeMap<&str, Vec<&str>>, path: &str) -> BTreeSet<String> {
     above.flat_map(|(links, rest)| links.iter().map(move |link| format!("{link}{rest}"))).collect()
 }
 
-/// The bytes of a single file that no listing is needed for.
-///
-/// # Errors
-/// As [`Tree::read`].
-pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadFault> {
-    let metadata = fs::metadata(path).map_err(|error| ReadFault::Unreadable(error.to_string()))?;
-    if metadata.is_dir() {
-        return Err(ReadFault::Unreadable("it is a folder".to_owned()));
-    }
-    if !metadata.is_file() {
-        return Err(ReadFault::Unreadable("it is not a regular file".to_owned()));
-    }
-    if metadata.len() > limits.file_bytes {
-        return Err(too_large(metadata.len(), limits));
-    }
-    read_bounded(path, metadata.len(), limits)
-}
-
-fn ends_of(path: &Path, head: usize, tail: usize) -> io::Result<Ends> {
-    let mut file = fs::File::open(path)?;
-    let (mut first, mut last) = (Vec::with_capacity(head), Vec::with_capacity(tail));
-    file.by_ref().take(head as u64).read_to_end(&mut first)?;
-    // A file may have become shorter since it was listed.
-    let end = file.metadata()?.len().saturating_sub(tail as u64);
-    file.seek(SeekFrom::Start(end))?;
-    file.take(tail as u64).read_to_end(&mut last)?;
-    Ok((first, last))
-}
-
-fn read_bounded(path: &Path, expected: u64, limits: &Limits) -> Result<Vec<u8>, ReadFault> {
-    let unreadable = |error: io::Error| ReadFault::Unreadable(error.to_string());
-    let file = fs::File::open(path).map_err(unreadable)?;
-    let mut bytes = Vec::with_capacity(usize::try_from(expected).unwrap_or(0).saturating_add(1));
-    // A file may grow while it is read; the limit holds all the same.
-    file.take(limits.file_bytes.saturating_add(1)).read_to_end(&mut bytes).map_err(unreadable)?;
-    if bytes.len() as u64 > limits.file_bytes {
-        return Err(too_large(bytes.len() as u64, limits));
-    }
-    Ok(bytes)
-}
-
-fn too_large(size: u64, limits: &Limits) -> ReadFault {
-    ReadFault::TooLarge { size, limit: limits.file_bytes }
+fn gone() -> ReadFault {
+    ReadFault::Unreadable("it no longer exists".to_owned())
 }
 
 /// Removes a file, or a folder with all that is in it, and the folders above that held nothing else.
@@ -422,6 +380,8 @@ fn remove(entries: &mut BTreeMap<String, Entry>, path: &str) {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]

@@ -198,7 +198,7 @@ fn bombs_are_refused_by_ratio_and_by_size() {
 
 #[test]
 fn a_member_that_unpacks_to_more_than_it_says_is_damaged() {
-    let mut lying = zip(&[(Member { times: 2, ..named("clothes/a/a.obj") }, &[b'0'; 1 << 20])]);
+    let mut lying = zip(&[(Member { times: 2, ..named("clothes/a/a.obj") }, &vec![b'0'; 1 << 20])]);
     let list = lying.windows(4).position(|four| four == b"PK\x01\x02").unwrap();
     lying[list + 24..list + 28].copy_from_slice(&9_u32.to_le_bytes());
     assert_eq!(rules(&lint(lying, Limits::default())), ["archive-malformed"]);

@@ -19,6 +19,7 @@ pub(super) static LAYOUT: Layout = Layout {
     place,
     reads_hidden,
     loose_place,
+    import: Some(importer::import),
     role,
     is_system_of_two,
     opens: opened::opens,

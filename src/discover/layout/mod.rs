@@ -27,6 +27,9 @@ pub(crate) struct Layout {
     /// The place below a user's data root that the file at a path belongs to, for a base mesh if one is known; `None`
     /// for files that are not checked outside a data root.
     pub loose_place: fn(&str, Option<&str>) -> Option<String>,
+    /// Where its importer puts the file at a path of a pack, for a base mesh; `None` for what it ignores. An application
+    /// without an importer has what is unpacked into its data folder.
+    pub import: Option<fn(&str, &str) -> Option<String>>,
     /// The part that the data root with these files plays.
     pub role: fn(&[Candidate<'_>]) -> Role,
     /// Whether the root with these files, beside another one, is the system although it could play both parts.
@@ -130,6 +133,7 @@ impl Layout {
         place: |_| (Kind::Other, None),
         reads_hidden: |_| false,
         loose_place: |_, _| None,
+        import: None,
         role: |_| Role::User,
         is_system_of_two: |_| false,
         opens: |_| true,

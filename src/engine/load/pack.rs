@@ -1,4 +1,4 @@
-//! A zip as what it becomes: a user's folder of MakeHuman 2 once it is imported, one of MakeHuman 1 once it is unpacked.
+//! A zip as what it becomes: a user's data folder, once an importer has put its files there or it is unpacked into it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -8,9 +8,12 @@ use super::input::Input;
 use super::place::Place;
 use crate::config::Config;
 use crate::diag::Application;
-use crate::discover::{Candidate, Kind, Layout, find_roots, import, loss};
+use crate::discover::{Candidate, Kind, Layout, USUAL_BASE, find_roots, loss};
 use crate::repo::{Import, Pack};
 use crate::source::{Entry, EntryKind, MemberFault, PackFacts, Tree, inside};
+
+/// Where an importer puts a path of a pack, for a base mesh.
+type Importer = fn(&str, &str) -> Option<String>;
 
 /// The applications that the files of a pack are checked for: those that are asked for, else those of the system data.
 pub(super) fn asked(applications: &[Application], systems: &[Place<'_>], options: &Config) -> Vec<Application> {
@@ -20,30 +23,32 @@ pub(super) fn asked(applications: &[Application], systems: &[Place<'_>], options
     applications.iter().copied().filter(is_asked).collect()
 }
 
-/// What a pack is to each of these applications. `bases` are those of the system data of MakeHuman 2.
+/// What a pack is to each of these applications, with the base meshes of its system data.
 pub(super) fn packed<'t>(
     input: &'t Input,
-    applications: &[Application],
-    bases: &BTreeSet<String>,
+    applications: &[(Application, BTreeSet<String>)],
     options: &Config,
 ) -> Result<Vec<Place<'t>>, Error> {
     let Some(facts) = input.tree.pack() else { return Ok(Vec::new()) };
+    let layouts: Vec<&'static Layout> = applications.iter().map(|(application, _)| Layout::of(*application)).collect();
+    // Who asks for applications gets them; else the pack may say whose it is.
+    let may_choose = options.applications.is_empty() && applications.len() > 1;
     let mut places = Vec::new();
-    for application in applications {
-        let is_asked = applications.len() == 1 || !options.applications.is_empty();
-        places.extend(match application {
-            Application::Makehuman2 if !is_asked && is_for_makehuman1_alone(&input.tree) => None,
-            Application::Makehuman2 => imported(input, facts, bases, options)?,
-            // Only MakeHuman 2 has base meshes to add.
-            _ if !is_asked && input.new_base.is_some() => None,
-            other => unpacked(&input.tree, Layout::of(*other), facts),
+    for (layout, (_, bases)) in layouts.iter().zip(applications) {
+        places.extend(match layout.import {
+            Some(import) if !(may_choose && is_data_of_another(&input.tree, layout, import)) => {
+                let base = base(input, bases, options)?;
+                imported(&input.tree, facts, layout, import, base, options)
+            }
+            // Only an importer adds base meshes.
+            None if !(may_choose && input.new_base.is_some()) => unpacked(&input.tree, layout, facts),
+            _ => None,
         });
     }
     if facts.fault.is_none() && facts.faults.is_empty() {
         return Ok(places);
     }
     // What is wrong with the zip is one matter for all of them.
-    let layouts = applications.iter().map(|application| Layout::of(*application)).collect::<Vec<_>>();
     let pack = || Pack { faults: Some(Arc::clone(facts)), ..Pack::default() };
     match places.as_mut_slice() {
         [only] if applications.len() == 1 => only.pack.get_or_insert_default().faults = Some(Arc::clone(facts)),
@@ -52,30 +57,30 @@ pub(super) fn packed<'t>(
     Ok(places)
 }
 
-/// The files of a pack where MakeHuman 2 imports them to.
+/// The files of a pack where an importer puts them.
 fn imported<'t>(
-    input: &'t Input,
+    tree: &'t Tree,
     facts: &PackFacts,
-    bases: &BTreeSet<String>,
+    layout: &'static Layout,
+    import: Importer,
+    base: String,
     options: &Config,
-) -> Result<Option<Place<'t>>, Error> {
-    let layout = Layout::of(Application::Makehuman2);
-    let base = base(input, bases, options)?;
+) -> Option<Place<'t>> {
     let mut found: BTreeMap<String, Vec<&Entry>> = BTreeMap::new();
     let mut places = BTreeMap::new();
-    for entry in files(&input.tree) {
+    for entry in files(tree) {
         let read_as = facts.unmarked.get(&entry.path).unwrap_or(&entry.path);
         let place = import(read_as, &base);
         place.iter().for_each(|place| found.entry(place.clone()).or_default().push(entry));
         places.insert(entry.path.clone(), place);
     }
-    let overwritten = found.iter().filter(|(_, entries)| !are_equal(&input.tree, entries, options));
+    let overwritten = found.iter().filter(|(_, entries)| !are_equal(tree, entries, options));
     let overwritten = overwritten.map(|(place, entries)| (place.clone(), paths(entries))).collect();
     let below = found.into_iter().filter_map(|(place, entries)| Some((place, *entries.last()?)));
     let below: Vec<_> = below.map(|(place, entry)| Candidate::new(entry, place, &[layout])).collect();
     let lost = |path: &String| loss(path).is_some() && places.get(path).is_some_and(Option::is_none);
     if !below.iter().any(|one| one.kind() != Kind::Other) && !places.keys().any(lost) {
-        return Ok(None);
+        return None;
     }
     let of_kind = |wanted: fn(&MemberFault) -> bool| {
         facts.faults.iter().filter(move |(_, fault)| wanted(fault)).map(|(name, _)| name.clone()).collect()
@@ -90,7 +95,7 @@ fn imported<'t>(
         replaced: of_kind(|fault| *fault == MemberFault::Replaced),
     };
     let pack = Pack { faults: None, import: Some(import), lost: lost_below("", facts) };
-    Ok(Some(Place::of_pack(&input.tree, "", &[layout], below, pack)))
+    Some(Place::of_pack(tree, "", &[layout], below, pack))
 }
 
 fn files(tree: &Tree) -> impl Iterator<Item = &Entry> {
@@ -115,7 +120,7 @@ fn are_equal(tree: &Tree, entries: &[&Entry], options: &Config) -> bool {
 
 /// The base mesh that a pack is imported for: the one in its name, the one that is asked for, the only one there is.
 fn base(input: &Input, bases: &BTreeSet<String>, options: &Config) -> Result<String, Error> {
-    let only = || bases.first().filter(|_| bases.len() == 1).map_or("hm08", String::as_str);
+    let only = || bases.first().filter(|_| bases.len() == 1).map_or(USUAL_BASE, String::as_str);
     match (&input.new_base, options.bases.as_slice()) {
         (Some(new), _) => Ok(new.clone()),
         (None, []) => Ok(only().to_owned()),
@@ -124,13 +129,15 @@ fn base(input: &Input, bases: &BTreeSet<String>, options: &Config) -> Result<Str
     }
 }
 
-/// Whether a pack is what MakeHuman 1 has in its data folder, or that folder, and nothing of it is for MakeHuman 2.
-fn is_for_makehuman1_alone(tree: &Tree) -> bool {
-    let root = root_in(tree, Layout::of(Application::Makehuman1));
-    let is_own = root.is_some_and(|root| root.is_empty() || root == "data");
-    let is_imported = files(tree).any(|entry| import(&entry.path, "hm08").is_some());
-    let roots = find_roots(files(tree).map(|entry| entry.path.as_str()));
-    is_own && !is_imported && !roots.iter().any(|root| root.application == Application::Makehuman2)
+/// Whether an importer takes nothing of a pack because it is the data folder of an application without one, or what is in
+/// it.
+fn is_data_of_another(tree: &Tree, layout: &Layout, import: Importer) -> bool {
+    let others = Application::ALL.map(Layout::of).into_iter().filter(|other| other.import.is_none());
+    let mut roots = others.filter_map(|other| root_in(tree, other));
+    let is_anothers = roots.any(|root| root.is_empty() || root == "data");
+    let is_imported = files(tree).any(|entry| import(&entry.path, USUAL_BASE).is_some());
+    let own = find_roots(files(tree).map(|entry| entry.path.as_str()));
+    is_anothers && !is_imported && !own.iter().any(|root| root.application == layout.application)
 }
 
 /// The files of a pack where they lie once it is unpacked: into the data folder, or around it.

@@ -53,9 +53,9 @@ impl<'t> Roots<'t> {
         let bases_of =
             |application| systems.iter().filter(move |system| system.is_of(application)).flat_map(base_meshes);
         let mut packed_places = Vec::new();
+        let of_packs: Vec<_> = of_packs.into_iter().map(|one| (one, bases_of(one).collect())).collect();
         for pack in packs {
-            let bases = bases_of(Application::Makehuman2).collect();
-            packed_places.extend(packed(pack, &of_packs, &bases, options)?);
+            packed_places.extend(packed(pack, &of_packs, options)?);
         }
         let mut outside = Vec::new();
         for application in asked {

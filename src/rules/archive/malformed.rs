@@ -27,14 +27,14 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         warning). Delete the archive, or rebuild it.\n\n\
         `.mhbin` beside an asset is what MakeHuman 2 packs of its text and mesh. The library opens all of them at start: one \
         that is not a zip crashes it, and the next start comes up without any asset. Delete it if the text is beside \
-        it.\n\nA zip of assets given as PATH is tried whole: one that is no zip, is cut off, or has members that are damaged, encrypted or \
+        it.\n\nA zip of assets given as PATH is tried whole: one that is not a zip, is cut off, or has members that are damaged, encrypted or \
         packed in a rare way cannot be imported or unpacked. Pack it again.",
     counts: "members",
     ..RuleInfo::new("archive-malformed", Level::Error, "an archive of targets, of a base mesh or of an asset that cannot be loaded, or a zip of assets that cannot be unpacked")
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    if view.application() == Makehuman2 {
+    if !view.is_makehuman1() {
         view.files().for_each(|file| report(&RULE, Sort::Malformed, view, file, out));
     }
     pack::report(&RULE, view.layers().checked, out);

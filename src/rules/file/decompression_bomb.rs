@@ -26,7 +26,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    if view.application() == Makehuman2 {
+    if !view.is_makehuman1() {
         view.files().for_each(|file| of_file(view, file, out));
     }
     let layer = view.layers().checked;

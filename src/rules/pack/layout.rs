@@ -3,9 +3,9 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{Packed, lost, moved, named};
 use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
-use crate::repo::View;
+use crate::repo::makehuman2::View;
 
-pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "ignores the files on import")],
     docs: "A zip given as PATH is checked as the folder that it becomes when MakeHuman 2 imports it as an asset pack. The \
         importer asks for the base mesh, or takes it from a name such as `newbase_imp.zip`, and looks at the folders at the \
@@ -26,10 +26,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(pack) = Packed::of(view.layers().checked) else { return };
-    if view.application() != Makehuman2 {
-        return;
-    }
+    let Some(pack) = Packed::of(view.layers.checked) else { return };
     lost::report(&RULE, &pack, out);
     moved::report(&RULE, &pack, view, out);
     named::report(&RULE, &pack, out);

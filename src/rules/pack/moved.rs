@@ -5,8 +5,13 @@ use std::collections::BTreeSet;
 use super::super::{Rule, counted};
 use super::lost::is_below_base;
 use super::{Packed, top};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, grouped};
-use crate::repo::{Reference, ReferenceKind, Resolution, View, parent};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, grouped};
+use crate::repo::makehuman2::View;
+use crate::repo::{Reference, ReferenceKind, Resolution, parent};
+
+const NO_MESH: Case = &[(Makehuman2, Level::Error, "does not find the mesh: the asset cannot be put on")];
+const NO_FILES: Case =
+    &[(Makehuman2, Level::Warning, "does not find the files: surfaces show plain colours instead of textures")];
 
 pub(super) fn report(rule: &Rule, pack: &Packed<'_>, view: &View<'_>, out: &mut Vec<Finding>) {
     out.extend(below_base(rule, pack));
@@ -34,7 +39,7 @@ fn below_base(rule: &Rule, pack: &Packed<'_>) -> Option<Finding> {
 
 /// Names that lead to a file of the pack, and to nothing once it is imported: one finding for each folder.
 fn unfound(rule: &Rule, pack: &Packed<'_>, view: &View<'_>) -> Vec<Finding> {
-    let moved = view.references().iter().filter(|one| matches!(one.resolution, Resolution::Moved));
+    let moved = view.references.iter().filter(|one| matches!(one.resolution, Resolution::Moved));
     let by_cause = grouped(moved.filter_map(|one| Some((cause(pack, one)?, one))));
     by_cause.into_iter().filter_map(|(cause, references)| of_unfound(rule, pack, &cause, &references)).collect()
 }
@@ -95,13 +100,8 @@ fn of_unfound(rule: &Rule, pack: &Packed<'_>, cause: &Cause, references: &[&Refe
     };
     let finding = rule.at(first.from, first.place.clone(), message).key(key).help(help);
     let is_mesh = references.iter().any(|one| one.kind == ReferenceKind::AssetMesh);
-    let level = if is_mesh { Level::Error } else { Level::Warning };
-    let effect = match is_mesh {
-        true => "does not find the mesh: the asset cannot be put on",
-        false => "does not find the files: surfaces show plain colours instead of textures",
-    };
+    let finding = finding.case(if is_mesh { NO_MESH } else { NO_FILES });
     let cases = references.iter().map(|one| format!("{} {}", one.from.file_name(), one.text));
-    let finding = finding.level_in(Makehuman2, level).effect_in(Makehuman2, effect);
     Some(finding.evidence(Evidence::of_cases(cases)))
 }
 

@@ -15,8 +15,6 @@ use xxhash_rust::xxh3::xxh3_64;
 use self::directory::{Record, records};
 use self::name::{Name, name, shown};
 use self::unpack::{check, unpack};
-use super::listing::folders_above;
-use super::tree::ReadFault;
 use super::{Limits, normalized};
 
 /// Bytes that a path has at most, on any system that the applications run on.
@@ -161,7 +159,8 @@ impl Pack {
 
     /// Whoever unpacks it fails at a file that is to lie in another file.
     fn drop_files_below_files(&mut self, facts: &mut PackFacts) {
-        let is_below = |path: &&String| folders_above(path).any(|folder| self.files.contains_key(folder));
+        let taken = |folder: Option<&str>| folder.is_some_and(|folder| self.files.contains_key(folder));
+        let is_below = |path: &&String| path.match_indices('/').any(|(at, _)| taken(path.get(..at)));
         let below: Vec<String> = self.files.keys().filter(is_below).cloned().collect();
         for path in below {
             self.files.remove(&path);
@@ -179,11 +178,9 @@ impl Pack {
         self.folders.iter().map(String::as_str)
     }
 
-    /// The bytes of a file.
-    pub(super) fn read(&self, path: &str) -> Result<Vec<u8>, ReadFault> {
-        let unreadable = |reason: &str| ReadFault::Unreadable(reason.to_owned());
-        let record = self.files.get(path).ok_or_else(|| unreadable("it no longer exists"))?;
-        unpack(&self.zip, record).map_err(|_| unreadable("it cannot be unpacked"))
+    /// The bytes of a file; `None` if there is no such file.
+    pub(super) fn read(&self, path: &str) -> Option<Result<Vec<u8>, MemberFault>> {
+        self.files.get(path).map(|record| unpack(&self.zip, record))
     }
 }
 

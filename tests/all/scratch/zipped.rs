@@ -24,6 +24,7 @@ pub struct Zipped {
 /// One member: sound, unless it says something else.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields, default)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a key of a case")]
 pub struct Member {
     pub name: String,
     /// The name in hexadecimal, where it is not UTF-8.
