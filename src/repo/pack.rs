@@ -46,6 +46,11 @@ impl Import {
 }
 
 impl Pack {
+    /// Whether there is a file at a path in the pack that importing ignores.
+    pub(crate) fn ignores(&self, path: &str) -> bool {
+        self.import.as_ref().is_some_and(|import| import.places.get(path).is_some_and(Option::is_none))
+    }
+
     /// Whether a name leads to something in the pack that is not there once it is unpacked or imported, for a reason that
     /// is a fault of the pack. `from` is a file of the layer at `root`.
     pub(crate) fn explains(&self, root: &str, from: &FileFacts, text: &str) -> bool {

@@ -141,8 +141,16 @@ fn a_zip_without_assets_is_not_checked() {
     let repository = with("photos.zip", &zip(&[(named("holiday/beach.png"), b"x"), (named("README.md"), b"")]));
     let output = mhlint(repository.path(), &["photos.zip"]);
     assert_eq!(output.status.code(), Some(3));
-    assert!(stderr(&output).contains("`photos.zip`: it holds no assets"), "{}", stderr(&output));
+    assert!(stderr(&output).contains("`photos.zip`: nothing in it can be read as an asset"), "{}", stderr(&output));
     assert!(stdout(&output).is_empty() || !stdout(&output).contains("error"), "{}", stdout(&output));
+}
+
+#[test]
+fn a_zip_of_which_nothing_is_imported_is_checked_all_the_same() {
+    let repository = with("my.zip", &zip(&[(named("litspheres/shiny.png"), b"x")]));
+    let (code, found) = check(repository.path(), &["my.zip"]);
+    assert_eq!(code, Some(0), "a warning");
+    assert!(matches!(found.as_slice(), [one] if one.contains("warning[pack-layout]")), "{found:?}");
 }
 
 #[test]

@@ -25,12 +25,12 @@ pub(super) fn report(rule: &Rule, layer: &Layer, out: &mut Vec<Finding>) {
         let finding = at(message).case(WHOLE);
         out.push(finding.help("download or pack it again, as a plain zip of folders of assets"));
     }
-    let bad: Vec<(&str, String)> = members(facts).collect();
-    let Some((first, words)) = bad.first() else { return };
+    let bad: Vec<(&str, String, &str)> = members(facts).collect();
+    let Some((first, words, help)) = bad.first() else { return };
     let more = if bad.len() > 1 { format!(" (and {})", counted(bad.len() - 1, "more member")) } else { String::new() };
     let finding = at(format!("member `{first}` {words}{more}")).key("members").case(IN_PART);
-    let finding = finding.evidence(Evidence::of_cases(bad.iter().map(|(name, _)| *name)));
-    out.push(finding.help("pack it again without a password, with the usual compression (deflate)"));
+    let finding = finding.evidence(Evidence::of_cases(bad.iter().map(|(name, ..)| *name)));
+    out.push(finding.help(*help));
 }
 
 fn of_whole(fault: &PackFault) -> Option<String> {
@@ -43,15 +43,20 @@ fn of_whole(fault: &PackFault) -> Option<String> {
     })
 }
 
-fn members(facts: &PackFacts) -> impl Iterator<Item = (&str, String)> {
+/// The members that cannot be unpacked: what is wrong with each, and what to do.
+fn members(facts: &PackFacts) -> impl Iterator<Item = (&str, String, &str)> {
+    const AGAIN: &str = "download it or pack it again";
     let words = |fault: &MemberFault| match fault {
-        MemberFault::Encrypted => Some("is encrypted".to_owned()),
-        MemberFault::Method(method) => Some(format!("is compressed with method {method}, expected deflate")),
-        MemberFault::NameNotUtf8 => Some("has a name that is marked as UTF-8 and is not".to_owned()),
-        MemberFault::Damaged(reason) => Some(format!("cannot be unpacked: {reason}")),
+        MemberFault::Encrypted => Some(("is encrypted".to_owned(), "pack it again without a password")),
+        MemberFault::Method(method) => {
+            let words = format!("is compressed with method {method}, expected deflate");
+            Some((words, "pack it again with the usual compression (deflate)"))
+        }
+        MemberFault::NameNotUtf8 => Some(("has a name that is marked as UTF-8 and is not".to_owned(), AGAIN)),
+        MemberFault::Damaged(reason) => Some((format!("cannot be unpacked: {reason}"), AGAIN)),
         MemberFault::Escapes | MemberFault::LinkLeaves { .. } | MemberFault::Link { .. } | MemberFault::Replaced => {
             None
         }
     };
-    facts.faults.iter().filter_map(move |(name, fault)| Some((name.as_str(), words(fault)?)))
+    facts.faults.iter().filter_map(move |(name, fault)| words(fault).map(|(words, help)| (name.as_str(), words, help)))
 }
