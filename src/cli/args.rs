@@ -19,6 +19,7 @@ Exit codes: 0 passed, 1 findings at or above --fail-on, 2 could not run, 3 nothi
 Examples:
   mhlint data/                                     check a data folder
   mhlint my-pack/ --system makehuman2/data         check a pack against MakeHuman's own data
+  mhlint my-pack.zip --system makehuman2/data      check a zip as the folder that it becomes
   mhlint data/ --fix                               fix what can be fixed safely
   mhlint data/ --report human --report json=r.json print a report, and write another for a program
   mhlint explain macro-steps-length                what a rule means, with examples";
@@ -115,7 +116,9 @@ impl Command {
 #[derive(Debug, clap::Args)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a flag of the command line")]
 pub(super) struct CheckArgs {
-    /// Files or folders to check [default: the current folder].
+    /// Files, folders or zips to check [default: the current folder].
+    ///
+    /// A zip is checked, without unpacking it to disk, as what MakeHuman 2 imports of it and as what MakeHuman 1 has once it is unpacked.
     ///
     /// In data folders files with these extensions are read: bmp bvh gif gz jpeg jpg json jsonw meta mhbin mhclo mhm mhmat mhpose mhpxy mhskel mhuv mhw npz obj png proxy target tga thumb tif tiff toml txt webp zip.
     #[arg(value_name = "PATH")]
@@ -186,7 +189,7 @@ pub(super) struct CheckArgs {
         help_heading = "Only new findings"
     )]
     pub(super) since: Option<String>,
-    /// Report only what is new or worse than in another folder.
+    /// Report only what is new or worse than in another folder or zip.
     #[arg(long, value_name = "FOLDER", help_heading = "Only new findings")]
     pub(super) against: Option<PathBuf>,
     /// Hide the findings that are listed in this file.

@@ -8,6 +8,7 @@ use super::exit::Failure;
 use super::git::{Record, Refusal, Repository};
 use super::recorded::Recorded;
 use crate::config::{Before, Compare};
+use crate::engine::is_pack;
 use crate::report::printable;
 use crate::source::{Contents, folder_of, resolved};
 
@@ -36,7 +37,7 @@ fn against(folder: &Path, paths: &[PathBuf]) -> Result<Compare, Failure> {
         return Err(Failure::Usage(text));
     }
     if !folder.exists() {
-        return Err(Failure::Usage(format!("`--against`: folder `{shown}` does not exist; use an existing folder")));
+        return Err(Failure::Usage(format!("`--against`: `{shown}` does not exist; use an existing folder or zip")));
     }
     Ok(Compare {
         with: folder.to_string_lossy().into_owned(),
@@ -86,6 +87,11 @@ fn staged(repository: &Repository) -> Result<Result<Compare, &'static str>, Fail
 
 /// The one repository that all PATHs lie in.
 fn around_all(paths: &[PathBuf], option: &str) -> Result<Repository, Failure> {
+    if let Some(pack) = paths.iter().find(|path| is_pack(path)) {
+        let pack = pack.display();
+        let text = format!("`{option}` compares files that git knows, and `{pack}` is a zip; use `--against OLD.zip`");
+        return Err(Failure::Usage(text));
+    }
     let first = paths.first().map_or(Path::new("."), PathBuf::as_path);
     let repository = around(first, option)?;
     for path in paths.iter().skip(1) {

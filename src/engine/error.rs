@@ -27,6 +27,11 @@ pub enum Error {
         /// One of the files.
         file: String,
     },
+    /// A zip that is to be fixed.
+    FixPack {
+        /// As printed.
+        path: String,
+    },
     /// A selector that matches no rule that it may, or no glob at all.
     Selector {
         /// As given.
@@ -113,6 +118,10 @@ impl fmt::Display for Error {
                 f,
                 "`{file}` is not in a data folder and is checked for one base mesh only; use `--base` once, or check \
                  such files in a separate run"
+            ),
+            Self::FixPack { path } => write!(
+                f,
+                "`{path}` is a zip, which mhlint reads and never writes; unpack it, fix the folder, and pack it again"
             ),
             Self::Baseline { path, fault } => write!(f, "the baseline `{path}` {fault}"),
             Self::Selector { text, fault } => write!(f, "`{text}` {fault}"),

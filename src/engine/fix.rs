@@ -41,9 +41,12 @@ pub struct Fixed {
 /// the PATHs leave out, and in a run that compares only files that differ.
 ///
 /// # Errors
-/// As [`super::lint`].
+/// As [`super::lint`], and when a path is a zip.
 pub fn lint_and_fix(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> Result<Fixed, Error> {
     let (mut now, before) = sides(paths, options, &CHECKED)?;
+    if let Some(pack) = now.inputs.iter().find(|input| input.tree.pack().is_some()) {
+        return Err(Error::FixPack { path: pack.tree.label().to_owned() });
+    }
     now.inputs.iter_mut().for_each(|input| input.tree.watch());
     let mut work = Work::new(&now, before.as_ref(), options, with_unsafe);
     let mut all = Fixed::default();

@@ -27,4 +27,5 @@ pub use run::{lint, lint_trees};
 
 pub(crate) use crate::eval::settings::DEFAULT_SAMPLES;
 pub(crate) use fix::fixable;
+pub(crate) use load::is_pack;
 pub(crate) use verdict::holds_asset;

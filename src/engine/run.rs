@@ -189,7 +189,11 @@ impl Asked<'_> {
             for (view, measures) in &with_measures {
                 coverage.add_measured(checked, view, *measures);
             }
-            let findings = check(RULES, &with_measures, selection, options, outcome);
+            let mut findings = check(RULES, &with_measures, selection, options, outcome);
+            if checked.layer.pack.is_some() {
+                // Nothing writes into a zip.
+                findings.iter_mut().for_each(|finding| finding.fix = None);
+            }
             let is_asked_for = |path: &str| checked.is_asked_for(path);
             let below: Vec<&Layer> = seen.iter().filter_map(|(_, layers)| layers.system).collect();
             let root = Root { layer: &checked.layer, below: &below };

@@ -12,9 +12,18 @@ use crate::repo::View;
 pub(super) fn summarise(view: &View<'_>, outcome: &mut Outcome) {
     let checked = view.layers().checked;
     let own: BTreeSet<&str> = checked.files.values().filter_map(|file| file.base_in(view.application())).collect();
-    let bases = view.body_names().into_iter().filter(|name| own.contains(name));
+    // The base mesh of a pack may be elsewhere.
+    let import = checked.pack.as_ref().and_then(|pack| pack.import.as_ref()).map(|import| import.base.as_str());
+    let names: BTreeSet<&str> = view.body_names().into_iter().chain(import).collect();
+    let bases = names.into_iter().filter(|name| own.contains(name));
+    let path = shown(&checked.path).to_owned();
+    // What is wrong with a zip as such is no further root.
+    let is_known = |root: &RootSummary| root.path == path && root.application == view.application();
+    if checked.pack.is_some() && outcome.roots.iter().any(is_known) {
+        return;
+    }
     outcome.roots.push(RootSummary {
-        path: shown(&checked.path).to_owned(),
+        path,
         application: view.application(),
         bases: bases.map(str::to_owned).collect(),
         checked: true,

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 
 use unicode_normalization::{UnicodeNormalization, is_nfc};
 
-use super::FileFacts;
+use super::{FileFacts, Pack};
 use crate::diag::Application;
 use crate::discover::{Kind, Layout, kind_in, uses_of};
 use crate::source::{WalkFault, inside, is_below};
@@ -36,6 +36,8 @@ pub(crate) struct Layer {
     pub linked_folders: Vec<String>,
     /// What the walk could not list, relative to the root.
     pub walk_faults: Vec<WalkFault>,
+    /// The zip that it was made of, if it was one.
+    pub pack: Option<Pack>,
     /// Folded paths to paths, in order; made when first asked for.
     folded: OnceLock<BTreeMap<String, Vec<String>>>,
     /// Printed paths of loose files to their supposed ones; made when first asked for.
@@ -61,7 +63,7 @@ impl Layer {
         folders.sort_unstable();
         walk_faults.sort_by(|one, other| one.path.cmp(&other.path));
         let (linked_folders, folded, loose) = (Vec::new(), OnceLock::new(), OnceLock::new());
-        Self { path, layouts, files, folders, linked_folders, walk_faults, folded, loose }
+        Self { path, layouts, files, folders, linked_folders, walk_faults, pack: None, folded, loose }
     }
 
     /// Adds files that were read later.
@@ -157,7 +159,11 @@ impl Layer {
         if let Some(folder) = self.below(rel).next().filter(|file| file.is_loose()).map(FileFacts::folder) {
             return if folder.is_empty() { ".".to_owned() } else { folder.to_owned() };
         }
-        if self.path.is_empty() { rel.to_owned() } else { format!("{}/{rel}", self.path) }
+        match (self.path.is_empty(), rel.is_empty()) {
+            (true, _) => rel.to_owned(),
+            (_, true) => self.path.clone(),
+            _ => format!("{}/{rel}", self.path),
+        }
     }
 
     /// Whether something other than a file stands at a path, or above it something that could not be walked.

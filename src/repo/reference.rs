@@ -83,6 +83,8 @@ pub enum Resolution<'a> {
     OtherLayer(&'a FileFacts),
     /// Something that cannot be opened: a folder, a broken link, a link that leaves the root.
     Unusable,
+    /// Something in the same pack that is no longer there once that is imported or unpacked: a fault of the pack.
+    Moved,
     /// Nothing.
     Missing,
     /// Only system data that was not given could tell.
@@ -118,6 +120,12 @@ impl<'a> Resolution<'a> {
         }
     }
 
+    /// What is missing although a pack has it is a fault of the pack.
+    pub(super) fn in_pack(self, layers: &[&Layer], from: &FileFacts, text: &str) -> Self {
+        let is_moved = |layer: &&Layer| layer.pack.as_ref().is_some_and(|pack| pack.explains(&layer.path, from, text));
+        if matches!(self, Self::Missing) && layers.iter().any(is_moved) { Self::Moved } else { self }
+    }
+
     /// How far from the file a place is: what is there outweighs what only another system finds, and that outweighs
     /// nothing at all.
     pub(super) const fn distance(&self) -> u8 {
@@ -126,7 +134,7 @@ impl<'a> Resolution<'a> {
             Self::CaseOnly(_) | Self::Backslash(Some(_)) => 1,
             Self::Unusable => 2,
             Self::Absolute | Self::Escapes | Self::Backslash(None) => 3,
-            Self::OtherLayer(_) | Self::Missing | Self::NeedsSystem => 4,
+            Self::OtherLayer(_) | Self::Moved | Self::Missing | Self::NeedsSystem => 4,
         }
     }
 }
@@ -142,7 +150,7 @@ impl<'a> Reference<'a> {
         text: &'a str,
         rel: String,
     ) -> Self {
-        let resolution = resolve(layers, text, &rel);
+        let resolution = resolve(layers, text, &rel).in_pack(layers, from, text);
         Self { kind, base, from, place, text, owner: from.stem(), folder_at_fault: None, rel, resolution }
     }
 

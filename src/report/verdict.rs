@@ -138,6 +138,9 @@ pub(crate) fn why_nothing(outcome: &Outcome, what: Option<Unchecked>) -> String 
             titles(&outcome.looked_for)
         ),
         Some(_) => "there are no rules for files of these kinds yet".to_owned(),
+        None if outcome.nothing_in.iter().all(|one| one.path.to_lowercase().ends_with(".zip")) => {
+            "nothing in it can be read as an asset; in a pack assets are in folders such as `clothes/`, `hair/` or `rigs/`".to_owned()
+        }
         None => format!(
             "no {} data found; name the folder that contains `base/`, `target/`, `contarget/` or `rigs/`",
             titles(&outcome.looked_for)

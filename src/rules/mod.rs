@@ -19,6 +19,7 @@ mod model;
 mod modelling;
 mod numeric;
 mod overlay;
+mod pack;
 mod pose;
 mod program;
 mod proxy;
@@ -40,6 +41,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &archive::malformed::RULE,
     &archive::missing_member::RULE,
     &archive::object_array::RULE,
+    &archive::path_escape::RULE,
     &archive::wrong_dtype::RULE,
     &base::barycentric_presets::RULE,
     &base::geometry_range::RULE,
@@ -213,6 +215,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &overlay::targets_not_in_layer::RULE,
     &overlay::user_key_clash::RULE,
     &overlay::user_target_too_deep::RULE,
+    &pack::layout::RULE,
     &pose::licence_spelling::RULE,
     &pose::matrix::RULE,
     &pose::meta::RULE,

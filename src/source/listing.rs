@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use super::tree::{Entry, EntryKind, WalkFault, WalkFaultKind};
 use super::walk;
@@ -38,17 +37,17 @@ pub(super) fn folders_above(path: &str) -> impl DoubleEndedIterator<Item = &str>
     path.match_indices('/').filter_map(|(at, _)| path.get(..at))
 }
 
-/// What is in memory, and where that was given up: a file deep in folders makes an entry of each of them.
-pub(super) fn memory_entries(files: &BTreeMap<String, Arc<[u8]>>) -> (Vec<Entry>, Vec<WalkFault>) {
+/// Entries of these files, by path with their sizes, and where that was given up: a file deep in folders makes an entry of each of them.
+pub(super) fn memory_entries<'p>(files: impl IntoIterator<Item = (&'p str, u64)>) -> (Vec<Entry>, Vec<WalkFault>) {
     let mut entries: BTreeMap<String, Entry> = BTreeMap::new();
     let mut room = Room(walk::MOST_LETTERS);
-    for (path, bytes) in files {
+    for (path, size) in files {
         if let Err(fault) = room.take(&entries, path) {
             return (entries.into_values().collect(), vec![fault]);
         }
         add_folders(&mut entries, path);
         if !path.ends_with('/') {
-            add_file(&mut entries, path, bytes.len() as u64);
+            add_file(&mut entries, path, size);
         }
     }
     (entries.into_values().collect(), Vec::new())

@@ -1,8 +1,6 @@
 //! A tree of files, from disk or from memory; callers cannot tell which.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -11,6 +9,8 @@ use xxhash_rust::xxh3::xxh3_64;
 use super::Limits;
 use super::folder::inside;
 use super::listing::{Room, add_file, add_folders, folders_above, memory_entries};
+use super::pack::{Pack, PackFacts};
+use super::read::{ends_of, read_bounded, too_large};
 use super::walk::{self, Wanted};
 use crate::diag::grouped;
 
@@ -33,12 +33,15 @@ pub struct Tree {
     changed: BTreeMap<String, Vec<u8>>,
     /// Hashes of what was read first, where somebody watches.
     seen: Option<Mutex<BTreeMap<String, u64>>>,
+    /// What is to be known of a zip besides its files.
+    pack: Option<Arc<PackFacts>>,
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Backend {
     Disk(PathBuf),
     Memory(BTreeMap<String, Arc<[u8]>>),
+    Packed(Arc<Pack>),
 }
 
 /// One thing in a tree.
@@ -131,13 +134,26 @@ impl Tree {
         label: impl Into<String>,
         files: impl IntoIterator<Item = (String, B)>,
     ) -> Self {
-        let files: BTreeMap<_, _> = files.into_iter().map(|(path, bytes)| (path, bytes.into())).collect();
-        let (entries, faults) = memory_entries(&files);
+        let files: BTreeMap<_, Arc<[u8]>> = files.into_iter().map(|(path, bytes)| (path, bytes.into())).collect();
+        let (entries, faults) = memory_entries(files.iter().map(|(path, bytes)| (path.as_str(), bytes.len() as u64)));
         Self::new(label.into(), Backend::Memory(files), entries, faults)
     }
 
+    /// A zip, as the folder that it was made of; hidden files as in [`Tree::on_disk`]. Its files are unpacked when they
+    /// are read, each on its own.
+    pub fn packed(label: impl Into<String>, zip: Vec<u8>, limits: &Limits, wanted: Wanted) -> Self {
+        let (pack, facts) = Pack::open(zip, limits);
+        let folders: Vec<String> = pack.folders().map(|folder| format!("{folder}/")).collect();
+        let is_listed = |(path, _): &(&str, u64)| !walk::has_hidden_part(path) || wanted(path, false);
+        let all = pack.files().chain(folders.iter().map(|folder| (folder.as_str(), 0))).filter(is_listed);
+        let (entries, faults) = memory_entries(all.collect::<BTreeMap<_, _>>());
+        let tree = Self::new(label.into(), Backend::Packed(Arc::new(pack)), entries, faults);
+        Self { pack: Some(Arc::new(facts)), ..tree }
+    }
+
     fn new(label: String, backend: Backend, entries: Vec<Entry>, faults: Vec<WalkFault>) -> Self {
-        Self { label, backend, depth: usize::MAX, entries, faults, changed: BTreeMap::new(), seen: None }
+        let (changed, seen, pack) = (BTreeMap::new(), None, None);
+        Self { label, backend, depth: usize::MAX, entries, faults, changed, seen, pack }
     }
 
     /// What reports put before the paths; empty for the working directory.
@@ -167,6 +183,11 @@ impl Tree {
     /// What the walk could not list.
     pub fn faults(&self) -> &[WalkFault] {
         &self.faults
+    }
+
+    /// What is to be known of a zip besides the files in it, if it is one.
+    pub(crate) const fn pack(&self) -> Option<&Arc<PackFacts>> {
+        self.pack.as_ref()
     }
 
     /// The listed entry at `path`.
@@ -205,10 +226,11 @@ impl Tree {
         }
         let bytes = match &self.backend {
             Backend::Disk(root) => read_bounded(&root.join(&entry.native), entry.size, limits),
-            Backend::Memory(files) => files
-                .get(&entry.path)
-                .map(|bytes| bytes.to_vec())
-                .ok_or_else(|| ReadFault::Unreadable("it no longer exists".to_owned())),
+            Backend::Memory(files) => files.get(&entry.path).map(|bytes| bytes.to_vec()).ok_or_else(gone),
+            Backend::Packed(pack) => match pack.read(&entry.path) {
+                Some(bytes) => bytes.map_err(|_| ReadFault::Unreadable("it cannot be unpacked".to_owned())),
+                None => Err(gone()),
+            },
         }?;
         if let Some(seen) = &self.seen {
             let mut seen = seen.lock().unwrap_or_else(PoisonError::into_inner);
@@ -291,8 +313,8 @@ impl Tree {
         let faults = self.faults.iter().filter(|fault| !contents.contains_key(&fault.path)).cloned();
         let faults = faults.chain(given_up).collect();
         let entries = entries.into_values().collect();
-        let (label, backend) = (self.label.clone(), self.backend.clone());
-        Self { label, backend, depth: self.depth, entries, faults, changed, seen: None }
+        let (label, backend, pack) = (self.label.clone(), self.backend.clone(), self.pack.clone());
+        Self { label, backend, depth: self.depth, entries, faults, changed, seen: None, pack }
     }
 
     /// Whether what is read at `path` is the same in both trees.
@@ -332,49 +354,8 @@ fn linked(links: &BTreeMap<&str, Vec<&str>>, path: &str) -> BTreeSet<String> {
     above.flat_map(|(links, rest)| links.iter().map(move |link| format!("{link}{rest}"))).collect()
 }
 
-/// The bytes of a single file that no listing is needed for.
-///
-/// # Errors
-/// As [`Tree::read`].
-pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadFault> {
-    let metadata = fs::metadata(path).map_err(|error| ReadFault::Unreadable(error.to_string()))?;
-    if metadata.is_dir() {
-        return Err(ReadFault::Unreadable("it is a folder".to_owned()));
-    }
-    if !metadata.is_file() {
-        return Err(ReadFault::Unreadable("it is not a regular file".to_owned()));
-    }
-    if metadata.len() > limits.file_bytes {
-        return Err(too_large(metadata.len(), limits));
-    }
-    read_bounded(path, metadata.len(), limits)
-}
-
-fn ends_of(path: &Path, head: usize, tail: usize) -> io::Result<Ends> {
-    let mut file = fs::File::open(path)?;
-    let (mut first, mut last) = (Vec::with_capacity(head), Vec::with_capacity(tail));
-    file.by_ref().take(head as u64).read_to_end(&mut first)?;
-    // A file may have become shorter since it was listed.
-    let end = file.metadata()?.len().saturating_sub(tail as u64);
-    file.seek(SeekFrom::Start(end))?;
-    file.take(tail as u64).read_to_end(&mut last)?;
-    Ok((first, last))
-}
-
-fn read_bounded(path: &Path, expected: u64, limits: &Limits) -> Result<Vec<u8>, ReadFault> {
-    let unreadable = |error: io::Error| ReadFault::Unreadable(error.to_string());
-    let file = fs::File::open(path).map_err(unreadable)?;
-    let mut bytes = Vec::with_capacity(usize::try_from(expected).unwrap_or(0).saturating_add(1));
-    // A file may grow while it is read; the limit holds all the same.
-    file.take(limits.file_bytes.saturating_add(1)).read_to_end(&mut bytes).map_err(unreadable)?;
-    if bytes.len() as u64 > limits.file_bytes {
-        return Err(too_large(bytes.len() as u64, limits));
-    }
-    Ok(bytes)
-}
-
-fn too_large(size: u64, limits: &Limits) -> ReadFault {
-    ReadFault::TooLarge { size, limit: limits.file_bytes }
+fn gone() -> ReadFault {
+    ReadFault::Unreadable("it no longer exists".to_owned())
 }
 
 /// Removes a file, or a folder with all that is in it, and the folders above that held nothing else.
@@ -399,6 +380,8 @@ fn remove(entries: &mut BTreeMap<String, Entry>, path: &str) {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]

@@ -157,7 +157,7 @@ fn what_git_cannot_tell_is_refused_with_the_remedy() {
     assert_refused(&check(root, &["--since", "nowhere"]), &["unknown revision `nowhere`", "use a commit"]);
     assert_refused(
         &check(root, &["--against", "nowhere"]),
-        &["folder `nowhere` does not exist", "use an existing folder"],
+        &["`nowhere` does not exist", "use an existing folder or zip"],
     );
     let both = check(root, &["--since", "HEAD", "--against", "data"]);
     assert_eq!(both.status.code(), Some(2));

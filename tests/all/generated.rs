@@ -51,7 +51,9 @@ fn every_rule_has_its_section_on_the_page_of_its_family() {
 /// What the rules of a family check.
 fn about(family: &str) -> &'static str {
     match family {
-        "archive" => "archives of targets (`compressedtargets.npz`), of base meshes and of assets (`.mhbin`)",
+        "archive" => {
+            "archives of targets (`compressedtargets.npz`), of base meshes and of assets (`.mhbin`), and zips of assets"
+        }
         "base" => "the settings of a base mesh: `base.json`, `geometry.json` and what they name",
         "baseline" => "the baseline of mhlint itself",
         "bvh" => "motions (`.bvh`)",
@@ -68,6 +70,7 @@ fn about(family: &str) -> &'static str {
         "modelling" => "sliders: `modelling.json` and `target_cat.json`",
         "numeric" => "the evaluated figure: shapes, joints and weights over the range of the sliders",
         "overlay" => "user data over system data",
+        "pack" => "zips of assets as MakeHuman 2 imports them",
         "pose" => "poses, expressions, what they are made of (`body-poses.json`, `face-poses.json`), and motions",
         "program" => "files of the programs themselves",
         "proxy" => "clothes, hair, eyes and topologies (`.mhclo`, `.proxy`) with what they name",

@@ -28,6 +28,8 @@ mod listing;
 mod observed;
 mod overlay;
 #[cfg(unix)]
+mod packs;
+#[cfg(unix)]
 mod pictures;
 mod replacements;
 mod reports;

@@ -32,6 +32,7 @@ pub(super) struct Case {
     pack: Vec<Packed>,
     link: Vec<[String; 2]>,
     folder: Vec<String>,
+    zip: Vec<Zipped>,
 }
 
 #[derive(Debug, Clone, Deserialize)]
@@ -62,6 +63,23 @@ struct Packed {
     without: Vec<String>,
 }
 
+/// A zip that is made.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default)]
+struct Zipped {
+    file: String,
+    folder: String,
+    member: Vec<Member>,
+}
+
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default)]
+struct Member {
+    name: String,
+    link: bool,
+    encrypted: bool,
+}
+
 /// The cases of a rule, sorted by name.
 pub(super) fn cases(rule: &str) -> Vec<Case> {
     let folders = FIXTURES.get_dir(rule).into_iter().flat_map(Dir::dirs);
@@ -90,6 +108,7 @@ impl Case {
         self.edit.iter().for_each(|edit| edit.push_lines(&mut lines));
         lines.extend(self.folder.iter().map(|path| format!("  {path}/ created")));
         lines.extend(self.link.iter().map(|[path, to]| format!("  {path} linked to {to}")));
+        self.zip.iter().for_each(|zip| zip.push_lines(&mut lines));
         if !self.args.is_empty() {
             lines.push(format!("  mhlint {}", self.args.join(" ")));
         }
@@ -145,6 +164,18 @@ impl Packed {
             lines.push("    with".to_owned());
             lines.extend(self.find.lines().map(|line| format!("    - {}", shorten(line))));
             lines.extend(self.replace.lines().map(|line| format!("    + {}", shorten(line))));
+        }
+    }
+}
+
+impl Zipped {
+    fn push_lines(&self, lines: &mut Vec<String>) {
+        let content = if self.folder.is_empty() { String::new() } else { format!(" (content of {})", self.folder) };
+        lines.push(format!("  {}{content}", self.file));
+        for Member { name, link, encrypted } in &self.member {
+            let what = if *link { " (a link)" } else { "" };
+            let how = if *encrypted { " (encrypted)" } else { "" };
+            lines.push(format!("    + {}{what}{how}", shorten(name)));
         }
     }
 }

@@ -1,5 +1,6 @@
 //! MakeHuman 2: folders of assets with a folder for each base mesh in them (formats/makehuman2.md §1).
 
+pub(crate) mod importer;
 pub(crate) mod opened;
 
 use std::collections::BTreeSet;
@@ -18,6 +19,7 @@ pub(super) static LAYOUT: Layout = Layout {
     place,
     reads_hidden,
     loose_place,
+    import: Some(importer::import),
     role,
     is_system_of_two,
     opens: opened::opens,

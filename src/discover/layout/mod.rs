@@ -27,6 +27,9 @@ pub(crate) struct Layout {
     /// The place below a user's data root that the file at a path belongs to, for a base mesh if one is known; `None`
     /// for files that are not checked outside a data root.
     pub loose_place: fn(&str, Option<&str>) -> Option<String>,
+    /// Where its importer puts the file at a path of a pack, for a base mesh; `None` for what it ignores. An application
+    /// without an importer has what is unpacked into its data folder.
+    pub import: Option<fn(&str, &str) -> Option<String>>,
     /// The part that the data root with these files plays.
     pub role: fn(&[Candidate<'_>]) -> Role,
     /// Whether the root with these files, beside another one, is the system although it could play both parts.
@@ -130,6 +133,7 @@ impl Layout {
         place: |_| (Kind::Other, None),
         reads_hidden: |_| false,
         loose_place: |_, _| None,
+        import: None,
         role: |_| Role::User,
         is_system_of_two: |_| false,
         opens: |_| true,
@@ -167,6 +171,11 @@ impl Layout {
             end = start.saturating_sub(1);
         }
         None
+    }
+
+    /// Whether a data root has a folder of this name at its top.
+    pub(crate) fn has_at_top(&self, name: &str) -> bool {
+        self.folders.iter().any(|folders| folders.contains(&name))
     }
 
     /// The folder at the top of a data root that differs from this name in its capitals alone.

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use super::super::error::{Error, PathFault};
 use super::roots::roots_of;
 use crate::diag::Application;
-use crate::discover::{Layout, is_read_though_hidden};
-use crate::source::{self, Tree, folder_of, is_below, slashed};
+use crate::discover::{Layout, is_read_though_hidden, new_base};
+use crate::source::{self, Limits, ReadFault, Tree, folder_of, is_below, read_file, slashed};
 
 /// A tree to look for data roots in.
 pub(in crate::engine) struct Input {
@@ -17,17 +17,21 @@ pub(in crate::engine) struct Input {
     pub(in crate::engine) narrow: Vec<String>,
     /// The PATHs that led here, as printed.
     pub(in crate::engine) named: Vec<String>,
+    /// The base mesh that a zip brings with it, by its name.
+    pub(in crate::engine) new_base: Option<String>,
 }
 
 impl Input {
     pub(in crate::engine) fn whole(tree: Tree) -> Self {
         let named = vec![tree.label().to_owned()];
-        Self { tree, narrow: Vec::new(), named }
+        let name = tree.label().rsplit('/').next().unwrap_or_default();
+        let new_base = tree.pack().and_then(|_| new_base(name)).map(str::to_owned);
+        Self { tree, narrow: Vec::new(), named, new_base }
     }
 
     /// A part of a tree, by its printed path.
     fn part(tree: Tree, path: String) -> Self {
-        Self { tree, narrow: vec![path.clone()], named: vec![path] }
+        Self { tree, narrow: vec![path.clone()], named: vec![path], new_base: None }
     }
 
     /// Whether a printed path is one that the PATHs ask for.
@@ -47,10 +51,14 @@ impl Input {
 }
 
 /// Opens the paths, inside data of these applications upwards. A path given twice, or inside another, is opened once.
-pub(in crate::engine) fn open(paths: &[PathBuf], applications: &[Application]) -> Result<Vec<Input>, Error> {
+pub(in crate::engine) fn open(
+    paths: &[PathBuf],
+    applications: &[Application],
+    limits: &Limits,
+) -> Result<Vec<Input>, Error> {
     let mut inputs: Vec<(PathBuf, Input)> = Vec::new();
     for path in paths {
-        let (place, input) = open_one(path, applications)?;
+        let (place, input) = open_one(path, applications, limits)?;
         match inputs.iter_mut().find(|(known, _)| *known == place) {
             Some((_, known)) => known.join(input),
             None => inputs.push((place, input)),
@@ -65,9 +73,12 @@ pub(in crate::engine) fn open_system(path: &Path) -> Result<Tree, Error> {
     Ok(Tree::on_disk(label(path), path, is_read_though_hidden))
 }
 
-fn open_one(path: &Path, applications: &[Application]) -> Result<(PathBuf, Input), Error> {
+fn open_one(path: &Path, applications: &[Application], limits: &Limits) -> Result<(PathBuf, Input), Error> {
     let place = canonical(path)?;
     let here = label(path);
+    if is_pack(path) {
+        return open_pack(path, &here, limits).map(|input| (place, input));
+    }
     if place.is_file() {
         let above = open_above(path, &place, &here, applications);
         return Ok(above.unwrap_or_else(|| open_beside(path, &place, &here)));
@@ -76,6 +87,25 @@ fn open_one(path: &Path, applications: &[Application]) -> Result<(PathBuf, Input
     let is_no_root = roots_of(&tree, |_| true).is_empty();
     let above = if is_no_root { open_above(path, &place, &here, applications) } else { None };
     Ok(above.unwrap_or_else(|| (place, Input::whole(tree))))
+}
+
+/// Whether a PATH is a zip, by its name: it is checked as the folder that it becomes.
+pub(crate) fn is_pack(path: &Path) -> bool {
+    let is_zip = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip"));
+    is_zip && path.is_file()
+}
+
+fn open_pack(path: &Path, here: &str, limits: &Limits) -> Result<Input, Error> {
+    let zip = read_file(path, limits).map_err(|fault| {
+        let reason = match fault {
+            ReadFault::Unreadable(reason) => reason,
+            ReadFault::TooLarge { limit, .. } => {
+                format!("it is larger than {} MiB; unpack it, and check the folder", limit >> 20)
+            }
+        };
+        Error::Path { path: here.to_owned(), fault: PathFault::Unreadable(reason) }
+    })?;
+    Ok(Input::whole(Tree::packed(here, zip, limits, is_read_though_hidden)))
 }
 
 /// A file that lies in no data root, with those beside it: they may belong together.

@@ -3,7 +3,7 @@
 //! Targets come last and one base at a time, so that only the rows of one base are in memory.
 
 use std::cmp::Reverse;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
@@ -49,11 +49,21 @@ pub(super) fn load(place: &Place<'_>, reader: Reader<'_>, mut sizes: MeshSizes) 
     add_own(&mut sizes, &files);
     files.append(&mut read_all(place.tree, of(Needs::Mesh), reader, &sizes, None).0);
     hash_equal_sizes(place, &mut files, reader.limits);
-    let folders = place.below.iter().filter(|one| !one.is_file()).map(|folder| folder.rel.to_string()).collect();
-    let mut layer = Layer::new(place.path(), place.layouts.clone(), files, folders, faults_below(place));
+    let mut layer = Layer::new(place.path(), place.layouts.clone(), files, folders(place), faults_below(place));
     let links = place.below.iter().filter(|one| !one.is_file() && one.entry.link_to.is_some());
+    layer.pack.clone_from(&place.pack);
     layer.linked_folders = links.map(|folder| folder.rel.to_string()).collect();
     (layer, sizes)
+}
+
+/// The folders of a place, of files that are put elsewhere those that come about.
+fn folders(place: &Place<'_>) -> Vec<String> {
+    let listed = || place.below.iter().filter(|one| !one.is_file()).map(|folder| folder.rel.to_string());
+    if place.pack.as_ref().is_none_or(|pack| pack.import.is_none()) {
+        return listed().collect();
+    }
+    let made = place.below.iter().flat_map(|file| file.rel.match_indices('/').filter_map(|(at, _)| file.rel.get(..at)));
+    made.collect::<BTreeSet<_>>().into_iter().map(str::to_owned).collect()
 }
 
 /// Enters the targets into `layer` without reading them.

@@ -7,6 +7,7 @@ mod input;
 mod layer;
 mod loose;
 mod open;
+mod pack;
 mod place;
 mod read;
 mod roots;
@@ -15,6 +16,7 @@ mod stack;
 
 pub(super) use data::{Data, Loaded};
 pub(super) use input::Input;
+pub(crate) use input::is_pack;
 pub use open::open_base;
 pub(super) use roots::{Roots, shown};
 pub(super) use side::{Side, sides};

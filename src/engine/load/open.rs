@@ -21,7 +21,7 @@ use crate::source::{Limits, Tree, slashed};
 pub fn open_base(root: &Path, system: Option<&Path>, base: Option<&str>) -> Result<Evaluation, Error> {
     let limits = Limits::default();
     let applications: Vec<Application> = evaluated().collect();
-    let inputs = open(&[root.to_path_buf()], &applications)?;
+    let inputs = open(&[root.to_path_buf()], &applications, &limits)?;
     let judged = inputs.len();
     let mut trees: Vec<Tree> = inputs.into_iter().map(|input| input.tree).collect();
     trees.extend(system.map(open_system).transpose()?);

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::diag::{Application, grouped};
 use crate::discover::{Binding, Candidate, Layout, candidates, loose_candidates};
 use crate::formats::Needs;
+use crate::repo::Pack;
 use crate::source::{Entry, Tree};
 
 /// A data root in its tree.
@@ -16,6 +17,8 @@ pub(in crate::engine) struct Place<'t> {
     pub(super) layouts: Vec<&'static Layout>,
     /// Whether it is no data root at all, but files that would belong into one.
     pub(super) is_loose: bool,
+    /// The zip that it is in, if it is in one.
+    pub(super) pack: Option<Pack>,
     /// Everything in it.
     pub(super) below: Vec<Candidate<'t>>,
     /// Places among those of the bulk of each base mesh, which is read in turn; `None` for that of no base mesh.
@@ -33,6 +36,17 @@ impl<'t> Place<'t> {
         Self::with(tree, "", &[layout], loose_candidates(tree, layout, bind), true)
     }
 
+    /// These files of a zip, with the paths that they get.
+    pub(super) fn of_pack(
+        tree: &'t Tree,
+        root: &str,
+        layouts: &[&'static Layout],
+        below: Vec<Candidate<'t>>,
+        pack: Pack,
+    ) -> Self {
+        Self { pack: Some(pack), ..Self::with(tree, root, layouts, below, false) }
+    }
+
     fn with(
         tree: &'t Tree,
         root: &str,
@@ -42,7 +56,7 @@ impl<'t> Place<'t> {
     ) -> Self {
         let bulk = below.iter().enumerate().filter(|(_, file)| is_bulk(file));
         let bulk = grouped(bulk.map(|(number, file)| (file.owner().map(str::to_owned), number)));
-        Self { tree, root: root.to_owned(), layouts: layouts.to_vec(), is_loose, below, bulk }
+        Self { tree, root: root.to_owned(), layouts: layouts.to_vec(), is_loose, pack: None, below, bulk }
     }
 
     /// Path of the root as reports print it.

@@ -6,6 +6,7 @@ use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
 use super::input::Input;
 use super::loose::loose;
+use super::pack::{asked, packed};
 use super::place::Place;
 use crate::config::Config;
 use crate::diag::{Application, NotChecked, Note, Outcome, RootSummary, Unchecked, grouped};
@@ -44,13 +45,21 @@ impl<'t> Roots<'t> {
         applications: &[Application],
         outcome: &mut Outcome,
     ) -> Result<Self, Error> {
-        let found: Vec<_> = inputs.iter().map(|input| (input, roots_of(&input.tree, |_| true))).collect();
+        let (packs, folders): (Vec<&Input>, Vec<&Input>) = inputs.iter().partition(|input| input.tree.pack().is_some());
+        let found: Vec<_> = folders.into_iter().map(|input| (input, roots_of(&input.tree, |_| true))).collect();
         let mut systems = system.map(|system| system_places(system, applications)).transpose()?.unwrap_or_default();
+        let of_packs = asked(applications, &systems, options);
         let asked = applications.iter().copied().filter(|application| options.asks_for(*application));
+        let bases_of =
+            |application| systems.iter().filter(move |system| system.is_of(application)).flat_map(base_meshes);
+        let mut packed_places = Vec::new();
+        let of_packs: Vec<_> = of_packs.into_iter().map(|one| (one, bases_of(one).collect())).collect();
+        for pack in packs {
+            packed_places.extend(packed(pack, &of_packs, options)?);
+        }
         let mut outside = Vec::new();
         for application in asked {
-            let own = systems.iter().filter(|system| system.is_of(application));
-            let bases = own.flat_map(base_meshes).collect();
+            let bases = bases_of(application).collect();
             for (input, roots) in &found {
                 let place = loose(input, roots, Layout::of(application), &bases, options)?;
                 outside.extend(place.map(|place| (*input, place)));
@@ -77,6 +86,8 @@ impl<'t> Roots<'t> {
         for (input, place) in outside {
             roots.want(place, &input.narrow);
         }
+        // Of one zip there may be several places, each with files of its own.
+        roots.checked.extend(packed_places.into_iter().map(|place| (place, Vec::new())));
         Ok(roots)
     }
 

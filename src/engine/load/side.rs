@@ -24,12 +24,12 @@ pub(in crate::engine) fn sides(
     applications: &[Application],
 ) -> Result<(Side, Option<Side>), Error> {
     let open_system = || options.system.as_deref().map(open_system).transpose();
-    let folder = Side { inputs: open(paths, applications)?, system: open_system()? };
+    let folder = Side { inputs: open(paths, applications, &options.limits)?, system: open_system()? };
     let Some(compare) = &options.compare else { return Ok((folder, None)) };
     let before = match &compare.before {
         Before::Contents(contents) => folder.with(contents),
         Before::Folder(other) => {
-            let mut inputs = open(std::slice::from_ref(other), applications)?;
+            let mut inputs = open(std::slice::from_ref(other), applications, &options.limits)?;
             // What is the same on both sides has the same path.
             for (input, now) in inputs.iter_mut().zip(&folder.inputs) {
                 input.tree.relabel(now.tree.label());
@@ -76,6 +76,7 @@ impl Side {
             tree: with(&input.tree),
             narrow: input.narrow.clone(),
             named: input.named.clone(),
+            new_base: input.new_base.clone(),
         });
         Self { inputs: inputs.collect(), system: self.system.as_ref().map(with) }
     }

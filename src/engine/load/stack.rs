@@ -17,7 +17,9 @@ pub(super) fn roles<'a, 't: 'a>(places: impl Iterator<Item = &'a Place<'t>> + Cl
     for application in Application::ALL {
         let layout = Layout::of(application);
         let numbered = places.clone().enumerate().filter(|(_, place)| place.is_of(application));
-        let mut own: Vec<(usize, Role)> = numbered.map(|(at, place)| (at, (layout.role)(&place.below))).collect();
+        // What is in a zip is put into the user's folder.
+        let role = |place: &Place<'_>| if place.pack.is_some() { Role::User } else { (layout.role)(&place.below) };
+        let mut own: Vec<(usize, Role)> = numbered.map(|(at, place)| (at, role(place))).collect();
         let is_system_of_two =
             |at: usize| places.clone().nth(at).is_some_and(|one| (layout.is_system_of_two)(&one.below));
         choose_system(&mut own, is_system_of_two);

@@ -6,7 +6,9 @@ use crate::source::Tree;
 /// The folder at a printed path, if there is one.
 pub(super) fn at(path: &str, trees: &[&Tree]) -> Option<Folder> {
     let within = |tree: &&&Tree| if tree.label() == path { Some("") } else { tree.below(path) };
-    let found = trees.iter().find_map(|tree| Some((tree, within(&tree).filter(|rel| tree.is_folder(rel))?)));
+    // A zip has folders in it and is none.
+    let is_folder = |tree: &Tree, rel: &str| tree.is_folder(rel) && !(rel.is_empty() && tree.pack().is_some());
+    let found = trees.iter().find_map(|tree| Some((tree, within(&tree).filter(|rel| is_folder(tree, rel))?)));
     found.map(|(tree, rel)| Folder { file: tree.first_file_in(rel).map(|file| tree.shown(file)) })
 }
 

@@ -52,6 +52,10 @@ impl Root<'_> {
     /// Path below the root, if the file belongs to it and not to a layer inside or beside it.
     pub(super) fn own_path<'p>(&self, path: &'p str) -> Option<&'p str> {
         let is_deeper = |layer: &&Layer| layer.path.len() > self.layer.path.len() && layer.holds(path);
-        if self.below.iter().any(is_deeper) { None } else { self.layer.relative(path) }
+        if self.below.iter().any(is_deeper) {
+            return None;
+        }
+        // A zip as such is what its layer is called.
+        if path == self.layer.path { Some("") } else { self.layer.relative(path) }
     }
 }

@@ -131,6 +131,7 @@ impl<'a> Search<'a> {
             }
         }
         let (rel, resolution) = nearest.unwrap_or((String::new(), Resolution::Missing));
+        let resolution = resolution.in_pack(&[self.layer], self.file, text);
         // Pictures are in folders of the system data, never at its top.
         let could_be_there = text.contains('/') && !text.starts_with('.');
         let is_open = self.layers.system.is_none() && could_be_there && matches!(resolution, Resolution::Missing);
@@ -181,5 +182,5 @@ fn picture<'a>(reference: &Reference<'a>) -> Picture<'a> {
 }
 
 const fn is_open(resolution: &Resolution<'_>) -> bool {
-    matches!(resolution, Resolution::NeedsSystem | Resolution::Escapes | Resolution::Absolute)
+    matches!(resolution, Resolution::NeedsSystem | Resolution::Moved | Resolution::Escapes | Resolution::Absolute)
 }

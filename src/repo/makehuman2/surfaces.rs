@@ -42,7 +42,10 @@ pub(super) fn surface<'a>(
 }
 
 fn picture<'a>(reference: &Reference<'a>) -> Picture<'a> {
-    let is_open = matches!(reference.resolution, Resolution::NeedsSystem | Resolution::Escapes | Resolution::Absolute);
+    let is_open = matches!(
+        reference.resolution,
+        Resolution::NeedsSystem | Resolution::Moved | Resolution::Escapes | Resolution::Absolute
+    );
     Picture { text: reference.text, place: reference.place.clone(), file: reference.found(), is_open }
 }
 
@@ -56,10 +59,12 @@ fn litsphere<'a>(layers: Layers<'a>, material: &'a Material) -> Option<Picture<'
     let has_shaders = |system: &crate::repo::Layer| system.below("shaders").next().is_some();
     let system = layers.system.filter(|_| !layers.is_one_root());
     let is_known = system.is_some_and(|system| name != SHIPPED || has_shaders(system));
+    // That a pack has it where its importer ignores it is a fault of the pack.
+    let is_ignored = || layers.checked.pack.as_ref().is_some_and(|pack| pack.ignores(&format!("litspheres/{name}")));
     Some(Picture {
         text: &word.text,
         place: Place::Span(word.span.clone()),
         file,
-        is_open: file.is_none() && !is_known,
+        is_open: file.is_none() && (!is_known || is_ignored()),
     })
 }

@@ -193,6 +193,7 @@ impl<'a> Search<'a> {
         let escape = tried.pop_if(|(_, resolution)| matches!(resolution, Resolution::Escapes));
         let nearest = || tried.into_iter().min_by_key(|(_, resolution)| resolution.distance());
         let (rel, resolution) = escape.or_else(nearest).unwrap_or((String::new(), Resolution::Missing));
+        let resolution = resolution.in_pack(&[self.layer], self.file, word);
         let is_open = self.is_open && matches!(resolution, Resolution::Missing);
         (rel, if is_open { Resolution::NeedsSystem } else { resolution })
     }

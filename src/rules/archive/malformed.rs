@@ -1,13 +1,20 @@
-//! An archive that MakeHuman 2 cannot load: of targets, of a base mesh or of an asset.
+//! An archive that cannot be loaded: of targets, of a base mesh or of an asset, or a zip of assets.
 
 use super::super::{Check, Rule, RuleCx};
 use super::Sort;
+use super::pack;
 use super::report::report;
-use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
-use crate::repo::{FileFacts, View};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, RuleInfo,
+};
+use crate::repo::View;
 
-pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes at every start until the archive is deleted by hand")],
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "crashes at every start until the archive is deleted by hand"),
+        (Makehuman1, "gets nothing of it: it cannot be unpacked"),
+    ],
     docs: "`compressedtargets.npz` is the archive of all targets of a folder: a zip of arrays. If it exists, MakeHuman 2 loads \
         all of it at start.\n\n\
         MakeHuman 2 leaves an archive of 0 bytes if it could not parse a target while writing it. Fixing the target does \
@@ -20,11 +27,15 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         warning). Delete the archive, or rebuild it.\n\n\
         `.mhbin` beside an asset is what MakeHuman 2 packs of its text and mesh. The library opens all of them at start: one \
         that is not a zip crashes it, and the next start comes up without any asset. Delete it if the text is beside \
-        it.",
+        it.\n\nA zip of assets given as PATH is tried whole: one that is not a zip, is cut off, or has members that are damaged, encrypted or \
+        packed in a rare way cannot be imported or unpacked. Pack it again.",
     counts: "members",
-    ..RuleInfo::new("archive-malformed", Level::Error, "an archive of targets, of a base mesh or of an asset that cannot be loaded")
+    ..RuleInfo::new("archive-malformed", Level::Error, "an archive of targets, of a base mesh or of an asset that cannot be loaded, or a zip of assets that cannot be unpacked")
 });
 
-fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    report(&RULE, Sort::Malformed, view, file, out);
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if !view.is_makehuman1() {
+        view.files().for_each(|file| report(&RULE, Sort::Malformed, view, file, out));
+    }
+    pack::report(&RULE, view.layers().checked, out);
 }

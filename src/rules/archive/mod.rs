@@ -4,6 +4,8 @@
 pub(super) mod malformed;
 pub(super) mod missing_member;
 pub(super) mod object_array;
+mod pack;
+pub(super) mod path_escape;
 mod report;
 mod words;
 mod worn;

@@ -4,6 +4,7 @@
 pub mod memory;
 pub mod pack;
 mod pack_asset;
+pub mod zipped;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -49,6 +50,9 @@ pub struct Case {
     /// Folders to make.
     #[serde(default)]
     pub folder: Vec<String>,
+    /// Zips to make when all else is done.
+    #[serde(default)]
+    pub zip: Vec<zipped::Zipped>,
 }
 
 /// A replacement; `find` must occur exactly once unless `all` is set.
@@ -116,6 +120,9 @@ impl Case {
         for [path, target] in &self.link {
             make_parent(&root.join(path));
             std::os::unix::fs::symlink(target, root.join(path)).unwrap();
+        }
+        for zip in &self.zip {
+            fs::write(root.join(&zip.file), zip.bytes(root)).unwrap();
         }
     }
 }

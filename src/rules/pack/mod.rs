@@ -1,0 +1,46 @@
+//! Rules on packs: zips of assets that an application imports.
+
+pub(super) mod layout;
+mod lost;
+mod moved;
+mod named;
+
+use super::Rule;
+use crate::diag::{Finding, Place};
+use crate::repo::{FileFacts, Import, Layer};
+
+/// A pack that is imported.
+struct Packed<'v> {
+    layer: &'v Layer,
+    import: &'v Import,
+}
+
+impl<'v> Packed<'v> {
+    fn of(layer: &'v Layer) -> Option<Self> {
+        Some(Self { layer, import: layer.pack.as_ref()?.import.as_ref()? })
+    }
+
+    /// A finding at a path in the pack; at the pack itself for an empty one.
+    fn at(&self, rule: &Rule, path: &str, message: String) -> Finding {
+        Finding::new(&rule.info, self.printed(path), Place::File, message)
+    }
+
+    fn printed(&self, path: &str) -> String {
+        if path.is_empty() { self.layer.path.clone() } else { format!("{}/{path}", self.layer.path) }
+    }
+
+    /// The path in the pack of a file of its.
+    fn path<'p>(&self, file: &'p FileFacts) -> &'p str {
+        self.layer.relative(&file.path).unwrap_or(&file.path)
+    }
+
+    /// The files that are put somewhere, with the paths that they get.
+    fn imported(&self) -> impl Iterator<Item = (&'v str, &'v str)> {
+        self.import.places.iter().filter_map(|(path, place)| Some((path.as_str(), place.as_deref()?)))
+    }
+}
+
+/// The first folders of a path.
+fn top(path: &str, levels: usize) -> String {
+    path.split('/').take(levels).collect::<Vec<_>>().join("/")
+}
