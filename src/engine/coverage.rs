@@ -19,6 +19,8 @@ pub(super) struct Coverage<'r> {
     untouched: BTreeSet<String>,
     /// What was not checked, by printed path.
     left: BTreeMap<(Option<Application>, Unchecked), BTreeSet<String>>,
+    /// Loose files that were counted: each application has them at another place.
+    counted: BTreeSet<String>,
 }
 
 /// What alone is to be reported on.
@@ -32,7 +34,7 @@ impl<'r> Coverage<'r> {
     /// Nothing is checked yet of these PATHs.
     pub(super) fn new(paths: impl IntoIterator<Item = String>, scope: &'r Scope<'r>, options: &'r Config) -> Self {
         let asked = Asked { options, scope };
-        Self { asked, untouched: paths.into_iter().collect(), left: BTreeMap::new() }
+        Self { asked, untouched: paths.into_iter().collect(), left: BTreeMap::new(), counted: BTreeSet::new() }
     }
 
     /// Counts a data root that was checked as its applications see it.
@@ -54,7 +56,7 @@ impl<'r> Coverage<'r> {
                     self.leave(application, Unchecked::NoBaseMesh, &file.path);
                 }
             }
-            if is_checked {
+            if is_checked && (!file.is_loose || self.counted.insert(file.path.clone())) {
                 outcome.summary.files += 1;
                 outcome.summary.bytes += file.size;
                 self.untouched.retain(|path| !is_below(&file.path, path));

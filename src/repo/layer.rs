@@ -26,6 +26,8 @@ pub(crate) fn composed(path: &str) -> Cow<'_, str> {
 pub(crate) struct Layer {
     /// Path of the root as reports print it, empty for the working directory.
     pub path: String,
+    /// Whether it is no data root at all, but files that would belong into one.
+    pub is_loose: bool,
     /// The layouts that it has.
     pub layouts: Vec<&'static Layout>,
     /// Files by their path relative to the root.
@@ -61,7 +63,7 @@ impl Layer {
         folders.sort_unstable();
         walk_faults.sort_by(|one, other| one.path.cmp(&other.path));
         let (linked_folders, folded, loose) = (Vec::new(), OnceLock::new(), OnceLock::new());
-        Self { path, layouts, files, folders, linked_folders, walk_faults, folded, loose }
+        Self { path, is_loose: false, layouts, files, folders, linked_folders, walk_faults, folded, loose }
     }
 
     /// Adds files that were read later.
@@ -118,7 +120,7 @@ impl Layer {
 
     fn loose(&self) -> &BTreeMap<String, String> {
         self.loose.get_or_init(|| {
-            let loose = self.files.values().filter(|file| file.is_loose());
+            let loose = self.files.values().filter(|file| file.is_loose);
             loose.map(|file| (file.path.clone(), file.rel.clone())).collect()
         })
     }
@@ -154,7 +156,7 @@ impl Layer {
         if let Some(file) = self.file(rel) {
             return file.path.clone();
         }
-        if let Some(folder) = self.below(rel).next().filter(|file| file.is_loose()).map(FileFacts::folder) {
+        if let Some(folder) = self.below(rel).next().filter(|file| file.is_loose).map(FileFacts::folder) {
             return if folder.is_empty() { ".".to_owned() } else { folder.to_owned() };
         }
         if self.path.is_empty() { rel.to_owned() } else { format!("{}/{rel}", self.path) }

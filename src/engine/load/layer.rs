@@ -51,6 +51,7 @@ pub(super) fn load(place: &Place<'_>, reader: Reader<'_>, mut sizes: MeshSizes) 
     hash_equal_sizes(place, &mut files, reader.limits);
     let folders = place.below.iter().filter(|one| !one.is_file()).map(|folder| folder.rel.to_string()).collect();
     let mut layer = Layer::new(place.path(), place.layouts.clone(), files, folders, faults_below(place));
+    layer.is_loose = place.is_loose;
     let links = place.below.iter().filter(|one| !one.is_file() && one.entry.link_to.is_some());
     layer.linked_folders = links.map(|folder| folder.rel.to_string()).collect();
     (layer, sizes)

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
 use super::input::Input;
-use super::loose::loose;
+use super::loose::Outside;
 use super::place::Place;
 use crate::config::Config;
 use crate::diag::{Application, NotChecked, Note, Outcome, RootSummary, Unchecked, grouped};
@@ -46,17 +46,10 @@ impl<'t> Roots<'t> {
     ) -> Result<Self, Error> {
         let found: Vec<_> = inputs.iter().map(|input| (input, roots_of(&input.tree, |_| true))).collect();
         let mut systems = system.map(|system| system_places(system, applications)).transpose()?.unwrap_or_default();
-        let asked = applications.iter().copied().filter(|application| options.asks_for(*application));
-        let mut outside = Vec::new();
-        for application in asked {
-            let own = systems.iter().filter(|system| system.is_of(application));
-            let bases = own.flat_map(base_meshes).collect();
-            for (input, roots) in &found {
-                let place = loose(input, roots, Layout::of(application), &bases, options)?;
-                outside.extend(place.map(|place| (*input, place)));
-            }
-        }
-        note_outside(&found, outside.iter().map(|(_, place)| place), outcome);
+        let asked: Vec<Application> =
+            applications.iter().copied().filter(|application| options.asks_for(*application)).collect();
+        let outside = places_outside(&found, &systems, &asked, options)?;
+        note_outside(&found, outside.iter().map(|(place, _)| place), outcome);
         let mut given = found.iter().flat_map(|(input, roots)| roots.keys().map(|root| input.tree.shown(root)));
         let all_given = given.next().filter(|first| given.all(|other| other == *first));
         for all in systems.extract_if(.., |system| all_given == Some(system.path())) {
@@ -74,8 +67,8 @@ impl<'t> Roots<'t> {
                 roots.add(input, path, [checked, others], outcome);
             }
         }
-        for (input, place) in outside {
-            roots.want(place, &input.narrow);
+        for (place, narrow) in outside {
+            roots.want(place, &narrow);
         }
         Ok(roots)
     }
@@ -117,6 +110,42 @@ pub(super) fn system_places<'t>(tree: &'t Tree, applications: &[Application]) ->
     });
     let nothing = || PathFault::NoDataOf(applications.to_vec());
     if places.is_empty() { Err(Error::Path { path: tree.label().to_owned(), fault: nothing() }) } else { Ok(places) }
+}
+
+/// The data roots in an input, by path.
+type Found<'i> = (&'i Input, BTreeMap<String, Vec<&'static Layout>>);
+
+/// The files outside of data roots as each application would have them, with the parts that alone are asked for. Where
+/// none is asked for by name, those come first whose data are at hand, and the others have what is left.
+fn places_outside<'t>(
+    found: &[Found<'t>],
+    systems: &[Place<'_>],
+    asked: &[Application],
+    options: &Config,
+) -> Result<Vec<(Place<'t>, Vec<String>)>, Error> {
+    let is_there = |application: &Application| {
+        let layouts = || found.iter().flat_map(|(_, roots)| roots.values()).flatten();
+        let is_found = || layouts().any(|layout| layout.application == *application);
+        if systems.is_empty() { is_found() } else { systems.iter().any(|system| system.is_of(*application)) }
+    };
+    let is_first = |application: &Application| !options.applications.is_empty() || is_there(application);
+    let (first, others): (Vec<Application>, Vec<Application>) = asked.iter().partition(|one| is_first(one));
+    let mut places = Vec::new();
+    for (input, roots) in found {
+        let mut taken: BTreeSet<String> = BTreeSet::new();
+        for applications in [&first, &others] {
+            let before = std::mem::take(&mut taken);
+            for application in applications {
+                let own = systems.iter().filter(|system| system.is_of(*application));
+                let bases = own.flat_map(base_meshes).collect();
+                let outside = Outside { input: *input, roots, taken: &before, bases: &bases, options };
+                let place = outside.place(Layout::of(*application))?;
+                taken.extend(place.iter().flat_map(|(place, _)| &place.below).map(|file| file.entry.path.clone()));
+                places.extend(place);
+            }
+        }
+    }
+    Ok(places)
 }
 
 fn base_meshes(place: &Place<'_>) -> BTreeSet<String> {

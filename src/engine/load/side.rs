@@ -76,6 +76,7 @@ impl Side {
             tree: with(&input.tree),
             narrow: input.narrow.clone(),
             named: input.named.clone(),
+            is_beside: input.is_beside,
         });
         Self { inputs: inputs.collect(), system: self.system.as_ref().map(with) }
     }
