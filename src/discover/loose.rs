@@ -19,8 +19,10 @@ pub(crate) struct Known<'k> {
     pub is_asked: &'k dyn Fn(&Entry) -> bool,
     /// Whether only the files at the top and what these name are to be looked at.
     pub is_shallow: bool,
-    /// Asked for files with the name of an asset.
-    pub bind: &'k dyn Fn(&Entry) -> Binding,
+    /// Asked for files with the name of an asset, with the names of the folders above it, the nearest first.
+    pub bind: &'k dyn Fn(&Entry, &[&str]) -> Binding,
+    /// The list that the content of an asset speaks for, where no folder does.
+    pub list: &'k dyn Fn(&Entry) -> Option<&'static str>,
     /// The names of files in a text.
     pub names: &'k dyn Fn(&Entry) -> Vec<String>,
 }
@@ -104,7 +106,7 @@ struct Placing<'t, 'k> {
     named: BTreeMap<&'t str, BTreeSet<&'t str>>,
 }
 
-impl<'t> Placing<'t, '_> {
+impl<'t, 'k> Placing<'t, 'k> {
     /// Places the assets with these extensions, what lies in their folders, and what they name.
     fn place_assets(&mut self, is_wanted: impl Fn(&str) -> bool) {
         let assets = self.assets(is_wanted);
@@ -131,30 +133,39 @@ impl<'t> Placing<'t, '_> {
             let (folder, _) = folder_and_name(&entry.path);
             let is_open = is_wanted(extension(&entry.path)) && !self.placed.contains(entry.path.as_str());
             let is_near = !self.known.is_shallow || folder.is_empty();
-            let Some(shelf) = self.shelf(entry).filter(|_| is_open && is_near) else { continue };
-            let Some(base) = (self.known.bind)(entry) else { continue };
+            if !(is_open && is_near) {
+                continue;
+            }
+            let above = self.above(folder);
+            let lists: Vec<&str> = above.iter().copied().chain((self.known.list)(entry)).collect();
+            let Some(library) = (self.layout.shelf)(extension(&entry.path), &lists) else { continue };
+            let Some(base) = (self.known.bind)(entry, &above) else { continue };
             let above = match base.filter(|_| self.layout.has_bases) {
-                Some(base) => format!("{shelf}/{base}"),
-                None if self.layout.has_bases => format!("{shelf}/{UNKNOWN}"),
-                None => shelf.to_owned(),
+                Some(base) => format!("{library}/{base}"),
+                None if self.layout.has_bases => format!("{library}/{UNKNOWN}"),
+                None => library.to_owned(),
             };
-            let home = homes.entry((folder, above.clone())).or_insert_with(|| self.new_home(&above, folder));
+            let home = homes.entry((folder, above.clone())).or_insert_with(|| self.new_home(library, &above, folder));
             assets.entry(folder).or_default().push(Asset { entry, home: home.clone() });
         }
         assets
     }
 
-    /// The library of a file.
-    fn shelf(&self, entry: &Entry) -> Option<&'static str> {
-        let (folder, _) = folder_and_name(&entry.path);
+    /// The names of a folder and those above it, the nearest first.
+    fn above<'p>(&self, folder: &'p str) -> Vec<&'p str>
+    where
+        'k: 'p,
+    {
         // Of what lies above the tree the folder that holds its top still says what this is.
         let top = self.known.top.rsplit('/').take(2);
-        let above: Vec<&str> = folder.rsplit('/').filter(|name| !name.is_empty()).chain(top).collect();
-        (self.layout.shelf)(extension(&entry.path), &above)
+        folder.rsplit('/').chain(top).filter(|name| !name.is_empty()).collect()
     }
 
     /// A folder for an asset with the name of its own, which no other asset has.
-    fn new_home(&mut self, above: &str, folder: &str) -> String {
+    fn new_home(&mut self, library: &str, above: &str, folder: &str) -> String {
+        if library == self.layout.flat && self.homes.insert(above.to_owned()) {
+            return above.to_owned();
+        }
         let own = if folder.is_empty() { self.known.top } else { folder };
         // A hidden folder would be another matter.
         let (_, name) = folder_and_name(own.trim_end_matches('/'));
@@ -219,7 +230,8 @@ impl<'t> Placing<'t, '_> {
             if !is_open || (self.layout.loose_place)(&entry.path, None).is_none() {
                 continue;
             }
-            let Some(base) = (self.known.bind)(entry) else { continue };
+            let above = self.above(folder_and_name(&entry.path).0);
+            let Some(base) = (self.known.bind)(entry, &above) else { continue };
             let Some(rel) = (self.layout.loose_place)(&entry.path, base.as_deref()) else { continue };
             let rel = self.free(rel, &mut doubles);
             self.put(entry, rel);

@@ -162,6 +162,11 @@ impl Layer {
         if self.path.is_empty() { rel.to_owned() } else { format!("{}/{rel}", self.path) }
     }
 
+    /// The path of a folder to show where one below the data root is wanted.
+    pub(crate) fn shown<'p>(&'p self, folder: &'p str) -> Cow<'p, str> {
+        if self.is_loose { self.display(folder).into() } else { folder.into() }
+    }
+
     /// Whether something other than a file stands at a path, or above it something that could not be walked.
     pub(crate) fn has_unusable(&self, rel: &str) -> bool {
         // Folders with other names, such as those of images, are not reported.
@@ -182,6 +187,6 @@ impl Layer {
 
     /// The part of a printed path below this root.
     pub(crate) fn relative<'p>(&self, path: &'p str) -> Option<&'p str> {
-        inside(path, &self.path)
+        if self.is_loose && path == self.path { Some("") } else { inside(path, &self.path) }
     }
 }

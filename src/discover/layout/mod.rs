@@ -32,6 +32,8 @@ pub(crate) struct Layout {
     pub shelf: fn(&str, &[&str]) -> Option<&'static str>,
     /// Whether libraries have a folder for each base mesh.
     pub has_bases: bool,
+    /// The library in which files are opened that only its own folder may hold.
+    pub flat: &'static str,
     /// The part that the data root with these files plays.
     pub role: fn(&[Candidate<'_>]) -> Role,
     /// Whether the root with these files, beside another one, is the system although it could play both parts.
@@ -150,6 +152,7 @@ impl Layout {
         loose_place: |_, _| None,
         shelf: |_, _| None,
         has_bases: false,
+        flat: "",
         role: |_| Role::User,
         is_system_of_two: |_| false,
         opens: |_| true,

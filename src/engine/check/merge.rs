@@ -37,12 +37,11 @@ pub(in crate::engine) fn merged_as_printed(sets: Vec<Vec<Finding>>) -> Vec<Findi
     for finding in merged(sets) {
         let known = places.entry((finding.rule, finding.path.clone(), finding.message.clone())).or_default();
         let same = known.iter().copied().find(|at| all.get(*at).is_some_and(|one| one.place == finding.place));
-        match same.and_then(|at| all.get_mut(at)) {
-            Some(same) => join(same, finding),
-            None => {
-                known.push(all.len());
-                all.push(finding);
-            }
+        if let Some(same) = same.and_then(|at| all.get_mut(at)) {
+            join(same, finding);
+        } else {
+            known.push(all.len());
+            all.push(finding);
         }
     }
     all

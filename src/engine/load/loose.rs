@@ -5,9 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::error::Error;
 use super::input::Input;
 use super::place::Place;
+use super::unit_names::UnitNames;
 use crate::config::Config;
 use crate::diag::Application;
-use crate::discover::{Binding, Known, Layout, extension};
+use crate::discover::{Binding, Known, Layout, Role, candidates, extension};
 use crate::formats::target::recognise;
 use crate::source::{Entry, Limits, Tree, canonical, is_below, lines, slashed};
 
@@ -22,6 +23,7 @@ pub(super) struct Outside<'t, 'i> {
     pub(super) taken: &'i BTreeSet<String>,
     /// Base meshes of the system data.
     pub(super) bases: &'i BTreeSet<String>,
+    pub(super) units: &'i UnitNames,
     pub(super) options: &'i Config,
 }
 
@@ -31,11 +33,15 @@ impl<'t> Outside<'t, '_> {
     pub(super) fn place(&self, layout: &'static Layout) -> Result<Option<(Place<'t>, Vec<String>)>, Error> {
         let input = self.input;
         let is_asked = |entry: &Entry| self.is_asked(entry);
-        let bind = |entry: &Entry| self.bind(entry, layout.application);
+        let bind = |entry: &Entry, above: &[&str]| self.bind(entry, above, layout.application);
         let names = |entry: &Entry| names(&input.tree, entry, &self.options.limits);
+        let list = |entry: &Entry| {
+            let is_pose = extension(&entry.path) == "mhpose";
+            if is_pose { self.units.list_of(&input.tree, entry, &self.options.limits) } else { None }
+        };
         let top = top(&input.tree);
         let is_shallow = input.is_beside;
-        let known = Known { top: &top, is_asked: &is_asked, is_shallow, bind: &bind, names: &names };
+        let known = Known { top: &top, is_asked: &is_asked, is_shallow, bind: &bind, list: &list, names: &names };
         let (place, narrow) = Place::loose(&input.tree, layout, &known, &input.narrow);
         let is_single = |path: &str| matches!(extension(path), "target" | "mhskel" | "mhw");
         let single = place.below.iter().find(|file| is_single(&file.entry.path));
@@ -48,11 +54,21 @@ impl<'t> Outside<'t, '_> {
     }
 
     fn is_asked(&self, entry: &Entry) -> bool {
-        !self.roots.keys().any(|root| is_below(&entry.path, root)) && !self.taken.contains(entry.path.as_str())
+        let is_in_root =
+            || self.roots.iter().any(|(root, layouts)| is_below(&entry.path, root) && self.keeps(root, layouts));
+        !self.taken.contains(entry.path.as_str()) && !is_in_root()
     }
 
-    /// The base mesh that a file is for: as it is asked for, as the file says, or the only one there is.
-    fn bind(&self, entry: &Entry, application: Application) -> Binding {
+    /// Whether what lies in a data root is no loose asset. A user's data of an application that is not asked for may be
+    /// installed in that of another one.
+    fn keeps(&self, root: &str, layouts: &[&'static Layout]) -> bool {
+        let is_users = |layout: &Layout| (layout.role)(&candidates(&self.input.tree, root, &[layout])) == Role::User;
+        layouts.iter().any(|layout| self.options.asks_for(layout.application) || !is_users(layout))
+    }
+
+    /// The base mesh that a file is for: as it is asked for, as the file says or a folder above it, or the only one there
+    /// is.
+    fn bind(&self, entry: &Entry, above: &[&str], application: Application) -> Binding {
         let Self { input, bases, options, .. } = self;
         let asked = match options.bases.as_slice() {
             [asked] if bases.is_empty() || bases.contains(asked) => Some(asked),
@@ -65,9 +81,15 @@ impl<'t> Outside<'t, '_> {
             return (!is_other && options.asks_for_base(USUAL)).then(|| Some(USUAL.to_owned()));
         }
         let only = bases.first().filter(|_| bases.len() == 1);
-        let named = asked.cloned().or(header).or_else(|| only.cloned());
-        // A target says which base it is for; most assets are for the same one.
-        let is_usual = extension(&entry.path) != "target" && (bases.is_empty() || bases.contains(USUAL));
+        let is_target = extension(&entry.path) == "target";
+        let folder = above.iter().find(|name| !is_target && bases.contains(**name)).map(|name| (*name).to_owned());
+        let named = asked.cloned().or(header).or(folder).or_else(|| only.cloned());
+        // Of several bases it is the usual one for what most are made for, and looks alike on any.
+        let is_usual = match extension(&entry.path) {
+            "target" => false,
+            "mhclo" | "proxy" | "mhmat" => bases.is_empty() || bases.contains(USUAL),
+            _ => bases.is_empty(),
+        };
         Some(named.or_else(|| is_usual.then(|| USUAL.to_owned())))
     }
 }

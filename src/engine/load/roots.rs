@@ -7,6 +7,7 @@ use super::super::settle::Scope;
 use super::input::Input;
 use super::loose::Outside;
 use super::place::Place;
+use super::unit_names::UnitNames;
 use crate::config::Config;
 use crate::diag::{Application, NotChecked, Note, Outcome, RootSummary, Unchecked, grouped};
 use crate::discover::{Layout, find_roots, is_asset_anywhere};
@@ -130,6 +131,7 @@ fn places_outside<'t>(
     };
     let is_first = |application: &Application| !options.applications.is_empty() || is_there(application);
     let (first, others): (Vec<Application>, Vec<Application>) = asked.iter().partition(|one| is_first(one));
+    let units = UnitNames::of(systems, &options.limits);
     let mut places = Vec::new();
     for (input, roots) in found {
         let mut taken: BTreeSet<String> = BTreeSet::new();
@@ -138,7 +140,7 @@ fn places_outside<'t>(
             for application in applications {
                 let own = systems.iter().filter(|system| system.is_of(*application));
                 let bases = own.flat_map(base_meshes).collect();
-                let outside = Outside { input: *input, roots, taken: &before, bases: &bases, options };
+                let outside = Outside { input, roots, taken: &before, bases: &bases, units: &units, options };
                 let place = outside.place(Layout::of(*application))?;
                 taken.extend(place.iter().flat_map(|(place, _)| &place.below).map(|file| file.entry.path.clone()));
                 places.extend(place);

@@ -64,7 +64,7 @@ impl<'a> View<'a> {
         let worn = |layer| {
             let listed = Worn::all(layer, OWN).filter(|(file, _)| library_of(&file.rel).is_some());
             let of = move |(file, base)| Worn::of(layer, file, base, |name| !name.has_colon, false);
-            listed.map(move |one| Worn { drops_bytes: true, ..of(one) })
+            listed.map(move |one| Worn { drops_bytes: true, ..of(one) }.beside_system(layers))
         };
         let worn: Vec<Worn<'a>> = layers.strongest_first().flat_map(worn).collect();
         let (mut references, surfaces) = surfaces::read(layers, &worn);
