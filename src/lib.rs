@@ -55,7 +55,7 @@ pub use diag::{Application, Finding, Level, Outcome};
 #[doc(hidden)]
 pub use engine::trial;
 pub use engine::{
-    BaselineFault, Error, Fixed, PathFault, SelectorFault, lint, lint_and_fix, lint_trees, lint_with_replacements,
-    open_base, rule_infos,
+    BaselineFault, Error, Fixed, PathFault, Proposal, SelectorFault, lint, lint_and_fix, lint_trees,
+    lint_with_replacements, open_base, propose, rule_infos,
 };
 pub use source::{Encoding, Limits, Tree};

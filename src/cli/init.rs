@@ -6,7 +6,8 @@ use std::path::Path;
 
 use super::exit::{Exit, Failure};
 use super::output::remedy;
-use crate::config::{FILE_NAME, TEMPLATE, find};
+use crate::config::{FILE_NAME, TEMPLATE, find, template_for};
+use crate::engine::{Proposal, propose};
 use crate::report::printable;
 
 pub(super) fn run(folder: Option<&Path>, out: &mut dyn Write, err: &mut dyn Write) -> Result<Exit, Failure> {
@@ -20,9 +21,11 @@ pub(super) fn run(folder: Option<&Path>, out: &mut dyn Write, err: &mut dyn Writ
     let file = if folder == Path::new(".") { FILE_NAME.into() } else { folder.join(FILE_NAME) };
     let shown = file.display();
     let above = find(folder);
+    // A folder that cannot be read has no assets; whether the file can be made is another matter.
+    let proposal = propose(folder).unwrap_or_default();
     // The file is made only if there is none, so that two at a time cannot overwrite each other either.
     let made = OpenOptions::new().write(true).create_new(true).open(&file);
-    let written = made.and_then(|mut made| made.write_all(TEMPLATE.as_bytes()));
+    let written = made.and_then(|mut made| made.write_all(text(proposal.as_ref()).as_bytes()));
     match written {
         Ok(()) => {}
         Err(error) if error.kind() == ErrorKind::AlreadyExists => {
@@ -33,11 +36,33 @@ pub(super) fn run(folder: Option<&Path>, out: &mut dyn Write, err: &mut dyn Writ
             return Err(Failure::Usage(format!("cannot write `{shown}`: {error}; {}", remedy(&error))));
         }
     }
-    writeln!(out, "wrote {}: all settings, explained and commented out", printable(&shown.to_string()))?;
+    writeln!(out, "wrote {}: {}", printable(&shown.to_string()), printable(&summary(proposal.as_ref())))?;
     if let Some(above) = above {
         let above = above.display();
         let remedy = "copy its settings to the new file, or remove the new file";
         writeln!(err, "mhlint: `{above}` no longer applies in `{}`; {remedy}", folder.display())?;
     }
     Ok(Exit::Clean)
+}
+
+fn text(proposal: Option<&Proposal>) -> String {
+    let Some(Proposal { applications, system }) = proposal else { return TEMPLATE.to_owned() };
+    let names: Vec<&str> = applications.iter().map(|application| application.word()).collect();
+    template_for(&names, system.as_deref())
+}
+
+/// What is in the file.
+fn summary(proposal: Option<&Proposal>) -> String {
+    let Some(Proposal { applications, system }) = proposal else {
+        return "all settings, explained and commented out".to_owned();
+    };
+    let names: Vec<String> = applications.iter().map(ToString::to_string).collect();
+    let system = match system {
+        Some(system) => format!("with the system data in `{system}`"),
+        None => "without system data, which were not found near the folder".to_owned(),
+    };
+    format!(
+        "checks the assets for {}, {system}; all other settings are explained and commented out",
+        names.join(" and ")
+    )
 }

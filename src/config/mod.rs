@@ -27,7 +27,7 @@ pub use find::{FILE_NAME, find};
 pub use glob::{PathGlob, Selector};
 pub use globs::Globs;
 pub use schema::schema;
-pub use template::TEMPLATE;
+pub use template::{TEMPLATE, template_for};
 
 /// Most random settings of the sliders that can be asked for: each takes time and memory.
 pub const MOST_SAMPLES: usize = 100_000;

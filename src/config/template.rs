@@ -60,6 +60,33 @@ pub const TEMPLATE: &str = r#"# Settings of mhlint for this repository, all comm
 #exhaustive = false
 "#;
 
+/// Text of a new `mhlint.toml` beside loose assets: these applications, these system data, the rest as in [`TEMPLATE`].
+pub fn template_for(applications: &[&str], system: Option<&str>) -> String {
+    let names: Vec<String> = applications.iter().map(|name| format!("\"{name}\"")).collect();
+    let apps = format!("apps = [{}]", names.join(", "));
+    let found = system.map(|system| format!("system = {}", toml::Value::from(system)));
+    let line = |line: &str| match line {
+        ALL_COMMENTED => {
+            "# Settings of mhlint for the assets in this folder. Other settings are commented out: remove the `#`\n\
+            # of a line to set it."
+                .to_owned()
+        }
+        DATA_COMMENT if system.is_none() => {
+            format!("{line}\n# Not found near this folder: without it nothing is compared with the base mesh.")
+        }
+        SYSTEM => found.clone().unwrap_or_else(|| line.to_owned()),
+        APPS => apps.clone(),
+        _ => line.to_owned(),
+    };
+    TEMPLATE.lines().map(|text| line(text) + "\n").collect()
+}
+
+const ALL_COMMENTED: &str =
+    "# Settings of mhlint for this repository, all commented out: remove the `#` of a line to set it.";
+const DATA_COMMENT: &str = "# MakeHuman's own data: read to resolve references, not reported.";
+const SYSTEM: &str = "#system = \"../makehuman2/data\"";
+const APPS: &str = "#apps = [\"makehuman2\"]";
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -74,6 +101,19 @@ mod tests {
         static LOST: RuleInfo =
             RuleInfo { options: &DISTANCE, ..RuleInfo::new("weights-lost-after-threshold", Level::Warning, "") };
         vec![&OVERSIZED, &LOST]
+    }
+
+    #[test]
+    fn a_template_for_assets_sets_what_was_found() {
+        let text = template_for(&["makehuman2", "makehuman1"], Some("../a \"b\"/data"));
+        let config = Config::parse(&text, "mhlint.toml", &rules()).unwrap();
+        assert_eq!(config.applications.len(), 2);
+        assert!(config.system.is_some_and(|system| system.ends_with("../a \"b\"/data")));
+        for line in [ALL_COMMENTED, DATA_COMMENT, SYSTEM, APPS] {
+            assert!(TEMPLATE.lines().any(|known| known == line), "{line}");
+        }
+        let config = Config::parse(&template_for(&["makehuman1"], None), "mhlint.toml", &rules()).unwrap();
+        assert_eq!((config.applications.len(), config.system), (1, None));
     }
 
     #[test]

@@ -22,6 +22,8 @@ pub struct RuleInfo {
     /// A fingerprint names the file at which a finding stands in place of its asset: several findings may have one asset
     /// and key, and are told apart by their parts.
     pub told_apart: bool,
+    /// Says how things stand in a library or a data folder: it is not asked of assets that lie in none.
+    pub of_library: bool,
     /// What each application does with it.
     pub breaks: &'static [(Application, &'static str)],
     /// What its evidence counts, in the plural; empty where findings of it count different things.
@@ -72,9 +74,22 @@ pub struct OptionInfo {
 impl RuleInfo {
     /// A rule with nothing but the obligatory parts; the rest by struct update.
     pub const fn new(id: &'static str, level: Level, summary: &'static str) -> Self {
-        let (fix, cannot_be_ignored, told_apart) = (FixKind::None, false, false);
+        let (fix, cannot_be_ignored, told_apart, of_library) = (FixKind::None, false, false, false);
         let (levels, breaks, options, counts) = (&[], &[], &[], "");
-        Self { id, summary, level, levels, fix, cannot_be_ignored, told_apart, breaks, counts, options, docs: "" }
+        Self {
+            id,
+            summary,
+            level,
+            levels,
+            fix,
+            cannot_be_ignored,
+            told_apart,
+            of_library,
+            breaks,
+            counts,
+            options,
+            docs: "",
+        }
     }
 
     /// The usual level in an application.

@@ -1,7 +1,6 @@
 //! Every path of a data root with what it is for, found out once.
 
 use std::borrow::Cow;
-use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Kind, Layout};
 use crate::diag::Application;
@@ -25,6 +24,8 @@ pub(crate) struct Candidate<'t> {
     pub entry: &'t Entry,
     /// Its path below the root; a loose file has only a supposed one.
     pub rel: Cow<'t, str>,
+    /// Whether that is only supposed, because it lies in no data root.
+    pub is_loose: bool,
     /// What it is for, to each application whose data root it is.
     pub uses: Vec<Use>,
 }
@@ -55,46 +56,16 @@ pub(crate) fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) ->
     entries.map(|(entry, rel)| Candidate::new(entry, rel, layouts)).collect()
 }
 
-/// The base mesh that a loose file is for, if that is known; `None` for a file that is none of ours.
-pub(crate) type Binding = Option<Option<String>>;
-
-/// The files outside of data roots that are assets, put where `layout` has them. `bind` is asked for those with the
-/// name of an asset.
-pub(crate) fn loose_candidates<'t>(
-    tree: &'t Tree,
-    layout: &Layout,
-    bind: impl Fn(&Entry) -> Binding,
-) -> Vec<Candidate<'t>> {
-    let named = |entry: &&Entry| entry.kind == EntryKind::File && (layout.loose_place)(&entry.path, None).is_some();
-    let mut taken = BTreeSet::new();
-    let mut doubles: BTreeMap<String, usize> = BTreeMap::new();
-    let mut found = Vec::new();
-    for entry in tree.entries().iter().filter(named) {
-        let Some(base) = bind(entry) else { continue };
-        let Some(mut rel) = (layout.loose_place)(&entry.path, base.as_deref()) else { continue };
-        // Folders are joined to one, and several can become the same.
-        if !taken.insert(rel.clone()) {
-            let (folder, file) = rel.rsplit_once('/').unwrap_or(("", &rel));
-            let number = doubles.entry(rel.clone()).or_default();
-            rel = loop {
-                *number += 1;
-                let other = format!("{folder}_{number}/{file}");
-                if taken.insert(other.clone()) {
-                    break other;
-                }
-            };
-        }
-        found.push(Candidate::new(entry, rel, &[layout]));
-    }
-    found
-}
-
 impl<'t> Candidate<'t> {
     /// Finds out what `rel` is for.
-    pub(crate) fn new(entry: &'t Entry, rel: impl Into<Cow<'t, str>>, layouts: &[&Layout]) -> Self {
-        let rel = rel.into();
-        let uses = uses_of(&rel, layouts);
-        Self { entry, rel, uses }
+    fn new(entry: &'t Entry, rel: &'t str, layouts: &[&Layout]) -> Self {
+        Self { entry, rel: rel.into(), is_loose: false, uses: uses_of(rel, layouts) }
+    }
+
+    /// The same for the place that a loose file is put to.
+    pub(super) fn loose(entry: &'t Entry, rel: String, layout: &Layout) -> Self {
+        let uses = uses_of(&rel, &[layout]);
+        Self { entry, rel: rel.into(), is_loose: true, uses }
     }
 
     /// The kind that it is read as.

@@ -6,12 +6,14 @@
 mod candidate;
 mod kind;
 mod layout;
+mod loose;
 mod roots;
 
-pub(crate) use candidate::{Binding, Candidate, Use, candidates, kind_in, loose_candidates, owner_of, uses_of};
+pub(crate) use candidate::{Candidate, Use, candidates, kind_in, owner_of, uses_of};
 pub(crate) use kind::{Kind, SHADER_FILES, extension, is_asset_anywhere};
 pub(crate) use layout::makehuman1::{libraries, library_extension, library_of};
 pub(crate) use layout::makehuman2::importer::{Loss, USUAL_BASE, import, loss, meant_for, new_base};
 pub(crate) use layout::makehuman2::opened::{in_place_of, is_in_override_folder, listed_in, material_of};
 pub(crate) use layout::{Layout, Role, Single, is_read_though_hidden};
+pub(crate) use loose::{Binding, Known, loose};
 pub(crate) use roots::find_roots;

@@ -8,6 +8,7 @@ use super::load::{Loaded, shown};
 use super::settle::Scope;
 use crate::config::Config;
 use crate::diag::{Application, NotChecked, Outcome, Unchecked, Untouched};
+use crate::discover::Kind;
 use crate::eval::measures::Measures;
 use crate::repo::{FileFacts, Resolution, View};
 use crate::source::is_below;
@@ -19,6 +20,8 @@ pub(super) struct Coverage<'r> {
     untouched: BTreeSet<String>,
     /// What was not checked, by printed path.
     left: BTreeMap<(Option<Application>, Unchecked), BTreeSet<String>>,
+    /// Loose files that were counted: each application has them at another place.
+    counted: BTreeSet<String>,
 }
 
 /// What alone is to be reported on.
@@ -32,7 +35,7 @@ impl<'r> Coverage<'r> {
     /// Nothing is checked yet of these PATHs.
     pub(super) fn new(paths: impl IntoIterator<Item = String>, scope: &'r Scope<'r>, options: &'r Config) -> Self {
         let asked = Asked { options, scope };
-        Self { asked, untouched: paths.into_iter().collect(), left: BTreeMap::new() }
+        Self { asked, untouched: paths.into_iter().collect(), left: BTreeMap::new(), counted: BTreeSet::new() }
     }
 
     /// Counts a data root that was checked as its applications see it.
@@ -54,11 +57,11 @@ impl<'r> Coverage<'r> {
                 if file.is_kept_in_part() {
                     self.leave(application, Unchecked::Part, &file.path);
                 }
-                if file.names_vertices() && !root.has_mesh_for(file) {
+                if needs_mesh(file) && !root.has_mesh_for(file) {
                     self.leave(application, Unchecked::NoBaseMesh, &file.path);
                 }
             }
-            if is_checked {
+            if is_checked && (!file.is_loose || self.counted.insert(file.path.clone())) {
                 outcome.summary.files += 1;
                 outcome.summary.bytes += file.size;
                 self.untouched.retain(|path| !is_below(&file.path, path));
@@ -67,7 +70,11 @@ impl<'r> Coverage<'r> {
         for view in views {
             let open = view.references().iter().filter(|one| matches!(one.resolution, Resolution::NeedsSystem));
             for reference in open.filter(|one| asked.is_for(root, one.from)) {
-                self.leave(view.application(), Unchecked::NoSystem, &reference.rel);
+                // Where that would lie in a data folder is only supposed.
+                let is_beside =
+                    reference.from.is_loose && reference.rel.ends_with(reference.text.trim_start_matches("../"));
+                let name = if is_beside { reference.text } else { &reference.rel };
+                self.leave(view.application(), Unchecked::NoSystem, name);
             }
         }
     }
@@ -117,6 +124,11 @@ impl<'r> Coverage<'r> {
         outcome.nothing_in =
             untouched.map(|path| Untouched { path: shown(path).to_owned(), what: why(path) }).collect();
     }
+}
+
+/// Whether it depends on a base mesh what is in a file. Of poses and models the data folder around them says so.
+fn needs_mesh(file: &FileFacts) -> bool {
+    file.names_vertices() || file.is_loose && matches!(file.kind, Kind::Pose | Kind::Motion | Kind::Model)
 }
 
 /// Whether nothing at all was checked of the files.

@@ -21,7 +21,7 @@ mod verdict;
 pub use catalogue::rule_infos;
 pub use error::{BaselineFault, Error, PathFault, SelectorFault};
 pub use fix::{Fixed, lint_and_fix};
-pub use load::open_base;
+pub use load::{Proposal, open_base, propose};
 pub use replaced::lint_with_replacements;
 pub use run::{lint, lint_trees};
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use super::catalogue::CHECKED;
-use super::check::{check, check_upkeep};
+use super::check::{check, check_upkeep, merged_as_printed};
 use super::coverage::Coverage;
 use super::error::Error;
 use super::load::{Data, Loaded, Roots, Side, Stack, sides};
@@ -179,30 +179,48 @@ impl Asked<'_> {
     ) -> Vec<Placed> {
         let Self { options, selection, scope, .. } = self;
         let mut found = Vec::new();
-        for (number, Stack { root: checked, seen }) in data.stacks().into_iter().enumerate() {
-            let views: Vec<View<'_>> =
-                seen.iter().map(|(application, layers)| View::connect(*application, *layers)).collect();
-            views.iter().for_each(|view| summarise(view, outcome));
-            coverage.add(checked, &views, outcome);
-            let of_view = |view: &View<'_>| measures.get(number)?.get(&view.application());
-            let with_measures: Vec<_> = views.iter().map(|view| (view, of_view(view))).collect();
-            for (view, measures) in &with_measures {
-                coverage.add_measured(checked, view, *measures);
+        for group in data.groups() {
+            let mut sets = Vec::new();
+            for (number, stack) in &group {
+                sets.push(self.check_stack(stack, measures.get(*number), coverage, outcome));
             }
-            let mut findings = check(RULES, &with_measures, selection, options, outcome);
-            if checked.layer.pack.is_some() {
+            let mut findings = if sets.len() > 1 { merged_as_printed(sets) } else { sets.pop().unwrap_or_default() };
+            if group.iter().any(|(_, stack)| stack.root.layer.pack.is_some()) {
                 // Nothing writes into a zip.
                 findings.iter_mut().for_each(|finding| finding.fix = None);
             }
-            let is_asked_for = |path: &str| checked.is_asked_for(path);
-            let below: Vec<&Layer> = seen.iter().filter_map(|(_, layers)| layers.system).collect();
-            let root = Root { layer: &checked.layer, below: &below };
+            let is_asked_for = |path: &str| group.iter().any(|(_, stack)| stack.root.is_asked_for(path));
+            let seen = group.iter().flat_map(|(_, stack)| &stack.seen);
+            let below: Vec<&Layer> = seen.filter_map(|(_, layers)| layers.system).collect();
+            let layers: Vec<&Layer> = group.iter().map(|(_, stack)| &stack.root.layer).collect();
+            let Some((layer, others)) = layers.split_first() else { continue };
+            let root = Root { layer, others, below: &below };
             let keeper = Keeper { root, is_asked_for: &is_asked_for, selection, scope, options };
             let (kept, hidden) = keeper.keep(findings, ignores);
             outcome.summary.suppressed += hidden;
             found.extend(kept);
         }
         found
+    }
+
+    /// What the rules find in a repository, with what of it was checked.
+    fn check_stack(
+        &self,
+        Stack { root: checked, seen }: &Stack<'_, '_>,
+        measures: Option<&Measured>,
+        coverage: &mut Coverage<'_>,
+        outcome: &mut Outcome,
+    ) -> Vec<Finding> {
+        let views: Vec<View<'_>> =
+            seen.iter().map(|(application, layers)| View::connect(*application, *layers)).collect();
+        views.iter().for_each(|view| summarise(view, outcome));
+        coverage.add(checked, &views, outcome);
+        let of_view = |view: &View<'_>| measures?.get(&view.application());
+        let with_measures: Vec<_> = views.iter().map(|view| (view, of_view(view))).collect();
+        for (view, measures) in &with_measures {
+            coverage.add_measured(checked, view, *measures);
+        }
+        check(RULES, &with_measures, &self.selection, self.options, outcome)
     }
 
     /// Hides what the baseline knows, and adds what is to be said of ignores and baseline.

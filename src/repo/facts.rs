@@ -38,6 +38,8 @@ pub struct FileFacts {
     pub path: String,
     /// Path relative to the data root.
     pub rel: String,
+    /// Whether the file lies elsewhere than the application would keep it: [`rel`](Self::rel) is only supposed.
+    pub is_loose: bool,
     /// Path relative to the data root of the file that this one is through a link, if that is in the root, too.
     pub link_to: Option<String>,
     /// What it is read as.
@@ -90,12 +92,7 @@ impl FileFacts {
     /// The path to show where one below the data root is wanted. A loose file has only a supposed place there, so it is
     /// shown where it lies.
     pub fn shown(&self) -> &str {
-        if self.is_loose() { &self.path } else { &self.rel }
-    }
-
-    /// Whether the file lies elsewhere than the application would keep it.
-    pub fn is_loose(&self) -> bool {
-        !self.path.ends_with(self.rel.as_str())
+        if self.is_loose { &self.path } else { &self.rel }
     }
 
     /// Path of the folder as reports print it.

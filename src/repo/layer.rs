@@ -26,6 +26,8 @@ pub(crate) fn composed(path: &str) -> Cow<'_, str> {
 pub(crate) struct Layer {
     /// Path of the root as reports print it, empty for the working directory.
     pub path: String,
+    /// Whether it is no data root at all, but files that would belong into one.
+    pub is_loose: bool,
     /// The layouts that it has.
     pub layouts: Vec<&'static Layout>,
     /// Files by their path relative to the root.
@@ -63,7 +65,8 @@ impl Layer {
         folders.sort_unstable();
         walk_faults.sort_by(|one, other| one.path.cmp(&other.path));
         let (linked_folders, folded, loose) = (Vec::new(), OnceLock::new(), OnceLock::new());
-        Self { path, layouts, files, folders, linked_folders, walk_faults, pack: None, folded, loose }
+        let pack = None;
+        Self { path, is_loose: false, layouts, files, folders, linked_folders, walk_faults, pack, folded, loose }
     }
 
     /// Adds files that were read later.
@@ -120,7 +123,7 @@ impl Layer {
 
     fn loose(&self) -> &BTreeMap<String, String> {
         self.loose.get_or_init(|| {
-            let loose = self.files.values().filter(|file| file.is_loose());
+            let loose = self.files.values().filter(|file| file.is_loose);
             loose.map(|file| (file.path.clone(), file.rel.clone())).collect()
         })
     }
@@ -156,7 +159,7 @@ impl Layer {
         if let Some(file) = self.file(rel) {
             return file.path.clone();
         }
-        if let Some(folder) = self.below(rel).next().filter(|file| file.is_loose()).map(FileFacts::folder) {
+        if let Some(folder) = self.below(rel).next().filter(|file| file.is_loose).map(FileFacts::folder) {
             return if folder.is_empty() { ".".to_owned() } else { folder.to_owned() };
         }
         match (self.path.is_empty(), rel.is_empty()) {
@@ -164,6 +167,11 @@ impl Layer {
             (_, true) => self.path.clone(),
             _ => format!("{}/{rel}", self.path),
         }
+    }
+
+    /// The path of a folder to show where one below the data root is wanted.
+    pub(crate) fn shown<'p>(&'p self, folder: &'p str) -> Cow<'p, str> {
+        if self.is_loose { self.display(folder).into() } else { folder.into() }
     }
 
     /// Whether something other than a file stands at a path, or above it something that could not be walked.
@@ -186,6 +194,6 @@ impl Layer {
 
     /// The part of a printed path below this root.
     pub(crate) fn relative<'p>(&self, path: &'p str) -> Option<&'p str> {
-        inside(path, &self.path)
+        if self.is_loose && path == self.path { Some("") } else { inside(path, &self.path) }
     }
 }

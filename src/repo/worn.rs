@@ -1,12 +1,12 @@
 //! Assets that a body wears, with the files that they name.
 
-use super::{FileFacts, Layer, Reference, ReferenceKind, parent};
+use super::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, parent};
 use crate::diag::{Application, Place};
 use crate::discover::Kind;
 use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::mhbin_asset::Packed;
 use crate::formats::mhclo::{Clothes, Entry};
-use crate::source::Guess;
+use crate::source::{Guess, normalized};
 
 /// An asset that a body wears.
 #[derive(Debug)]
@@ -68,6 +68,28 @@ impl<'a> Worn<'a> {
         let references = references.or_else(|| packed_references(layer, file, base));
         let binary = layer.file(&format!("{own}/{}.mhbin", file.stem()));
         Self { file, base, binary, references, drops_bytes: false }
+    }
+
+    /// The same, where a loose asset may have been made beside those of the system: what it names there, outside of its
+    /// own folder, is not missing. In which library it was made nobody knows.
+    pub(super) fn beside_system(mut self, layers: Layers<'a>) -> Self {
+        let is_beside =
+            |one: &&mut Reference<'_>| one.text.starts_with("../") && matches!(one.resolution, Resolution::Missing);
+        let references = self.references.iter_mut().flatten().filter(|_| self.file.is_loose);
+        for reference in references.filter(is_beside) {
+            let below = normalized(&reference.rel).and_then(|rel| Some(rel.split_once('/')?.1.to_owned()));
+            let there = |system: &'a Layer| {
+                let libraries = system.folders.iter().filter(|folder| !folder.contains('/'));
+                let below = below.as_deref()?;
+                libraries.into_iter().find_map(|library| system.file(&format!("{library}/{below}")))
+            };
+            reference.resolution = match layers.system.map(there) {
+                Some(Some(file)) => Resolution::Found(file),
+                Some(None) => Resolution::Missing,
+                None => Resolution::NeedsSystem,
+            };
+        }
+        self
     }
 
     /// What is in its text, if that can be relied on.

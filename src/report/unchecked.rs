@@ -20,7 +20,22 @@ const KINDS: [(&str, &str, &str); 5] = [
 
 /// A clause for each reason, not made harmless yet.
 pub(super) fn unchecked(outcome: &Outcome) -> impl Iterator<Item = String> {
-    outcome.not_checked.iter().map(clause)
+    let mut all: Vec<NotChecked> = Vec::new();
+    for entry in &outcome.not_checked {
+        match all.iter_mut().find(|other| is_of_one_clause(other, entry)) {
+            Some(other) => {
+                let paths = other.paths.union(&entry.paths).cloned().collect();
+                *other = NotChecked::of(other.application, other.what, paths);
+            }
+            None => all.push(entry.clone()),
+        }
+    }
+    all.into_iter().map(|entry| clause(&entry))
+}
+
+/// Whether two entries are the same but for the application, which the clause does not name.
+fn is_of_one_clause(one: &NotChecked, other: &NotChecked) -> bool {
+    one.what == other.what && (one.application == other.application || one.what != Unchecked::Application)
 }
 
 /// `Not checked: 12 .bvh poses, 3 .blend (no rules yet); …`, not made harmless yet.
@@ -39,7 +54,8 @@ fn clause(entry: &NotChecked) -> String {
             format!("{files} of {application}data (not supported yet)")
         }
         Unchecked::NoBaseMesh => format!(
-            "vertex numbers in {} (no base mesh; use `--system`, and `--base` for files outside data folders)",
+            "{} in {} (no base mesh; use `--system`, and `--base` for files outside data folders)",
+            of_base_mesh(entry),
             by_extension(entry)
         ),
         Unchecked::NoSystem => format!("{} (expected in the system data; use `--system`)", names(entry)),
@@ -52,6 +68,16 @@ fn clause(entry: &NotChecked) -> String {
             format!("some effects of sliders on {} (over the limit for one base mesh)", names(entry))
         }
         Unchecked::NotCompared => format!("whether findings in {files} are new (previous contents are not available)"),
+    }
+}
+
+/// What of the files depends on the base mesh.
+fn of_base_mesh(entry: &NotChecked) -> &'static str {
+    let is_posed = |path: &&String| path.ends_with(".bvh") || path.ends_with(".mhpose") || path.ends_with(".mhm");
+    match entry.paths.iter().filter(is_posed).count() {
+        0 => "vertex numbers",
+        count if count == entry.paths.len() => "names of bones, units and sliders",
+        _ => "vertex numbers and names of bones, units and sliders",
     }
 }
 

@@ -25,6 +25,7 @@ mod hostile;
 mod hostile_worn;
 mod ignores;
 mod listing;
+mod loose;
 mod observed;
 mod overlay;
 #[cfg(unix)]

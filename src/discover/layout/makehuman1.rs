@@ -2,7 +2,7 @@
 
 use super::super::Kind;
 use super::super::kind::{SHADER_FILES, extension};
-use super::{HM08, HiddenPath, LIBRARIES, Layout, MAKEHUMAN2_BASES, Role, Sign, Single, WORN};
+use super::{HM08, HiddenPath, LIBRARIES, Layout, MAKEHUMAN2_BASES, Role, Sign, Single, WORN, worn_shelf};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -13,6 +13,7 @@ pub(super) static LAYOUT: Layout = Layout {
     sign,
     place,
     role: |below| Role::of_one(below, Application::Makehuman1, Kind::BaseMesh),
+    shelf,
     scans: |rel| library_of(rel).is_some(),
     reads_hidden,
     single,
@@ -73,6 +74,17 @@ fn reads_hidden(path: &HiddenPath<'_>) -> bool {
     // The list of materials of an asset as well.
     let is_listed = || library_of(&format!("{below}/{}", path.name)).is_some() || extension(path.name) == "mhmat";
     !path.is_folder && path.name.starts_with('.') && is_listed()
+}
+
+/// The library of a loose file, of those that are checked.
+fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
+    match extension {
+        "mhclo" => Some(worn_shelf(above)),
+        "proxy" => Some(TOPOLOGIES),
+        "bvh" => Some("poses"),
+        "mhmat" => Some("skins"),
+        _ => None,
+    }
 }
 
 fn holds_worn(folder: &str) -> bool {

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use super::super::kind::extension;
 use super::super::{Candidate, Kind};
-use super::{HiddenPath, Layout, MAKEHUMAN2_BASES, Role, Sign, WORN};
+use super::{HiddenPath, Layout, MAKEHUMAN2_BASES, Role, Sign, WORN, first_of, worn_shelf};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -20,6 +20,10 @@ pub(super) static LAYOUT: Layout = Layout {
     reads_hidden,
     loose_place,
     import: Some(importer::import),
+    shelf,
+    has_bases: true,
+    // Weights are looked for there and nowhere below (§10).
+    flat: "rigs",
     role,
     is_system_of_two,
     opens: opened::opens,
@@ -130,6 +134,20 @@ fn is_scanned_though_hidden(path: &HiddenPath<'_>) -> bool {
     let Some(at) = path.visible.iter().rposition(|part| is_scanned_folder(part)) else { return false };
     let below = path.visible.get(at..).unwrap_or_default().join("/");
     !path.is_folder && path.name.starts_with('.') && opened::is_scanned(&format!("{below}/{}", path.name))
+}
+
+/// The list that shows a loose file. Poses of the face are by far the most of what is in `.mhpose`.
+fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
+    match extension {
+        "mhclo" => Some(worn_shelf(above)),
+        "proxy" => Some("proxy"),
+        "mhskel" => Some("rigs"),
+        "mhpose" => first_of(&["poses", "expressions"], above).or(Some("expressions")),
+        "bvh" => Some("poses"),
+        "mhm" => Some("models"),
+        "mhmat" => Some("skins"),
+        _ => None,
+    }
 }
 
 /// A loose target, skeleton or weights file is checked as if its owner had already copied it into a user

@@ -4,7 +4,7 @@ pub(super) mod makehuman1;
 pub(super) mod makehuman2;
 mod mpfb;
 
-use super::{Candidate, Kind, Use};
+use super::{Candidate, Kind, Use, extension};
 use crate::diag::Application;
 
 /// How an application lays out its data folders: what their paths say, without a look into a file.
@@ -30,6 +30,13 @@ pub(crate) struct Layout {
     /// Where its importer puts the file at a path of a pack, for a base mesh; `None` for what it ignores. An application
     /// without an importer has what is unpacked into its data folder.
     pub import: Option<fn(&str, &str) -> Option<String>>,
+    /// The library that a loose file belongs to, by its extension and the names of the folders above it, the nearest
+    /// first; `None` for files that no library lists.
+    pub shelf: fn(&str, &[&str]) -> Option<&'static str>,
+    /// Whether libraries have a folder for each base mesh.
+    pub has_bases: bool,
+    /// The library in which files are opened that only its own folder may hold.
+    pub flat: &'static str,
     /// The part that the data root with these files plays.
     pub role: fn(&[Candidate<'_>]) -> Role,
     /// Whether the root with these files, beside another one, is the system although it could play both parts.
@@ -119,6 +126,19 @@ const MAKEHUMAN2_BASES: [&str; 2] = [HM08, "mh2bot"];
 /// Folders of what a body wears, of all applications.
 const WORN: [&str; 7] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue"];
 
+/// The first of the folders that is one of these, the nearest first.
+fn first_of(known: &[&'static str], above: &[&str]) -> Option<&'static str> {
+    above.iter().find_map(|name| known.iter().find(|known| *known == name)).copied()
+}
+
+/// The folder of what a body wears that a loose asset lies in, or where most of them belong.
+fn worn_shelf(above: &[&str]) -> &'static str {
+    first_of(&WORN, above).unwrap_or(CLOTHES)
+}
+
+/// Where what a body wears belongs if nothing says more.
+const CLOTHES: &str = "clothes";
+
 /// Folders of other assets that `MakeHuman` 1 and MPFB both have.
 const LIBRARIES: [&str; 5] = ["proxymeshes", "rigs", "poses", "expressions", "skins"];
 
@@ -134,6 +154,9 @@ impl Layout {
         reads_hidden: |_| false,
         loose_place: |_, _| None,
         import: None,
+        shelf: |_, _| None,
+        has_bases: false,
+        flat: "",
         role: |_| Role::User,
         is_system_of_two: |_| false,
         opens: |_| true,
@@ -178,6 +201,11 @@ impl Layout {
         self.folders.iter().any(|folders| folders.contains(&name))
     }
 
+    /// Whether `MakeHuman` 2 comes with a base mesh of this name.
+    pub(crate) fn is_base_of_makehuman2(name: &str) -> bool {
+        MAKEHUMAN2_BASES.contains(&name)
+    }
+
     /// The folder at the top of a data root that differs from this name in its capitals alone.
     pub(crate) fn folder_in_other_case(&self, name: &str) -> Option<&'static str> {
         let mut known = self.folders.iter().copied().flatten().copied();
@@ -188,7 +216,9 @@ impl Layout {
     pub(crate) fn is_asset(&self, rel: &str) -> bool {
         let folder = rel.rsplit_once('/').map_or("", |(folder, _)| folder);
         let is_known = || !matches!(self.use_of(rel).kind, Kind::Other | Kind::Packed);
-        self.root_above(folder).is_some() && is_known() || (self.loose_place)(rel, None).is_some()
+        self.root_above(folder).is_some() && is_known()
+            || (self.loose_place)(rel, None).is_some()
+            || (self.shelf)(extension(rel), &[]).is_some()
     }
 
     /// The data root that a file is a sign of.

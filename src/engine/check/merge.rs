@@ -1,8 +1,9 @@
 //! Findings of several applications on the same data: one fault is one finding.
 
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-use crate::diag::{Finding, Parts, Subject};
+use crate::diag::{Break, Finding, Parts, Subject};
 
 /// What makes two findings the same: rule, subject, and their number among equal ones.
 type Identity = (&'static str, Subject, usize);
@@ -23,6 +24,24 @@ pub(super) fn merged(views: Vec<Vec<Finding>>) -> Vec<Finding> {
                 places.insert(identity, all.len());
                 all.push(finding);
             }
+        }
+    }
+    all
+}
+
+/// The findings on the same files as several applications would have them, each at a place of its own: what is printed
+/// of two alike is printed once.
+pub(in crate::engine) fn merged_as_printed(sets: Vec<Vec<Finding>>) -> Vec<Finding> {
+    let mut all: Vec<Finding> = Vec::new();
+    let mut places: BTreeMap<(&str, String, String), Vec<usize>> = BTreeMap::new();
+    for finding in merged(sets) {
+        let known = places.entry((finding.rule, finding.path.clone(), finding.message.clone())).or_default();
+        let same = known.iter().copied().find(|at| all.get(*at).is_some_and(|one| one.place == finding.place));
+        if let Some(same) = same.and_then(|at| all.get_mut(at)) {
+            join(same, finding);
+        } else {
+            known.push(all.len());
+            all.push(finding);
         }
     }
     all
@@ -49,6 +68,21 @@ fn join(known: &mut Finding, mut other: Finding) {
     } else {
         known.breaks.extend(other.breaks);
     }
+    keep_worst(&mut known.breaks);
+}
+
+/// Leaves the worst that happens in each application.
+fn keep_worst(breaks: &mut Vec<Break>) {
+    let worst = |one: &Break| (one.application, Reverse(one.level));
+    let mut kept: Vec<Break> = Vec::with_capacity(breaks.len());
+    for one in breaks.drain(..) {
+        match kept.iter_mut().find(|other| other.application == one.application) {
+            Some(other) if worst(&one) < worst(other) => *other = one,
+            Some(_) => {}
+            None => kept.push(one),
+        }
+    }
+    *breaks = kept;
 }
 
 #[cfg(test)]

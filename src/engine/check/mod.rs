@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 
 use self::merge::merged;
+pub(super) use self::merge::merged_as_printed;
 use super::caught::caught;
 
 use super::settle::{Ignores, Selection, Verdict};
@@ -66,7 +67,9 @@ fn check_view(
 ) -> Vec<Finding> {
     let application = view.application();
     let checked = Checked { view, files: view.files().collect(), bodies: view.bodies(), measures };
-    let is_on = |rule: &Rule| selection.runs(rule.info.id) && rule.concerns(application);
+    let is_loose = view.layers().checked.is_loose;
+    let is_on =
+        |rule: &Rule| selection.runs(rule.info.id) && rule.concerns(application) && !(is_loose && rule.info.of_library);
     let rules: Vec<&Rule> = rules.iter().copied().filter(|rule| is_on(rule)).collect();
     let mut done = over_files(&checked, &rules, options);
     let others = rules.par_iter().map(|rule| run_caught(|out| run_rule(rule, &checked, options, out)));

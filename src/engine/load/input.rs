@@ -19,6 +19,8 @@ pub(in crate::engine) struct Input {
     pub(in crate::engine) named: Vec<String>,
     /// The base mesh that a zip brings with it, by its name.
     pub(in crate::engine) new_base: Option<String>,
+    /// Whether it is the folder around a file that alone was named.
+    pub(in crate::engine) is_beside: bool,
 }
 
 impl Input {
@@ -26,12 +28,12 @@ impl Input {
         let named = vec![tree.label().to_owned()];
         let name = tree.label().rsplit('/').next().unwrap_or_default();
         let new_base = tree.pack().and_then(|_| new_base(name)).map(str::to_owned);
-        Self { tree, narrow: Vec::new(), named, new_base }
+        Self { tree, narrow: Vec::new(), named, new_base, is_beside: false }
     }
 
     /// A part of a tree, by its printed path.
     fn part(tree: Tree, path: String) -> Self {
-        Self { tree, narrow: vec![path.clone()], named: vec![path], new_base: None }
+        Self { tree, narrow: vec![path.clone()], named: vec![path], new_base: None, is_beside: false }
     }
 
     /// Whether a printed path is one that the PATHs ask for.
@@ -41,6 +43,11 @@ impl Input {
 
     /// Takes in another PATH to the same tree.
     fn join(&mut self, mut other: Self) {
+        // What lists more is kept.
+        if self.is_beside && !other.is_beside {
+            std::mem::swap(&mut self.tree, &mut other.tree);
+            self.is_beside = false;
+        }
         if self.narrow.is_empty() || other.narrow.is_empty() {
             self.narrow.clear();
         } else {
@@ -107,12 +114,15 @@ fn open_pack(path: &Path, here: &str, limits: &Limits) -> Result<Input, Error> {
     })?;
     Ok(Input::whole(Tree::packed(here, zip, limits, is_read_though_hidden)))
 }
+/// Folders of textures and the like below that of a file.
+const LEVELS_BESIDE: usize = 4;
 
 /// A file that lies in no data root, with those beside it: they may belong together.
 fn open_beside(path: &Path, place: &Path, here: &str) -> (PathBuf, Input) {
     let folder = folder_of(path);
-    let tree = Tree::on_disk_to_depth(label(folder), folder, 1, is_read_though_hidden);
-    (place.parent().unwrap_or(place).to_owned(), Input::part(tree, here.to_owned()))
+    let tree = Tree::on_disk_to_depth(label(folder), folder, LEVELS_BESIDE, is_read_though_hidden);
+    let input = Input { is_beside: true, ..Input::part(tree, here.to_owned()) };
+    (place.parent().unwrap_or(place).to_owned(), input)
 }
 
 /// The data root that `path` lies inside of.

@@ -50,6 +50,7 @@ pub(super) fn load(place: &Place<'_>, reader: Reader<'_>, mut sizes: MeshSizes) 
     files.append(&mut read_all(place.tree, of(Needs::Mesh), reader, &sizes, None).0);
     hash_equal_sizes(place, &mut files, reader.limits);
     let mut layer = Layer::new(place.path(), place.layouts.clone(), files, folders(place), faults_below(place));
+    layer.is_loose = place.is_loose;
     let links = place.below.iter().filter(|one| !one.is_file() && one.entry.link_to.is_some());
     layer.pack.clone_from(&place.pack);
     layer.linked_folders = links.map(|folder| folder.rel.to_string()).collect();

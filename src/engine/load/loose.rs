@@ -5,49 +5,157 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::error::Error;
 use super::input::Input;
 use super::place::Place;
+use super::unit_names::UnitNames;
 use crate::config::Config;
-use crate::discover::{Binding, Layout, extension};
+use crate::diag::Application;
+use crate::discover::{Binding, Known, Layout, Role, candidates, extension};
 use crate::formats::target::recognise;
-use crate::source::{Entry, is_below};
+use crate::source::{Entry, Limits, Tree, canonical, is_below, lines, slashed};
 
-/// The files of an input outside of its data roots, put where the application would look for them; `None` where there
-/// are none. `bases` are those of the system data.
-pub(super) fn loose<'t>(
-    input: &'t Input,
-    roots: &BTreeMap<String, Vec<&'static Layout>>,
-    layout: &'static Layout,
-    bases: &BTreeSet<String>,
-    options: &Config,
-) -> Result<Option<Place<'t>>, Error> {
-    let asked = match options.bases.as_slice() {
-        [asked] if bases.is_empty() || bases.contains(asked) => Some(asked),
-        _ => None,
-    };
-    let only = bases.first().filter(|_| bases.len() == 1);
-    let bind = |entry: &Entry| -> Binding {
-        let is_in_root = roots.keys().any(|root| is_below(&entry.path, root));
-        let header = if is_in_root { None } else { recognised(input, entry, options) };
-        header.map(|header| asked.cloned().or(header).or_else(|| only.cloned()))
-    };
-    let place = Place::loose(&input.tree, layout, bind);
-    match place.below.first() {
-        Some(first) if options.bases.len() > 1 => {
-            Err(Error::SeveralBases { file: input.tree.shown(&first.entry.path) })
+/// The base mesh that most assets are for, and the only one of `MakeHuman` 1.
+const USUAL: &str = "hm08";
+
+/// Files of an input outside of its data roots, on their way to an application.
+pub(super) struct Outside<'t, 'i> {
+    pub(super) input: &'t Input,
+    pub(super) roots: &'i BTreeMap<String, Vec<&'static Layout>>,
+    /// Files, by their paths in the tree, that other applications check and this one is not asked for.
+    pub(super) taken: &'i BTreeSet<String>,
+    /// Base meshes of the system data.
+    pub(super) bases: &'i BTreeSet<String>,
+    pub(super) units: &'i UnitNames,
+    pub(super) options: &'i Config,
+}
+
+impl<'t> Outside<'t, '_> {
+    /// The files, put where an application would look for them, with the parts that alone are asked for; `None` where
+    /// there are none.
+    pub(super) fn place(&self, layout: &'static Layout) -> Result<Option<(Place<'t>, Vec<String>)>, Error> {
+        let input = self.input;
+        let is_asked = |entry: &Entry| self.is_asked(entry);
+        let bind = |entry: &Entry, above: &[&str]| self.bind(entry, above, layout.application);
+        let names = |entry: &Entry| names(&input.tree, entry, &self.options.limits);
+        let list = |entry: &Entry| {
+            let is_pose = extension(&entry.path) == "mhpose";
+            if is_pose { self.units.list_of(&input.tree, entry, &self.options.limits) } else { None }
+        };
+        let top = top(&input.tree);
+        let is_shallow = input.is_beside;
+        let known = Known { top: &top, is_asked: &is_asked, is_shallow, bind: &bind, list: &list, names: &names };
+        let (place, narrow) = Place::loose(&input.tree, layout, &known, &input.narrow);
+        let is_single = |path: &str| matches!(extension(path), "target" | "mhskel" | "mhw");
+        let single = place.below.iter().find(|file| is_single(&file.entry.path));
+        match (single, place.below.is_empty()) {
+            (Some(first), _) if self.options.bases.len() > 1 => {
+                Err(Error::SeveralBases { file: input.tree.shown(&first.entry.path) })
+            }
+            (_, is_empty) => Ok((!is_empty).then_some((place, narrow))),
         }
-        first => Ok(first.is_some().then_some(place)),
+    }
+
+    fn is_asked(&self, entry: &Entry) -> bool {
+        let is_in_root =
+            || self.roots.iter().any(|(root, layouts)| is_below(&entry.path, root) && self.keeps(root, layouts));
+        !self.taken.contains(entry.path.as_str()) && !is_in_root()
+    }
+
+    /// Whether what lies in a data root is no loose asset. A user's data of an application that is not asked for may be
+    /// installed in that of another one.
+    fn keeps(&self, root: &str, layouts: &[&'static Layout]) -> bool {
+        let is_users = |layout: &Layout| (layout.role)(&candidates(&self.input.tree, root, &[layout])) == Role::User;
+        layouts.iter().any(|layout| self.options.asks_for(layout.application) || !is_users(layout))
+    }
+
+    /// The base mesh that a file is for: as it is asked for, as the file says or a folder above it, or the only one there
+    /// is.
+    fn bind(&self, entry: &Entry, above: &[&str], application: Application) -> Binding {
+        let Self { input, bases, options, .. } = self;
+        let asked = match options.bases.as_slice() {
+            [asked] if bases.is_empty() || bases.contains(asked) => Some(asked),
+            _ => None,
+        };
+        let header = recognised(input, entry, options)?;
+        if application == Application::Makehuman1 {
+            let is_other =
+                header.as_deref().is_some_and(Layout::is_base_of_makehuman2) && header.as_deref() != Some(USUAL);
+            return (!is_other && options.asks_for_base(USUAL)).then(|| Some(USUAL.to_owned()));
+        }
+        let only = bases.first().filter(|_| bases.len() == 1);
+        let is_target = extension(&entry.path) == "target";
+        let folder = above.iter().find(|name| !is_target && bases.contains(**name)).map(|name| (*name).to_owned());
+        let named = asked.cloned().or(header).or(folder).or_else(|| only.cloned());
+        // Of several bases it is the usual one for what most are made for, and looks alike on any.
+        let is_usual = match extension(&entry.path) {
+            "target" => false,
+            "mhclo" | "proxy" | "mhmat" => bases.is_empty() || bases.contains(USUAL),
+            _ => bases.is_empty(),
+        };
+        Some(named.or_else(|| is_usual.then(|| USUAL.to_owned())))
     }
 }
 
-/// The base mesh in the header of a file that is ours: it is named as PATH, or its content says so. Only targets share
-/// their name with files of other programs.
+/// The base mesh in the header of a file that is ours: it is named as PATH, or its content says so. Only assets that
+/// share their extension with files of other programs are in doubt.
 fn recognised(input: &Input, entry: &Entry, options: &Config) -> Binding {
-    if extension(&entry.path) != "target" {
-        return Some(None);
+    let is_named = || input.named.contains(&input.tree.shown(&entry.path));
+    let read = || input.tree.read(entry, &options.limits).unwrap_or_default();
+    match extension(&entry.path) {
+        "target" => {
+            let target = recognise(&read());
+            let is_ours = target.is_some() || is_named();
+            is_ours.then(|| target.and_then(|target| target.basemesh).filter(|name| is_folder_name(name)))
+        }
+        "mhclo" => Some(base_of(&read())),
+        "proxy" => {
+            let text = read();
+            (is_named() || first_words(&text).any(|(word, _)| word == "obj_file")).then(|| base_of(&text))
+        }
+        "bvh" => (is_named() || is_of_makehuman(input, entry, &read())).then_some(None),
+        _ => Some(None),
     }
-    let bytes = input.tree.read(entry, &options.limits).unwrap_or_default();
-    let target = recognise(&bytes);
-    let is_ours = target.is_some() || input.named.contains(&input.tree.shown(&entry.path));
-    let header = target.and_then(|target| target.basemesh);
-    // A name that is no folder leads elsewhere.
-    is_ours.then(|| header.filter(|name| !name.contains(['/', '\\']) && !name.starts_with('.')))
+}
+
+/// A motion with a preview or a description as the applications have them, or for their skeleton.
+fn is_of_makehuman(input: &Input, entry: &Entry, text: &[u8]) -> bool {
+    let beside =
+        |extension| input.tree.entry(&format!("{}.{extension}", entry.path.trim_end_matches(".bvh"))).is_some();
+    beside("meta")
+        || beside("thumb")
+        || first_words(text).any(|(word, rest)| word == "JOINT" && rest == ["upperleg02.L"])
+}
+
+/// The base mesh in the header of an asset.
+fn base_of(text: &[u8]) -> Option<String> {
+    let mut lines = first_words(text).filter(|(word, _)| word.trim_end_matches(':') == "basemesh");
+    lines.find_map(|(_, rest)| rest.into_iter().next()).filter(|name| is_folder_name(name))
+}
+
+/// A name that is no folder leads elsewhere.
+fn is_folder_name(name: &str) -> bool {
+    !name.contains(['/', '\\']) && !name.starts_with('.')
+}
+
+/// The lines that begin with a word, and what stands behind it.
+fn first_words(text: &[u8]) -> impl Iterator<Item = (String, Vec<String>)> {
+    let begins_with_word = |line: &&[u8]| line.trim_ascii_start().first().is_some_and(u8::is_ascii_alphabetic);
+    lines(text).map(|(_, line)| line).filter(begins_with_word).filter_map(|line| {
+        let line = String::from_utf8_lossy(line);
+        let mut words = line.split_whitespace().map(str::to_owned);
+        Some((words.next()?, words.collect()))
+    })
+}
+
+/// Names that a text is searched for; more of them no asset has.
+const NAMES: usize = 1000;
+
+/// The words of a text that may be names of files.
+fn names(tree: &Tree, entry: &Entry, limits: &Limits) -> Vec<String> {
+    let text = tree.read(entry, limits).unwrap_or_default();
+    let words = first_words(&text).flat_map(|(_, rest)| rest);
+    words.filter(|word| word.contains('.') && word.parse::<f64>().is_err()).take(NAMES).collect()
+}
+
+/// The folder at the top of a tree, with those above it.
+fn top(tree: &Tree) -> String {
+    tree.root().and_then(canonical).map_or_else(|| tree.label().to_owned(), |folder| slashed(&folder))
 }

@@ -9,15 +9,18 @@ mod loose;
 mod open;
 mod pack;
 mod place;
+mod proposal;
 mod read;
 mod roots;
 mod side;
 mod stack;
+mod unit_names;
 
 pub(super) use data::{Data, Loaded};
 pub(super) use input::Input;
 pub(crate) use input::is_pack;
 pub use open::open_base;
+pub use proposal::{Proposal, propose};
 pub(super) use roots::{Roots, shown};
 pub(super) use side::{Side, sides};
 pub(super) use stack::Stack;

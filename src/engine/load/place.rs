@@ -3,10 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diag::{Application, grouped};
-use crate::discover::{Binding, Candidate, Layout, candidates, loose_candidates};
+use crate::discover::{Candidate, Known, Layout, candidates, loose};
 use crate::formats::Needs;
 use crate::repo::Pack;
-use crate::source::{Entry, Tree};
+use crate::source::Tree;
 
 /// A data root in its tree.
 pub(in crate::engine) struct Place<'t> {
@@ -31,9 +31,19 @@ impl<'t> Place<'t> {
         Self::with(tree, root, layouts, candidates(tree, root, layouts), false)
     }
 
-    /// The loose files of a tree, as if they lay in a user's data root of `layout`, for the base meshes that `bind` says.
-    pub(super) fn loose(tree: &'t Tree, layout: &'static Layout, bind: impl Fn(&Entry) -> Binding) -> Self {
-        Self::with(tree, "", &[layout], loose_candidates(tree, layout, bind), true)
+    /// The loose files of a tree, as if they lay in a user's data root of `layout`, with those printed paths that alone
+    /// are asked for: with a file it is what belongs to that.
+    pub(super) fn loose(
+        tree: &'t Tree,
+        layout: &'static Layout,
+        known: &Known<'_>,
+        narrow: &[String],
+    ) -> (Self, Vec<String>) {
+        let loose = loose(tree, layout, known);
+        let files = narrow.iter().filter_map(|path| tree.entry(tree.below(path)?));
+        let parts = files.flat_map(|file| loose.belonging_to(&file.path)).map(|path| tree.shown(path));
+        let parts = narrow.iter().cloned().chain(parts).collect();
+        (Self::with(tree, "", &[layout], loose.files, true), parts)
     }
 
     /// These files of a zip, with the paths that they get.

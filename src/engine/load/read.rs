@@ -53,6 +53,7 @@ fn facts(tree: &Tree, file: &Candidate<'_>, encoding: Encoding, parsed: Parsed) 
     FileFacts {
         path: tree.shown(&file.entry.path),
         rel: file.rel.to_string(),
+        is_loose: file.is_loose,
         link_to: link_to(file),
         kind: file.kind(),
         uses: file.uses.clone(),

@@ -5,9 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
 use super::input::Input;
-use super::loose::loose;
+use super::loose::Outside;
 use super::pack::{asked, packed};
 use super::place::Place;
+use super::unit_names::UnitNames;
 use crate::config::Config;
 use crate::diag::{Application, NotChecked, Note, Outcome, RootSummary, Unchecked, grouped};
 use crate::discover::{Layout, find_roots, is_asset_anywhere};
@@ -49,7 +50,6 @@ impl<'t> Roots<'t> {
         let found: Vec<_> = folders.into_iter().map(|input| (input, roots_of(&input.tree, |_| true))).collect();
         let mut systems = system.map(|system| system_places(system, applications)).transpose()?.unwrap_or_default();
         let of_packs = asked(applications, &systems, options);
-        let asked = applications.iter().copied().filter(|application| options.asks_for(*application));
         let bases_of =
             |application| systems.iter().filter(move |system| system.is_of(application)).flat_map(base_meshes);
         let mut packed_places = Vec::new();
@@ -57,15 +57,10 @@ impl<'t> Roots<'t> {
         for pack in packs {
             packed_places.extend(packed(pack, &of_packs, options)?);
         }
-        let mut outside = Vec::new();
-        for application in asked {
-            let bases = bases_of(application).collect();
-            for (input, roots) in &found {
-                let place = loose(input, roots, Layout::of(application), &bases, options)?;
-                outside.extend(place.map(|place| (*input, place)));
-            }
-        }
-        note_outside(&found, outside.iter().map(|(_, place)| place), outcome);
+        let asked: Vec<Application> =
+            applications.iter().copied().filter(|application| options.asks_for(*application)).collect();
+        let outside = places_outside(&found, &systems, &asked, options)?;
+        note_outside(&found, outside.iter().map(|(place, _)| place), outcome);
         let mut given = found.iter().flat_map(|(input, roots)| roots.keys().map(|root| input.tree.shown(root)));
         let all_given = given.next().filter(|first| given.all(|other| other == *first));
         for all in systems.extract_if(.., |system| all_given == Some(system.path())) {
@@ -83,8 +78,8 @@ impl<'t> Roots<'t> {
                 roots.add(input, path, [checked, others], outcome);
             }
         }
-        for (input, place) in outside {
-            roots.want(place, &input.narrow);
+        for (place, narrow) in outside {
+            roots.want(place, &narrow);
         }
         // Of one zip there may be several places, each with files of its own.
         roots.checked.extend(packed_places.into_iter().map(|place| (place, Vec::new())));
@@ -128,6 +123,43 @@ pub(super) fn system_places<'t>(tree: &'t Tree, applications: &[Application]) ->
     });
     let nothing = || PathFault::NoDataOf(applications.to_vec());
     if places.is_empty() { Err(Error::Path { path: tree.label().to_owned(), fault: nothing() }) } else { Ok(places) }
+}
+
+/// The data roots in an input, by path.
+type Found<'i> = (&'i Input, BTreeMap<String, Vec<&'static Layout>>);
+
+/// The files outside of data roots as each application would have them, with the parts that alone are asked for. Where
+/// none is asked for by name, those come first whose data are at hand, and the others have what is left.
+fn places_outside<'t>(
+    found: &[Found<'t>],
+    systems: &[Place<'_>],
+    asked: &[Application],
+    options: &Config,
+) -> Result<Vec<(Place<'t>, Vec<String>)>, Error> {
+    let is_there = |application: &Application| {
+        let layouts = || found.iter().flat_map(|(_, roots)| roots.values()).flatten();
+        let is_found = || layouts().any(|layout| layout.application == *application);
+        if systems.is_empty() { is_found() } else { systems.iter().any(|system| system.is_of(*application)) }
+    };
+    let is_first = |application: &Application| !options.applications.is_empty() || is_there(application);
+    let (first, others): (Vec<Application>, Vec<Application>) = asked.iter().partition(|one| is_first(one));
+    let units = UnitNames::of(systems, &options.limits);
+    let mut places = Vec::new();
+    for (input, roots) in found {
+        let mut taken: BTreeSet<String> = BTreeSet::new();
+        for applications in [&first, &others] {
+            let before = std::mem::take(&mut taken);
+            for application in applications {
+                let own = systems.iter().filter(|system| system.is_of(*application));
+                let bases = own.flat_map(base_meshes).collect();
+                let outside = Outside { input, roots, taken: &before, bases: &bases, units: &units, options };
+                let place = outside.place(Layout::of(*application))?;
+                taken.extend(place.iter().flat_map(|(place, _)| &place.below).map(|file| file.entry.path.clone()));
+                places.extend(place);
+            }
+        }
+    }
+    Ok(places)
 }
 
 fn base_meshes(place: &Place<'_>) -> BTreeSet<String> {

@@ -77,6 +77,7 @@ impl Side {
             narrow: input.narrow.clone(),
             named: input.named.clone(),
             new_base: input.new_base.clone(),
+            is_beside: input.is_beside,
         });
         Self { inputs: inputs.collect(), system: self.system.as_ref().map(with) }
     }

@@ -89,7 +89,30 @@ pub(in crate::engine) struct Stack<'a, 't> {
     pub(in crate::engine) seen: Vec<(Application, Layers<'a>)>,
 }
 
+impl Stack<'_, '_> {
+    /// Whether both are the same files outside of data roots, as different applications would have them.
+    fn is_of_same_files(&self, other: &Self) -> bool {
+        let (own, other) = (&self.root.place, &other.root.place);
+        own.is_loose && other.is_loose && std::ptr::eq(own.tree, other.tree)
+    }
+}
+
 impl<'t> Data<'t> {
+    /// The repositories to check with their numbers, in order of the roots; those together that are the same files.
+    pub(in crate::engine) fn groups(&self) -> Vec<Vec<(usize, Stack<'_, 't>)>> {
+        let mut groups: Vec<Vec<(usize, Stack<'_, 't>)>> = Vec::new();
+        for (number, stack) in self.stacks_of(|_| true) {
+            let is_same = |group: &&mut Vec<(usize, Stack<'_, 't>)>| {
+                group.first().is_some_and(|(_, first)| first.is_of_same_files(&stack))
+            };
+            match groups.iter_mut().find(is_same) {
+                Some(group) => group.push((number, stack)),
+                None => groups.push(vec![(number, stack)]),
+            }
+        }
+        groups
+    }
+
     /// The repositories to check, in order of the roots.
     pub(in crate::engine) fn stacks(&self) -> Vec<Stack<'_, 't>> {
         self.stacks_of(|_| true).into_iter().map(|(_, stack)| stack).collect()
@@ -126,7 +149,7 @@ impl Data<'_> {
     /// The first of the user's roots.
     fn user_of(&self, application: Application) -> Option<&Layer> {
         let plays = |root: &&Loaded<'_>| matches!(root.role_in(application), Some(Role::User | Role::Both));
-        self.roots.iter().find(plays).map(|root| &root.layer)
+        self.roots.iter().filter(|root| !root.place.is_loose).find(plays).map(|root| &root.layer)
     }
 }
 

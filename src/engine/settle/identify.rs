@@ -44,11 +44,18 @@ pub(super) fn identify(root: Root<'_>, findings: Vec<(Finding, Level)>) -> Vec<P
 #[derive(Clone, Copy)]
 pub(in crate::engine) struct Root<'r> {
     pub(in crate::engine) layer: &'r Layer,
+    /// The same files as other applications would have them, where they lie in no data root.
+    pub(in crate::engine) others: &'r [&'r Layer],
     /// System data that applications see it with.
     pub(in crate::engine) below: &'r [&'r Layer],
 }
 
-impl Root<'_> {
+impl<'r> Root<'r> {
+    /// The layer, and the others of the same files.
+    pub(super) fn layers(self) -> impl Iterator<Item = &'r Layer> {
+        std::iter::once(self.layer).chain(self.others.iter().copied())
+    }
+
     /// Path below the root, if the file belongs to it and not to a layer inside or beside it.
     pub(super) fn own_path<'p>(&self, path: &'p str) -> Option<&'p str> {
         let is_deeper = |layer: &&Layer| layer.path.len() > self.layer.path.len() && layer.holds(path);

@@ -2,6 +2,8 @@
 //!
 //! Levels, exclusions and ignores are for files, a finding may be about several.
 
+use std::collections::BTreeSet;
+
 use super::identify::{Placed, Root, identify};
 use super::ignore::Ignores;
 use super::scope::Scope;
@@ -22,9 +24,12 @@ pub(in crate::engine) struct Keeper<'r> {
 impl Keeper<'_> {
     /// Keeps what is to be reported for the checked layer and gives it level and fingerprint; counts what is ignored.
     pub(in crate::engine) fn keep(&self, findings: Vec<Finding>, ignores: &mut Ignores<'_>) -> (Vec<Placed>, usize) {
-        let files = self.root.layer.files.values();
+        let files = self.root.layers().flat_map(|layer| layer.files.values());
         let commented = files.filter(|file| !file.ignores.is_empty() && self.is_reported(&file.path));
-        commented.for_each(|file| ignores.note(file, self.selection, self.scope));
+        let mut noted = BTreeSet::new();
+        commented
+            .filter(|file| noted.insert(&file.path))
+            .for_each(|file| ignores.note(file, self.selection, self.scope));
         let (mut kept, mut hidden) = (Vec::new(), 0);
         for mut finding in findings.into_iter().filter(|finding| self.is_wanted(finding)) {
             let consequence = finding.level;
@@ -83,8 +88,7 @@ impl Keeper<'_> {
         }
         let rel = self.options.file.as_ref().and_then(|file| file.relative(path));
         let verdict = self.selection.verdict(finding.rule, finding.level, rel.as_deref());
-        let layer = self.root.layer;
-        let file = || layer.printed(path);
+        let file = || self.root.layers().find_map(|layer| layer.printed(path));
         let is_reported = matches!(verdict, Verdict::At(_));
         if is_reported && ignores.hides(finding.rule, path, file()) { Verdict::Hidden } else { verdict }
     }
@@ -103,7 +107,7 @@ impl Keeper<'_> {
         if self.root.own_path(&finding.path).is_none() {
             return false;
         }
-        let bases = self.root.layer.bases_at(&finding.path);
+        let bases: Vec<String> = self.root.layers().flat_map(|layer| layer.bases_at(&finding.path)).collect();
         let is_of_asked = bases.is_empty() || bases.iter().any(|base| self.options.asks_for_base(base));
         // One finding may be about several files; who names one of them gets it.
         let mut files = std::iter::once(&finding.path).chain(finding.files());

@@ -117,7 +117,7 @@ pub(crate) fn worn(layers: Layers<'_>) -> Vec<Worn<'_>> {
     let worn = |layer| {
         let listed = Worn::all(layer, OWN).filter(|(file, _)| library_of(&file.rel).is_some());
         let of = move |(file, base)| Worn::of(layer, file, base, |name| !name.has_colon, false);
-        listed.map(move |one| Worn { drops_bytes: true, ..of(one) })
+        listed.map(move |one| Worn { drops_bytes: true, ..of(one) }.beside_system(layers))
     };
     layers.strongest_first().flat_map(worn).collect()
 }

@@ -89,7 +89,9 @@ pub(super) fn is_open(layers: Layers<'_>, base: &str) -> Option<bool> {
     if layers.system.is_none() || layers.is_one_root() {
         return Some(true);
     }
-    layers.strongest_first().any(|layer| layer.below(&folder).next().is_some()).then_some(false)
+    let is_there = layers.strongest_first().any(|layer| layer.below(&folder).next().is_some());
+    // A loose asset may be for a base of somebody else.
+    if is_there { Some(false) } else { layers.checked.is_loose.then_some(true) }
 }
 
 /// A material with all that is asked for its pictures.
@@ -194,7 +196,9 @@ impl<'a> Search<'a> {
         let nearest = || tried.into_iter().min_by_key(|(_, resolution)| resolution.distance());
         let (rel, resolution) = escape.or_else(nearest).unwrap_or((String::new(), Resolution::Missing));
         let resolution = resolution.in_pack(&[self.layer], self.file, word);
-        let is_open = self.is_open && matches!(resolution, Resolution::Missing);
+        // A name without a folder is that of a picture beside the loose asset.
+        let is_own = self.layer.is_loose && !word.contains('/');
+        let is_open = self.is_open && !is_own && matches!(resolution, Resolution::Missing);
         (rel, if is_open { Resolution::NeedsSystem } else { resolution })
     }
 

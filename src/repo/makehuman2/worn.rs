@@ -11,7 +11,8 @@ pub(crate) fn worn(layers: Layers<'_>) -> Vec<Worn<'_>> {
     for layer in layers.strongest_first() {
         let files = layer.files.values().filter(|file| scans(&file.rel));
         let files = files.filter(|file| matches!(file.kind_in(OWN), Kind::Clothes | Kind::Packed));
-        worn.extend(files.filter_map(|file| Some(Worn::of(layer, file, file.base_in(OWN)?, |_| true, true))));
+        let of = |file| Some(Worn::of(layer, file, file.base_in(OWN)?, |_| true, true).beside_system(layers));
+        worn.extend(files.filter_map(of));
     }
     worn.sort_by_key(|worn| worn.base);
     worn

@@ -113,7 +113,7 @@ fn of_sliders(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
 fn orphan(checked: &Layer, base: &Base<'_>) -> Option<Finding> {
     let folders = ["contarget", "target"].map(|folder| format!("{folder}/{}", base.name));
     // A loose file lies in no folder of a base: that its base is not known is among what was not checked.
-    let is_in = |folder: &&String| checked.below(folder).any(|file| !file.is_loose());
+    let is_in = |folder: &&String| checked.below(folder).any(|file| !file.is_loose);
     let folder = folders.iter().find(is_in)?;
     let message = format!("base `{}` does not exist: base.json and the mesh are missing", base.name);
     Some(

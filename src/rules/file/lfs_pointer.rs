@@ -49,7 +49,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // One file alone, or those of the worst kind, may have more to say.
     let mut worst_files = files.iter().filter(|file| with_loss(file) == Some(worst));
     let own = worst_files.find_map(|file| loss(file)?.effect);
-    let counts = folders.iter().map(|(folder, count)| format!("{folder}: {count}"));
+    let counts = folders.iter().map(|(folder, count)| format!("{}: {count}", layer.shown(folder)));
     let mut evidence = Evidence::of_unnamed(counts);
     evidence.count = files.len() as u64;
     out.push(

@@ -19,6 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(Rule
         Of copies with equal content one is listed and the others are ignored (a warning). An asset of the user that takes the place of one of the \
         system is meant to do so (`overlay-shadowed-asset`); skeletons have `skeleton-name-clash`.\n\n\
         Give the asset a name and a uuid of its own, or remove the copy.",
+    of_library: true,
     ..RuleInfo::new("library-identity-clash", Level::Error, "two assets with the same name and uuid")
 });
 

@@ -10,6 +10,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     docs: "A folder in a library is a symbolic link. MakeHuman 1 does not follow links to folders when it lists a library, so \
         that the assets in it are missing. Links to files are fine.\n\n\
         Copy the folder, or link its files.",
+    of_library: true,
     ..RuleInfo::new("library-linked-folder", Level::Error, "a folder of assets that is a link")
 });
 

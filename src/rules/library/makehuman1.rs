@@ -42,7 +42,7 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let is_near = |top: &str| nearest(top, libraries()).and_then(library_extension) == Some(extension(&file.rel));
         let of_other_case = library_extension(&top.to_lowercase()) == Some(extension(&file.rel)) || is_near(top);
         file.rel.contains('/')
-            && !file.is_loose()
+            && !file.is_loose
             && !is_linked(file)
             && !KNOWN.contains(top)
             && library_extension(top).is_none()

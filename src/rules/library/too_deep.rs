@@ -17,6 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         Windows shows as `vest.mhclo`) is not listed on any system, and models that wear it lose it.\n\n\
         MakeHuman 1 looks in folders of any depth, but does not list a file with another suffix behind its own, either.\n\n\
         Move the folder of the asset up, or rename the file.",
+    of_library: true,
     ..RuleInfo::new("library-too-deep", Level::Error, "an asset that the list does not find")
 });
 
@@ -33,7 +34,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return out.extend(lost.map(doubled));
     }
     let mut deep = Vec::new();
-    for file in view.layers().checked.files.values().filter(|file| !file.is_loose()) {
+    for file in view.layers().checked.files.values().filter(|file| !file.is_loose) {
         let parts: Vec<&str> = file.rel.split('/').collect();
         let [category, base, .., name] = parts.as_slice() else { continue };
         let is_for = |suffix: &str| in_place_of(suffix).contains(category);

@@ -23,6 +23,7 @@ pub(in crate::rules) static RULE: Rule = Check::Libraries(run, |view, _, out| {
         An asset in the folder of another kind, or without the folder of the base mesh, is not listed, and models that wear \
         it lose it.\n\nIn MakeHuman 1 topologies (`.proxy`) are in `proxymeshes`, and there is no folder of a base mesh.\n\n\
         Move the asset.",
+    of_library: true,
     ..RuleInfo::new("library-wrong-folder", Level::Error, "an asset in a folder where its kind is not looked for")
 });
 
@@ -57,7 +58,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         can_tell && !bases.is_empty() && !bases.contains(folder)
     };
     let mut unknown: BTreeMap<&str, Vec<&FileFacts>> = BTreeMap::new();
-    for file in layer.files.values().filter(|file| !file.is_loose()) {
+    for file in layer.files.values().filter(|file| !file.is_loose) {
         match *file.rel.split('/').collect::<Vec<_>>() {
             [category, FILTER] if CATEGORIES.contains(&category) => out.push(filter(file, category, &bases)),
             ["skins", name] if extension(name) == "mhmat" => out.push(without_base(file, "skins", name, &bases)),

@@ -12,6 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         target_cat.json and the folders of targets.\n\nIf these are in `contarget` or `target` itself, MakeHuman \
         2 finds none of them, and the base has no sliders.\n\nMove everything into a folder with the name of the \
         base mesh.",
+    of_library: true,
     ..RuleInfo::new(
         "overlay-base-folder-missing",
         Level::Error,

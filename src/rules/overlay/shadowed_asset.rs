@@ -25,6 +25,7 @@ pub(in crate::rules) static RULE: Rule = Check::Libraries(run, shared).rule(Rule
         the user in `litspheres`, `textures`, `shaders` or `uvs` replaces that of the system with the same path.\n\n\
         Nothing has to be done if the asset is meant to be replaced. Otherwise give it a name and a uuid of its own, or copy \
         the whole asset.",
+    of_library: true,
     ..RuleInfo::new("overlay-shadowed-asset", Level::Info, "an asset of the user replaces one of the system")
 });
 

@@ -13,6 +13,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         the program exits at start with code 20, without the second with code 21.\n\n\
         The rule asks for them only where the folder holds other parts of the program: shaders, or one of the two.\n\nOf the data of MakeHuman 1 the rule asks for the default skin, its litspheres, the default eyes and the shaders, each only where other files of its folder are there.\n\n\
         Restore the file from the program.",
+    of_library: true,
     ..RuleInfo::new("program-missing-file", Level::Error, "a file of the program does not exist")
 });
 
