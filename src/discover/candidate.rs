@@ -68,6 +68,12 @@ impl<'t> Candidate<'t> {
         Self { entry, rel: rel.into(), is_loose: true, uses }
     }
 
+    /// The same for the place that an importer puts a file of a pack to; where that is another one, it is shown where it
+    /// lies.
+    pub(crate) fn imported(entry: &'t Entry, rel: String, layout: &Layout) -> Self {
+        Self { is_loose: !entry.path.ends_with(&rel), ..Self::loose(entry, rel, layout) }
+    }
+
     /// The kind that it is read as.
     pub(crate) fn kind(&self) -> Kind {
         kind_of(&self.uses)

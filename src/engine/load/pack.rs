@@ -77,7 +77,7 @@ fn imported<'t>(
     let overwritten = found.iter().filter(|(_, entries)| !are_equal(tree, entries, options));
     let overwritten = overwritten.map(|(place, entries)| (place.clone(), paths(entries))).collect();
     let below = found.into_iter().filter_map(|(place, entries)| Some((place, *entries.last()?)));
-    let below: Vec<_> = below.map(|(place, entry)| Candidate::new(entry, place, &[layout])).collect();
+    let below: Vec<_> = below.map(|(place, entry)| Candidate::imported(entry, place, layout)).collect();
     let lost = |path: &String| loss(path).is_some() && places.get(path).is_some_and(Option::is_none);
     if !below.iter().any(|one| one.kind() != Kind::Other) && !places.keys().any(lost) {
         return None;
