@@ -20,6 +20,8 @@ pub(super) static LAYOUT: Layout = Layout {
     loose_place,
     shelf,
     has_bases: true,
+    only_base: None,
+    joint: None,
     // Weights are looked for there and nowhere below (§10).
     flat: "rigs",
     role,

@@ -32,6 +32,10 @@ pub(crate) struct Layout {
     pub shelf: fn(&str, &[&str]) -> Option<&'static str>,
     /// Whether libraries have a folder for each base mesh.
     pub has_bases: bool,
+    /// The only base mesh, where there is but one.
+    pub only_base: Option<&'static str>,
+    /// The joint without which no motion is for its skeleton, where there is but one skeleton.
+    pub joint: Option<&'static str>,
     /// The library in which files are opened that only its own folder may hold.
     pub flat: &'static str,
     /// The part that the data root with these files plays.
@@ -152,6 +156,8 @@ impl Layout {
         loose_place: |_, _| None,
         shelf: |_, _| None,
         has_bases: false,
+        only_base: None,
+        joint: None,
         flat: "",
         role: |_| Role::User,
         is_system_of_two: |_| false,
@@ -192,9 +198,12 @@ impl Layout {
         None
     }
 
-    /// Whether `MakeHuman` 2 comes with a base mesh of this name.
-    pub(crate) fn is_base_of_makehuman2(name: &str) -> bool {
-        MAKEHUMAN2_BASES.contains(&name)
+    /// The base mesh that most assets are for.
+    pub(crate) const USUAL_BASE: &str = HM08;
+
+    /// Whether no asset for the base mesh of this name is one of the application.
+    pub(crate) fn is_base_of_others(&self, name: &str) -> bool {
+        self.only_base.is_some_and(|only| only != name) && MAKEHUMAN2_BASES.contains(&name)
     }
 
     /// The folder at the top of a data root that differs from this name in its capitals alone.
