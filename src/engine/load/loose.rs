@@ -75,9 +75,12 @@ impl<'t> Outside<'t, '_> {
         };
         let header = recognised(input, entry, options)?;
         // What was made for another one is not held against an application that nobody named.
-        let is_of_others = header.as_deref().is_some_and(|base| layout.is_base_of_others(base))
-            || !self.is_meant && layout.joint.is_some_and(|joint| self.lacks(entry, joint));
-        if is_of_others || layout.only_base.is_some_and(|only| !options.asks_for_base(only)) {
+        let is_of_others = || {
+            header.as_deref().is_some_and(|base| layout.is_base_of_others(base))
+                || layout.joint.is_some_and(|joint| self.lacks(entry, joint))
+        };
+        let is_excluded = layout.only_base.is_some_and(|only| !options.asks_for_base(only));
+        if is_excluded || !self.is_meant && is_of_others() {
             return None;
         }
         let only = bases.first().filter(|_| bases.len() == 1);
