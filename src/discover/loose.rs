@@ -51,6 +51,11 @@ impl<'t> Loose<'t> {
     }
 }
 
+/// A folder and those above it, up to the top.
+fn folders_above(folder: &str) -> impl Iterator<Item = &str> {
+    std::iter::successors(Some(folder), |folder| (!folder.is_empty()).then(|| folder_and_name(folder).0))
+}
+
 /// Whether a file is an asset of its own wherever it lies. A material may be a part of one.
 fn is_asset(path: &str) -> bool {
     matches!(extension(path), "mhclo" | "proxy" | "mhskel" | "mhpose" | "bvh" | "mhm" | "target")
@@ -129,11 +134,15 @@ impl<'t, 'k> Placing<'t, 'k> {
     fn assets(&mut self, is_wanted: impl Fn(&str) -> bool) -> BTreeMap<&'t str, Vec<Asset<'t>>> {
         let mut assets: BTreeMap<&str, Vec<Asset<'_>>> = BTreeMap::new();
         let mut homes: BTreeMap<(&str, String), String> = BTreeMap::new();
+        let with_worn = self.folders_with_worn();
         for entry in self.files.clone() {
             let (folder, _) = folder_and_name(&entry.path);
             let is_open = is_wanted(extension(&entry.path)) && !self.placed.contains(entry.path.as_str());
             let is_near = !self.known.is_shallow || folder.is_empty();
-            if !(is_open && is_near) {
+            // A material below something to wear is no skin, even if that is none of ours.
+            let is_part =
+                || extension(&entry.path) == MATERIAL && folders_above(folder).any(|above| with_worn.contains(above));
+            if !(is_open && is_near) || is_part() {
                 continue;
             }
             let above = self.above(folder);
@@ -149,6 +158,12 @@ impl<'t, 'k> Placing<'t, 'k> {
             assets.entry(folder).or_default().push(Asset { entry, home: home.clone() });
         }
         assets
+    }
+
+    /// The folders with something to wear.
+    fn folders_with_worn(&self) -> BTreeSet<&'t str> {
+        let worn = self.files.iter().filter(|entry| matches!(extension(&entry.path), "mhclo" | "proxy"));
+        worn.map(|entry| folder_and_name(&entry.path).0).collect()
     }
 
     /// The names of a folder and those above it, the nearest first.
@@ -179,9 +194,7 @@ impl<'t, 'k> Placing<'t, 'k> {
     /// folder with assets.
     fn place_beside(&self, assets: &BTreeMap<&str, Vec<Asset<'t>>>, entry: &Entry) -> Option<String> {
         let (folder, name) = folder_and_name(&entry.path);
-        let above =
-            std::iter::successors(Some(folder), |folder| (!folder.is_empty()).then(|| folder_and_name(folder).0));
-        let (nearest, all) = above.into_iter().find_map(|folder| assets.get_key_value(folder))?;
+        let (nearest, all) = folders_above(folder).find_map(|folder| assets.get_key_value(folder))?;
         let is_direct = *nearest == folder;
         if is_asset(&entry.path) || !is_direct && (self.known.is_shallow || !is_of_asset(name)) || is_json(name) {
             return None;

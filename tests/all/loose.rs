@@ -125,6 +125,21 @@ fn the_applications_are_those_asked_for_else_those_of_the_system() {
 }
 
 #[test]
+fn what_is_made_for_another_application_is_not_held_against_one_that_nobody_named() {
+    let folder = shirt();
+    edit(folder.path(), "my-shirt/shirt.mhclo", "basemesh figure", "basemesh mh2bot");
+    let of = |args: &[&str]| verdicts(&report(folder.path(), args));
+    assert_eq!(of(&["my-shirt"]), ["makehuman2 pass"]);
+    assert_eq!(of(&["my-shirt", "--app", "makehuman1"]), ["makehuman1 pass"]);
+    let nod = project("fixtures/makehuman2/data/poses/figure");
+    copy_folder(&nod, &folder.path().join("nod"));
+    assert_eq!(of(&["nod"]), ["makehuman2 pass"]);
+    let over = mhlint(folder.path(), &["nod", "--system", &system("makehuman1")]);
+    assert_eq!(code(&over), Some(1), "{}", stdout(&over));
+    assert!(stdout(&over).contains("pose-unknown-bone"), "{}", stdout(&over));
+}
+
+#[test]
 fn a_fault_of_both_applications_is_one_finding() {
     let folder = shirt();
     edit(folder.path(), "my-shirt/shirt.mhmat", "shirt.png", "lost.png");

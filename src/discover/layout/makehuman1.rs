@@ -14,6 +14,8 @@ pub(super) static LAYOUT: Layout = Layout {
     place,
     role: |below| Role::of_one(below, Application::Makehuman1, Kind::BaseMesh),
     shelf,
+    only_base: Some(HM08),
+    joint: Some("upperleg02.L"),
     scans: |rel| library_of(rel).is_some(),
     reads_hidden,
     single,

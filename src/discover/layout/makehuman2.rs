@@ -22,6 +22,8 @@ pub(super) static LAYOUT: Layout = Layout {
     import: Some(importer::import),
     shelf,
     has_bases: true,
+    only_base: None,
+    joint: None,
     // Weights are looked for there and nowhere below (§10).
     flat: "rigs",
     role,

@@ -35,6 +35,10 @@ pub(crate) struct Layout {
     pub shelf: fn(&str, &[&str]) -> Option<&'static str>,
     /// Whether libraries have a folder for each base mesh.
     pub has_bases: bool,
+    /// The only base mesh, where there is but one.
+    pub only_base: Option<&'static str>,
+    /// The joint without which no motion is for its skeleton, where there is but one skeleton.
+    pub joint: Option<&'static str>,
     /// The library in which files are opened that only its own folder may hold.
     pub flat: &'static str,
     /// The part that the data root with these files plays.
@@ -156,6 +160,8 @@ impl Layout {
         import: None,
         shelf: |_, _| None,
         has_bases: false,
+        only_base: None,
+        joint: None,
         flat: "",
         role: |_| Role::User,
         is_system_of_two: |_| false,
@@ -196,6 +202,7 @@ impl Layout {
         None
     }
 
+<<<<<<< HEAD
     /// Whether a data root has a folder of this name at its top.
     pub(crate) fn has_at_top(&self, name: &str) -> bool {
         self.folders.iter().any(|folders| folders.contains(&name))
@@ -204,6 +211,14 @@ impl Layout {
     /// Whether `MakeHuman` 2 comes with a base mesh of this name.
     pub(crate) fn is_base_of_makehuman2(name: &str) -> bool {
         MAKEHUMAN2_BASES.contains(&name)
+=======
+    /// The base mesh that most assets are for.
+    pub(crate) const USUAL_BASE: &str = HM08;
+
+    /// Whether no asset for the base mesh of this name is one of the application.
+    pub(crate) fn is_base_of_others(&self, name: &str) -> bool {
+        self.only_base.is_some_and(|only| only != name) && MAKEHUMAN2_BASES.contains(&name)
+>>>>>>> 837215af64e846954875c68d45c9e0c490d8d163
     }
 
     /// The folder at the top of a data root that differs from this name in its capitals alone.

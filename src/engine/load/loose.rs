@@ -12,9 +12,6 @@ use crate::discover::{Binding, Known, Layout, Role, candidates, extension};
 use crate::formats::target::recognise;
 use crate::source::{Entry, Limits, Tree, canonical, is_below, lines, slashed};
 
-/// The base mesh that most assets are for, and the only one of `MakeHuman` 1.
-const USUAL: &str = "hm08";
-
 /// Files of an input outside of its data roots, on their way to an application.
 pub(super) struct Outside<'t, 'i> {
     pub(super) input: &'t Input,
@@ -23,6 +20,8 @@ pub(super) struct Outside<'t, 'i> {
     pub(super) taken: &'i BTreeSet<String>,
     /// Base meshes of the system data.
     pub(super) bases: &'i BTreeSet<String>,
+    /// Whether the application is asked for, by name or with its data.
+    pub(super) is_meant: bool,
     pub(super) units: &'i UnitNames,
     pub(super) options: &'i Config,
 }
@@ -33,7 +32,7 @@ impl<'t> Outside<'t, '_> {
     pub(super) fn place(&self, layout: &'static Layout) -> Result<Option<(Place<'t>, Vec<String>)>, Error> {
         let input = self.input;
         let is_asked = |entry: &Entry| self.is_asked(entry);
-        let bind = |entry: &Entry, above: &[&str]| self.bind(entry, above, layout.application);
+        let bind = |entry: &Entry, above: &[&str]| self.bind(entry, above, layout);
         let names = |entry: &Entry| names(&input.tree, entry, &self.options.limits);
         let list = |entry: &Entry| {
             let is_pose = extension(&entry.path) == "mhpose";
@@ -68,29 +67,40 @@ impl<'t> Outside<'t, '_> {
 
     /// The base mesh that a file is for: as it is asked for, as the file says or a folder above it, or the only one there
     /// is.
-    fn bind(&self, entry: &Entry, above: &[&str], application: Application) -> Binding {
+    fn bind(&self, entry: &Entry, above: &[&str], layout: &Layout) -> Binding {
         let Self { input, bases, options, .. } = self;
         let asked = match options.bases.as_slice() {
             [asked] if bases.is_empty() || bases.contains(asked) => Some(asked),
             _ => None,
         };
         let header = recognised(input, entry, options)?;
-        if application == Application::Makehuman1 {
-            let is_other =
-                header.as_deref().is_some_and(Layout::is_base_of_makehuman2) && header.as_deref() != Some(USUAL);
-            return (!is_other && options.asks_for_base(USUAL)).then(|| Some(USUAL.to_owned()));
+        // What was made for another one is not held against an application that nobody named.
+        let is_of_others = || {
+            header.as_deref().is_some_and(|base| layout.is_base_of_others(base))
+                || layout.joint.is_some_and(|joint| self.lacks(entry, joint))
+        };
+        let is_excluded = layout.only_base.is_some_and(|only| !options.asks_for_base(only));
+        if is_excluded || !self.is_meant && is_of_others() {
+            return None;
         }
         let only = bases.first().filter(|_| bases.len() == 1);
         let is_target = extension(&entry.path) == "target";
         let folder = above.iter().find(|name| !is_target && bases.contains(**name)).map(|name| (*name).to_owned());
-        let named = asked.cloned().or(header).or(folder).or_else(|| only.cloned());
+        let asked = layout.only_base.map(str::to_owned).or_else(|| asked.cloned());
+        let named = asked.or(header).or(folder).or_else(|| only.cloned());
         // Of several bases it is the usual one for what most are made for, and looks alike on any.
         let is_usual = match extension(&entry.path) {
             "target" => false,
-            "mhclo" | "proxy" | "mhmat" => bases.is_empty() || bases.contains(USUAL),
+            "mhclo" | "proxy" | "mhmat" => bases.is_empty() || bases.contains(Layout::USUAL_BASE),
             _ => bases.is_empty(),
         };
-        Some(named.or_else(|| is_usual.then(|| USUAL.to_owned())))
+        Some(named.or_else(|| is_usual.then(|| Layout::USUAL_BASE.to_owned())))
+    }
+
+    /// Whether a file is a motion without this joint.
+    fn lacks(&self, entry: &Entry, joint: &str) -> bool {
+        let text = || self.input.tree.read(entry, &self.options.limits).unwrap_or_default();
+        extension(&entry.path) == "bvh" && !has_joint(&text(), joint)
     }
 }
 
@@ -119,9 +129,12 @@ fn recognised(input: &Input, entry: &Entry, options: &Config) -> Binding {
 fn is_of_makehuman(input: &Input, entry: &Entry, text: &[u8]) -> bool {
     let beside =
         |extension| input.tree.entry(&format!("{}.{extension}", entry.path.trim_end_matches(".bvh"))).is_some();
-    beside("meta")
-        || beside("thumb")
-        || first_words(text).any(|(word, rest)| word == "JOINT" && rest == ["upperleg02.L"])
+    let mut joints = Application::ALL.into_iter().filter_map(|application| Layout::of(application).joint);
+    beside("meta") || beside("thumb") || joints.any(|joint| has_joint(text, joint))
+}
+
+fn has_joint(text: &[u8], joint: &str) -> bool {
+    first_words(text).any(|(word, rest)| matches!(&*word, "JOINT" | "ROOT") && rest == [joint])
 }
 
 /// The base mesh in the header of an asset.

@@ -147,12 +147,12 @@ fn places_outside<'t>(
     let mut places = Vec::new();
     for (input, roots) in found {
         let mut taken: BTreeSet<String> = BTreeSet::new();
-        for applications in [&first, &others] {
+        for (applications, is_meant) in [(&first, true), (&others, false)] {
             let before = std::mem::take(&mut taken);
             for application in applications {
                 let own = systems.iter().filter(|system| system.is_of(*application));
                 let bases = own.flat_map(base_meshes).collect();
-                let outside = Outside { input, roots, taken: &before, bases: &bases, units: &units, options };
+                let outside = Outside { input, roots, taken: &before, bases: &bases, is_meant, units: &units, options };
                 let place = outside.place(Layout::of(*application))?;
                 taken.extend(place.iter().flat_map(|(place, _)| &place.below).map(|file| file.entry.path.clone()));
                 places.extend(place);

@@ -3,8 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::place::Place;
-use crate::diag::Application;
-use crate::discover::{Layout, Single};
+use crate::discover::Single;
 use crate::formats::{mhpose, pose_units};
 use crate::json::parse;
 use crate::source::{Entry, Limits, Tree};
@@ -20,8 +19,8 @@ impl UnitNames {
     /// Those of these data roots.
     pub(super) fn of(systems: &[Place<'_>], limits: &Limits) -> Self {
         let mut names = Self::default();
-        let single = Layout::of(Application::Makehuman2).single;
-        for place in systems.iter().filter(|place| place.is_of(Application::Makehuman2)) {
+        for place in systems {
+            let single = |rel: &str| place.layouts.iter().find_map(|layout| (layout.single)(rel));
             for file in place.files() {
                 let own = match single(&file.rel) {
                     Some(Single::Poses) => &mut names.body,

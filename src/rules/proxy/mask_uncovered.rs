@@ -1,7 +1,7 @@
 //! What an asset hides of the body, it covers.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::measured;
+use super::{Text, measured};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Evidence, Finding, Level, Place, RuleInfo,
@@ -28,7 +28,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (text, measure) in measured(body, measures).filter(|(text, _)| !text.worn.is_topology()) {
+    for (text, measure) in measured(body, measures).filter(|(text, _)| is_told_here(text)) {
         // What hides (almost) everything is told as such.
         let told = |bare: &&Uncovered| bare.hidden.saturating_mul(20) > bare.shown.saturating_mul(19);
         let Some(bare) = measure.uncovered.as_ref().filter(|bare| !told(bare)) else { continue };
@@ -47,4 +47,9 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
                 .help("take the vertices there out of the list: name only those that lie under the asset"),
         );
     }
+}
+
+/// A topology stands for the skin; a list that names vertices that do not exist hides nothing, as the application stops.
+fn is_told_here(text: &Text<'_, '_>) -> bool {
+    !text.worn.is_topology() && text.clothes.deletes.out_of_range.count == 0
 }
