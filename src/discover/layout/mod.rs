@@ -202,23 +202,17 @@ impl Layout {
         None
     }
 
-<<<<<<< HEAD
     /// Whether a data root has a folder of this name at its top.
     pub(crate) fn has_at_top(&self, name: &str) -> bool {
         self.folders.iter().any(|folders| folders.contains(&name))
     }
 
-    /// Whether `MakeHuman` 2 comes with a base mesh of this name.
-    pub(crate) fn is_base_of_makehuman2(name: &str) -> bool {
-        MAKEHUMAN2_BASES.contains(&name)
-=======
     /// The base mesh that most assets are for.
     pub(crate) const USUAL_BASE: &str = HM08;
 
     /// Whether no asset for the base mesh of this name is one of the application.
     pub(crate) fn is_base_of_others(&self, name: &str) -> bool {
         self.only_base.is_some_and(|only| only != name) && MAKEHUMAN2_BASES.contains(&name)
->>>>>>> 837215af64e846954875c68d45c9e0c490d8d163
     }
 
     /// The folder at the top of a data root that differs from this name in its capitals alone.
