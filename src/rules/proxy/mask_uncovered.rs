@@ -19,7 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         A face of the body is hidden if all its vertices are in the list. It is covered if the asset crosses the line that \
         leaves its middle at a right angle, from 3 % of the body's height below the skin to half of it in front, or if the \
         asset is within 3 % of that height (5 cm; at the cuffs of MakeHuman's own suits it comes to 4). Faces that look \
-        down are left out, and a single face is no hole. Topologies are left out, as they stand for the body.\n\n\
+        down are left out, and a single face is not a hole. Topologies are left out, as they stand for the body.\n\n\
         Usually the list was made for another version of the asset, for another base mesh, or was turned around: it names \
         what is to be seen.\n\n\
         List only vertices that lie under the asset.",
