@@ -178,7 +178,9 @@ fn note_outside<'p, 't: 'p>(
     for (input, roots) in found {
         let is_outside = |path: &str| !roots.keys().any(|root| is_below(path, root));
         let faults = input.tree.faults().iter().filter(|fault| matches!(fault.kind, WalkFaultKind::Unreadable { .. }));
-        closed.extend(faults.filter(|fault| is_outside(&fault.path)).map(|fault| input.tree.shown(&fault.path)));
+        let shut = faults.filter(|fault| is_outside(&fault.path)).map(|fault| input.tree.shown(&fault.path));
+        // Around a file that alone was named more is listed than anybody asks for.
+        closed.extend(shut.filter(|path| !input.is_beside || input.asks_for(path)));
         let files =
             input.tree.entries().iter().filter(|entry| entry.kind == EntryKind::File && is_outside(&entry.path));
         let shown = files.map(|entry| (entry, input.tree.shown(&entry.path)));
