@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use super::skeleton::PARALLEL_SINE;
 use super::survey::{
-    DETACHED_STANDS, DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, Fault, SHORTEST_BONE, Survey, Trouble, Worst, add,
+    DETACHED_STANDS, DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, Fault, SHORTEST_BONE, Survey, Trouble, Worst,
+    add,
 };
 use super::surveyor::{FaceAtRest, Surveyor, flatness, stand};
 use super::vector::{Point, distance, dot};

@@ -150,7 +150,8 @@ fn survey(scene: &Scene, settings: &[Setting], work: u64) -> Option<(BTreeMap<Tr
     };
     let in_group = |face: usize| format!("{} {face}", group(face));
     let tied = |probe: usize| surveyor.tied(probe).map(|(_, named)| named.to_vec()).unwrap_or_default();
-    let of_asset = |probe: usize| surveyor.tied(probe).map(|(vertex, _)| format!("vertex {vertex}")).unwrap_or_default();
+    let of_asset =
+        |probe: usize| surveyor.tied(probe).map(|(vertex, _)| format!("vertex {vertex}")).unwrap_or_default();
     let asset = |probe: usize| surveyor.asset(probe).map(|asset| asset.path.clone()).unwrap_or_default();
     let space = survey.into_iter().filter_map(|(trouble, Fault { worst, elements })| {
         let (worst, setting) = worst.and_then(|worst| settings.get(worst.setting).map(|setting| (worst, setting)))?;

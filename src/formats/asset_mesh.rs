@@ -68,7 +68,7 @@ impl AssetMesh {
             pole: most(&counts),
             neighbours: neighbours(&mesh, &counts),
             repeated: repeated(&mesh),
-            degenerate: repeating.first().map(|first| (first.clone(), repeating.len())),
+            degenerate: repeating.first().map(|first| (*first, repeating.len())),
             print: MeshPrint::of(&mesh),
             face_starts: face_starts(&mesh),
             positions: mesh.positions.into(),

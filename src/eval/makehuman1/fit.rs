@@ -73,30 +73,35 @@ mod tests {
 
     const MESH: [Point; 4] = [[0.0; 3], [2.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 8.0]];
 
-    fn scale(a: u32, b: u32, distance: f32) -> Option<ScaleLine> {
-        Some(ScaleLine { vertices: [a, b], distance })
+    fn scale(a: u32, b: u32, distance: f32) -> ScaleLine {
+        ScaleLine { vertices: [a, b], distance }
     }
 
-    fn shear(a: u32, b: u32, places: [f32; 2]) -> Option<ShearLine> {
-        Some(ShearLine { vertices: [a, b], places })
+    fn shear(a: u32, b: u32, places: [f32; 2]) -> ShearLine {
+        ShearLine { vertices: [a, b], places }
     }
 
     #[test]
     fn scales_keep_the_sign_of_their_divisor() {
-        let stretch = Stretch { scales: [scale(0, 1, -1.0), scale(2, 0, 8.0), scale(0, 3, 8.0)], ..Stretch::default() };
+        let stretch =
+            Stretch { scales: [scale(0, 1, -1.0), scale(2, 0, 8.0), scale(0, 3, 8.0)].map(Some), ..Stretch::default() };
         assert_eq!(stretch.factors(&MESH), Ok(Some([-2.0, 0.5, 1.0])));
-        let small = Stretch { scales: [scale(0, 1, 0.001), scale(2, 0, 8.0), scale(0, 3, 8.0)], ..Stretch::default() };
+        let small = Stretch {
+            scales: [scale(0, 1, 0.001), scale(2, 0, 8.0), scale(0, 3, 8.0)].map(Some),
+            ..Stretch::default()
+        };
         assert!((small.factors(&MESH).unwrap().unwrap()[0] - 2000.0).abs() < 0.01);
-        let none = Stretch { scales: [scale(0, 1, 0.0), scale(2, 0, 8.0), scale(0, 3, 8.0)], ..Stretch::default() };
+        let none =
+            Stretch { scales: [scale(0, 1, 0.0), scale(2, 0, 8.0), scale(0, 3, 8.0)].map(Some), ..Stretch::default() };
         assert_eq!(none.factors(&MESH).unwrap().unwrap()[0], f64::INFINITY);
     }
 
     #[test]
     fn a_scale_needs_all_axes_and_stands_before_shears() {
-        let whole = [shear(1, 0, [1.0, 0.0]), shear(2, 0, [0.0, 2.0]), shear(3, 0, [4.0, 0.0])];
+        let whole = [shear(1, 0, [1.0, 0.0]), shear(2, 0, [0.0, 2.0]), shear(3, 0, [4.0, 0.0])].map(Some);
         let mut stretch = Stretch { shears: [[None; 3], whole, [None; 3]], ..Stretch::default() };
         assert_eq!(stretch.factors(&MESH), Ok(Some([2.0, -2.0, 2.0])));
-        stretch.scales[1] = scale(2, 0, 8.0);
+        stretch.scales[1] = Some(scale(2, 0, 8.0));
         assert_eq!(stretch.factors(&MESH), Err(EvalError::IncompleteScale { axis: 0 }));
         assert_eq!(Stretch::default().factors(&MESH), Ok(None));
         stretch.scales[1] = None;
@@ -106,7 +111,7 @@ mod tests {
 
     #[test]
     fn the_first_whole_set_of_shears_counts() {
-        let set = |x: f32| [shear(1, 0, [x, 0.0]), shear(2, 0, [4.0, 0.0]), shear(3, 0, [8.0, 0.0])];
+        let set = |x: f32| [shear(1, 0, [x, 0.0]), shear(2, 0, [4.0, 0.0]), shear(3, 0, [8.0, 0.0])].map(Some);
         let stretch = Stretch { shears: [set(1.0), set(4.0), set(8.0)], ..Stretch::default() };
         assert_eq!(stretch.factors(&MESH), Ok(Some([2.0, 1.0, 1.0])));
     }
@@ -114,7 +119,8 @@ mod tests {
     /// `p = w0·H[v0] + w1·H[v1] + w2·H[v2] + M·d`, by hand.
     #[test]
     fn a_row_goes_where_the_formula_says() {
-        let stretch = Stretch { scales: [scale(0, 1, 1.0), scale(0, 2, 8.0), scale(0, 3, 4.0)], ..Stretch::default() };
+        let stretch =
+            Stretch { scales: [scale(0, 1, 1.0), scale(0, 2, 8.0), scale(0, 3, 4.0)].map(Some), ..Stretch::default() };
         let rows = [Reference { vertices: [1, 2, 3], weights: [0.5, 0.25, 0.25], offset: [0.1, 0.2, 0.3] }];
         let found = fit(&MESH, &rows, stretch.factors(&MESH).unwrap()).unwrap();
         for (part, expected) in found[0].iter().zip([1.2, 1.1, 2.6]) {

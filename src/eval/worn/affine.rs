@@ -25,7 +25,8 @@ impl Affine {
         // Those that are far from the middle on either side are left out first: one of them bends the first map.
         let middles = [middle(&pairs, |pair| pair.0), middle(&pairs, |pair| pair.1)];
         let off = |(a, b): &(Vec3, Vec3)| [square(sub(*a, middles[0])), square(sub(*b, middles[1]))];
-        let usual = [0, 1].map(|side| median(pairs.iter().map(|pair| off(pair)[side]).collect()).max(f64::MIN_POSITIVE));
+        let usual =
+            [0, 1].map(|side| median(pairs.iter().map(|pair| off(pair)[side]).collect()).max(f64::MIN_POSITIVE));
         let far = |pair: &(Vec3, Vec3)| off(pair)[0] / usual[0] + off(pair)[1] / usual[1];
         let mut map = Self::of(nearest(&mut pairs, far))?;
         for _ in 1..TURNS {
@@ -39,9 +40,7 @@ impl Affine {
             return None;
         }
         let share = 1.0 / pairs.len() as f64;
-        let mean = |side: fn(&(Vec3, Vec3)) -> Vec3| {
-            scale(pairs.iter().map(side).fold([0.0; 3], add), share)
-        };
+        let mean = |side: fn(&(Vec3, Vec3)) -> Vec3| scale(pairs.iter().map(side).fold([0.0; 3], add), share);
         let (from, to) = (mean(|pair| pair.0), mean(|pair| pair.1));
         let (mut spread, mut mixed) = ([[0.0; 3]; 3], [[0.0; 3]; 3]);
         for (a, b) in pairs {

@@ -15,10 +15,14 @@ pub(super) fn is_inside_out(wearer: &Wearer<'_>, faces: Faces<'_>, fitted: &[Poi
     let whole: Vec<&[u32]> = faces.below(fitted.len()).collect();
     let at = |vertex: u32| fitted.get(vertex as usize).map_or([0.0; 3], |point| widen(*point));
     let middle = mean(fitted.iter().map(|point| widen(*point)));
-    let volume: f64 = whole.iter().flat_map(|face| fan(face)).map(|triangle| {
-        let [a, b, c] = triangle.map(|vertex| sub(at(vertex), middle));
-        dot(a, cross(b, c))
-    }).sum();
+    let volume: f64 = whole
+        .iter()
+        .flat_map(|face| fan(face))
+        .map(|triangle| {
+            let [a, b, c] = triangle.map(|vertex| sub(at(vertex), middle));
+            dot(a, cross(b, c))
+        })
+        .sum();
     if !(volume < 0.0) {
         return false;
     }
@@ -76,8 +80,8 @@ mod tests {
 
     /// A box, its faces looking outwards.
     fn cube(size: f32) -> Vec<Point> {
-        let side = |bit: u8, at: u8| if at >> bit & 1 == 1 { size } else { -size };
-        (0..8).map(|at| [side(0, at), side(1, at), side(2, at)]).collect()
+        let along = |bit: u8, at: u8| if at >> bit & 1 == 1 { size } else { -size };
+        (0..8).map(|at| [along(0, at), along(1, at), along(2, at)]).collect()
     }
 
     const OUT: [u32; 24] = [0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4, 2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6];

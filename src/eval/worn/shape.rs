@@ -292,15 +292,9 @@ mod tests {
         }
     }
 
-    const ALL: [u32; 49] = {
-        let mut all = [0; 49];
-        let mut at = 0;
-        while at < 49 {
-            all[at] = at as u32;
-            at += 1;
-        }
-        all
-    };
+    fn all() -> Vec<u32> {
+        (0..49).collect()
+    }
 
     fn drifted(measure: &ShapeMeasure) -> Vec<usize> {
         measure.drifts.iter().map(|drift| drift.vertex).collect()
@@ -308,26 +302,33 @@ mod tests {
 
     #[test]
     fn a_shape_that_is_turned_and_stretched_is_the_same() {
-        assert_eq!(Sheet::new().measure(&ALL, |_| {}), ShapeMeasure::default());
+        assert_eq!(Sheet::new().measure(&all(), |_| {}), ShapeMeasure::default());
     }
 
     #[test]
     fn a_vertex_that_leaves_its_neighbours_is_found_alone() {
         let sheet = Sheet::new();
-        let found = sheet.measure(&ALL, |rows| rows[24].offset = [0.0, 0.0, 5.0]);
+        let found = sheet.measure(&all(), |rows| rows[24].offset = [0.0, 0.0, 5.0]);
         assert_eq!(drifted(&found), [24]);
         assert!((found.drifts[0].away - 5.0).abs() < 0.1, "{:?}", found.drifts);
         // By less than half of its edges.
-        assert_eq!(drifted(&sheet.measure(&ALL, |rows| rows[24].offset = [0.0, 0.0, 0.5])), [0; 0]);
+        assert_eq!(drifted(&sheet.measure(&all(), |rows| rows[24].offset = [0.0, 0.0, 0.5])), [0; 0]);
         // Its weights tell it.
-        let light = sheet.measure(&ALL, |rows| rows[24].weights = [3.0, 0.0, 0.0]);
+        let light = sheet.measure(&all(), |rows| rows[24].weights = [3.0, 0.0, 0.0]);
         assert_eq!(drifted(&light), [0; 0]);
     }
 
     #[test]
     fn two_exchanged_rows_are_two_vertices() {
-        let found = Sheet::new().measure(&ALL, |rows| rows.swap(8, 40));
-        assert_eq!({ let mut all = drifted(&found); all.sort_unstable(); all }, [8, 40]);
+        let found = Sheet::new().measure(&all(), |rows| rows.swap(8, 40));
+        assert_eq!(
+            {
+                let mut all = drifted(&found);
+                all.sort_unstable();
+                all
+            },
+            [8, 40]
+        );
         assert_eq!(found.disorder, None);
     }
 
@@ -337,7 +338,7 @@ mod tests {
         sheet.drawn[24][2] = 0.0;
         let base = sheet.drawn.clone();
         sheet.drawn[24][2] = 50.0;
-        let references: Vec<Reference> = ALL.iter().map(|vertex| Reference::exact(*vertex)).collect();
+        let references: Vec<Reference> = all().iter().map(|vertex| Reference::exact(*vertex)).collect();
         let faces = Faces { corners: &sheet.corners, starts: &sheet.starts };
         let garment = Garment { references: &references, scales: None, drawn: &sheet.drawn, faces, deleted: &[] };
         let wearer = Wearer { positions: &base, skin: Faces::default(), height: 20.0 };
@@ -347,10 +348,10 @@ mod tests {
     #[test]
     fn other_numberings_are_told() {
         let sheet = Sheet::new();
-        let numbering = |change: &dyn Fn(&mut Vec<Reference>)| sheet.measure(&ALL, change).numbering;
+        let numbering = |change: &dyn Fn(&mut Vec<Reference>)| sheet.measure(&all(), change).numbering;
         assert_eq!(numbering(&|rows| rows.rotate_left(1)), Some(Numbering::RowBehind));
         assert_eq!(numbering(&|rows| rows.rotate_right(1)), Some(Numbering::RowBefore));
-        let scrambled = sheet.measure(&ALL, |rows| rows.sort_by_key(|row| row.vertices[0] * 13 % 49));
+        let scrambled = sheet.measure(&all(), |rows| rows.sort_by_key(|row| row.vertices[0] * 13 % 49));
         assert!(scrambled.disorder.is_some_and(|disorder| disorder.longer > 1.5));
         assert_eq!(scrambled.numbering, None);
     }
@@ -360,8 +361,8 @@ mod tests {
         let few = Sheet { drawn: vec![[0.0; 3]; 7], corners: Vec::new(), starts: vec![0] };
         assert_eq!(few.measure(&[0; 7], |_| {}), ShapeMeasure::default());
         let flat = Sheet { drawn: vec![[1.0; 3]; 49], ..Sheet::new() };
-        assert_eq!(flat.measure(&ALL, |_| {}), ShapeMeasure::default());
+        assert_eq!(flat.measure(&all(), |_| {}), ShapeMeasure::default());
         let lost = Sheet { drawn: vec![[f32::NAN; 3]; 49], ..Sheet::new() };
-        assert_eq!(lost.measure(&ALL, |_| {}), ShapeMeasure::default());
+        assert_eq!(lost.measure(&all(), |_| {}), ShapeMeasure::default());
     }
 }

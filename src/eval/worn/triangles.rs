@@ -39,8 +39,7 @@ impl Triangles {
         if all.is_empty() || !(cell > 0.0) {
             return None;
         }
-        let mut triangles =
-            Self { all, low, cell, counts: [0; 3], cells: Lists::default(), large: Vec::new() };
+        let mut triangles = Self { all, low, cell, counts: [0; 3], cells: Lists::default(), large: Vec::new() };
         triangles.counts = triangles.cell_of(high).map(|last| last + 1);
         triangles.sort();
         (triangles.large.len() <= MOST_LARGE).then_some(triangles)
@@ -113,20 +112,21 @@ impl Triangles {
 }
 
 /// Whether a ray of this length meets a triangle, its edges included (Möller and Trumbore 1997).
-fn is_hit(from: Vec3, direction: Vec3, length: f64, [a, b, c]: &[Vec3; 3]) -> bool {
+fn is_hit(from: Vec3, direction: Vec3, length: f64, [first, second, third]: &[Vec3; 3]) -> bool {
     const EDGE: f64 = 1e-3;
-    let (one, other) = (sub(*b, *a), sub(*c, *a));
+    let (one, other) = (sub(*second, *first), sub(*third, *first));
     let across = cross(direction, other);
     let determinant = dot(one, across);
     if determinant == 0.0 {
         return false;
     }
-    let off = sub(from, *a);
-    let u = dot(off, across) / determinant;
+    let off = sub(from, *first);
+    let of_one = dot(off, across) / determinant;
     let turned = cross(off, one);
-    let v = dot(direction, turned) / determinant;
+    let of_other = dot(direction, turned) / determinant;
     let along = dot(other, turned) / determinant;
-    u >= -EDGE && v >= -EDGE && u + v <= 1.0 + EDGE && (0.0..=length).contains(&along)
+    let is_inside = of_one >= -EDGE && of_other >= -EDGE && of_one + of_other <= 1.0 + EDGE;
+    is_inside && (0.0..=length).contains(&along)
 }
 
 #[cfg(test)]

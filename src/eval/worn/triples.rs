@@ -31,20 +31,23 @@ pub(super) fn measure(positions: &[Point], references: &[Reference]) -> Triples 
 }
 
 fn fault(positions: &[Point], reference: &Reference) -> Option<TripleFault> {
-    let ([a, b, c], [u, v, w]) = (reference.vertices, reference.weights);
+    let (vertices, weights) = (reference.vertices, reference.weights);
     // One that counts alone needs no others.
-    let counting = [u, v, w].iter().filter(|weight| **weight != 0.0).count();
+    let counting = weights.iter().filter(|weight| **weight != 0.0).count();
     if counting < 2 {
         return None;
     }
+    let [a, b, c] = vertices;
     if a == b && b == c {
         return Some(TripleFault::One);
     }
-    let both = |one: f32, other: f32| one != 0.0 && other != 0.0;
-    if a == b && both(u, v) || b == c && both(v, w) || a == c && both(u, w) {
+    let both_count = |one: usize, other: usize| weights[one] != 0.0 && weights[other] != 0.0;
+    let is_one = |one: usize, other: usize| vertices[one] == vertices[other];
+    let pairs = [(0, 1), (1, 2), (0, 2)];
+    if pairs.iter().any(|(one, other)| is_one(*one, *other) && both_count(*one, *other)) {
         return Some(TripleFault::Two);
     }
-    if counting < 3 || a == b || b == c || a == c {
+    if counting < 3 {
         return None;
     }
     let at = |vertex: u32| positions.get(vertex as usize).map(|point| widen(*point));

@@ -35,7 +35,7 @@ pub fn read_asset(path: &Path) -> Result<Asset, Error> {
     let stops = |exception, reason| Error::Stops { application: OWN, exception, reason };
     let clothes = clothes.kept();
     let rows = clothes.rows.count;
-    if clothes.kept.len() != usize::try_from(rows).unwrap_or(usize::MAX) {
+    if clothes.kept.len() != rows {
         let reason = format!("`{path}`: a vertex row names a vertex that does not exist");
         return Err(stops("OverflowError", reason));
     }

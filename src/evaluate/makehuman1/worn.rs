@@ -9,8 +9,8 @@ use crate::eval::worn::WornMeasure;
 use crate::evaluate::worn::{fitted, measure_all, skin};
 use crate::formats::mhclo::{Clothes, Scale};
 use crate::formats::{python_float, python_int};
-use crate::repo::makehuman1::{mesh, shows, worn};
 use crate::repo::Layers;
+use crate::repo::makehuman1::{mesh, shows, worn};
 
 /// Measures the assets of the checked layer.
 pub(in crate::evaluate) fn measure(layers: Layers<'_>) -> BTreeMap<String, WornMeasure> {
@@ -24,10 +24,7 @@ pub(in crate::evaluate) fn measure(layers: Layers<'_>) -> BTreeMap<String, WornM
 /// The lines of an asset that stretch it; of several for one axis the last.
 pub(in crate::evaluate) fn stretch(clothes: &Clothes) -> Stretch {
     let set = |start: &str| ["x", "y", "z"].map(|axis| shear_line(clothes, &format!("{start}shear_{axis}")));
-    Stretch {
-        scales: clothes.scales.map(|line| line.and_then(scale_line)),
-        shears: ["", "l_", "r_"].map(set),
-    }
+    Stretch { scales: clothes.scales.map(|line| line.and_then(scale_line)), shears: ["", "l_", "r_"].map(set) }
 }
 
 fn scale_line(scale: Scale) -> Option<ScaleLine> {

@@ -29,7 +29,8 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     meshes.dedup_by_key(|worn| worn.mesh().map(|(mesh, _)| &mesh.path));
     for (mesh, _) in meshes.iter().filter_map(|worn| worn.mesh()) {
         let finding = RULE.at(mesh, Place::File, "all faces look inwards");
-        let help = "turn the faces over, in Blender with Mesh > Normals > Recalculate Outside, and export the mesh again";
+        let help =
+            "turn the faces over, in Blender with Mesh > Normals > Recalculate Outside, and export the mesh again";
         out.push(finding.confidence(Confidence::Medium).help(help));
     }
 }

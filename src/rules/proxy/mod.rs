@@ -2,8 +2,8 @@
 
 mod archives;
 pub(super) mod custom_weights;
-pub(super) mod delete_range;
 pub(super) mod degenerate_triple;
+pub(super) mod delete_range;
 pub(super) mod deprecated_keyword;
 pub(super) mod extension_case;
 pub(super) mod fit_drift;
@@ -168,7 +168,9 @@ fn measured<'b, 'v>(
 /// The help where another numbering gives the shape that was drawn.
 const fn numbering(numbering: Numbering) -> &'static str {
     match numbering {
-        Numbering::Reversed => "the rows are in reverse order: with the last one first the asset has the shape of its OBJ",
+        Numbering::Reversed => {
+            "the rows are in reverse order: with the last one first the asset has the shape of its OBJ"
+        }
         Numbering::RowBefore => {
             "the rows are one behind: if the first one is moved to the end, the asset has the shape of its OBJ"
         }

@@ -44,7 +44,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if is_slight && !text.is_makehuman1() {
             continue;
         }
-        let finding = RULE.at(text.file, Place::Line(*line), message(sums.count, &text.vertex(vertex), sum, is_slight) + &moved(body, &text, vertex, sum));
+        let finding = RULE.at(
+            text.file,
+            Place::Line(*line),
+            message(sums.count, &text.vertex(vertex), sum, is_slight) + &moved(body, &text, vertex, sum),
+        );
         let finding = finding.evidence(sums.evidence(rows.count).with_worst(sum, format!("vertex {vertex}")));
         let finding = finding.help("export the asset again, or correct the weights so that each row sums to 1");
         out.push(match (is_slight, rows.visible_sums) {
