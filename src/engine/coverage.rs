@@ -20,7 +20,7 @@ pub(super) struct Coverage<'r> {
     untouched: BTreeSet<String>,
     /// What was not checked, by printed path.
     left: BTreeMap<(Option<Application>, Unchecked), BTreeSet<String>>,
-    /// Loose files that were counted: each application has them at another place.
+    /// Files outside of data roots that were counted: each application has them at another place.
     counted: BTreeSet<String>,
 }
 
@@ -61,7 +61,7 @@ impl<'r> Coverage<'r> {
                     self.leave(application, Unchecked::NoBaseMesh, &file.path);
                 }
             }
-            if is_checked && (!file.is_loose || self.counted.insert(file.path.clone())) {
+            if is_checked && (!root.place.is_supposed() || self.counted.insert(file.path.clone())) {
                 outcome.summary.files += 1;
                 outcome.summary.bytes += file.size;
                 self.untouched.retain(|path| !is_below(&file.path, path));

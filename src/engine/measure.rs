@@ -8,7 +8,7 @@ use super::load::{Data, Loaded};
 use crate::config::Config;
 use crate::diag::{Application, FailedStep, grouped};
 use crate::eval::measures::Measures;
-use crate::evaluate::{self, Rows, is_measured};
+use crate::evaluate::{self, Rows, is_measured, needs_rows};
 use crate::formats::Content;
 
 /// Measures by name of the base, as each application shows it.
@@ -30,18 +30,24 @@ pub(super) fn measure_bases(
     all.extend(before.iter().flat_map(|before| names(before)));
     let owned = bases(data);
     let owned_before = before.as_ref().map(|before| bases(before)).unwrap_or_default();
+    let has_rows = |data: &Data<'_>| data.stacks().iter().flat_map(|stack| &stack.seen).any(|(of, _)| needs_rows(*of));
+    let keeps_rows = has_rows(data) || before.as_ref().is_some_and(|before| has_rows(before));
     let differing = before.as_ref().map(|before| differing(data, before)).unwrap_or_default();
     for name in all {
         let evaluated = name.as_deref().filter(|name| !options.no_eval && options.asks_for_base(name));
         let nothing = Rows::new();
-        let mut rows = load_targets(data, name.as_deref(), options, None, evaluated.map(|_| &nothing));
+        let mut rows =
+            load_targets(data, name.as_deref(), options, None, evaluated.filter(|_| keeps_rows).map(|_| &nothing));
         let Some(before) = &mut before else {
             if let Some(name) = evaluated {
                 measure_base(data, name, &owned, &mut rows, options, &mut measures, failed);
             }
             continue;
         };
-        let mut rows_before = load_targets(before, name.as_deref(), options, Some(data), evaluated.map(|_| &rows));
+        let mut rows_before = {
+            let kept = evaluated.filter(|_| keeps_rows).map(|_| &rows);
+            load_targets(before, name.as_deref(), options, Some(data), kept)
+        };
         let Some(name) = evaluated else { continue };
         let is_same = !differing.contains(&None)
             && !differing.contains(&Some(name.to_owned()))

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use super::skeleton::PARALLEL_SINE;
 use super::survey::{
-    DETACHED_STANDS, DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, Fault, SHORTEST_BONE, Survey, Trouble, Worst,
-    add,
+    DETACHED_DIAGONALS, DETACHED_STANDS, DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, Fault, SHORTEST_BONE,
+    Survey, Trouble, Worst, add,
 };
 use super::surveyor::{FaceAtRest, Surveyor, flatness, stand};
 use super::vector::{Point, distance, dot};
@@ -127,7 +127,8 @@ impl<'s> Look<'s> {
         let positions = self.walk.positions();
         for (element, probe) in self.surveyor.probes.iter().enumerate() {
             let value = probe.drift(positions);
-            if value > DETACHED_STANDS {
+            let is_far = value * probe.anchor.stand > f64::from(self.surveyor.diagonal * DETACHED_DIAGONALS);
+            if value > DETACHED_STANDS && is_far {
                 add_one(&mut self.worn, Trouble::Detached(probe.asset), value, element);
             }
         }

@@ -35,6 +35,7 @@
 mod attachment;
 pub mod culprit;
 pub mod error;
+pub mod faces;
 pub mod fit;
 mod grid;
 pub mod influences;

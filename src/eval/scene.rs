@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::error::EvalError;
+use super::faces::Faces;
 use super::fit::Reference;
 use super::macros::{MacroFault, MacroWork, Macros};
 use super::morph::{Side, apply, detail_factor};
@@ -228,18 +229,21 @@ impl Scene {
 
     /// Number of faces.
     pub fn face_count(&self) -> usize {
-        self.face_starts.len().saturating_sub(1)
+        self.all_faces().count()
     }
 
     /// Vertices of a face.
     pub fn face(&self, face: usize) -> &[u32] {
-        let ends = self.face_starts.get(face).zip(self.face_starts.get(face + 1));
-        ends.and_then(|(start, end)| self.corners.get(*start as usize..*end as usize)).unwrap_or_default()
+        self.all_faces().face(face)
     }
 
     /// All faces in order.
     pub fn faces(&self) -> impl Iterator<Item = &[u32]> + Clone {
-        (0..self.face_count()).map(|face| self.face(face))
+        self.all_faces().all()
+    }
+
+    fn all_faces(&self) -> Faces<'_> {
+        Faces { corners: &self.corners, starts: &self.face_starts }
     }
 }
 

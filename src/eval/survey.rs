@@ -24,6 +24,9 @@ pub const DRIFT_STANDS: f64 = 3.0;
 
 /// The same for a vertex of something worn.
 pub const DETACHED_STANDS: f64 = 3.0;
+/// And it has moved by this many diagonals of the box of the default character (6 cm on hm08): clothes of MakeHuman under
+/// a breast at its largest come to 4.5 cm.
+pub const DETACHED_DIAGONALS: f32 = 0.03;
 
 /// The worst that was seen of one thing, and at which setting.
 #[derive(Debug, Clone, PartialEq)]

@@ -33,6 +33,11 @@ const fn formulas(application: Application) -> Option<Formulas> {
     }
 }
 
+/// Whether the targets of an application are evaluated, so that their rows are needed.
+pub(crate) const fn needs_rows(application: Application) -> bool {
+    formulas(application).is_some()
+}
+
 /// Whether anything of the data of an application is measured: what is worn, also where nothing else is.
 pub(crate) const fn is_measured(application: Application) -> bool {
     matches!(application, Application::Makehuman2 | Application::Makehuman1)

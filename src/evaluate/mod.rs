@@ -44,7 +44,7 @@ pub use outputs::{fit_json, load_json, mesh_json, object, reduction_json, skelet
 pub use pose::{PosedBase, Poses, read_poses};
 pub use settings::{parse_setting, read_settings};
 
-pub(crate) use formulas::{Openable, evaluated, is_measured, measure, openable};
+pub(crate) use formulas::{Openable, evaluated, is_measured, measure, needs_rows, openable};
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -4,13 +4,14 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use crate::eval::fit::Reference;
+use crate::eval::faces::Faces;
+use crate::eval::fit::{Reference, ScaleLine};
 use crate::eval::mesh::bounding_box;
 use crate::eval::scene::WornAsset;
 use crate::eval::vector::{Point, Vec3};
-use crate::eval::worn::{Faces, Garment, Wearer, WornMeasure, measure};
+use crate::eval::worn::{Garment, Wearer, WornMeasure, measure};
 use crate::formats::asset_mesh::AssetMesh;
-use crate::formats::mhclo::{self, Clothes, FaultKind};
+use crate::formats::mhclo::{self, Clothes, FaultKind, Scale};
 use crate::formats::obj::Mesh;
 use crate::repo::Worn;
 
@@ -19,8 +20,7 @@ pub(super) fn skin(mesh: &Mesh, shows: impl Fn(&str) -> bool) -> (Vec<u32>, Vec<
     let is_shown: Vec<bool> = mesh.groups.iter().map(|group| shows(&group.name)).collect();
     let (mut corners, mut starts) = (Vec::new(), vec![0]);
     for face in mesh.faces.iter().filter(|face| is_shown.get(face.group as usize) == Some(&true)) {
-        let run = face.start as usize..(face.start as usize).saturating_add(face.len as usize);
-        corners.extend_from_slice(mesh.corners.get(run).unwrap_or_default());
+        corners.extend_from_slice(face.of(&mesh.corners));
         starts.push(u32::try_from(corners.len()).unwrap_or(u32::MAX));
     }
     (corners, starts)
@@ -89,8 +89,18 @@ fn whole<'w>(worn: &'w Worn<'w>) -> Option<(&'w Worn<'w>, &'w Clothes, &'w Asset
     is_whole.then_some((worn, clothes, mesh))
 }
 
-fn references(rows: &[mhclo::Row]) -> Vec<Reference> {
+/// Rows as they are fitted.
+pub(super) fn references(rows: &[mhclo::Row]) -> Vec<Reference> {
     rows.iter().map(|row| Reference { vertices: row.vertices, weights: row.weights, offset: row.offset }).collect()
+}
+
+/// The scale lines of an asset; those that name no vertex are left out.
+pub(super) fn scale_lines(clothes: &Clothes) -> [Option<ScaleLine>; 3] {
+    clothes.scales.map(|line| {
+        let Scale { vertices, distance, .. } = line?;
+        let [a, b] = vertices.map(|vertex| u32::try_from(vertex).ok());
+        Some(ScaleLine { vertices: [a?, b?], distance })
+    })
 }
 
 fn deleted(clothes: &Clothes, positions: &[Point]) -> Vec<bool> {

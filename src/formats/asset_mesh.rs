@@ -110,15 +110,10 @@ fn face_starts(mesh: &Mesh) -> Box<[u32]> {
     mesh.faces.iter().map(|face| face.start).chain([end]).collect()
 }
 
-fn corners(mesh: &Mesh, face: Face) -> &[u32] {
-    let run = face.start as usize..(face.start as usize).saturating_add(face.len as usize);
-    mesh.corners.get(run).unwrap_or_default()
-}
-
 /// How many faces each vertex has.
 fn faces_of_vertices(mesh: &Mesh) -> Vec<u32> {
     let mut faces = vec![0_u32; mesh.positions.len()];
-    for vertex in mesh.faces.iter().flat_map(|face| corners(mesh, *face)) {
+    for vertex in mesh.faces.iter().flat_map(|face| face.of(&mesh.corners)) {
         if let Some(count) = faces.get_mut(*vertex as usize) {
             *count = count.saturating_add(1);
         }
@@ -141,7 +136,7 @@ fn neighbours(mesh: &Mesh, faces: &[u32]) -> Option<(u32, u32)> {
     let has_many = |vertex: u32| faces.get(vertex as usize).is_some_and(|count| *count >= MANY_FACES);
     let mut pairs: Vec<(u32, u32)> = Vec::new();
     for face in &mesh.faces {
-        let corners = corners(mesh, *face);
+        let corners = face.of(&mesh.corners);
         for (one, other) in corners.iter().zip(corners.iter().cycle().skip(1)) {
             pairs.extend(
                 [(*one, *other), (*other, *one)].into_iter().filter(|(one, other)| has_many(*one) && one != other),
@@ -156,7 +151,7 @@ fn neighbours(mesh: &Mesh, faces: &[u32]) -> Option<(u32, u32)> {
 }
 
 fn repeated(mesh: &Mesh) -> usize {
-    let mut prints: Vec<u64> = mesh.faces.iter().map(|face| print_of_set(corners(mesh, *face))).collect();
+    let mut prints: Vec<u64> = mesh.faces.iter().map(|face| print_of_set(face.of(&mesh.corners))).collect();
     let all = prints.len();
     prints.sort_unstable();
     prints.dedup();
@@ -186,9 +181,7 @@ impl MeshPrint {
 
 /// The print of the vertices of a face.
 fn print_of(mesh: &Mesh, face: Face) -> u64 {
-    let run = face.start as usize..(face.start as usize).saturating_add(face.len as usize);
-    let corners = mesh.corners.get(run).unwrap_or_default();
-    xxh3_64(&corners.iter().flat_map(|corner| corner.to_le_bytes()).collect::<Vec<u8>>())
+    xxh3_64(&face.of(&mesh.corners).iter().flat_map(|corner| corner.to_le_bytes()).collect::<Vec<u8>>())
 }
 
 #[cfg(test)]

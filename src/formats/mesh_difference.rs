@@ -119,10 +119,8 @@ impl<'m> Outline<'m> {
     }
 
     fn of(mesh: &'m Mesh, face: Face) -> Self {
-        let run = face.start as usize..(face.start as usize).saturating_add(face.len as usize);
-        let mut corners = mesh.corners.get(run.clone()).unwrap_or_default().to_vec();
-        let uvs = mesh.corner_uvs.get(run).unwrap_or_default();
-        let mut uvs: Vec<_> = uvs.iter().map(|uv| mesh.uvs.get(*uv as usize).copied()).collect();
+        let mut corners = face.of(&mesh.corners).to_vec();
+        let mut uvs: Vec<_> = face.of(&mesh.corner_uvs).iter().map(|uv| mesh.uvs.get(*uv as usize).copied()).collect();
         let lowest = (0..corners.len()).min_by_key(|at| corners.get(*at)).unwrap_or_default();
         corners.rotate_left(lowest);
         if uvs.len() == corners.len() {

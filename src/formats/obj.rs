@@ -49,6 +49,14 @@ pub struct Face {
     pub group: u32,
 }
 
+impl Face {
+    /// Its part of a list with an entry for each corner, such as [`Mesh::corners`].
+    pub fn of(self, values: &[u32]) -> &[u32] {
+        let start = self.start as usize;
+        values.get(start..start.saturating_add(self.len as usize)).unwrap_or_default()
+    }
+}
+
 /// A face group.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Group {
@@ -132,8 +140,7 @@ impl Mesh {
     pub fn homes(&self) -> Vec<Option<u32>> {
         let mut homes = vec![None; self.positions.len()];
         for face in self.faces.iter().filter(|face| (face.group as usize) < self.groups.len()) {
-            let run = face.start as usize..(face.start as usize).saturating_add(face.len as usize);
-            for vertex in self.corners.get(run).unwrap_or_default() {
+            for vertex in face.of(&self.corners) {
                 if let Some(home) = homes.get_mut(*vertex as usize) {
                     home.get_or_insert(face.group);
                 }

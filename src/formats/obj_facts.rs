@@ -160,8 +160,8 @@ impl MeshFacts {
             if face.len > 4 {
                 self.ngons.add(*line, i64::from(face.len));
             }
-            let corners = run(&mesh.corners, *face);
-            let uvs = run(&mesh.corner_uvs, *face);
+            let corners = face.of(&mesh.corners);
+            let uvs = face.of(&mesh.corner_uvs);
             let bad_vertex = corners.iter().find(|vertex| **vertex as usize >= mesh.positions.len());
             let bad_uv = uvs.iter().find(|uv| **uv != NO_UV && **uv as usize >= mesh.uvs.len());
             if let Some(bad) = bad_vertex.or(bad_uv) {
@@ -183,16 +183,11 @@ impl MeshFacts {
     }
 }
 
-fn run(values: &[u32], face: Face) -> &[u32] {
-    let start = face.start as usize;
-    values.get(start..start.saturating_add(face.len as usize)).unwrap_or_default()
-}
-
 fn bounds(mesh: &Mesh) -> Vec<Option<Bounds>> {
     let mut bounds: Vec<Option<Bounds>> = vec![None; mesh.groups.len()];
     for face in &mesh.faces {
         let Some(bounds) = bounds.get_mut(face.group as usize) else { continue };
-        for position in run(&mesh.corners, *face).iter().filter_map(|vertex| mesh.positions.get(*vertex as usize)) {
+        for position in face.of(&mesh.corners).iter().filter_map(|vertex| mesh.positions.get(*vertex as usize)) {
             let own = position.map(|part| (part, part));
             *bounds = Some(bounds.map_or(own, |known| joined(&known, &own)));
         }
@@ -210,7 +205,7 @@ fn repeating(mesh: &Mesh, lines: &[u32]) -> Vec<Repeating> {
     let mut seen = BTreeSet::new();
     let mut repeated = |face: Face| {
         seen.clear();
-        run(&mesh.corners, face).iter().copied().find(|vertex| !seen.insert(*vertex))
+        face.of(&mesh.corners).iter().copied().find(|vertex| !seen.insert(*vertex))
     };
     let faces = mesh.faces.iter().zip(lines);
     faces
@@ -227,7 +222,7 @@ fn partial_uv(mesh: &Mesh, lines: &[u32]) -> Vec<PartialUv> {
         let (Some(group), Some(with)) = (groups.get_mut(face.group as usize), with.get_mut(face.group as usize)) else {
             continue;
         };
-        let uvs = run(&mesh.corner_uvs, *face);
+        let uvs = face.of(&mesh.corner_uvs);
         group.faces += 1;
         *with |= uvs.iter().any(|uv| *uv != NO_UV);
         if uvs.contains(&NO_UV) {

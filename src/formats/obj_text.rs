@@ -28,9 +28,7 @@ pub(crate) fn text_of(mesh: &Mesh) -> String {
 
 fn add_face(text: &mut String, mesh: &Mesh, face: Face) {
     text.push('f');
-    let run = face.start as usize..(face.start as usize).saturating_add(face.len as usize);
-    let uvs = mesh.corner_uvs.get(run.clone()).unwrap_or_default();
-    for (vertex, uv) in mesh.corners.get(run).unwrap_or_default().iter().zip(uvs) {
+    for (vertex, uv) in face.of(&mesh.corners).iter().zip(face.of(&mesh.corner_uvs)) {
         let vertex = u64::from(*vertex) + 1;
         match *uv {
             NO_UV => add(text, format_args!(" {vertex}")),

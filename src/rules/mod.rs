@@ -33,7 +33,7 @@ mod wearers;
 mod weights;
 
 pub(crate) use rule::{Check, Rule, RuleCx};
-use rule::{counted, did_you_mean, either, enumerated, such};
+use rule::{and_more, counted, did_you_mean, either, enumerated, such};
 pub(crate) use wearers::name_wearers;
 
 /// Every rule, sorted by id. A rule that is not listed here does not exist.

@@ -105,6 +105,14 @@ pub(super) fn such(count: impl ToString, things: &str) -> String {
     }
 }
 
+/// ` (and 2 more members)` behind a message that names the first of several; nothing behind one that names the only one.
+pub(super) fn and_more(count: usize, thing: &str) -> String {
+    match count {
+        0 | 1 => String::new(),
+        count => format!(" (and {})", counted(count - 1, &format!("more {thing}"))),
+    }
+}
+
 /// `a`, `a and b`, `a, b and c`; of more than five names the first five, `and 25 more`.
 pub(super) fn enumerated<T: AsRef<str>>(names: &[T]) -> String {
     let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();

@@ -8,7 +8,7 @@ use super::input::Input;
 use super::place::Place;
 use crate::config::Config;
 use crate::diag::Application;
-use crate::discover::{Candidate, Kind, Layout, USUAL_BASE, find_roots, loss};
+use crate::discover::{Candidate, Kind, Layout, find_roots, loss};
 use crate::repo::{Import, Pack};
 use crate::source::{Entry, EntryKind, MemberFault, PackFacts, Tree, inside};
 
@@ -120,7 +120,7 @@ fn are_equal(tree: &Tree, entries: &[&Entry], options: &Config) -> bool {
 
 /// The base mesh that a pack is imported for: the one in its name, the one that is asked for, the only one there is.
 fn base(input: &Input, bases: &BTreeSet<String>, options: &Config) -> Result<String, Error> {
-    let only = || bases.first().filter(|_| bases.len() == 1).map_or(USUAL_BASE, String::as_str);
+    let only = || bases.first().filter(|_| bases.len() == 1).map_or(Layout::USUAL_BASE, String::as_str);
     match (&input.new_base, options.bases.as_slice()) {
         (Some(new), _) => Ok(new.clone()),
         (None, []) => Ok(only().to_owned()),
@@ -135,7 +135,7 @@ fn is_data_of_another(tree: &Tree, layout: &Layout, import: Importer) -> bool {
     let others = Application::ALL.map(Layout::of).into_iter().filter(|other| other.import.is_none());
     let mut roots = others.filter_map(|other| root_in(tree, other));
     let is_anothers = roots.any(|root| root.is_empty() || root == "data");
-    let is_imported = files(tree).any(|entry| import(&entry.path, USUAL_BASE).is_some());
+    let is_imported = files(tree).any(|entry| import(&entry.path, Layout::USUAL_BASE).is_some());
     let own = find_roots(files(tree).map(|entry| entry.path.as_str()));
     is_anothers && !is_imported && !own.iter().any(|root| root.application == layout.application)
 }

@@ -69,6 +69,11 @@ impl<'t> Place<'t> {
         Self { tree, root: root.to_owned(), layouts: layouts.to_vec(), is_loose, pack: None, below, bulk }
     }
 
+    /// Whether each application would have its files at a place of its own: they lie in no data root yet.
+    pub(in crate::engine) const fn is_supposed(&self) -> bool {
+        self.is_loose || self.pack.is_some()
+    }
+
     /// Path of the root as reports print it.
     pub(in crate::engine) fn path(&self) -> String {
         self.tree.shown(&self.root)

@@ -90,10 +90,10 @@ pub(in crate::engine) struct Stack<'a, 't> {
 }
 
 impl Stack<'_, '_> {
-    /// Whether both are the same files outside of data roots, as different applications would have them.
+    /// Whether both are the same files, outside of data roots or in a zip, as different applications would have them.
     fn is_of_same_files(&self, other: &Self) -> bool {
         let (own, other) = (&self.root.place, &other.root.place);
-        own.is_loose && other.is_loose && std::ptr::eq(own.tree, other.tree)
+        own.is_supposed() && other.is_supposed() && std::ptr::eq(own.tree, other.tree)
     }
 }
 

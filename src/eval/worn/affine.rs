@@ -1,6 +1,6 @@
 //! The affine map that brings one list of points nearest to another.
 
-use crate::eval::vector::{Mat3, Point, Vec3, add, cross, dot, scale, sub, widen};
+use crate::eval::vector::{Mat3, Point, Vec3, add, cross, dot, from_columns, inverse, scale, sub, widen};
 
 /// A map `p -> linear * (p - from) + to`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,10 +56,12 @@ impl Affine {
         for axis in 0..3 {
             spread[axis][axis] += trace * FLAT;
         }
-        let inverse = inverse(spread)?;
+        // Symmetric, so its rows are its columns.
+        let [x, y, z] = spread;
+        let inverse = inverse(&from_columns(x, y, z, [0.0; 3]));
         let column = |at: usize| [inverse[0][at], inverse[1][at], inverse[2][at]];
         let linear = mixed.map(|row| [0, 1, 2].map(|at| dot(row, column(at))));
-        Some(Self { linear, from, to })
+        linear.iter().flatten().all(|part| part.is_finite()).then_some(Self { linear, from, to })
     }
 
     /// Whether it makes mirror images.
@@ -101,15 +103,6 @@ pub(super) fn median(mut numbers: Vec<f64>) -> f64 {
 /// The square of a length.
 pub(super) fn square(vector: Vec3) -> f64 {
     dot(vector, vector)
-}
-
-fn inverse(rows: Mat3) -> Option<Mat3> {
-    let [a, b, c] = rows;
-    let columns = [cross(b, c), cross(c, a), cross(a, b)];
-    let determinant = dot(a, columns[0]);
-    let is_usable = determinant != 0.0 && determinant.is_finite();
-    let row = |at: usize| columns.map(|column| column[at] / determinant);
-    is_usable.then(|| [row(0), row(1), row(2)])
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! Hidden parts of the wearer that nothing of the asset covers.
 
-use super::faces::fan;
 use super::triangles::Triangles;
 use super::{Garment, Wearer};
-use crate::eval::vector::{Point, Vec3, add, cross, length, scale, sub, widen};
+use crate::eval::faces::{mean, middle_of, vector_of};
+use crate::eval::vector::{Point, Vec3, length, scale, sub};
 
 /// Parts of the wearer's height. How far below the skin an asset may lie and cover it (5 cm on hm08).
 const BELOW: f64 = 0.03;
@@ -54,10 +54,8 @@ pub(super) fn uncovered(wearer: &Wearer<'_>, garment: &Garment<'_>, fitted: &[Po
 }
 
 fn is_bare(wearer: &Wearer<'_>, face: &[u32], triangles: &Triangles) -> bool {
-    let at = |vertex: u32| wearer.positions.get(vertex as usize).map_or([0.0; 3], |point| widen(*point));
-    let middle = middle_of(face, at);
-    let part = |[a, b, c]: [u32; 3]| cross(sub(at(b), at(a)), sub(at(c), at(a)));
-    let vector = fan(face).map(part).fold([0.0; 3], add);
+    let middle = middle_of(face, wearer.positions);
+    let vector = vector_of(face, wearer.positions);
     let direction = scale(vector, 1.0 / length(vector));
     if direction.iter().any(|part| !part.is_finite()) || direction[1] < DOWN {
         return false;
@@ -67,15 +65,10 @@ fn is_bare(wearer: &Wearer<'_>, face: &[u32], triangles: &Triangles) -> bool {
         && !triangles.is_within(middle, wearer.height * HEM)
 }
 
-fn middle_of(face: &[u32], at: impl Fn(u32) -> Vec3) -> Vec3 {
-    scale(face.iter().map(|vertex| at(*vertex)).fold([0.0; 3], add), 1.0 / face.len() as f64)
-}
-
 /// A vertex of the face nearest to the middle of all.
 fn middle(wearer: &Wearer<'_>, faces: &[&[u32]]) -> Option<u32> {
-    let at = |vertex: u32| wearer.positions.get(vertex as usize).map_or([0.0; 3], |point| widen(*point));
-    let middles: Vec<Vec3> = faces.iter().map(|face| middle_of(face, at)).collect();
-    let whole = scale(middles.iter().copied().fold([0.0; 3], add), 1.0 / middles.len() as f64);
+    let middles: Vec<Vec3> = faces.iter().map(|face| middle_of(face, wearer.positions)).collect();
+    let whole = mean(middles.iter().copied());
     let away = |at: &usize| middles.get(*at).map_or(f64::MAX, |middle| length(sub(*middle, whole)));
     let nearest = (0..faces.len()).min_by(|one, other| away(one).total_cmp(&away(other)))?;
     faces.get(nearest)?.first().copied()
@@ -83,8 +76,8 @@ fn middle(wearer: &Wearer<'_>, faces: &[&[u32]]) -> Option<u32> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Faces;
     use super::*;
+    use crate::eval::faces::Faces;
     use crate::eval::fit::Reference;
 
     /// A wall of 20 by 20 squares that looks along z, and the same over it.

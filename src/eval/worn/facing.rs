@@ -1,8 +1,8 @@
 //! Whether the faces of an asset look inwards.
 
 use super::Wearer;
-use super::faces::{Faces, fan};
-use crate::eval::vector::{Point, Vec3, add, cross, dot, length, scale, sub, widen};
+use crate::eval::faces::{Faces, fan, mean, middle_of, place, vector_of};
+use crate::eval::vector::{Point, Vec3, cross, dot, length, scale, sub, widen};
 
 /// Faces of an asset that are compared with the skin under them.
 const SAMPLES: usize = 256;
@@ -13,13 +13,12 @@ const AGAINST: f64 = -0.35;
 /// Whether the faces enclose something from its inside, and look against the skin that they lie on.
 pub(super) fn is_inside_out(wearer: &Wearer<'_>, faces: Faces<'_>, fitted: &[Point]) -> bool {
     let whole: Vec<&[u32]> = faces.below(fitted.len()).collect();
-    let at = |vertex: u32| fitted.get(vertex as usize).map_or([0.0; 3], |point| widen(*point));
     let middle = mean(fitted.iter().map(|point| widen(*point)));
     let volume: f64 = whole
         .iter()
         .flat_map(|face| fan(face))
         .map(|triangle| {
-            let [a, b, c] = triangle.map(|vertex| sub(at(vertex), middle));
+            let [a, b, c] = triangle.map(|vertex| sub(place(fitted, vertex), middle));
             dot(a, cross(b, c))
         })
         .sum();
@@ -29,9 +28,8 @@ pub(super) fn is_inside_out(wearer: &Wearer<'_>, faces: Faces<'_>, fitted: &[Poi
     let skin = skin(wearer);
     let (mut agreement, mut area) = (0.0, 0.0);
     for face in whole.iter().step_by(whole.len().div_ceil(SAMPLES).max(1)) {
-        let own = vector_of(face, at);
-        let from = mean(face.iter().map(|vertex| at(*vertex)));
-        let Some(under) = nearest(&skin, from) else { return false };
+        let own = vector_of(face, fitted);
+        let Some(under) = nearest(&skin, middle_of(face, fitted)) else { return false };
         agreement += dot(own, under);
         area += length(own);
     }
@@ -40,12 +38,11 @@ pub(super) fn is_inside_out(wearer: &Wearer<'_>, faces: Faces<'_>, fitted: &[Poi
 
 /// Faces of the skin: middle and direction. Large skins are thinned out.
 fn skin(wearer: &Wearer<'_>) -> Vec<(Vec3, Vec3)> {
-    let at = |vertex: u32| wearer.positions.get(vertex as usize).map_or([0.0; 3], |point| widen(*point));
     let faces: Vec<&[u32]> = wearer.skin.below(wearer.positions.len()).collect();
     let step = faces.len().div_ceil(SAMPLES * 16).max(1);
     let told = faces.iter().step_by(step).map(|face| {
-        let vector = vector_of(face, at);
-        (mean(face.iter().map(|vertex| at(*vertex))), scale(vector, 1.0 / length(vector)))
+        let vector = vector_of(face, wearer.positions);
+        (middle_of(face, wearer.positions), scale(vector, 1.0 / length(vector)))
     });
     told.filter(|(_, direction)| direction.iter().all(|part| part.is_finite())).collect()
 }
@@ -59,23 +56,8 @@ fn nearest(skin: &[(Vec3, Vec3)], from: Vec3) -> Option<Vec3> {
     nearest.map(|(_, direction)| *direction)
 }
 
-/// Twice the area of a face, in the direction that it looks in.
-fn vector_of(face: &[u32], at: impl Fn(u32) -> Vec3) -> Vec3 {
-    let part = |triangle: [u32; 3]| {
-        let [a, b, c] = triangle.map(&at);
-        cross(sub(b, a), sub(c, a))
-    };
-    fan(face).map(part).fold([0.0; 3], add)
-}
-
-fn mean(points: impl Iterator<Item = Vec3>) -> Vec3 {
-    let (sum, count) = points.fold(([0.0; 3], 0.0), |(sum, count), point| (add(sum, point), count + 1.0));
-    scale(sum, 1.0 / count)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::Faces;
     use super::*;
 
     /// A box, its faces looking outwards.

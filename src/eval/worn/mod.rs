@@ -7,17 +7,16 @@
 mod affine;
 mod closest;
 mod cover;
-mod faces;
 mod facing;
 mod shape;
 mod triangles;
 mod triples;
 
 pub use cover::Uncovered;
-pub use faces::Faces;
 pub use shape::{Disorder, Drift, Numbering, ShapeMeasure};
 pub use triples::{TripleFault, Triples};
 
+use super::faces::Faces;
 use super::fit::{Reference, fit};
 use super::vector::{Point, Vec3};
 
@@ -60,10 +59,18 @@ pub struct WornMeasure {
     pub uncovered: Option<Uncovered>,
 }
 
+/// Of so many rows one may have weights that do not sum to 1: where more have, nothing can be told of the shape.
+const MANY: usize = 10;
+
 /// Measures an asset on a mesh. `None` if a row names a vertex that the mesh lacks.
 pub fn measure(wearer: &Wearer<'_>, garment: &Garment<'_>) -> Option<WornMeasure> {
     let fitted = fit(wearer.positions, garment.references, garment.scales).ok()?;
     let triples = triples::measure(wearer.positions, garment.references);
+    // Weights that do not sum to 1 bend the shape by themselves.
+    let off = garment.references.iter().filter(|row| shape::is_told_by_its_weights(row)).count();
+    if off > garment.references.len() / MANY {
+        return Some(WornMeasure { triples, ..WornMeasure::default() });
+    }
     let is_inside_out = facing::is_inside_out(wearer, garment.faces, &fitted);
     let shape = shape::measure(wearer, garment, &fitted, &triples, is_inside_out);
     // Faces between rows of others look anywhere, and cover anything.

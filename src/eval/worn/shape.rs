@@ -100,14 +100,16 @@ pub(super) fn measure(
         };
         measure.drifts = shapes.drifts(&edges, wearer.height, is_told);
     }
-    if measure.disorder.is_some() || !measure.drifts.is_empty() {
-        measure.numbering = numbering(wearer, garment, &edges, &shapes, is_inside_out);
+    // On a symmetric asset rows in reverse order look like a mirrored mesh: nobody can tell.
+    let is_mixed = measure.disorder.is_some_and(|disorder| !disorder.is_mirrored);
+    if is_mixed || !measure.drifts.is_empty() {
+        measure.numbering = numbering(wearer, garment, &edges, shapes.misfit);
     }
     measure
 }
 
 /// Weights that do not sum to 1 move a vertex by themselves.
-fn is_told_by_its_weights(reference: &Reference) -> bool {
+pub(super) fn is_told_by_its_weights(reference: &Reference) -> bool {
     (reference.weights.iter().sum::<f32>() - 1.0).abs() > 0.002
 }
 
@@ -199,24 +201,15 @@ fn off_middle(all: &[Point], vertex: usize, around: &[u32], is_out: &[bool]) -> 
     (near.len() >= 2).then(|| sub(widen(all[vertex]), middle))
 }
 
-/// How the rows would have to be numbered for the shapes to agree. A mirror image has to become the shape itself.
-fn numbering(
-    wearer: &Wearer<'_>,
-    garment: &Garment<'_>,
-    edges: &[[u32; 2]],
-    now: &Shapes<'_>,
-    is_inside_out: bool,
-) -> Option<Numbering> {
-    let is_mirror = is_inside_out && now.map.is_mirror();
+/// How the rows would have to be numbered for the shapes to agree.
+fn numbering(wearer: &Wearer<'_>, garment: &Garment<'_>, edges: &[[u32; 2]], misfit: f64) -> Option<Numbering> {
     let misfits = NUMBERINGS.iter().filter_map(|numbering| {
         let rows = renumbered(garment.references, *numbering)?;
         let fitted = fit(wearer.positions, &rows, garment.scales).ok()?;
-        let shapes = Shapes::of(garment.drawn, &fitted, edges)?;
-        (!is_mirror || !shapes.map.is_mirror()).then_some((shapes.misfit, *numbering))
+        Some((Shapes::of(garment.drawn, &fitted, edges)?.misfit, *numbering))
     });
     let (best, numbering) = misfits.min_by(|one, other| one.0.total_cmp(&other.0))?;
-    let limit = if is_mirror { MISFIT } else { MISFIT.min(now.misfit * BETTER) };
-    (best < limit).then_some(numbering)
+    (best < MISFIT.min(misfit * BETTER)).then_some(numbering)
 }
 
 fn renumbered(rows: &[Reference], numbering: Numbering) -> Option<Vec<Reference>> {
@@ -262,8 +255,8 @@ fn mean_of_lowest(mut numbers: Vec<f64>, part: f64) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Faces;
     use super::*;
+    use crate::eval::faces::Faces;
 
     /// A sheet of 6 by 6 squares, drawn with bumps.
     struct Sheet {

@@ -1,7 +1,7 @@
 //! Triangles by place.
 
 use super::closest::from_triangle;
-use super::faces::{Faces, fan};
+use crate::eval::faces::{Faces, fan};
 use crate::eval::lists::Lists;
 use crate::eval::steps::step;
 use crate::eval::vector::{Point, Vec3, add, cross, dot, scale, sub, widen};

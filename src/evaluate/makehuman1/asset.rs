@@ -10,6 +10,7 @@ use crate::eval::vector::Point;
 use crate::evaluate::Error;
 use crate::evaluate::asset_file::{AssetFile, read};
 use crate::evaluate::data::Fitted;
+use crate::evaluate::worn::references;
 
 const OWN: Application = Application::Makehuman1;
 
@@ -39,12 +40,7 @@ pub fn read_asset(path: &Path) -> Result<Asset, Error> {
         let reason = format!("`{path}`: a vertex row names a vertex that does not exist");
         return Err(stops("OverflowError", reason));
     }
-    let of = |row: &crate::formats::mhclo::Row| Reference {
-        vertices: row.vertices,
-        weights: row.weights,
-        offset: row.offset,
-    };
-    let mut references: Vec<Reference> = clothes.kept.iter().map(of).collect();
+    let mut references = references(&clothes.kept);
     match references.as_slice() {
         [] => return Err(stops("IndexError", format!("`{path}` has no vertex lines"))),
         // NumPy repeats a single row for all vertices.

@@ -2,12 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use crate::eval::fit::ScaleLine;
 use crate::eval::makehuman1::fit::{ShearLine, Stretch};
 use crate::eval::vector::round_to_f32;
 use crate::eval::worn::WornMeasure;
-use crate::evaluate::worn::{fitted, measure_all, skin};
-use crate::formats::mhclo::{Clothes, Scale};
+use crate::evaluate::worn::{fitted, measure_all, scale_lines, skin};
+use crate::formats::mhclo::Clothes;
 use crate::formats::{python_float, python_int};
 use crate::repo::Layers;
 use crate::repo::makehuman1::{mesh, shows, worn};
@@ -24,12 +23,7 @@ pub(in crate::evaluate) fn measure(layers: Layers<'_>) -> BTreeMap<String, WornM
 /// The lines of an asset that stretch it; of several for one axis the last.
 pub(in crate::evaluate) fn stretch(clothes: &Clothes) -> Stretch {
     let set = |start: &str| ["x", "y", "z"].map(|axis| shear_line(clothes, &format!("{start}shear_{axis}")));
-    Stretch { scales: clothes.scales.map(|line| line.and_then(scale_line)), shears: ["", "l_", "r_"].map(set) }
-}
-
-fn scale_line(scale: Scale) -> Option<ScaleLine> {
-    let [a, b] = scale.vertices.map(|vertex| u32::try_from(vertex).ok());
-    Some(ScaleLine { vertices: [a?, b?], distance: scale.distance })
+    Stretch { scales: scale_lines(clothes), shears: ["", "l_", "r_"].map(set) }
 }
 
 fn shear_line(clothes: &Clothes, keyword: &str) -> Option<ShearLine> {

@@ -84,8 +84,7 @@ impl Composer<'_, '_> {
             scene.visible.push(visible.is_some_and(|names| names.contains(&group.name)));
         }
         for face in &self.mesh.faces {
-            let run = face.start as usize..(face.start + face.len) as usize;
-            let corners = self.mesh.corners.get(run).unwrap_or_default();
+            let corners = face.of(&self.mesh.corners);
             if corners.iter().all(|corner| (*corner as usize) < vertices) {
                 scene.face_starts.push(u32::try_from(scene.corners.len()).unwrap_or(u32::MAX));
                 scene.corners.extend_from_slice(corners);

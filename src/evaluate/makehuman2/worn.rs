@@ -2,11 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::eval::fit::ScaleLine;
 use crate::eval::makehuman2::fit::axis_scales;
 use crate::eval::worn::WornMeasure;
-use crate::evaluate::worn::{Fitted, fitted, measure_all, skin};
-use crate::formats::mhclo::Scale;
+use crate::evaluate::worn::{Fitted, fitted, measure_all, scale_lines, skin};
 use crate::repo::makehuman2::{Base, worn};
 use crate::repo::{Layers, Worn};
 
@@ -21,7 +19,7 @@ pub(in crate::evaluate) fn own<'a>(base: &Base<'_>, layers: Layers<'a>) -> Vec<W
 pub(in crate::evaluate) fn fit<'w>(base: &Base<'_>, own: &'w [Worn<'w>]) -> Vec<Fitted<'w>> {
     let Some((_, mesh)) = base.mesh.filter(|(_, mesh)| mesh.is_sound()) else { return Vec::new() };
     fitted(mesh, own.iter(), |worn, clothes| {
-        let lines = if worn.is_topology() { [None; 3] } else { clothes.scales.map(|line| line.and_then(scale_line)) };
+        let lines = if worn.is_topology() { [None; 3] } else { scale_lines(clothes) };
         axis_scales(&mesh.positions, lines).ok()
     })
 }
@@ -32,9 +30,4 @@ pub(in crate::evaluate) fn measure(base: &Base<'_>, fitted: &[Fitted<'_>]) -> BT
     let shown = base.settings().and_then(|(_, settings)| settings.shown.as_ref());
     let skin = skin(mesh, |group| shown.is_some_and(|shown| shown.contains(group)));
     measure_all(mesh, &skin, fitted)
-}
-
-fn scale_line(scale: Scale) -> Option<ScaleLine> {
-    let [a, b] = scale.vertices.map(|vertex| u32::try_from(vertex).ok());
-    Some(ScaleLine { vertices: [a?, b?], distance: scale.distance })
 }

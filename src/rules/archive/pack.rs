@@ -1,6 +1,6 @@
 //! A zip of assets that cannot be unpacked, in words.
 
-use super::super::{Rule, counted};
+use super::super::{Rule, and_more};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Evidence, Finding, Level,
@@ -27,7 +27,7 @@ pub(super) fn report(rule: &Rule, layer: &Layer, out: &mut Vec<Finding>) {
     }
     let bad: Vec<(&str, String, &str)> = members(facts).collect();
     let Some((first, words, help)) = bad.first() else { return };
-    let more = if bad.len() > 1 { format!(" (and {})", counted(bad.len() - 1, "more member")) } else { String::new() };
+    let more = and_more(bad.len(), "member");
     let finding = at(format!("member `{first}` {words}{more}")).key("members").case(IN_PART);
     let finding = finding.evidence(Evidence::of_cases(bad.iter().map(|(name, ..)| *name)));
     out.push(finding.help(*help));

@@ -1,6 +1,6 @@
 //! No member of a zip may lead out of the folder that it is unpacked into.
 
-use super::super::{Check, Rule, RuleCx, counted};
+use super::super::{Check, Rule, RuleCx, and_more};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Evidence, Finding, Level, RuleInfo,
@@ -30,7 +30,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let leads_out = |fault: &MemberFault| matches!(fault, MemberFault::Escapes | MemberFault::LinkLeaves { .. });
     let bad: Vec<&(String, MemberFault)> = facts.faults.iter().filter(|(_, fault)| leads_out(fault)).collect();
     let Some((first, fault)) = bad.first() else { return };
-    let more = if bad.len() > 1 { format!(" (and {})", counted(bad.len() - 1, "more member")) } else { String::new() };
+    let more = and_more(bad.len(), "member");
     let message = match fault {
         MemberFault::LinkLeaves { to } => format!("the link `{first}` leads out of the zip, to `{to}`{more}"),
         _ => format!("member `{first}` leads out of the folder that the zip is unpacked into{more}"),

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::diag::{Evidence, Place};
 use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::mhw::Weights;
-use crate::repo::{Body, FileFacts, Reference, ReferenceKind};
+use crate::repo::{Body, FileFacts, Reference, ReferenceKind, Worn};
 
 /// Weights of an asset of the checked layer.
 pub(in crate::rules) struct Own<'v> {
@@ -39,6 +39,18 @@ pub(in crate::rules) fn all<'v>(body: &Body<'v>) -> impl Iterator<Item = Own<'v>
         }
     }
     own.into_values()
+}
+
+/// The meshes of assets of the checked layer of which `is_wanted` holds for an asset that names them, each once.
+pub(in crate::rules) fn meshes<'b, 'v>(
+    body: &'b Body<'v>,
+    is_wanted: impl Fn(&Worn<'v>, &AssetMesh) -> bool,
+) -> impl Iterator<Item = (&'b Worn<'v>, &'v FileFacts, &'v AssetMesh)> {
+    let mut told = BTreeSet::new();
+    let own = body.worn.iter().filter_map(|worn| worn.mesh().map(|(file, mesh)| (worn, file, mesh)));
+    own.filter(move |(worn, file, mesh)| {
+        body.layers.is_checked(file) && is_wanted(worn, mesh) && told.insert(file.path.as_str())
+    })
 }
 
 impl<'v> Own<'v> {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::{Rule, counted};
+use super::super::{Rule, and_more, counted};
 use crate::diag::{Evidence, Finding, grouped};
 use crate::repo::View;
 use crate::repo::makehuman2::MisnamedFolder;
@@ -20,10 +20,7 @@ fn finding(rule: &Rule, view: &View<'_>, folders: &[MisnamedFolder]) -> Option<F
     let first = folders.first()?;
     let files: usize = folders.iter().map(|folder| folder.files).sum();
     let right = first.right.rsplit('/').next().unwrap_or_default();
-    let more = match folders.len() {
-        1 => String::new(),
-        count => format!(" (and {})", counted(count - 1, "more folder")),
-    };
+    let more = and_more(folders.len(), "folder");
     let message = format!("`{}` must be named `{}`{more}", first.rel, first.right);
     let effect = format!("on Linux, does not read the folder and its {}", counted(files, "file"));
     let finding = rule.in_layer(view.layers().checked, &first.rel, message).key("folder");

@@ -1,11 +1,10 @@
 //! A face has each of its vertices once.
 
-use std::collections::BTreeSet;
-
+use super::super::cause::worn::meshes;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::{Mesh, Repeating};
-use crate::repo::{Body, Worn};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "creates a triangle without area; if another corner was meant, the surface has a hole")],
@@ -24,10 +23,8 @@ const HIDDEN: Case = &[(Makehuman2, Level::Info, "never shows the face: its grou
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(of_base(body));
-    let mut told = BTreeSet::new();
-    for (file, mesh) in body.worn.iter().filter_map(Worn::mesh) {
-        let own = mesh.degenerate.as_ref().filter(|_| body.layers.is_checked(file) && body.opens(mesh));
-        let Some((first, count)) = own.filter(|_| told.insert(&file.path)) else { continue };
+    for (_, file, mesh) in meshes(body, |_, mesh| body.opens(mesh)) {
+        let Some((first, count)) = &mesh.degenerate else { continue };
         let message = match count {
             1 => format!("the face uses {} twice", mesh.named(first.vertex)),
             _ => format!("{count} of {} faces use a vertex twice, first {}", mesh.faces, mesh.named(first.vertex)),

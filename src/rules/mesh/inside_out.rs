@@ -1,5 +1,6 @@
 //! The faces of an asset look outwards.
 
+use super::super::cause::worn::meshes;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
@@ -24,11 +25,8 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_inside_out = |path: &str| measures.worn.get(path).is_some_and(|measure| measure.is_inside_out);
-    let mut meshes: Vec<_> = body.worn.iter().filter(|worn| is_inside_out(&worn.file.path)).collect();
-    meshes.retain(|worn| worn.mesh().is_some_and(|(mesh, _)| body.layers.is_checked(mesh)));
-    meshes.dedup_by_key(|worn| worn.mesh().map(|(mesh, _)| &mesh.path));
-    for (mesh, _) in meshes.iter().filter_map(|worn| worn.mesh()) {
-        let finding = RULE.at(mesh, Place::File, "all faces look inwards");
+    for (_, file, _) in meshes(body, |worn, _| is_inside_out(&worn.file.path)) {
+        let finding = RULE.at(file, Place::File, "all faces look inwards");
         let help =
             "turn the faces over, in Blender with Mesh > Normals > Recalculate Outside, and export the mesh again";
         out.push(finding.confidence(Confidence::Medium).help(help));

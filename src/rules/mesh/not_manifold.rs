@@ -1,12 +1,14 @@
 //! An edge has two faces at most.
 
+use super::super::cause::worn::meshes;
 use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Evidence, Finding, Level, Place, RuleInfo,
 };
 use crate::eval::measures::Measures;
-use crate::repo::Body;
+use crate::formats::asset_mesh::AssetMesh;
+use crate::repo::{Body, Worn};
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
@@ -23,23 +25,17 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let mut told = std::collections::BTreeSet::new();
-    for worn in body.worn {
-        let edges = measures.worn.get(&worn.file.path).map(|measure| measure.shape.crowded_edges.as_slice());
-        let Some(([one, other], (file, mesh))) = edges.and_then(|edges| edges.first().copied().zip(worn.mesh())) else {
-            continue;
-        };
-        // Faces that stand twice, and those that no application takes, have findings of their own.
-        let is_told = mesh.repeated > 0 || mesh.facts.ngons.count > 0;
-        if is_told || !body.layers.is_checked(file) || !told.insert(&file.path) {
-            continue;
-        }
-        let edges = edges.unwrap_or_default();
+    let crowded = |worn: &Worn<'_>| measures.worn.get(&worn.file.path).map_or(&[][..], |one| &one.shape.crowded_edges);
+    // Faces that stand twice, and those that no application takes, have findings of their own.
+    let is_told = |mesh: &AssetMesh| mesh.repeated > 0 || mesh.facts.ngons.count > 0;
+    for (worn, file, mesh) in meshes(body, |worn, mesh| !crowded(worn).is_empty() && !is_told(mesh)) {
+        let edges = crowded(worn);
+        let Some([one, other]) = edges.first() else { continue };
         let have = if edges.len() == 1 { "has" } else { "have" };
         let message = format!(
             "{} {have} more than two faces, first that from {} to vertex {other}",
             counted(edges.len(), "edge"),
-            mesh.named(one)
+            mesh.named(*one)
         );
         let named = edges.iter().map(|[one, other]| format!("{one}-{other}"));
         let finding = RULE.at(file, Place::File, message).evidence(Evidence::of_unnamed(named));

@@ -13,7 +13,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     docs: "At some slider setting vertices of an asset leave the skin that they lie on.\n\n\
         A vertex of the fitted asset is compared with the sixteen vertices of visible skin nearest to it on the default \
         character. Its reach is its distance from the middle of that skin plus the radius of that skin. Its distance from \
-        the nearest of them may grow by three times this reach. Of each asset up to 64 vertices are looked at: evenly spread, and those tied to \
+        the nearest of them may grow by three times this reach, and by 3 % of the diagonal of the body's box. Of each asset up to 64 vertices are looked at: evenly spread, and those tied to \
         vertices that lie farthest apart.\n\n\
         Usually a row names vertices of another part of the body, or of a helper that the sliders move otherwise. The \
         setting beside the finding shows it. Tie the vertices to the skin that they lie on.",
@@ -46,7 +46,8 @@ fn finding(body: &Body<'_>, worn: &Worn<'_>, seen: &Seen) -> Option<Finding> {
         body.vertex(reference.vertices[0])
     );
     let finding = RULE.at(worn.file, Place::Line(reference.line), message).confidence(Confidence::Medium);
-    let finding = finding.evidence(Evidence::of_unnamed(seen.all.iter()).with_worst(seen.value, &*seen.name));
+    let finding = finding
+        .evidence(Evidence::of_unnamed(seen.all.iter()).with_worst(seen.value, format!("vertex {}", seen.element)));
     let finding = finding.help("tie the vertices to the skin that they lie on");
     Some(match &seen.target {
         Some(target) => finding.related(target.clone(), Place::File, to_see(&seen.setting)),

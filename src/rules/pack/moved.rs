@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::{Rule, counted};
+use super::super::{Rule, and_more, counted};
 use super::lost::is_below_base;
 use super::{Packed, top};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, grouped};
@@ -26,10 +26,7 @@ fn below_base(rule: &Rule, pack: &Packed<'_>) -> Option<Finding> {
     let first = folders.first()?;
     let (_, base) = first.split_once('/')?;
     let place = paths.first().and_then(|path| pack.import.places.get(*path)?.as_deref())?;
-    let more = match folders.len() {
-        1 => String::new(),
-        count => format!(" (and {})", counted(count - 1, "more folder")),
-    };
+    let more = and_more(folders.len(), "folder");
     let message = format!("`{first}` is the folder of a base mesh, which importing adds itself{more}");
     let effect = format!("splits the assets up: puts files into `{}`", parent(place));
     let finding = pack.at(rule, "", message).key("base").effect_in(Makehuman2, effect);
@@ -73,11 +70,7 @@ fn cause(pack: &Packed<'_>, one: &Reference<'_>) -> Option<Cause> {
 fn of_unfound(rule: &Rule, pack: &Packed<'_>, cause: &Cause, references: &[&Reference<'_>]) -> Option<Finding> {
     let first = references.first()?;
     let named = format!("`{}` names `{}`", first.from.file_name(), first.text);
-    let more = if references.len() > 1 {
-        format!(" (and {})", counted(references.len() - 1, "more name"))
-    } else {
-        String::new()
-    };
+    let more = and_more(references.len(), "name");
     let (message, key, help) = match cause {
         Cause::Ignored(folder) => (
             format!("`{folder}` is not imported, but {named}{more}"),

@@ -70,10 +70,9 @@ fn hidden(body: &Body<'_>, mesh: &Mesh, runs: &[Range<usize>]) -> (usize, usize)
     let is_shown: Vec<bool> = mesh.groups.iter().map(|group| body.shows(&group.name)).collect();
     let (mut shown, mut hidden) = (0, 0);
     for face in mesh.faces.iter().filter(|face| is_shown.get(face.group as usize) == Some(&true)) {
-        let run = face.start as usize..(face.start as usize).saturating_add(face.len as usize);
-        let corners = mesh.corners.get(run).unwrap_or_default();
         shown += 1;
-        hidden += usize::from(corners.iter().all(|corner| is_deleted.get(*corner as usize) == Some(&true)));
+        hidden +=
+            usize::from(face.of(&mesh.corners).iter().all(|corner| is_deleted.get(*corner as usize) == Some(&true)));
     }
     (shown, hidden)
 }

@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{measured, numbering};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Finding, Level, Place, RuleInfo,
+    Case, Finding, Level, Place, RuleInfo,
 };
 use crate::eval::measures::Measures;
 use crate::repo::Body;
@@ -26,6 +26,11 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     ..RuleInfo::new("proxy-rows-reordered", Level::Warning, "rows in another order than the vertices of the OBJ")
 });
 
+const MIRRORED: Case = &[
+    (Makehuman2, Level::Warning, "lights the asset from its inner side, and exports it inside out"),
+    (Makehuman1, Level::Warning, "shows the inner side of the asset, lit from the wrong side"),
+];
+
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (text, measure) in measured(body, measures) {
         let Some(disorder) = measure.shape.disorder else { continue };
@@ -39,7 +44,14 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             format!("fitted, the asset has another shape than in `{mesh}`")
         };
         let help = "export the OBJ and the .mhclo together, after the last change of the mesh";
-        let help = measure.shape.numbering.map_or(help, numbering);
-        out.push(RULE.at(text.file, Place::Line(text.clothes.line_of(0)), message).help(help));
+        let help = match measure.shape.numbering {
+            _ if disorder.is_mirrored => {
+                "export the OBJ and the .mhclo together, without mirroring the mesh between them"
+            }
+            Some(other) => numbering(other),
+            None => help,
+        };
+        let finding = RULE.at(text.file, Place::Line(text.clothes.line_of(0)), message).help(help);
+        out.push(if disorder.is_mirrored { finding.case(MIRRORED) } else { finding });
     }
 }

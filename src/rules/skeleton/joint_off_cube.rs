@@ -96,8 +96,7 @@ fn exchanged(
 /// The joint cubes that share no vertex with another one.
 fn cubes(mesh: &Mesh) -> Vec<(String, Vec<u32>)> {
     let face = |face: &crate::formats::obj::Face| {
-        let run = face.start as usize..(face.start as usize).saturating_add(face.len as usize);
-        Some((mesh.groups.get(face.group as usize)?.name.as_str(), mesh.corners.get(run)?))
+        Some((mesh.groups.get(face.group as usize)?.name.as_str(), face.of(&mesh.corners)))
     };
     let all = cubes_of(mesh.faces.iter().filter_map(face));
     let mut used: BTreeMap<u32, usize> = BTreeMap::new();

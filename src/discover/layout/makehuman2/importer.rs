@@ -2,7 +2,7 @@
 
 use super::super::super::Kind;
 use super::super::super::kind::{extension, is_asset_anywhere};
-use super::super::{HM08, WORN};
+use super::super::WORN;
 
 /// Folders of assets besides those of what is worn; topologies have another name in packs.
 const OTHERS: [&str; 4] = ["skins", "rigs", "poses", "expressions"];
@@ -15,9 +15,6 @@ const SHADERS: &str = "shader_";
 
 /// The third folder of assets gets this name, whatever it is called.
 pub(crate) const THIRD_FOLDER: &str = "materials";
-
-/// The base mesh that packs are for as long as nothing says another one.
-pub(crate) const USUAL_BASE: &str = HM08;
 
 /// Where the file at a path of a pack is put below the user's data, for a base mesh; `None` if it is ignored.
 pub(crate) fn import(path: &str, base: &str) -> Option<String> {

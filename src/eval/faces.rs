@@ -1,5 +1,7 @@
 //! Faces of any number of corners over shared vertices.
 
+use super::vector::{Point, Vec3, add, cross, scale, sub, widen};
+
 /// Faces as two flat lists.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Faces<'a> {
@@ -10,14 +12,26 @@ pub struct Faces<'a> {
 }
 
 impl<'a> Faces<'a> {
-    /// Those whose vertices are all below `count`.
+    /// How many there are.
+    pub(super) fn count(self) -> usize {
+        self.starts.len().saturating_sub(1)
+    }
+
+    /// Vertices of a face.
+    pub(super) fn face(self, face: usize) -> &'a [u32] {
+        let ends = self.starts.get(face).zip(self.starts.get(face + 1));
+        ends.and_then(|(start, end)| self.corners.get(*start as usize..*end as usize)).unwrap_or_default()
+    }
+
+    /// All in order.
+    pub(super) fn all(self) -> impl Iterator<Item = &'a [u32]> + Clone {
+        (0..self.count()).map(move |face| self.face(face))
+    }
+
+    /// Those with an area whose vertices are all below `count`.
     pub(super) fn below(self, count: usize) -> impl Iterator<Item = &'a [u32]> + Clone {
-        let run = move |ends: &[u32]| match ends {
-            [start, end] => self.corners.get(*start as usize..*end as usize),
-            _ => None,
-        };
         let is_whole = move |face: &&[u32]| face.len() >= 3 && face.iter().all(|vertex| (*vertex as usize) < count);
-        self.starts.windows(2).filter_map(run).filter(is_whole)
+        self.all().filter(is_whole)
     }
 
     /// The edges of these faces, each once, the smaller vertex first, in order, and those that more than two faces have.
@@ -40,6 +54,31 @@ impl<'a> Faces<'a> {
 pub(super) fn fan(face: &[u32]) -> impl Iterator<Item = [u32; 3]> {
     let first = face.first().copied().unwrap_or_default();
     face.windows(2).skip(1).map(move |pair| [first, pair[0], pair[1]])
+}
+
+/// Twice the area of a face, in the direction that it looks in.
+pub(super) fn vector_of(face: &[u32], positions: &[Point]) -> Vec3 {
+    let part = |triangle: [u32; 3]| {
+        let [a, b, c] = triangle.map(|vertex| place(positions, vertex));
+        cross(sub(b, a), sub(c, a))
+    };
+    fan(face).map(part).fold([0.0; 3], add)
+}
+
+/// The mean of the vertices of a face.
+pub(super) fn middle_of(face: &[u32], positions: &[Point]) -> Vec3 {
+    mean(face.iter().map(|vertex| place(positions, *vertex)))
+}
+
+/// The mean of points; NaN without any.
+pub(super) fn mean(points: impl Iterator<Item = Vec3>) -> Vec3 {
+    let (sum, count) = points.fold(([0.0; 3], 0.0), |(sum, count), point| (add(sum, point), count + 1.0));
+    scale(sum, 1.0 / count)
+}
+
+/// Where a vertex is; the origin for one that does not exist, of which there is none in [`Faces::below`].
+pub(super) fn place(positions: &[Point], vertex: u32) -> Vec3 {
+    positions.get(vertex as usize).map_or([0.0; 3], |point| widen(*point))
 }
 
 #[cfg(test)]
