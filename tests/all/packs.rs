@@ -72,6 +72,21 @@ fn a_pack_is_checked_in_capitals_as_well_and_for_the_applications_that_are_asked
 }
 
 #[test]
+fn a_fault_for_both_applications_is_told_once() {
+    let repository = with("my.zip", &shirt(&[("clothes/shirt/shirt.mhmat", "diffuseColor 1 1\n")]));
+    let output = mhlint(repository.path(), &["my.zip", "--report", "json"]);
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let all = report["findings"].as_array().unwrap();
+    let [arity] = all.iter().filter(|one| one["rule"] == "material-arity").collect::<Vec<_>>()[..] else {
+        panic!("{all:#?}")
+    };
+    let told: Vec<&str> =
+        arity["breaks"].as_array().unwrap().iter().map(|one| one["application"].as_str().unwrap()).collect();
+    assert_eq!(told, ["makehuman2", "makehuman1"]);
+    assert_eq!(report["summary"]["files"], 6);
+}
+
+#[test]
 fn a_zip_is_not_fixed() {
     let repository = with("my.zip", &shirt(&[]));
     for option in ["--fix", "--diff"] {
