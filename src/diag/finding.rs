@@ -348,6 +348,14 @@ impl Finding {
         true
     }
 
+    /// Stands in a file that is asked for, if one of its parts does and it is not about something between files.
+    pub(crate) fn stand_where(&mut self, is_asked: impl Fn(&str) -> bool) {
+        if self.between.is_empty() && !is_asked(&self.path) {
+            let asked = self.subject.parts.in_kept(is_asked);
+            self.stand_at(&asked);
+        }
+    }
+
     /// Moves it to the first of these parts, unless nothing is known of where in the same file that is.
     fn stand_at(&mut self, parts: &Parts) {
         let Some((name, Some(file))) = parts.iter().next() else { return };

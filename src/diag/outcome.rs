@@ -118,6 +118,10 @@ pub enum Unchecked {
     Application,
     /// Vertex numbers: the base mesh is not known.
     NoBaseMesh,
+    /// Vertex numbers: the system data that were given have no base mesh of that name.
+    BaseNotInSystem,
+    /// Vertex numbers: nothing says which of the base meshes it is for.
+    BaseNotKnown,
     /// Whether the file of this name exists: no system data were given.
     NoSystem,
     /// What is in a folder: it could not be listed.
@@ -126,6 +130,8 @@ pub enum Unchecked {
     NotCompared,
     /// All of what is in it: there is more than is kept of a file of its kind.
     Part,
+    /// What is in a member of a zip: it is packed in a way that the applications read and this program does not.
+    Packed,
     /// What all of the macros do: there are more, or more settings of them, than are looked at.
     TooManyMacros,
     /// All that a base mesh comes to: there are more settings of its sliders, or joints, than are evaluated.

@@ -123,6 +123,13 @@ pub(crate) fn is_asset_anywhere(rel: &str) -> bool {
     matches!(extension(rel), "mhclo" | "mhmat" | "mhm" | "mhpose" | "mhbin" | "mhpxy")
 }
 
+/// The extension of an asset as its author meant it: no application lists one in capitals, and yet it is one.
+pub(crate) fn meant_extension(rel: &str) -> &str {
+    const OF_ASSETS: [&str; 7] = ["mhclo", "proxy", "mhskel", "mhpose", "bvh", "mhm", "mhmat"];
+    let written = extension(rel);
+    OF_ASSETS.into_iter().find(|known| known.eq_ignore_ascii_case(written)).unwrap_or(written)
+}
+
 /// What is behind the last point of a name, as written.
 pub(crate) fn extension(rel: &str) -> &str {
     let name = rel.rsplit('/').next().unwrap_or(rel);

@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Candidate, Kind, Layout, extension};
+use super::{Candidate, Kind, Layout, extension, meant_extension};
 use crate::source::{Entry, EntryKind, Tree, folder_and_name, normalized};
 
 /// The base mesh that a loose file is for, if that is known; `None` for a file that is none of ours.
@@ -58,7 +58,7 @@ fn folders_above(folder: &str) -> impl Iterator<Item = &str> {
 
 /// Whether a file is an asset of its own wherever it lies. A material may be a part of one.
 fn is_asset(path: &str) -> bool {
-    matches!(extension(path), "mhclo" | "proxy" | "mhskel" | "mhpose" | "bvh" | "mhm" | "target")
+    matches!(meant_extension(path), "mhclo" | "proxy" | "mhskel" | "mhpose" | "bvh" | "mhm" | "target")
 }
 
 /// A path without its extension.
@@ -137,21 +137,22 @@ impl<'t, 'k> Placing<'t, 'k> {
         let with_worn = self.folders_with_worn();
         for entry in self.files.clone() {
             let (folder, _) = folder_and_name(&entry.path);
-            let is_open = is_wanted(extension(&entry.path)) && !self.placed.contains(entry.path.as_str());
+            let is_open = is_wanted(meant_extension(&entry.path)) && !self.placed.contains(entry.path.as_str());
             let is_near = !self.known.is_shallow || folder.is_empty();
             // A material below something to wear is no skin, even if that is none of ours.
-            let is_part =
-                || extension(&entry.path) == MATERIAL && folders_above(folder).any(|above| with_worn.contains(above));
+            let is_part = || {
+                meant_extension(&entry.path) == MATERIAL && folders_above(folder).any(|above| with_worn.contains(above))
+            };
             if !(is_open && is_near) || is_part() {
                 continue;
             }
             let above = self.above(folder);
             let lists: Vec<&str> = above.iter().copied().chain((self.known.list)(entry)).collect();
-            let Some(library) = (self.layout.shelf)(extension(&entry.path), &lists) else { continue };
+            let Some(library) = (self.layout.shelf)(meant_extension(&entry.path), &lists) else { continue };
             let Some(base) = (self.known.bind)(entry, &above) else { continue };
             let above = match base.filter(|_| self.layout.has_bases) {
                 Some(base) => format!("{library}/{base}"),
-                None if self.layout.has_bases => format!("{library}/{UNKNOWN}"),
+                None if self.layout.has_bases => format!("{library}/{UNKNOWN_BASE}"),
                 None => library.to_owned(),
             };
             let home = homes.entry((folder, above.clone())).or_insert_with(|| self.new_home(library, &above, folder));
@@ -162,7 +163,7 @@ impl<'t, 'k> Placing<'t, 'k> {
 
     /// The folders with something to wear.
     fn folders_with_worn(&self) -> BTreeSet<&'t str> {
-        let worn = self.files.iter().filter(|entry| matches!(extension(&entry.path), "mhclo" | "proxy"));
+        let worn = self.files.iter().filter(|entry| matches!(meant_extension(&entry.path), "mhclo" | "proxy"));
         worn.map(|entry| folder_and_name(&entry.path).0).collect()
     }
 
@@ -218,7 +219,7 @@ impl<'t, 'k> Placing<'t, 'k> {
     /// Places what these files name, each as seen from the file that names it.
     fn follow(&mut self, mut open: Vec<(&'t Entry, String)>) {
         while let Some((from, rel)) = open.pop() {
-            if !matches!(extension(&rel), "mhclo" | "proxy" | "mhmat" | "mhskel") {
+            if !matches!(meant_extension(&rel), "mhclo" | "proxy" | "mhmat" | "mhskel") {
                 continue;
             }
             let ((own, _), (supposed, _)) = (folder_and_name(&from.path), folder_and_name(&rel));
@@ -269,7 +270,7 @@ impl<'t, 'k> Placing<'t, 'k> {
 }
 
 /// Stands for the base mesh where nothing says which one it is; no application has one of this name.
-const UNKNOWN: &str = "(loose)";
+pub(crate) const UNKNOWN_BASE: &str = "(loose)";
 
 /// Whether a file below the folder of an asset may be a part of it: what else there is belongs to other programs.
 fn is_of_asset(name: &str) -> bool {

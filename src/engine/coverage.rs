@@ -8,9 +8,9 @@ use super::load::{Loaded, shown};
 use super::settle::Scope;
 use crate::config::Config;
 use crate::diag::{Application, NotChecked, Outcome, Unchecked, Untouched};
-use crate::discover::Kind;
+use crate::discover::{Kind, UNKNOWN_BASE};
 use crate::eval::measures::Measures;
-use crate::repo::{FileFacts, Resolution, View};
+use crate::repo::{FileFacts, Pack, Resolution, View};
 use crate::source::is_below;
 
 /// What a run has checked so far.
@@ -58,7 +58,7 @@ impl<'r> Coverage<'r> {
                     self.leave(application, Unchecked::Part, &file.path);
                 }
                 if needs_mesh(file) && !root.has_mesh_for(file) {
-                    self.leave(application, Unchecked::NoBaseMesh, &file.path);
+                    self.leave(application, without_mesh(file, view), &file.path);
                 }
             }
             if is_checked && (!root.place.is_supposed() || self.counted.insert(file.path.clone())) {
@@ -66,6 +66,10 @@ impl<'r> Coverage<'r> {
                 outcome.summary.bytes += file.size;
                 self.untouched.retain(|path| !is_below(&file.path, path));
             }
+        }
+        for member in root.layer.pack.iter().flat_map(Pack::unread) {
+            let path = format!("{}/{member}", root.layer.path);
+            views.iter().for_each(|view| self.leave(view.application(), Unchecked::Packed, &path));
         }
         for view in views {
             let open = view.references().iter().filter(|one| matches!(one.resolution, Resolution::NeedsSystem));
@@ -126,6 +130,17 @@ impl<'r> Coverage<'r> {
     }
 }
 
+/// Why the base mesh of a file is not there.
+fn without_mesh(file: &FileFacts, view: &View<'_>) -> Unchecked {
+    let layers = view.layers();
+    match layers.system {
+        None => Unchecked::NoBaseMesh,
+        Some(_) if layers.checks_system() => Unchecked::NoBaseMesh,
+        Some(_) if file.base().is_none_or(|base| base == UNKNOWN_BASE) => Unchecked::BaseNotKnown,
+        Some(_) => Unchecked::BaseNotInSystem,
+    }
+}
+
 /// Whether it depends on a base mesh what is in a file. Of poses and models the data folder around them says so.
 fn needs_mesh(file: &FileFacts) -> bool {
     file.names_vertices() || file.is_loose && matches!(file.kind, Kind::Pose | Kind::Motion | Kind::Model)
@@ -133,7 +148,7 @@ fn needs_mesh(file: &FileFacts) -> bool {
 
 /// Whether nothing at all was checked of the files.
 const fn is_of_whole_files(what: Unchecked) -> bool {
-    matches!(what, Unchecked::Kind | Unchecked::Outside | Unchecked::Application)
+    matches!(what, Unchecked::Kind | Unchecked::Packed | Unchecked::Outside | Unchecked::Application)
 }
 
 impl Asked<'_> {

@@ -6,6 +6,7 @@ use super::error::Error;
 use super::load::shown;
 use crate::config::Config;
 use crate::diag::{Outcome, RootSummary};
+use crate::discover::UNKNOWN_BASE;
 use crate::repo::View;
 
 /// Says that a repository was checked, and which base meshes it has.
@@ -15,7 +16,11 @@ pub(super) fn summarise(view: &View<'_>, outcome: &mut Outcome) {
     // The base mesh of a pack may be elsewhere.
     let import = checked.pack.as_ref().and_then(|pack| pack.import.as_ref()).map(|import| import.base.as_str());
     let names: BTreeSet<&str> = view.body_names().into_iter().chain(import).collect();
-    let bases = names.into_iter().filter(|name| own.contains(name));
+    // What lies in no data folder is for a base mesh that may be nowhere at hand.
+    let is_own = |name: &&str| own.contains(name) && *name != UNKNOWN_BASE;
+    let has_no_bases = checked.is_loose && view.layers().system.is_none();
+    let names = if has_no_bases { own.clone() } else { names };
+    let bases = names.into_iter().filter(is_own);
     let path = shown(&checked.path).to_owned();
     // What is wrong with a zip as such is no further root.
     let is_known = |root: &RootSummary| root.path == path && root.application == view.application();

@@ -41,4 +41,14 @@ impl<'a> Layers<'a> {
     pub(crate) fn is_checked(&self, file: &FileFacts) -> bool {
         self.checked.file(&file.rel).is_some_and(|own| std::ptr::eq(own, file))
     }
+
+    /// A file in words: beside one of the checked layer, of another layer with whose it is.
+    pub(crate) fn named(&self, file: &FileFacts) -> String {
+        let name = file.shown();
+        match self.system {
+            _ if self.is_checked(file) => format!("`{name}`"),
+            Some(_) if self.checks_system() => format!("the user's `{name}`"),
+            _ => format!("the system's `{name}`"),
+        }
+    }
 }

@@ -46,6 +46,12 @@ impl Import {
 }
 
 impl Pack {
+    /// Members that the applications can unpack and this program cannot.
+    pub(crate) fn unread(&self) -> impl Iterator<Item = &str> {
+        let faults = self.faults.iter().flat_map(|facts| &facts.faults);
+        faults.filter(|(_, fault)| fault.is_of_reader()).map(|(name, _)| name.as_str())
+    }
+
     /// Whether there is a file at a path in the pack that importing ignores.
     pub(crate) fn ignores(&self, path: &str) -> bool {
         self.import.as_ref().is_some_and(|import| import.places.get(path).is_some_and(Option::is_none))

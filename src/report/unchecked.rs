@@ -58,9 +58,17 @@ fn clause(entry: &NotChecked) -> String {
             of_base_mesh(entry),
             by_extension(entry)
         ),
+        Unchecked::BaseNotInSystem => {
+            let of_it = if entry.count == 1 { "its base mesh is" } else { "their base meshes are" };
+            format!("{} in {} ({of_it} not in the system data)", of_base_mesh(entry), by_extension(entry))
+        }
+        Unchecked::BaseNotKnown => {
+            format!("{} in {} (base mesh not known; use `--base`)", of_base_mesh(entry), by_extension(entry))
+        }
         Unchecked::NoSystem => format!("{} (expected in the system data; use `--system`)", names(entry)),
         Unchecked::Closed => format!("the contents of {} (cannot be listed)", names(entry)),
         Unchecked::Part => format!("parts of {} (too large)", names(entry)),
+        Unchecked::Packed => format!("the contents of {} (its compression is not supported)", names(entry)),
         Unchecked::TooManyMacros => {
             format!("all effects of the macros of {} (too many to compare or try)", names(entry))
         }

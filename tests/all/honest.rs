@@ -81,7 +81,7 @@ fn a_loose_target_belongs_to_the_base_mesh_in_its_header() {
     write(folder.path(), "other.target", &TARGET.replace("figure", "other"));
     let found = report(folder.path(), &[".", "--system", &system()]);
     assert_eq!(rules(&found), ["target-vertex-out-of-range"]);
-    assert_eq!(unchecked(&found), [("makehuman2", "no-base-mesh", 1)]);
+    assert_eq!(unchecked(&found), [("makehuman2", "base-not-in-system", 1)]);
     let asked = report(folder.path(), &[".", "--system", &system(), "--base", "figure"]);
     assert_eq!(rules(&asked), ["target-vertex-out-of-range", "target-basemesh-mismatch", "target-vertex-out-of-range"]);
     let alone = report(folder.path(), &["."]);

@@ -170,7 +170,10 @@ fn an_asset_is_measured_against_the_base_mesh_of_the_system() {
     // The header says `figure`; who asks for another base gets that, and one that nobody has is refused.
     edit(folder.path(), "my-shirt/shirt.mhclo", "basemesh figure", "basemesh nobody");
     let other = report(folder.path(), &["my-shirt", "--system", &system("makehuman2")]);
-    assert_eq!(unchecked(&other), ["makehuman2 no-base-mesh"]);
+    assert_eq!(unchecked(&other), ["makehuman2 base-not-in-system"]);
+    let words = stdout(&mhlint(folder.path(), &["my-shirt", "--system", &system("makehuman2")])).replace('\n', " ");
+    assert!(words.contains("1 .mhclo clothes file (its base mesh is not in the system data)"), "{words}");
+    assert_ne!(code(&mhlint(folder.path(), &["my-shirt", "--base", "nobody"])), Some(2), "it says what it is for");
     let asked = ["my-shirt", "--system", &system("makehuman2"), "--base", "figure", "--report", "concise"];
     assert!(stdout(&mhlint(folder.path(), &asked)).contains("proxy-vertex-out-of-range"));
     assert_refused(
@@ -199,13 +202,13 @@ fn one_file_brings_what_belongs_to_it_and_nothing_else() {
 #[test]
 fn every_asset_of_a_folder_stands_alone() {
     let folder = shirt();
-    // The same names and uuids as the first ones: that is no matter of files in no library.
+    // An equal copy of an asset is no matter of files in no library.
     copy_folder(&folder.path().join("my-shirt"), &folder.path().join("old/my-shirt"));
     copy_folder(&project("fixtures/makehuman2/data/eyes/figure"), &folder.path().join("beads"));
     let all = report(folder.path(), &[".", "--system", &system("makehuman2")]);
     assert_eq!((found(&all), unchecked(&all)), (vec![], vec![]));
     edit(folder.path(), "old/my-shirt/shirt.mhmat", "shirt.png", "lost.png");
-    let all = report(folder.path(), &[".", "--system", &system("makehuman2")]);
+    let all = report(folder.path(), &[".", "--system", &system("makehuman2"), "--skip", "library-*"]);
     assert_eq!(found(&all), ["material-missing-texture old/my-shirt/shirt.mhmat: makehuman2 warning"]);
 }
 
@@ -248,6 +251,8 @@ fn a_library_of_another_application_is_checked_where_that_is_asked_for() {
     let of = |args: &[&str]| verdicts(&report(folder.path(), args));
     assert_eq!(of(&["clothes/shirt"]), ["makehuman1 pass"], "by its layout");
     assert_eq!(of(&["clothes/shirt", "--app", "makehuman2"]), ["makehuman2 pass"]);
+    assert_eq!(of(&[".", "--system", &system("makehuman2")]), ["makehuman2 pass"], "whose data are given");
+    assert_eq!(of(&[".", "--system", &system("makehuman1")]), ["makehuman1 pass"]);
 }
 
 #[test]

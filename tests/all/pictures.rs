@@ -6,6 +6,7 @@
 mod figure;
 mod page;
 mod screen;
+mod shirt;
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -22,11 +23,14 @@ use screen::Screen;
 const LARGEST: u64 = 150_000;
 
 /// Those that a test below makes.
-const DRAWN: [&str; 8] = [
+const DRAWN: [&str; 11] = [
     "artist-check",
     "artist-fix",
     "artist-ignore",
     "artist-shape",
+    "artist-shirt-alone",
+    "artist-shirt-clean",
+    "artist-shirt-fit",
     "maintainer-baseline",
     "maintainer-check",
     "maintainer-gate",

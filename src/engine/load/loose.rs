@@ -8,7 +8,7 @@ use super::place::Place;
 use super::unit_names::UnitNames;
 use crate::config::Config;
 use crate::diag::Application;
-use crate::discover::{Binding, Known, Layout, Role, candidates, extension};
+use crate::discover::{Binding, Known, Layout, Role, candidates, extension, meant_extension};
 use crate::formats::target::recognise;
 use crate::source::{Entry, Limits, Tree, canonical, is_below, lines, slashed};
 
@@ -35,7 +35,7 @@ impl<'t> Outside<'t, '_> {
         let bind = |entry: &Entry, above: &[&str]| self.bind(entry, above, layout);
         let names = |entry: &Entry| names(&input.tree, entry, &self.options.limits);
         let list = |entry: &Entry| {
-            let is_pose = extension(&entry.path) == "mhpose";
+            let is_pose = meant_extension(&entry.path) == "mhpose";
             if is_pose { self.units.list_of(&input.tree, entry, &self.options.limits) } else { None }
         };
         let top = top(&input.tree);
@@ -84,12 +84,12 @@ impl<'t> Outside<'t, '_> {
             return None;
         }
         let only = bases.first().filter(|_| bases.len() == 1);
-        let is_target = extension(&entry.path) == "target";
+        let is_target = meant_extension(&entry.path) == "target";
         let folder = above.iter().find(|name| !is_target && bases.contains(**name)).map(|name| (*name).to_owned());
         let asked = layout.only_base.map(str::to_owned).or_else(|| asked.cloned());
         let named = asked.or(header).or(folder).or_else(|| only.cloned());
         // Of several bases it is the usual one for what most are made for, and looks alike on any.
-        let is_usual = match extension(&entry.path) {
+        let is_usual = match meant_extension(&entry.path) {
             "target" => false,
             "mhclo" | "proxy" | "mhmat" => bases.is_empty() || bases.contains(Layout::USUAL_BASE),
             _ => bases.is_empty(),
@@ -100,7 +100,7 @@ impl<'t> Outside<'t, '_> {
     /// Whether a file is a motion without this joint.
     fn lacks(&self, entry: &Entry, joint: &str) -> bool {
         let text = || self.input.tree.read(entry, &self.options.limits).unwrap_or_default();
-        extension(&entry.path) == "bvh" && !has_joint(&text(), joint)
+        meant_extension(&entry.path) == "bvh" && !has_joint(&text(), joint)
     }
 }
 
@@ -109,7 +109,7 @@ impl<'t> Outside<'t, '_> {
 fn recognised(input: &Input, entry: &Entry, options: &Config) -> Binding {
     let is_named = || input.named.contains(&input.tree.shown(&entry.path));
     let read = || input.tree.read(entry, &options.limits).unwrap_or_default();
-    match extension(&entry.path) {
+    match meant_extension(&entry.path) {
         "target" => {
             let target = recognise(&read());
             let is_ours = target.is_some() || is_named();

@@ -11,7 +11,7 @@ use super::place::Place;
 use super::unit_names::UnitNames;
 use crate::config::Config;
 use crate::diag::{Application, NotChecked, Note, Outcome, RootSummary, Unchecked, grouped};
-use crate::discover::{Layout, find_roots, is_asset_anywhere};
+use crate::discover::{Layout, Role, candidates, find_roots, is_asset_anywhere};
 use crate::source::{EntryKind, Tree, WalkFaultKind, is_below};
 
 /// What a run reads.
@@ -47,8 +47,11 @@ impl<'t> Roots<'t> {
         outcome: &mut Outcome,
     ) -> Result<Self, Error> {
         let (packs, folders): (Vec<&Input>, Vec<&Input>) = inputs.iter().partition(|input| input.tree.pack().is_some());
-        let found: Vec<_> = folders.into_iter().map(|input| (input, roots_of(&input.tree, |_| true))).collect();
+        let mut found: Vec<_> = folders.into_iter().map(|input| (input, roots_of(&input.tree, |_| true))).collect();
         let mut systems = system.map(|system| system_places(system, applications)).transpose()?.unwrap_or_default();
+        if options.applications.is_empty() && !systems.is_empty() {
+            found = of_systems(found, &systems, applications);
+        }
         let of_packs = asked(applications, &systems, options);
         let bases_of =
             |application| systems.iter().filter(move |system| system.is_of(application)).flat_map(base_meshes);
@@ -127,6 +130,29 @@ pub(super) fn system_places<'t>(tree: &'t Tree, applications: &[Application]) ->
 
 /// The data roots in an input, by path.
 type Found<'i> = (&'i Input, BTreeMap<String, Vec<&'static Layout>>);
+
+/// The data roots without those of users of another application than `--system` is of, where nothing but kinds of assets
+/// sorts them: a folder `clothes` with assets looks like one, and is what somebody makes for the application whose data
+/// are given.
+fn of_systems<'i>(found: Vec<Found<'i>>, systems: &[Place<'_>], applications: &[Application]) -> Vec<Found<'i>> {
+    let is_system = |input: &Input, path: &str, layout: &'static Layout| {
+        (layout.role)(&candidates(&input.tree, path, &[layout])) != Role::User
+    };
+    let mut known: BTreeSet<Application> =
+        applications.iter().copied().filter(|one| systems.iter().any(|system| system.is_of(*one))).collect();
+    for (input, roots) in &found {
+        let layouts = roots.iter().flat_map(|(path, layouts)| layouts.iter().map(move |layout| (path, *layout)));
+        known.extend(layouts.filter(|(path, one)| is_system(input, path, one)).map(|(_, one)| one.application));
+    }
+    let is_meant = |layout: &&'static Layout| {
+        layout.has_bases || known.contains(&layout.application) || !applications.contains(&layout.application)
+    };
+    let of_input = |(input, roots): Found<'i>| {
+        let roots = roots.into_iter().map(|(path, layouts)| (path, layouts.into_iter().filter(is_meant).collect()));
+        (input, roots.filter(|(_, layouts): &(String, Vec<_>)| !layouts.is_empty()).collect())
+    };
+    found.into_iter().map(of_input).collect()
+}
 
 /// The files outside of data roots as each application would have them, with the parts that alone are asked for. Where
 /// none is asked for by name, those come first whose data are at hand, and the others have what is left.

@@ -46,7 +46,9 @@ impl Keeper<'_> {
                 Verdict::Off | Verdict::Excluded => {}
             }
         }
-        (identify(self.root, kept), hidden)
+        let mut placed = identify(self.root, kept);
+        placed.iter_mut().for_each(|one| one.finding.stand_where(self.is_asked_for));
+        (placed, hidden)
     }
 
     /// What becomes of a finding. Where it stays although some of its files are ignored, it says so.

@@ -58,5 +58,6 @@ fn members(facts: &PackFacts) -> impl Iterator<Item = (&str, String, &str)> {
             None
         }
     };
-    facts.faults.iter().filter_map(move |(name, fault)| words(fault).map(|(words, help)| (name.as_str(), words, help)))
+    let faults = facts.faults.iter().filter(|(_, fault)| !fault.is_of_reader());
+    faults.filter_map(move |(name, fault)| words(fault).map(|(words, help)| (name.as_str(), words, help)))
 }

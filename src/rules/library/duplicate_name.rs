@@ -15,7 +15,6 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(Rule
         It happens when a model was saved under another file name, or a motion was copied with its `.meta`. What is worn has \
         `proxy-duplicate-name`, and what is even known by the same `library-identity-clash`.\n\n\
         Change the line `name` of one of them.",
-    of_library: true,
     ..RuleInfo::new("library-duplicate-name", Level::Warning, "two models or poses with the same name")
 });
 
@@ -25,7 +24,6 @@ pub(in crate::rules) static OF_WORN: Rule = Check::Libraries(run_worn, |view, _,
         A model finds its asset by name and uuid; if the uuid fits none, by the name alone, and then it wears either of \
         them.\n\n\
         Give each asset a name of its own.",
-    of_library: true,
     ..RuleInfo::new("proxy-duplicate-name", Level::Warning, "two assets of one category with the same name")
 });
 
@@ -36,7 +34,6 @@ pub(in crate::rules) static OF_UUID: Rule = Check::Libraries(run_uuid, |view, _,
         MakeHuman 2 knows them by name and uuid together and lists both. Tags that a user gives to one are those of both, and \
         a model that was saved with one does not find it once its name changes.\n\nMakeHuman 1 finds the asset of a model by its uuid alone: of two in one library with the same one it wears either (an error). A copy, or an asset in two libraries, is a warning.\n\n\
         Give the newer asset a uuid of its own.",
-    of_library: true,
     ..RuleInfo::new("proxy-duplicate-uuid", Level::Warning, "two assets with the same uuid")
 });
 
@@ -93,8 +90,8 @@ fn finding(rule: &Rule, assets: &[&Asset<'_>], what: &str, help: &str) -> Option
     let more =
         if others.len() > 1 { format!(" and {}", counted(others.len() - 1, "more file")) } else { String::new() };
     let value = if what == "uuid" { &told.uuid } else { &told.name };
-    let message = format!("has the same {what} as `{}`{more}: `{value}`", first.file.rel);
-    let mut finding = rule.at(told.file, Place::File, message).key(format!("{} {value}", parent(&told.file.rel)));
+    let message = format!("has the same {what} as `{}`{more}: `{value}`", first.file.shown());
+    let mut finding = rule.at(told.file, Place::File, message).key(format!("{} {value}", parent(told.file.shown())));
     for other in &others {
         finding = finding.related(other.file.path.clone(), Place::File, "the other asset");
     }

@@ -16,14 +16,15 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(Rule
         That happens to a copy that was made to start a new asset, or to a backup. Poses and expressions are known by \
         their name, models by name and file name, motions and skins by their file name: a pose and an expression of one \
         name are one asset.\n\n\
-        Of copies with equal content one is listed and the others are ignored (a warning). An asset of the user that takes the place of one of the \
+        Of copies with equal content one is listed and the others are ignored (a warning). Of assets in no data folder one may \
+        be an older state, so it is a warning there, and none for copies. An asset of the user that takes the place of one of the \
         system is meant to do so (`overlay-shadowed-asset`); skeletons have `skeleton-name-clash`.\n\n\
         Give the asset a name and a uuid of its own, or remove the copy.",
-    of_library: true,
     ..RuleInfo::new("library-identity-clash", Level::Error, "two assets with the same name and uuid")
 });
 
 const COPY: Case = &[(Makehuman2, Level::Warning, "lists only one of the copies and ignores the others")];
+const LOOSE: Case = &[(Makehuman2, Level::Warning, "lists only one of them once both are in its library")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for base in view.library.bases() {
@@ -42,23 +43,28 @@ fn finding(view: &View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
         return None;
     }
     // The one with the longer or hidden name is the copy.
-    own.sort_by_key(|one| (one.file.file_name().starts_with('.'), one.file.rel.len(), &one.file.rel));
+    own.sort_by_key(|one| (one.file.file_name().starts_with('.'), one.file.shown().len(), one.file.shown()));
     let (told, others) = own.split_last()?;
     let first = others.first()?;
     let (what, help) = words(told, first);
     let more = if others.len() > 1 { format!(" and {} more", others.len() - 1) } else { String::new() };
-    let message = format!("`{}` has {what} `{}`{more}", told.name, first.file.rel);
+    // A copy in the list of another kind: one of the lists loses it.
+    let is_copy = |other: &&Asset<'_>| other.category == told.category && is_copy(view, told, other);
+    let (are_copies, is_loose) = (others.iter().all(is_copy), view.layers.checked.is_loose);
+    // Outside of a library an equal copy is a backup, or waits beside what it was made for.
+    if are_copies && is_loose {
+        return None;
+    }
+    let message = format!("`{}` has {what} `{}`{more}", told.name, first.file.shown());
     let mut finding = RULE.at(told.file, Place::File, message).key(format!("{} {}", told.name, told.uuid));
     for other in others {
         finding = finding.related(other.file.path.clone(), Place::File, "the other asset");
     }
     let finding = finding.between(own.iter().map(|one| one.file.path.as_str()));
-    // A copy in the list of another kind: one of the lists loses it.
-    let is_copy = |other: &&Asset<'_>| other.category == told.category && is_copy(view, told, other);
-    Some(if others.iter().all(is_copy) {
-        finding.case(COPY).help(format!("remove the copy, or {help}"))
-    } else {
-        finding.help(help)
+    Some(match () {
+        () if are_copies => finding.case(COPY).help(format!("remove the copy, or {help}")),
+        () if is_loose => finding.case(LOOSE).help(help),
+        () => finding.help(help),
     })
 }
 

@@ -119,7 +119,7 @@ pub(super) fn same_names(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let uuid = |asset: &Asset<'_>| asset.uuid.map(|entry| entry.value.to_string());
         let Some((told, others)) = told(view, &assets) else { continue };
         let Some(other) = others.iter().find(|other| uuid(other) != uuid(told)) else { continue };
-        let finding = finding(rule, told, other, told.name, "name", name);
+        let finding = finding(rule, view, told, other, told.name, "name", name);
         out.push(finding.key(name).help("give it a name of its own"));
     }
 }
@@ -128,6 +128,12 @@ const COPY: Case = &[(Makehuman1, Level::Warning, "lists both; while one is worn
 /// A copy in the folder of another kind.
 const TWICE: Case = &[(Makehuman1, Level::Warning, "lists it in both libraries, with its name and tags")];
 const APART: Case = &[(Makehuman1, Level::Info, "lists each in its own library")];
+/// One of them may be an older state that is in no library.
+const LOOSE: Case = &[(
+    Makehuman1,
+    Level::Warning,
+    "cannot wear both together once they are in its library, and models may wear the other one",
+)];
 const REPLACED: Case = &[(Makehuman1, Level::Info, "lists both; while one is worn the other cannot be chosen")];
 
 /// Assets with a uuid in common.
@@ -140,12 +146,15 @@ pub(super) fn same_uuids(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let Some(other) = in_library.or_else(|| others.iter().find(is_elsewhere)).or_else(|| others.first()) else {
             continue;
         };
-        let finding = finding(rule, told, other, told.uuid, "uuid", uuid);
+        let finding = finding(rule, view, told, other, told.uuid, "uuid", uuid);
         let is_copy = told.file.content_hash.is_some() && told.file.content_hash == other.file.content_hash;
         let finding = finding
             .key(uuid)
             .help("give the newer of the two a uuid of its own, and load and save every model that wears it; or remove one of them");
+        let is_loose = view.layers.checked.is_loose && view.layers.is_checked(other.file);
         out.push(match is_copy {
+            true if is_loose => continue,
+            false if is_loose => finding.case(LOOSE),
             true if other.library != told.library => finding.case(TWICE),
             false if other.library != told.library => finding.case(APART),
             true => finding.case(COPY),
@@ -163,15 +172,29 @@ fn told<'t, 'a>(view: &View<'_>, assets: &'t [Asset<'a>]) -> Option<(&'t Asset<'
     let is_listed = |asset: &&Asset<'_>| !linked.iter().any(|folder| is_below(&asset.file.rel, folder));
     let own = assets.iter().filter(|asset| view.layers.is_checked(asset.file));
     let told = own.filter(is_listed).max_by_key(|asset| &asset.file.rel)?;
-    let others: Vec<&Asset<'_>> =
-        assets.iter().filter(is_listed).filter(|other| !std::ptr::eq(other.file, told.file)).collect();
+    // What lies in no library yet may be the next state of what the system has.
+    let is_next = |other: &&Asset<'_>| {
+        let name = |asset: &Asset<'_>| asset.name.map(|entry| entry.value.to_string());
+        view.layers.checked.is_loose && !view.layers.is_checked(other.file) && name(other) == name(told)
+    };
+    let is_other = |other: &&Asset<'_>| !std::ptr::eq(other.file, told.file) && !is_next(other);
+    let others: Vec<&Asset<'_>> = assets.iter().filter(is_listed).filter(is_other).collect();
     (!others.is_empty()).then_some((told, others))
 }
 
 /// The finding on something that two assets have in common.
-fn finding(rule: &Rule, told: &Asset<'_>, other: &Asset<'_>, entry: Option<&Entry>, what: &str, text: &str) -> Finding {
+fn finding(
+    rule: &Rule,
+    view: &View<'_>,
+    told: &Asset<'_>,
+    other: &Asset<'_>,
+    entry: Option<&Entry>,
+    what: &str,
+    text: &str,
+) -> Finding {
     let place = entry.map_or(Place::File, |entry| Place::Span(entry.span.clone()));
-    let finding = rule.at(told.file, place, format!("has the same {what} as `{}`: `{text}`", other.file.rel));
+    let named = view.layers.named(other.file);
+    let finding = rule.at(told.file, place, format!("has the same {what} as {named}: `{text}`"));
     let finding = finding.related(other.file.path.clone(), Place::File, "the other asset");
     finding.between([told.file.path.as_str(), other.file.path.as_str()])
 }

@@ -17,7 +17,6 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         Windows shows as `vest.mhclo`) is not listed on any system, and models that wear it lose it.\n\n\
         MakeHuman 1 looks in folders of any depth, but does not list a file with another suffix behind its own, either.\n\n\
         Move the folder of the asset up, or rename the file.",
-    of_library: true,
     ..RuleInfo::new("library-too-deep", Level::Error, "an asset that the list does not find")
 });
 
@@ -34,7 +33,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return out.extend(lost.map(doubled));
     }
     let mut deep = Vec::new();
-    for file in view.layers().checked.files.values().filter(|file| !file.is_loose) {
+    for file in layer.files.values() {
         let parts: Vec<&str> = file.rel.split('/').collect();
         let [category, base, .., name] = parts.as_slice() else { continue };
         let is_for = |suffix: &str| in_place_of(suffix).contains(category);
@@ -46,7 +45,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         match own {
             Some(suffix) if extension(name) != suffix => out.push(capitals(file, suffix)),
-            _ if parts.len() > 4 && (is_skin || own.is_some() && !is_used_elsewhere(view, file)) && !is_note(name) => {
+            _ if parts.len() > 4
+                && !file.is_loose
+                && (is_skin || own.is_some() && !is_used_elsewhere(view, file))
+                && !is_note(name) =>
+            {
                 let folder = parts.get(..3).map(|top| top.join("/")).unwrap_or_default();
                 deep.push(((folder, *category, *base), file));
             }

@@ -3,14 +3,14 @@
 use super::super::{Rule, counted};
 use super::{Packed, top};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, grouped};
-use crate::discover::{Loss, extension, import, in_place_of, listed_in, loss, meant_for};
+use crate::discover::{Loss, extension, import, in_place_of, listed_in, loss, meant_for, top_folder};
 
 const PICTURES: Case = &[(Makehuman2, Level::Warning, "ignores the pictures on import")];
 const UNLISTED: Case = &[(Makehuman2, Level::Error, "imports it to where it is not listed")];
 
 pub(super) fn report(rule: &Rule, pack: &Packed<'_>, out: &mut Vec<Finding>) {
     let ignored = pack.import.places.iter().filter(|(path, place)| place.is_none() && loss(path).is_some());
-    let by_top = grouped(ignored.map(|(path, _)| (path.split_once('/').map_or("", |(top, _)| top), path.as_str())));
+    let by_top = grouped(ignored.map(|(path, _)| (top_folder(path), path.as_str())));
     // What macOS adds to a zip is for macOS alone.
     let by_top = by_top.into_iter().filter(|(top, _)| *top != "__MACOSX");
     out.extend(by_top.map(|(top, paths)| ignored_folder(rule, pack, top, &paths)));

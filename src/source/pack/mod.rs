@@ -68,6 +68,16 @@ pub(crate) enum MemberFault {
     Replaced,
 }
 
+/// Ways to pack that Python unpacks: bzip2 and LZMA.
+const UNPACKED_BY_PYTHON: [u16; 2] = [12, 14];
+
+impl MemberFault {
+    /// Whether the applications unpack the member nevertheless.
+    pub(crate) fn is_of_reader(&self) -> bool {
+        matches!(self, Self::Method(method) if UNPACKED_BY_PYTHON.contains(method))
+    }
+}
+
 /// What is to be known of a zip besides the files in it.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct PackFacts {

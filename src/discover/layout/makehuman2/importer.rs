@@ -50,7 +50,7 @@ pub(crate) enum Loss {
 
 /// What is lost with the file at a path of a pack, if it is ignored.
 pub(crate) fn loss(path: &str) -> Option<Loss> {
-    let top = path.split_once('/').map_or("", |(top, _)| top);
+    let top = top_folder(path);
     let is_asset = matches!(extension(path), "mhskel" | "mhw" | "bvh" | "proxy" | "target");
     if is_asset || is_asset_anywhere(path) {
         return Some(Loss::Asset);
@@ -73,9 +73,21 @@ pub(crate) fn new_base(file: &str) -> Option<&str> {
     stem.strip_prefix("newbase_").filter(|base| !base.is_empty() && extension.eq_ignore_ascii_case("zip"))
 }
 
+/// The folder of a pack that a path is in as the importer sees it: of `shaders` each folder in it is one of its own.
+pub(crate) fn top_folder(path: &str) -> &str {
+    let mut ends = path.match_indices('/').map(|(at, _)| at);
+    let Some(first) = ends.next() else { return "" };
+    let is_shaders = path.get(..first).is_some_and(|top| top.eq_ignore_ascii_case("shaders"));
+    path.get(..ends.next().filter(|_| is_shaders).unwrap_or(first)).unwrap_or_default()
+}
+
 /// A folder that would be read if it had the name behind it.
 pub(crate) fn meant_for(folder: &str) -> Option<&'static str> {
     let known = [
+        ("shaders", "shader_litspheres"),
+        ("shaders/litspheres", "shader_litspheres"),
+        ("shaders/skybox", "shader_skybox"),
+        ("shaders/floor", "shader_floor"),
         ("proxy", PACKED_TOPOLOGIES),
         ("target", "contarget"),
         ("targets", "contarget"),
