@@ -50,10 +50,27 @@ pub(crate) fn uses_of(rel: &str, layouts: &[&Layout]) -> Vec<Use> {
     layouts.iter().map(|layout| layout.use_of(rel)).collect()
 }
 
-/// Everything in `tree` below `root`, the data root of the applications that `layouts` are of.
+/// Everything in `tree` below `root`, the data root of the applications that `layouts` are of, and what belongs to it
+/// beside it.
 pub(crate) fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) -> Vec<Candidate<'t>> {
     let entries = tree.entries().iter().filter_map(|entry| Some((entry, inside(&entry.path, root)?)));
-    entries.map(|(entry, rel)| Candidate::new(entry, rel, layouts)).collect()
+    let mut found: Vec<Candidate<'t>> = entries.map(|(entry, rel)| Candidate::new(entry, rel, layouts)).collect();
+    layouts.iter().for_each(|layout| found.extend(beside(tree, root, layout)));
+    found
+}
+
+/// The files that an application has in folders beside its data root. What it has no use for is somebody else's.
+fn beside<'t>(tree: &'t Tree, root: &str, layout: &Layout) -> Vec<Candidate<'t>> {
+    let (above, name) = root.rsplit_once('/').unwrap_or(("", root));
+    let folders = layout.beside.iter().filter(|_| name == "data");
+    let of_folder = |folder: &&str| {
+        let path = if above.is_empty() { (*folder).to_owned() } else { format!("{above}/{folder}") };
+        let below = tree.entries().iter().filter(|entry| entry.kind != EntryKind::Folder);
+        let files = below.filter_map(|entry| Some((entry, format!("{folder}/{}", inside(&entry.path, &path)?))));
+        let candidates = files.map(|(entry, rel)| Candidate::loose(entry, rel, layout));
+        candidates.filter(|one| !matches!(one.kind(), Kind::Json | Kind::Other)).collect::<Vec<_>>()
+    };
+    folders.flat_map(of_folder).collect()
 }
 
 impl<'t> Candidate<'t> {

@@ -19,6 +19,24 @@ pub enum Kind {
     TargetCategories,
     /// `target.json` of MPFB: its sliders.
     TargetCatalog,
+    /// `macro.json` of MPFB: which names a setting stands for, and in which range.
+    MacroParts,
+    /// A JSON in `expressions/` of MPFB: face units with their strengths.
+    FaceExpression,
+    /// `human.*.json` of MPFB: a saved character.
+    HumanPreset,
+    /// `importer_presets.*.json` of MPFB.
+    ImporterPreset,
+    /// `makeup.*.json` of MPFB.
+    MakeupPreset,
+    /// `randomization.*.json` of MPFB.
+    RandomizationPreset,
+    /// `eye_settings.*.json` of MPFB.
+    EyeSettings,
+    /// `enhanced_settings.*.json` of MPFB: how its skin looks.
+    SkinSettings,
+    /// A JSON in `node_trees/` of MPFB.
+    NodeTree,
     /// `*.target` where targets are loaded from.
     Target,
     /// `*.target.gz`: only MPFB reads it.

@@ -89,7 +89,7 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 32] = [
+pub(crate) static FORMATS: [Format; 41] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
@@ -102,6 +102,15 @@ pub(crate) static FORMATS: [Format; 32] = [
         Content::Categories(Box::new(target_cat::read(json)))
     }),
     tree(Kind::TargetCatalog, "target.json", |json| Content::Catalog(Box::new(target_catalog::read(json)))),
+    plain(Kind::MacroParts, "macro.json", Syntax::Json),
+    plain(Kind::FaceExpression, "expression", Syntax::Json),
+    plain(Kind::HumanPreset, "saved character", Syntax::Json),
+    plain(Kind::ImporterPreset, "importer preset", Syntax::Json),
+    plain(Kind::MakeupPreset, "makeup preset", Syntax::Json),
+    plain(Kind::RandomizationPreset, "randomization preset", Syntax::Json),
+    plain(Kind::EyeSettings, "eye settings", Syntax::Json),
+    plain(Kind::SkinSettings, "skin settings", Syntax::Json),
+    plain(Kind::NodeTree, "node tree", Syntax::Json),
     Format { needs: Needs::MeshInTurn, ..read(Kind::Target, "target", Syntax::Text, target) },
     read(Kind::PackedTarget, "packed target", Syntax::Binary, packed),
     read(Kind::TargetArchive, "target archive", Syntax::Binary, archive),

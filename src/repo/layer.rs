@@ -193,7 +193,8 @@ impl Layer {
     }
 
     /// The part of a printed path below this root.
-    pub(crate) fn relative<'p>(&self, path: &'p str) -> Option<&'p str> {
-        if self.is_loose && path == self.path { Some("") } else { inside(path, &self.path) }
+    pub(crate) fn relative<'p>(&'p self, path: &'p str) -> Option<&'p str> {
+        let supposed = || self.loose().get(path).map(String::as_str);
+        if self.is_loose && path == self.path { Some("") } else { inside(path, &self.path).or_else(supposed) }
     }
 }

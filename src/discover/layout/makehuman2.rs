@@ -21,6 +21,7 @@ pub(super) static LAYOUT: Layout = Layout {
     loose_place,
     import: Some(importer::import),
     shelf,
+    beside: &[],
     has_bases: true,
     only_base: None,
     joint: None,

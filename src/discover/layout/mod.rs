@@ -41,6 +41,8 @@ pub(crate) struct Layout {
     pub joint: Option<&'static str>,
     /// The library in which files are opened that only its own folder may hold.
     pub flat: &'static str,
+    /// Folders beside a data root that is called `data`, with files that belong to it.
+    pub beside: &'static [&'static str],
     /// The part that the data root with these files plays.
     pub role: fn(&[Candidate<'_>]) -> Role,
     /// Whether the root with these files, beside another one, is the system although it could play both parts.
@@ -163,6 +165,7 @@ impl Layout {
         only_base: None,
         joint: None,
         flat: "",
+        beside: &[],
         role: |_| Role::User,
         is_system_of_two: |_| false,
         opens: |_| true,

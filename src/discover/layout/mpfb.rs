@@ -16,6 +16,7 @@ pub(super) static LAYOUT: Layout = Layout {
     ],
     sign,
     place,
+    beside: &["config"],
     role: |below| Role::of_one(below, Application::Mpfb, Kind::TargetCatalog),
     ..Layout::PLAIN
 };
@@ -34,12 +35,32 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
     let kind = match parts {
         ["3dobjs", "base.obj"] => Kind::BaseMesh,
         ["targets", "target.json"] => Kind::TargetCatalog,
+        ["targets", "macrodetails", "macro.json"] => Kind::MacroParts,
+        ["expressions", .., file] if extension(file) == "json" => Kind::FaceExpression,
+        ["node_trees", file] if extension(file) == "json" => Kind::NodeTree,
+        ["config" | "settings", file] => of_config(file).unwrap_or(Kind::by_extension(file)),
         ["targets", "_images", file] if extension(file) == "png" => Kind::TargetIcon,
         ["targets" | "custom", .., file] => Kind::of_target(file).unwrap_or(Kind::by_extension(file)),
         [.., file] => Kind::by_extension(file),
         [] => Kind::Other,
     };
     (kind, (parts.len() > 1).then_some(HM08))
+}
+
+/// What the beginning of the name of a file in `config/` or `settings/` makes of it.
+fn of_config(file: &str) -> Option<Kind> {
+    const KINDS: [(&str, Kind); 6] = [
+        ("human.", Kind::HumanPreset),
+        ("importer_presets.", Kind::ImporterPreset),
+        ("makeup.", Kind::MakeupPreset),
+        ("randomization.", Kind::RandomizationPreset),
+        ("eye_settings.", Kind::EyeSettings),
+        ("enhanced_settings.", Kind::SkinSettings),
+    ];
+    let row = KINDS.iter().find(|(prefix, _)| file.starts_with(prefix));
+    // Between the two points there is a name.
+    row.filter(|(prefix, _)| file.len() > prefix.len() + ".json".len() && extension(file) == "json")
+        .map(|(_, kind)| *kind)
 }
 
 #[cfg(test)]
@@ -51,7 +72,7 @@ mod tests {
         for (path, kind) in [
             ("3dobjs/base.obj", Kind::BaseMesh),
             ("targets/target.json", Kind::TargetCatalog),
-            ("targets/macrodetails/macro.json", Kind::Json),
+            ("targets/macrodetails/macro.json", Kind::MacroParts),
             ("targets/nose/nose-up.target.gz", Kind::PackedTarget),
             ("targets/custom/a.target", Kind::Target),
             ("custom/a/b.target.gz", Kind::PackedTarget),
@@ -65,6 +86,12 @@ mod tests {
             ("clothes/a/a.mhw", Kind::AssetWeights),
             ("skins/a/a.mhmat", Kind::Material),
             ("uv_layers/a.json.gz", Kind::Other),
+            ("expressions/a/b.json", Kind::FaceExpression),
+            ("config/human.joe.json", Kind::HumanPreset),
+            ("config/human..json", Kind::Json),
+            ("config/x.json", Kind::Json),
+            ("settings/eye_settings.default.json", Kind::EyeSettings),
+            ("node_trees/makeskin.json", Kind::NodeTree),
         ] {
             let found = LAYOUT.use_of(path);
             assert_eq!((found.kind, found.owner.as_deref()), (kind, Some(HM08)), "{path}");

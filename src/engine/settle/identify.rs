@@ -57,7 +57,10 @@ impl<'r> Root<'r> {
     }
 
     /// Path below the root, if the file belongs to it and not to a layer inside or beside it.
-    pub(super) fn own_path<'p>(&self, path: &'p str) -> Option<&'p str> {
+    pub(super) fn own_path<'p>(&self, path: &'p str) -> Option<&'p str>
+    where
+        'r: 'p,
+    {
         let is_deeper = |layer: &&Layer| layer.path.len() > self.layer.path.len() && layer.holds(path);
         if self.below.iter().any(is_deeper) {
             return None;

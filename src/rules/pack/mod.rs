@@ -30,7 +30,10 @@ impl<'v> Packed<'v> {
     }
 
     /// The path in the pack of a file of its.
-    fn path<'p>(&self, file: &'p FileFacts) -> &'p str {
+    fn path<'p>(&self, file: &'p FileFacts) -> &'p str
+    where
+        'v: 'p,
+    {
         self.layer.relative(&file.path).unwrap_or(&file.path)
     }
 
