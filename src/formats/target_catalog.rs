@@ -17,6 +17,12 @@ pub struct Section {
     pub name: String,
     /// Its sliders.
     pub categories: Vec<Category>,
+    /// Whether its list of sliders is there and empty.
+    pub is_empty: bool,
+    /// Whether `unsorted` names targets, which nothing reads.
+    pub has_unsorted: bool,
+    /// Whether `include_per_default` is false, which nothing reads either.
+    pub is_excluded: bool,
 }
 
 /// A slider, or one for each side.
@@ -26,6 +32,8 @@ pub struct Category {
     pub index: usize,
     /// Its name: without `opposites` that of the target, too.
     pub name: String,
+    /// What the panel calls it.
+    pub label: Option<String>,
     /// Whether there is one for each side. Any value that Python takes for true counts.
     pub is_sided: bool,
     /// The slots of `opposites`; `None` where the category has none, and the slider but one end.
@@ -65,6 +73,21 @@ impl Category {
         slots.filter(move |_| is_filled)
     }
 
+    /// Whether no slot of the sides that it has names a target, and one of the other kind does.
+    pub fn has_slots_of_other_kind(&self) -> bool {
+        let filled = |is_sided: bool| {
+            let mut slots = self.slots.iter().flatten().filter(|slot| slot.is_sided == is_sided);
+            slots.any(|slot| !slot.stem.is_empty())
+        };
+        !filled(self.is_sided) && filled(!self.is_sided)
+    }
+
+    /// The target in a slot.
+    pub fn slot(&self, key: &str) -> Option<&str> {
+        let slot = self.slots.iter().flatten().find(|slot| slot.key == key)?;
+        (!slot.stem.is_empty()).then_some(slot.stem.as_str())
+    }
+
     /// What stands before the name, for each side.
     pub const fn sides(&self) -> &'static [&'static str] {
         if self.is_sided { &["l-", "r-"] } else { &[""] }
@@ -78,9 +101,16 @@ pub fn read(document: &Document) -> TargetCatalog {
         Section {
             name: member.key.clone(),
             categories: categories.filter_map(|(index, node)| category(index, node)).collect(),
+            is_empty: member.node.get("categories").is_some_and(is_empty_list),
+            has_unsorted: member.node.get("unsorted").is_some_and(|list| !list.elements().is_empty()),
+            is_excluded: member.node.get("include_per_default").is_some_and(Node::is_falsy),
         }
     });
     TargetCatalog { sections: sections.collect() }
+}
+
+fn is_empty_list(node: &Node) -> bool {
+    matches!(&node.value, Value::Array(elements) if elements.is_empty())
 }
 
 /// One without a name stops the add-on.
@@ -89,6 +119,7 @@ fn category(index: usize, node: &Node) -> Option<Category> {
     Some(Category {
         index,
         name: text(node, "name")?,
+        label: text(node, "label"),
         is_sided: node.get("has_left_and_right").is_some_and(|value| !value.is_falsy()),
         slots: node.get("opposites").map(slots),
         has_full_path: node.get("full_path").is_some(),

@@ -2,6 +2,8 @@
 //! and what is worn with its weights.
 
 mod references;
+mod sliders;
 mod view;
 
+pub(crate) use sliders::{LONGEST, LONGEST_SECTION, LONGEST_SECTION_WITH_SLIDERS, UserTarget, identifiers, pair};
 pub(crate) use view::{Catalog, View};

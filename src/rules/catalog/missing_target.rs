@@ -4,10 +4,11 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::neighbours::Neighbours;
+use super::{forgotten_ends, sliders};
 use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo, grouped, pointer};
 use crate::formats::target_catalog::Section;
 use crate::repo::mpfb::{Catalog, View};
-use crate::repo::{Reference, Resolution, parent};
+use crate::repo::{Reference, ReferenceKind, Resolution, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "fails when the slider moves: the slider jumps back, and only the console shows why")],
@@ -28,7 +29,13 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(catalog) = view.catalog.filter(|catalog| view.layers.is_checked(catalog.file)) else { return };
     let neighbours = Neighbours::of(view, &catalog);
-    let missing = view.references.iter().filter(|one| matches!(one.resolution, Resolution::Missing));
+    // A slider without its two ends has a finding of its own.
+    let forgotten: BTreeSet<&str> = sliders(&catalog)
+        .filter(|(section, category)| forgotten_ends(&catalog, section, category).is_some())
+        .map(|(_, category)| category.name.as_str())
+        .collect();
+    let is_told = |one: &&Reference<'_>| one.kind == ReferenceKind::SliderName && forgotten.contains(one.owner);
+    let missing = view.references.iter().filter(|one| matches!(one.resolution, Resolution::Missing) && !is_told(one));
     let by_cause = grouped(missing.map(|reference| (cause(&catalog, reference), reference)));
     out.extend(by_cause.into_iter().filter_map(|(cause, references)| told(&cause, &references, &neighbours)));
     out.extend(catalog.sliders.sections.iter().filter_map(|section| leftovers(&catalog, section)));

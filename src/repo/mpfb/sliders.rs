@@ -1,0 +1,121 @@
+//! What Blender knows sliders by, and the targets of users that become sliders (formats/mpfb.md §2.2, §2.4, §2.5).
+
+use super::view::View;
+use crate::formats::target_catalog::{Category, Section};
+use crate::repo::FileFacts;
+
+/// A name of a property is no longer than this, in letters.
+pub(crate) const LONGEST: usize = 63;
+/// The name of a section becomes part of the name of a class, with something in front.
+pub(crate) const LONGEST_SECTION: usize = 39;
+/// The same of one of the catalogue with sliders in it.
+pub(crate) const LONGEST_SECTION_WITH_SLIDERS: usize = 36;
+
+/// The pairs of words that the two ends of a slider are called by, as `.mhm` files have them (§7.2).
+pub(crate) const PAIRS: [(&str, &str); 8] = [
+    ("decr", "incr"),
+    ("down", "up"),
+    ("in", "out"),
+    ("backward", "forward"),
+    ("concave", "convex"),
+    ("square", "round"),
+    ("pointed", "triangle"),
+    ("compress", "uncompress"),
+];
+
+/// A target of a user, which is a slider of its own.
+#[derive(Debug, Clone)]
+pub(crate) struct UserTarget<'a> {
+    /// Where it is.
+    pub file: &'a FileFacts,
+    /// The section that shows it.
+    pub section: String,
+    /// What the slider, and the shape key, is called.
+    pub name: String,
+}
+
+/// Where users' targets of one section lie, in every data root.
+const CUSTOM: &str = "custom";
+
+/// What Blender calls a slider.
+pub(crate) fn identifier(section: &str, name: &str) -> String {
+    let plain = |letter: char| if letter.is_ascii_alphanumeric() || letter == '_' { letter } else { '_' };
+    format!("{section}_{name}").chars().map(plain).collect()
+}
+
+/// The same for the sliders of a category: one, or one for each side.
+pub(crate) fn identifiers(section: &Section, category: &Category) -> Vec<String> {
+    category.sides().iter().map(|side| identifier(&section.name, &format!("{side}{}", category.name))).collect()
+}
+
+/// A name without the words of the two ends, and these; `None` for a name that ends in no pair.
+pub(crate) fn pair(name: &str) -> Option<(&str, &'static str, &'static str)> {
+    let of = |(negative, positive): (&'static str, &'static str)| {
+        let stem = name.strip_suffix(positive)?.strip_suffix('-')?.strip_suffix(negative)?.strip_suffix('-')?;
+        (!stem.is_empty()).then_some((stem, negative, positive))
+    };
+    PAIRS.into_iter().find_map(of)
+}
+
+impl<'a> UserTarget<'a> {
+    /// What a file is as a slider; `None` for one that is none.
+    fn of(file: &'a FileFacts) -> Option<Self> {
+        let parts: Vec<&str> = file.rel.split('/').collect();
+        let (name, folders) = parts.split_last()?;
+        let is_plain = name.ends_with(".target");
+        let is_custom = matches!(folders, [CUSTOM, ..] | ["targets", CUSTOM, ..]);
+        if !(is_plain || is_custom && name.ends_with(".target.gz")) {
+            return None;
+        }
+        let section = match folders {
+            _ if is_custom => CUSTOM,
+            ["targets"] => "targets",
+            ["targets", .., parent] => parent,
+            _ => return None,
+        };
+        Some(Self { file, section: section.to_owned(), name: name.replace(".target", "") })
+    }
+
+    /// What Blender calls the slider.
+    pub(crate) fn identifier(&self) -> String {
+        identifier(&self.section, &self.name)
+    }
+}
+
+impl<'a> View<'a> {
+    /// The targets of the checked layer that become sliders without the catalogue. In MPFB's own data nobody puts any.
+    pub(crate) fn user_targets(&self) -> impl Iterator<Item = UserTarget<'a>> + use<'a> {
+        let is_custom = |file: &FileFacts| file.rel.starts_with("custom/") || file.rel.starts_with("targets/custom/");
+        let is_system = self.layers.checks_system();
+        let files = self.layers.checked.files.values().filter(move |file| !is_system || is_custom(file));
+        files.filter_map(UserTarget::of)
+    }
+
+    /// Whether the macro system may ask for a target.
+    pub(crate) fn asks_for(&self, file: &FileFacts) -> bool {
+        // A name of the loops: `breast/` has targets of sliders, too.
+        file.rel.starts_with("targets/macrodetails/")
+            || file.rel.starts_with("targets/breast/") && file.file_name().ends_with("firmness.target.gz")
+    }
+
+    /// The names of the targets that MPFB brings, which it finds first (§4.4).
+    pub(crate) fn shipped(&self) -> impl Iterator<Item = &'a str> + use<'a> {
+        let files = self.layers.system.into_iter().flat_map(|layer| layer.below("targets"));
+        let custom = |file: &FileFacts| file.rel.starts_with("targets/custom/");
+        files.filter(move |file| !custom(file)).filter_map(|file| file.file_name().strip_suffix(".target.gz"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slider_is_known_by_section_and_name() {
+        assert_eq!(identifier("nose", "nose-hump-decr-incr"), "nose_nose_hump_decr_incr");
+        assert_eq!(identifier("custom", "ü"), "custom__");
+        assert_eq!(pair("nose-hump-decr-incr"), Some(("nose-hump", "decr", "incr")));
+        assert_eq!(pair("x-concave-convex"), Some(("x", "concave", "convex")));
+        assert_eq!((pair("chin-triangle"), pair("decr-incr"), pair("in-outer")), (None, None, None));
+    }
+}
