@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::{Kind, Layout};
 use crate::diag::Application;
-use crate::source::{Entry, EntryKind, Tree, inside};
+use crate::source::{Entry, EntryKind, Tree, inside, is_below};
 
 /// What one application has a file for.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -54,6 +54,8 @@ pub(crate) fn uses_of(rel: &str, layouts: &[&Layout]) -> Vec<Use> {
 /// beside it.
 pub(crate) fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) -> Vec<Candidate<'t>> {
     let entries = tree.entries().iter().filter_map(|entry| Some((entry, inside(&entry.path, root)?)));
+    // What macOS puts beside the files of a zip, no application looks for.
+    let entries = entries.filter(|(_, rel)| !is_below(rel, "__MACOSX"));
     let mut found: Vec<Candidate<'t>> = entries.map(|(entry, rel)| Candidate::new(entry, rel, layouts)).collect();
     layouts.iter().for_each(|layout| found.extend(beside(tree, root, layout)));
     found

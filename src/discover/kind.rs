@@ -144,7 +144,9 @@ pub(crate) fn is_asset_anywhere(rel: &str) -> bool {
 /// The extension of an asset as its author meant it: no application lists one in capitals, and yet it is one.
 pub(crate) fn meant_extension(rel: &str) -> &str {
     const OF_ASSETS: [&str; 7] = ["mhclo", "proxy", "mhskel", "mhpose", "bvh", "mhm", "mhmat"];
-    let written = extension(rel);
+    // Windows shows `vest.mhclo.txt` as `vest.mhclo`.
+    let shown = rel.strip_suffix(".txt").filter(|shown| OF_ASSETS.contains(&extension(shown)));
+    let written = extension(shown.unwrap_or(rel));
     OF_ASSETS.into_iter().find(|known| known.eq_ignore_ascii_case(written)).unwrap_or(written)
 }
 

@@ -16,8 +16,8 @@ pub(crate) struct DataRoot {
     pub application: Application,
 }
 
-/// All data roots in a listing of file paths, sorted by path.
-pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>) -> Vec<DataRoot> {
+/// All data roots in a listing of file paths, sorted by path; `asked` are the applications that are asked for by name.
+pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[Application]) -> Vec<DataRoot> {
     let mut signs: BTreeMap<DataRoot, Sign> = BTreeMap::new();
     for file in files {
         for application in Application::ALL {
@@ -37,7 +37,18 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>) -> Vec<Da
     for sign in [Sign::Weak, Sign::Faint] {
         roots.extend(count(sign, &roots));
     }
+    for application in Application::ALL {
+        let Some(other) = Layout::of(application).shares_roots_of else { continue };
+        if !asked.contains(&application) && !roots.iter().any(|root| root.application == application) {
+            continue;
+        }
+        // Signs that others have, too, are those of a user.
+        let is_shared = |root: &&DataRoot| root.application == other && signs.get(*root) == Some(&Sign::Faint);
+        let shared = roots.iter().filter(is_shared).map(|root| DataRoot { path: root.path.clone(), application });
+        roots.extend(shared.collect::<Vec<_>>());
+    }
     roots.sort();
+    roots.dedup();
     roots
 }
 
@@ -50,7 +61,7 @@ mod tests {
     use super::*;
 
     fn found(files: &[&str]) -> Vec<(String, Application)> {
-        find_roots(files.iter().copied()).into_iter().map(|root| (root.path, root.application)).collect()
+        find_roots(files.iter().copied(), &[]).into_iter().map(|root| (root.path, root.application)).collect()
     }
 
     #[test]
@@ -87,6 +98,17 @@ mod tests {
             found(&["user/clothes/figure/hat.mhclo", "user/target/figure/mine/x.target"]),
             [("user".to_owned(), Application::Makehuman2)]
         );
+    }
+
+    #[test]
+    fn a_library_is_that_of_two_applications_where_the_other_one_is_at_hand() {
+        let both = |path: &str| [(path.to_owned(), Application::Makehuman1), (path.to_owned(), Application::Mpfb)];
+        let library = "user/clothes/hat/hat.mhclo";
+        let with_system = found(&["data/targets/target.json", library]);
+        assert_eq!(with_system.iter().skip(1).cloned().collect::<Vec<_>>(), both("user"));
+        let asked = find_roots([library], &[Application::Mpfb]);
+        assert_eq!(asked.into_iter().map(|root| (root.path, root.application)).collect::<Vec<_>>(), both("user"));
+        assert_eq!(found(&[library, "user/packs/mine.json"]), [("user".to_owned(), Application::Mpfb)]);
     }
 
     #[test]

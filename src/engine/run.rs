@@ -81,7 +81,7 @@ pub(super) fn lint_sides(
         _ => None,
     };
     let found = asked.check(now, &data, &measures, &mut outcome)?;
-    check_bases(options, &outcome)?;
+    check_bases(options, &data, &outcome)?;
     match found_before.zip(options.compare.as_ref()) {
         Some((before, compare)) => {
             settle_comparison(before, found, compare, now, &mut outcome);

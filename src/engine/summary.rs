@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 
 use super::error::Error;
-use super::load::shown;
+use super::load::{Data, shown};
 use crate::config::Config;
 use crate::diag::{Outcome, RootSummary};
 use crate::discover::UNKNOWN_BASE;
-use crate::repo::View;
+use crate::repo::{FileFacts, View};
 
 /// Says that a repository was checked, and which base meshes it has.
 pub(super) fn summarise(view: &View<'_>, outcome: &mut Outcome) {
@@ -36,10 +36,15 @@ pub(super) fn summarise(view: &View<'_>, outcome: &mut Outcome) {
 }
 
 /// Refuses `--base` with a name that no data root has.
-pub(super) fn check_bases(options: &Config, outcome: &Outcome) -> Result<(), Error> {
-    let known: BTreeSet<&String> = outcome.roots.iter().flat_map(|root| &root.bases).collect();
-    let unknown = options.bases.iter().find(|name| !known.contains(name));
+pub(super) fn check_bases(options: &Config, data: &Data<'_>, outcome: &Outcome) -> Result<(), Error> {
+    // A zip is imported for any base mesh, also one of which it has nothing.
+    let packs = data.roots.iter().filter(|root| root.layer.pack.is_some());
+    let of_systems = packs.take(1).flat_map(|_| &data.systems).flat_map(|system| system.layer.files.values());
+    let of_systems = of_systems.filter(|file| file.kind.is_base_mesh()).filter_map(FileFacts::base);
+    let known = outcome.roots.iter().flat_map(|root| &root.bases).map(String::as_str);
+    let known: BTreeSet<&str> = known.chain(of_systems).collect();
+    let unknown = options.bases.iter().find(|name| !known.contains(name.as_str()));
     unknown.filter(|_| outcome.checked_anything()).map_or(Ok(()), |name| {
-        Err(Error::UnknownBase { name: name.clone(), known: known.into_iter().cloned().collect() })
+        Err(Error::UnknownBase { name: name.clone(), known: known.into_iter().map(str::to_owned).collect() })
     })
 }

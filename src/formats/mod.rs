@@ -49,6 +49,7 @@ pub mod selection_filter;
 pub mod shader_source;
 mod table;
 pub mod target;
+mod target_blanks;
 pub mod target_cat;
 pub mod target_catalog;
 pub(crate) mod target_edit;

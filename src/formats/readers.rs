@@ -12,7 +12,7 @@ use super::{
     shader_source, uv_map,
 };
 use crate::json::{self, Document, SchemaFaults};
-use crate::source::{Encoding, GzipFault, Limits, try_gunzip, zip_bomb};
+use crate::source::{Encoding, GzipFault, Limits, gunzip, zip_bomb};
 
 /// What a reader is given.
 #[derive(Debug, Clone, Copy)]
@@ -200,9 +200,17 @@ pub(super) fn weights(input: &Input<'_>) -> Parsed {
     Parsed { content: Content::Weights(Box::new(weights)), ..explained }
 }
 
-/// A packed target: whether it can be unpacked.
+/// A packed target, with its rows.
 pub(super) fn packed(input: &Input<'_>) -> Parsed {
-    Parsed { gzip_fault: try_gunzip(input.bytes, input.limits).err(), ..Parsed::default() }
+    match gunzip(input.bytes, input.limits) {
+        Err(fault) => Parsed { gzip_fault: Some(fault), ..Parsed::default() },
+        Ok(bytes) => {
+            let encoding = Encoding::of(&bytes);
+            let parsed = target(&Input { bytes: &bytes, encoding: &encoding, ..*input });
+            let reason = || GzipFault::Corrupt("what is in it is not UTF-8".to_owned());
+            Parsed { gzip_fault: encoding.invalid_utf8_at.map(|_| reason()), ignores: Vec::new(), ..parsed }
+        }
+    }
 }
 
 /// An archive of any kind: whether it can be unpacked, and what is in it if it is that of an asset.

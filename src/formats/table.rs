@@ -112,7 +112,7 @@ pub(crate) static FORMATS: [Format; 41] = [
     plain(Kind::SkinSettings, "skin settings", Syntax::Json),
     plain(Kind::NodeTree, "node tree", Syntax::Json),
     Format { needs: Needs::MeshInTurn, ..read(Kind::Target, "target", Syntax::Text, target) },
-    read(Kind::PackedTarget, "packed target", Syntax::Binary, packed),
+    Format { needs: Needs::MeshInTurn, ..read(Kind::PackedTarget, "packed target", Syntax::Binary, packed) },
     read(Kind::TargetArchive, "target archive", Syntax::Binary, archive),
     plain(Kind::TargetIcon, "icon", Syntax::Binary),
     json(Kind::Skeleton, "skeleton", "mhskel", |json| Content::Skeleton(Box::new(mhskel::read(json)))),

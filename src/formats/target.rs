@@ -8,7 +8,8 @@ use super::content_hash::ContentHash;
 use super::faulty_rows::row_name;
 use super::fields::fields;
 use super::inline_ignore::{self, InlineIgnore};
-pub use super::target_facts::{Largest, TargetFacts, UnreadableField};
+use super::target_blanks;
+pub use super::target_facts::{BlankFacts, Largest, TargetFacts, UnreadableField};
 use super::target_repeats::{moves, repeats};
 use super::target_row::fast_row;
 use super::{python_float, python_int, stored};
@@ -97,12 +98,23 @@ pub fn parse_file(bytes: &[u8], encoding: &Encoding, mesh: Option<MeshSize>) -> 
         return None;
     }
     if !encoding.byte_order_mark {
-        return Some(parse(bytes, mesh));
+        return Some(with_blanks(parse(bytes, mesh), bytes));
     }
     // The mark is a fault of its own; blanks in its place keep it out of the first row and all offsets right.
     let mut unmarked = bytes.to_vec();
     unmarked.iter_mut().take(3).for_each(|byte| *byte = b' ');
-    Some(parse(&unmarked, mesh))
+    let mut target = with_blanks(parse(&unmarked, mesh), &unmarked);
+    target.facts.has_mark = true;
+    Some(target)
+}
+
+/// Looks once more at a text in which not every line is a plain row or a comment.
+fn with_blanks(mut target: Target, text: &[u8]) -> Target {
+    let facts = &mut target.facts;
+    if facts.field_count.count > 0 || facts.unreadable_rows > 0 || target_blanks::differs(text) {
+        facts.blanks = Some(Box::new(target_blanks::read(text)));
+    }
+    target
 }
 
 /// `fast` reads the lines it knows; tests take it away.

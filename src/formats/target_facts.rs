@@ -1,5 +1,6 @@
 //! What the parser of targets counts on its way; the rules read nothing else.
 
+pub use super::target_blanks::BlankFacts;
 use crate::diag::{Few, Tally};
 
 /// Facts on one target, counted while parsing.
@@ -51,6 +52,10 @@ pub struct TargetFacts {
     pub max_index: Option<i64>,
     /// Base mesh that the header names (`# basemesh NAME`), with its line.
     pub basemesh: Option<(u32, String)>,
+    /// What a loader makes of the text that splits at single blanks; nothing where that is what all others make of it.
+    pub blanks: Option<Box<BlankFacts>>,
+    /// Whether a byte order mark stands in front.
+    pub has_mark: bool,
     /// Hash over the decoded rows: equal rows, equal hash.
     pub content: u64,
     /// Hash over what comes of the rows: without those that move nothing or are replaced.

@@ -13,7 +13,7 @@ use crate::diag::Application;
 pub(super) static LAYOUT: Layout = Layout {
     application: Application::Makehuman2,
     shape: "base/<name>/base.json",
-    depth: 4,
+    depth: 5,
     folders: &[&WORN, &SCANNED, &NOT_SCANNED],
     sign,
     place,
@@ -22,6 +22,7 @@ pub(super) static LAYOUT: Layout = Layout {
     import: Some(importer::import),
     shelf,
     beside: &[],
+    shares_roots_of: None,
     has_bases: true,
     only_base: None,
     joint: None,
@@ -65,7 +66,7 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         ] => Some((Sign::Strong, 3)),
         [.., "rigs", _, name] if extension(name) == "mhskel" => Some((Sign::Weak, 3)),
         // Below one of its own base meshes: in a pack or of a user there may be nothing else.
-        [.., category, base, _, _] | [.., category, base, _]
+        [.., category, base, _, _, _] | [.., category, base, _, _] | [.., category, base, _]
             if is_filtered(category) && MAKEHUMAN2_BASES.contains(base) =>
         {
             let levels = parts.iter().rposition(|part| part == category).map_or(0, |at| parts.len() - at);

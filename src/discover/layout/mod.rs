@@ -43,6 +43,8 @@ pub(crate) struct Layout {
     pub flat: &'static str,
     /// Folders beside a data root that is called `data`, with files that belong to it.
     pub beside: &'static [&'static str],
+    /// Another application whose users' folders are its own, too, where it is asked for or has data at hand.
+    pub shares_roots_of: Option<Application>,
     /// The part that the data root with these files plays.
     pub role: fn(&[Candidate<'_>]) -> Role,
     /// Whether the root with these files, beside another one, is the system although it could play both parts.
@@ -166,6 +168,7 @@ impl Layout {
         joint: None,
         flat: "",
         beside: &[],
+        shares_roots_of: None,
         role: |_| Role::User,
         is_system_of_two: |_| false,
         opens: |_| true,

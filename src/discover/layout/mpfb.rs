@@ -17,6 +17,7 @@ pub(super) static LAYOUT: Layout = Layout {
     sign,
     place,
     beside: &["config"],
+    shares_roots_of: Some(Application::Makehuman1),
     role: |below| Role::of_one(below, Application::Mpfb, Kind::TargetCatalog),
     ..Layout::PLAIN
 };
@@ -26,6 +27,12 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         [.., "targets", "target.json"] | [.., "mesh_metadata", _] => Some((Sign::Strong, 2)),
         [.., "targets", "macrodetails", "macro.json"] => Some((Sign::Strong, 3)),
         [.., "rigs", "standard" | "rigify", name] if name.starts_with("rig.") => Some((Sign::Strong, 3)),
+        [.., "packs", name] if extension(name) == "json" => Some((Sign::Weak, 2)),
+        [.., "ink_layers", name] if extension(name) == "json" => Some((Sign::Weak, 2)),
+        [.., "uv_layers", name] if name.ends_with(".json.gz") => Some((Sign::Weak, 2)),
+        [.., "targets", _, name] if Kind::of_target(name).is_some() => Some((Sign::Weak, 3)),
+        [.., "targets" | "custom", name] if Kind::of_target(name).is_some() => Some((Sign::Faint, 2)),
+        [.., "expressions", name] if extension(name) == "json" => Some((Sign::Faint, 2)),
         _ => None,
     }
 }

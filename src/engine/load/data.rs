@@ -25,7 +25,7 @@ pub(in crate::engine) struct Loaded<'t> {
 /// All data of a run.
 pub(in crate::engine) struct Data<'t> {
     /// `--system`: read, not checked.
-    pub(super) systems: Vec<Loaded<'t>>,
+    pub(in crate::engine) systems: Vec<Loaded<'t>>,
     /// The roots to check.
     pub(in crate::engine) roots: Vec<Loaded<'t>>,
 }

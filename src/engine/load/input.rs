@@ -91,7 +91,7 @@ fn open_one(path: &Path, applications: &[Application], limits: &Limits) -> Resul
         return Ok(above.unwrap_or_else(|| open_beside(path, &place, &here)));
     }
     let tree = Tree::on_disk(here.clone(), path, is_read_though_hidden);
-    let is_no_root = roots_of(&tree, |_| true).is_empty();
+    let is_no_root = roots_of(&tree, &[], |_| true).is_empty();
     let above = if is_no_root { open_above(path, &place, &here, applications) } else { None };
     Ok(above.unwrap_or_else(|| (place, Input::whole(tree))))
 }
@@ -145,7 +145,7 @@ fn open_above(path: &Path, place: &Path, here: &str, applications: &[Application
 fn root_above(place: &str, layout: &Layout) -> Option<PathBuf> {
     let root = PathBuf::from(layout.root_above(place)?);
     let shallow = Tree::on_disk_to_depth(String::new(), &root, layout.depth, is_read_though_hidden);
-    roots_of(&shallow, |_| true).contains_key("").then_some(root)
+    roots_of(&shallow, &[], |_| true).contains_key("").then_some(root)
 }
 
 /// What is printed for a folder that no written path names: its path below the working directory, else all of it.

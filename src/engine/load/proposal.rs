@@ -32,7 +32,7 @@ const LEVELS: usize = 6;
 pub fn propose(folder: &Path) -> Result<Option<Proposal>, Error> {
     let options = Config::default();
     let inputs = open(&[folder.to_path_buf()], &CHECKED, &options.limits)?;
-    if inputs.iter().any(|input| !roots_of(&input.tree, |_| true).is_empty()) {
+    if inputs.iter().any(|input| !roots_of(&input.tree, &[], |_| true).is_empty()) {
         return Ok(None);
     }
     let scope = Scope::new(Vec::new(), &options);

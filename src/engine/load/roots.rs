@@ -22,17 +22,21 @@ pub(in crate::engine) struct Roots<'t> {
     pub(in crate::engine) systems: Vec<Place<'t>>,
 }
 
-/// The data roots in a tree of the applications of which `wanted` holds, by path.
-pub(super) fn roots_of(tree: &Tree, wanted: impl Fn(Application) -> bool) -> BTreeMap<String, Vec<&'static Layout>> {
+/// The data roots in a tree of the applications of which `wanted` holds, by path; `asked` are those asked for by name.
+pub(super) fn roots_of(
+    tree: &Tree,
+    asked: &[Application],
+    wanted: impl Fn(Application) -> bool,
+) -> BTreeMap<String, Vec<&'static Layout>> {
     let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File);
-    let roots = find_roots(files.map(|entry| entry.path.as_str()));
+    let roots = find_roots(files.map(|entry| entry.path.as_str()), asked);
     let wanted = roots.into_iter().filter(|root| wanted(root.application));
     grouped(wanted.map(|root| (root.path, Layout::of(root.application))))
 }
 
 /// The data roots in a tree of the applications that are checked.
 pub(super) fn checked_places<'t>(tree: &'t Tree, applications: &[Application]) -> Vec<Place<'t>> {
-    let roots = roots_of(tree, |application| applications.contains(&application));
+    let roots = roots_of(tree, &[], |application| applications.contains(&application));
     roots.into_iter().map(|(path, layouts)| Place::new(tree, &path, &layouts)).collect()
 }
 
@@ -47,7 +51,8 @@ impl<'t> Roots<'t> {
         outcome: &mut Outcome,
     ) -> Result<Self, Error> {
         let (packs, folders): (Vec<&Input>, Vec<&Input>) = inputs.iter().partition(|input| input.tree.pack().is_some());
-        let mut found: Vec<_> = folders.into_iter().map(|input| (input, roots_of(&input.tree, |_| true))).collect();
+        let mut found: Vec<_> =
+            folders.into_iter().map(|input| (input, roots_of(&input.tree, &options.applications, |_| true))).collect();
         let mut systems = system.map(|system| system_places(system, applications)).transpose()?.unwrap_or_default();
         if options.applications.is_empty() && !systems.is_empty() {
             found = of_systems(found, &systems, applications);

@@ -1,9 +1,11 @@
 //! `targets` of a slider names what its slots do.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{checked, place, sliders};
 use crate::diag::{Application::Mpfb, Evidence, Finding, Level, RuleInfo, grouped};
-use crate::formats::target_catalog::Category;
+use crate::formats::target_catalog::{Category, Slot};
 use crate::repo::mpfb::View;
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
@@ -18,6 +20,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(catalog) = checked(view) else { return };
     let apart = sliders(&catalog).filter_map(|(section, category)| {
         let is_there = |name: &str| catalog.target(&section.name, name).is_some();
+        let is_found = |slot: &Slot| catalog.target(&section.name, &slot.stem).is_some();
+        // A slider whose slots are at fault has a finding of its own.
+        if !is_sound(category) || !category.slots_in_use().all(is_found) {
+            return None;
+        }
         let first = unlisted(category).find(|name| is_there(name))?;
         Some((section.name.as_str(), (section, category, first)))
     });
@@ -36,6 +43,12 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = finding.evidence(Evidence::of_cases(all.iter().map(|(_, category, _)| category.name.clone())));
         out.push(finding.help("let `targets` list what the slots name"));
     }
+}
+
+/// Whether every slot has a target of its own.
+fn is_sound(category: &Category) -> bool {
+    let stems: BTreeSet<&str> = category.slots_in_use().map(|slot| slot.stem.as_str()).collect();
+    !stems.is_empty() && stems.len() == category.slots_in_use().count()
 }
 
 /// Targets in a slot and not in the list, and the reverse.

@@ -1,5 +1,7 @@
 //! Targets that MPFB brings have a slider, or a place in the macro loops.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{checked, forgotten_ends, sliders};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, RuleInfo, grouped};
@@ -25,6 +27,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .filter_map(|(section, category)| Some((section, forgotten_ends(&catalog, section, category)?)))
         .flat_map(|(section, ends)| ends.map(|end| format!("{}/{end}.target.gz", catalog.folder(&section.name))))
         .collect();
+    // What its slider lists is missing in a slot.
+    let listed: BTreeSet<String> = sliders(&catalog)
+        .flat_map(|(section, category)| category.targets.iter().map(move |(_, name)| (section, name)))
+        .map(|(section, name)| format!("{}/{name}.target", catalog.folder(&section.name)))
+        .collect();
     let is_free = |file: &&FileFacts| {
         let is_target = file.rel.ends_with(".target.gz") || file.rel.ends_with(".target");
         is_target
@@ -32,6 +39,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             && view.references.to_file(file).next().is_none()
             && !view.asks_for(file)
             && !forgotten.contains(&file.rel)
+            && !listed.contains(file.rel.trim_end_matches(".gz"))
     };
     let free = catalog.layer.below("targets").filter(is_free);
     for (folder, files) in grouped(free.map(|file| (parent(&file.rel), file))) {

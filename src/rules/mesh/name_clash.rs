@@ -38,7 +38,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let shown: String = name.chars().take(40).collect();
         let own = worn.mesh().and_then(|(_, mesh)| mesh.facts.object.as_ref());
         let place = own.map_or(Place::File, |(_, line)| Place::Line(*line));
-        let message = format!("the mesh `{shown}` has the name of that in `{}`", other.rel);
+        let message = format!("the mesh `{shown}` has the name of that in {}", body.layers.named(other));
         let finding = RULE.at(file, place, message).key(shown).related(other.path.clone(), Place::File, "the other");
         let finding = finding.between([file.path.as_str(), other.path.as_str()]);
         out.push(finding.help("give the object another name in the line `o` of one of the two files"));

@@ -49,6 +49,11 @@ fn ignored_folder(rule: &Rule, pack: &Packed<'_>, folder: &str, paths: &[&str]) 
             format!("folder `{around}` is around the folders that are imported ({count})"),
             format!("pack what is in `{around}`, so that the folders of assets are at the top of the zip"),
         ),
+        (None, Some("contarget")) => (
+            format!("folder `{folder}` is not imported ({count})"),
+            "importing takes no targets of a user: have them copied to `target/<base mesh>/` in the user's data"
+                .to_owned(),
+        ),
         (None, Some(right)) => {
             (format!("folder `{folder}` is not imported ({count})"), format!("rename it to `{right}` in the zip"))
         }
@@ -76,12 +81,16 @@ fn around(pack: &Packed<'_>, path: &str) -> Option<String> {
 /// Why no list shows an asset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Unlisted {
+    Packed,
     Kind(&'static [&'static str]),
     Deep,
 }
 
 fn unlisted(place: &str) -> Option<Unlisted> {
     let folder = place.split('/').next().unwrap_or_default();
+    if extension(place).eq_ignore_ascii_case("zip") {
+        return Some(Unlisted::Packed);
+    }
     let right = match extension(place) {
         "mhmat" if folder == "skins" => &["skins"],
         suffix => in_place_of(suffix),
@@ -105,6 +114,10 @@ fn of_unlisted(rule: &Rule, pack: &Packed<'_>, folder: &str, fault: Unlisted, pa
     let first = paths.first().copied().unwrap_or_default();
     let (name, kind) = (first.rsplit('/').next().unwrap_or(first), top(first, 1));
     let (message, help) = match fault {
+        Unlisted::Packed => (
+            format!("`{name}` is a zip in the zip: importing does not unpack it"),
+            format!("pack what is in `{name}` itself"),
+        ),
         Unlisted::Deep => (
             format!("`{name}` lies {} folders below `{kind}`, expected 1 at most", folder.matches('/').count()),
             format!("move what is in `{folder}` to a folder of its own in `{kind}`"),

@@ -2,7 +2,7 @@
 
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
-use super::{Text, measured, numbering};
+use super::{Text, is_scaled_wrongly, is_told_by_scale, measured, numbering};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Evidence, Finding, Level, Place, RuleInfo,
@@ -31,7 +31,16 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     for (text, measure) in measured(body, measures) {
         let drifts = &measure.shape.drifts;
         let Some(worst) = drifts.first() else { continue };
-        let help = measure.shape.numbering.map_or("correct the row, or export the asset again", numbering);
+        if is_told_by_scale(body, &text) {
+            continue;
+        }
+        let help = match measure.shape.numbering {
+            Some(other) => numbering(other),
+            None if is_scaled_wrongly(body, &text) => {
+                "correct the distances of the scale lines: they are not those of the base mesh; or export the asset again"
+            }
+            None => "correct the row, or export the asset again",
+        };
         let named = drifts.iter().map(|drift| format!("vertex {}", drift.vertex));
         let evidence = Evidence::of_unnamed(named).out_of(text.clothes.rows.count);
         out.push(

@@ -25,7 +25,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if !is_absent || is_unwalked(body, reference) {
             continue;
         }
-        let folder = parent(&reference.rel);
+        let folder = body.layers.checked.shown(parent(&reference.rel));
         let message = format!("bone weights `{}` do not exist in `{folder}`", reference.text);
         let near = cx.suggestions.nearest(reference.text, neighbours(body, &text, "mhw"));
         let help = did_you_mean(near, "correct the name, restore the file, or remove the line");

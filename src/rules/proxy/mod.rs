@@ -48,6 +48,7 @@ pub(super) mod weights_sum;
 pub(super) mod z_depth;
 
 use std::fmt::Display;
+use std::ops::RangeInclusive;
 
 use archives::{Archive, archives, lone_archives, rebuild};
 use older::needs_value;
@@ -59,7 +60,7 @@ use crate::diag::{
 };
 use crate::eval::measures::Measures;
 use crate::eval::worn::{Numbering, WornMeasure};
-use crate::formats::mhclo::{Clothes, Entry, Fault, FaultKind, Section};
+use crate::formats::mhclo::{Clothes, Entry, Fault, FaultKind, Scale, Section};
 use crate::formats::target::MeshSize;
 use crate::repo::{Body, FileFacts, Reference, Resolution, Worn, parent};
 
@@ -163,6 +164,36 @@ fn measured<'b, 'v>(
 ) -> impl Iterator<Item = (Text<'b, 'v>, &'b WornMeasure)> {
     let sound = texts(body).filter(|text| !text.stops());
     sound.filter_map(|text| Some((text, measures.worn.get(&text.file.path)?)))
+}
+
+/// Times that two vertices are as far apart as a scale line says, as figures differ: beyond them the line was written for
+/// other vertices or in another unit.
+const USUAL_SHARE: RangeInclusive<f32> = 0.2..=5.0;
+/// The same where nothing else that is wrong with a shape is looked for in its rows.
+const SOUND_SHARE: RangeInclusive<f32> = 0.5..=2.0;
+
+/// How far the vertices of a scale line are apart on the base mesh, along its axis.
+fn apart(body: &Body<'_>, axis: usize, scale: &Scale) -> Option<f32> {
+    let mesh = body.whole_mesh()?;
+    let at = |vertex: i64| mesh.positions.get(usize::try_from(vertex).ok()?)?.get(axis).copied();
+    let [one, other] = scale.vertices;
+    Some((at(one)? - at(other)?).abs())
+}
+
+/// Whether `proxy-scale` reports the distances.
+fn is_told_by_scale(body: &Body<'_>, text: &Text<'_, '_>) -> bool {
+    shares(body, text).any(|share| !USUAL_SHARE.contains(&share))
+}
+
+/// How many times as far apart as they say the vertices of the scale lines are.
+fn shares(body: &Body<'_>, text: &Text<'_, '_>) -> impl Iterator<Item = f32> {
+    let scales = text.clothes.scales.iter().enumerate().filter_map(|(axis, scale)| Some((axis, scale.as_ref()?)));
+    scales.filter_map(|(axis, scale)| Some(apart(body, axis, scale)? / scale.distance))
+}
+
+/// Whether a scale line says another distance than its vertices have: then all offsets are wrong, and the rows are not.
+fn is_scaled_wrongly(body: &Body<'_>, text: &Text<'_, '_>) -> bool {
+    shares(body, text).any(|share| !SOUND_SHARE.contains(&share))
 }
 
 /// The help where another numbering gives the shape that was drawn.

@@ -1,7 +1,7 @@
 //! Rows are in the order of the vertices.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{measured, numbering};
+use super::{is_told_by_scale, measured, numbering};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Finding, Level, Place, RuleInfo,
@@ -33,7 +33,7 @@ const MIRRORED: Case = &[
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (text, measure) in measured(body, measures) {
-        let Some(disorder) = measure.shape.disorder else { continue };
+        let Some(disorder) = measure.shape.disorder.filter(|_| !is_told_by_scale(body, &text)) else { continue };
         let mesh = text.worn.mesh().map_or("its OBJ", |(file, _)| file.file_name());
         let longer = disorder.longer;
         let message = if disorder.is_mirrored {

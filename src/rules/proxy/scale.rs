@@ -2,7 +2,7 @@
 
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
-use super::{AXES, INDEX, Text, older, scale_lines, shear, texts};
+use super::{AXES, INDEX, Text, USUAL_SHARE, apart, older, scale_lines, shear, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Finding, Level, Place, RuleInfo,
@@ -32,7 +32,10 @@ const FLAT: Case = &[
     (Makehuman2, Level::Warning, "scales by 0: all offsets along the axis vanish"),
     (Makehuman1, Level::Warning, "scales by 0: all offsets along the axis vanish"),
 ];
-const OTHER: Case = &[(Makehuman2, Level::Warning, "scales all offsets along the axis by a wrong factor")];
+const OTHER: Case = &[
+    (Makehuman2, Level::Warning, "scales all offsets along the axis by a wrong factor"),
+    (Makehuman1, Level::Warning, "scales all offsets along the axis by a wrong factor"),
+];
 const LOST: Case = &[
     (Makehuman2, Level::Error, "loses all vertices; the glTF export of the figure crashes with `ValueError`"),
     (Makehuman1, Level::Warning, "leaves all vertices without a position (NaN)"),
@@ -46,8 +49,6 @@ const FROM_END: Case = &[
 const SMALLEST: f32 = 0.01;
 /// Two vertices of a scale that are nearer than this along its axis do not differ.
 const NOTHING: f32 = 0.001;
-/// Shares that occur, as figures differ: beyond them the line was written for other vertices or in another unit.
-const USUAL: std::ops::RangeInclusive<f32> = 0.2..=5.0;
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
@@ -106,15 +107,12 @@ fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Op
     if let Some(vertex) = [a, b].into_iter().find(|vertex| *vertex < 0) {
         return Some(told(format!("vertex {vertex} of `{name}` is negative")).case(FROM_END).help(names));
     }
-    let mesh = body.whole_mesh()?;
-    let at = |vertex: i64| mesh.positions.get(usize::try_from(vertex).ok()?)?.get(axis).copied();
-    let distance = (at(a)? - at(b)?).abs();
+    let distance = apart(body, axis, scale)?;
     let share = distance / scale.distance;
     if a != b && distance >= NOTHING {
         let message =
             format!("`{name}` says {}, but its vertices are {} apart", length(scale.distance), length(distance));
-        // The author of an asset for MakeHuman 1 measures on a figure of his own.
-        return (!text.is_makehuman1() && !USUAL.contains(&share)).then(|| told(message).case(OTHER).help(help));
+        return (!USUAL_SHARE.contains(&share)).then(|| told(message).case(OTHER).help(help));
     }
     let message = if a == b {
         format!("`{name}` names vertex {a} twice")

@@ -2,6 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
@@ -24,7 +25,8 @@ const BOTH_SIDES: Case = &[(
 )];
 
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(facts) = file.target() else { return };
+    // A packed one only MPFB opens.
+    let Some(facts) = file.target().filter(|_| file.kind == Kind::Target) else { return };
     let Some((line, fields)) = facts.field_count.first.first() else { return };
     // A marker of four words stops the program: `target-syntax`.
     if facts.conflict.is_some() && facts.unreadable_rows > 0 {

@@ -1,0 +1,109 @@
+//! What a loader that splits rows at single blanks makes of a target (formats/mpfb.md §4.1).
+
+use super::fields::fields;
+use super::target_facts::UnreadableField;
+use super::{python_float, python_int};
+use crate::diag::Tally;
+
+/// Lines that such a loader stops at, or reads otherwise. Without any it reads what all others read.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct BlankFacts {
+    /// Rows with white space between their fields that is not one blank.
+    pub separators: Tally,
+    /// Lines with fewer than four fields, with their number.
+    pub few: Tally,
+    /// Rows with more than four fields, with their number: it takes the first four.
+    pub further: Tally,
+    /// The first field that is no number.
+    pub unreadable: Option<UnreadableField>,
+    /// Lines with such a field.
+    pub unreadable_lines: u64,
+}
+
+/// Fields that are read.
+const READ: usize = 4;
+
+/// Whether anything in a text may be read otherwise: in nearly all targets nothing is.
+pub(super) fn differs(text: &[u8]) -> bool {
+    let odd = |byte: u8| byte >= 0x80 || byte == b'"' || byte < b' ' && !matches!(byte, b'\n' | b'\r');
+    let has_odd = text.iter().fold(false, |found, byte| found | odd(*byte));
+    has_odd || text.iter().zip(text.iter().skip(1)).fold(false, |found, pair| found | (pair == (&b' ', &b' ')))
+}
+
+/// Reads all lines.
+pub(super) fn read(text: &[u8]) -> BlankFacts {
+    let mut facts = BlankFacts::default();
+    let mut offset = 0;
+    for (number, line) in (1..).zip(text.split_inclusive(|byte| *byte == b'\n')) {
+        let decoded = String::from_utf8_lossy(line);
+        for part in decoded.split(is_line_break) {
+            facts.line(number, part, offset, line);
+        }
+        offset += line.len();
+    }
+    facts
+}
+
+/// Python ends lines at more than `\n`.
+const fn is_line_break(letter: char) -> bool {
+    matches!(letter, '\n' | '\r' | '\u{b}' | '\u{c}' | '\u{1c}'..='\u{1e}' | '\u{85}' | '\u{2028}' | '\u{2029}')
+}
+
+impl BlankFacts {
+    fn line(&mut self, number: u32, line: &str, offset: usize, raw: &[u8]) {
+        let line = line.trim();
+        if line.is_empty() || line.starts_with(['#', '"']) {
+            return;
+        }
+        let words: Vec<&str> = line.split(' ').collect();
+        let count = i64::try_from(words.len()).unwrap_or(i64::MAX);
+        let Some(wrong) = words.iter().enumerate().take(READ).position(|(at, word)| !fits(at, word.as_bytes())) else {
+            match words.len() {
+                0..READ => self.few.add(number, count),
+                READ => {}
+                _ => self.further.add(number, count),
+            }
+            return;
+        };
+        let loose = fields(line.as_bytes());
+        if loose.len() >= READ && loose.iter().enumerate().take(READ).all(|(at, (_, word))| fits(at, word)) {
+            return self.separators.add(number, 0);
+        }
+        self.unreadable_lines += 1;
+        let field = words.get(wrong).copied().unwrap_or_default();
+        let within = raw.windows(field.len().max(1)).position(|bytes| bytes == field.as_bytes()).unwrap_or(0);
+        let start = offset + within;
+        self.unreadable.get_or_insert_with(|| UnreadableField { line: number, start, field: field.to_owned() });
+    }
+}
+
+/// Whether a field is the number that is expected at its place.
+fn fits(at: usize, word: &[u8]) -> bool {
+    if at == 0 { python_int(word).is_some() } else { python_float(word).is_some() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn counts(text: &str) -> (u64, u64, u64, u64) {
+        let facts = read(text.as_bytes());
+        (facts.separators.count, facts.few.count, facts.further.count, facts.unreadable_lines)
+    }
+
+    #[test]
+    fn rows_are_split_at_single_blanks() {
+        assert_eq!(counts("# x\n \"x\n\n  1 2 3 4  \r\n1 .5 -1e3 0\n"), (0, 0, 0, 0));
+        assert_eq!(counts("1  2 3 4\n1\t2 3 4\n1 2\u{a0}3 4\n"), (2, 0, 0, 1), "a no-break space is no blank anywhere");
+        assert_eq!(counts("1 2 3\n7\n"), (0, 2, 0, 0));
+        assert_eq!(counts("1 2 3 4 5\n1 2 3 4 # note\n"), (0, 0, 2, 0));
+        assert_eq!(counts("3#c 1 2 3\n// no\n0.0 1 2 3\n1 0x1 2 3\n"), (0, 0, 0, 4));
+        assert_eq!(counts("1 2 3 4\u{c}1 2\n"), (0, 1, 0, 0));
+    }
+
+    #[test]
+    fn a_usual_text_is_not_looked_at_twice() {
+        assert!(!differs(b"# x\r\n1 .5 -1 0\n"));
+        assert!(["1  2 3 4", "1\t2", "\"x", "1 2\u{a0}3"].iter().all(|text| differs(text.as_bytes())));
+    }
+}
