@@ -19,6 +19,8 @@ const FIRMNESS: usize = 7;
 const CUT_OFF: f64 = 0.01;
 /// Most combinations of shares in one loop, every part counted with both its names. Those of MPFB come to 3072.
 const MOST_COMBINATIONS: usize = 1 << 16;
+/// Most bytes of the names of all targets of a loop. Those of MPFB come to a fiftieth.
+const MOST_BYTES: usize = 1 << 24;
 
 /// A loop over names.
 #[derive(Debug)]
@@ -96,13 +98,15 @@ impl Loop {
     }
 
     fn combinations(&self, file: &MacroParts) -> usize {
-        let parts = |axis: &Axis| match axis {
-            Race => RACES.len(),
-            Of(place) | Only(place, _) => {
-                file.settings.iter().find(|own| own.place == *place).map_or(0, |own| 2 * own.parts.len())
-            }
-        };
+        let parts = |axis: &Axis| axis.setting(file).map_or(RACES.len(), |own| 2 * own.parts.len());
         self.axes.iter().map(parts).fold(1, usize::saturating_mul)
+    }
+
+    /// Bytes of the longest name of each setting.
+    fn longest(&self, file: &MacroParts) -> usize {
+        let settings = self.axes.iter().filter_map(|axis| axis.setting(file));
+        let longest = |own: &Setting| own.parts.iter().flat_map(|part| [&part.low, &part.high]).flatten().map(String::len).max();
+        settings.filter_map(longest).sum()
     }
 }
 
@@ -115,10 +119,15 @@ pub(crate) struct Name<'p> {
 }
 
 impl Axis {
+    fn setting<'p>(&self, file: &'p MacroParts) -> Option<&'p Setting> {
+        let (Of(place) | Only(place, _)) = self else { return None };
+        file.settings.iter().find(|own| own.place == *place)
+    }
+
     fn names<'p>(&self, file: &'p MacroParts) -> Vec<Name<'p>> {
         match self {
             Race => RACES.iter().map(|text| Name { text, most: 1.0 }).collect(),
-            Of(place) => file.settings.iter().find(|own| own.place == *place).map(names).unwrap_or_default(),
+            Of(_) => self.setting(file).map(names).unwrap_or_default(),
             Only(place, only) => {
                 let mut names = Of(*place).names(file);
                 names.retain(|name| name.text == *only);
@@ -159,7 +168,10 @@ pub(crate) fn is_reachable(combination: &[Name<'_>]) -> bool {
 
 /// Whether these are more combinations than are looked at.
 pub(super) fn are_too_many(file: &MacroParts) -> bool {
-    LOOPS.iter().any(|own| own.combinations(file) > MOST_COMBINATIONS)
+    LOOPS.iter().any(|own| {
+        let (combinations, longest) = (own.combinations(file), own.longest(file));
+        combinations > MOST_COMBINATIONS || combinations.saturating_mul(longest) > MOST_BYTES
+    })
 }
 
 #[cfg(test)]
@@ -214,5 +226,8 @@ mod tests {
             ..MacroParts::default()
         };
         assert!(!are_too_many(&file(2)) && are_too_many(&file(40)));
+        let mut long = file(2);
+        long.settings[AGE].parts[0].low = Some("a".repeat(MOST_BYTES));
+        assert!(are_too_many(&long));
     }
 }
