@@ -45,6 +45,7 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
             kind,
             Kind::BaseMesh
                 | Kind::TargetCatalog
+                | Kind::MacroParts
                 | Kind::Target
                 | Kind::PackedTarget
                 | Kind::TargetIcon

@@ -4,13 +4,19 @@
 
 use super::makehuman2::{MacroError, MacroResult, MacroTable, macro_survey};
 use super::measures::MacroMeasure;
+use super::mpfb::MacroLoops;
+use super::mpfb::loops::{CUT_OFF, LoopResult};
+use super::mpfb::mix::key_value;
 use super::scene::{Scene, Setting};
+use super::vector::round_to_f32;
 
 /// The macros of a scene.
 #[derive(Debug, Clone)]
 pub enum Macros {
     /// Components, macrodefs and their targets.
     Makehuman2(MacroTable),
+    /// Settings in parts, loops over their names.
+    Mpfb(MacroLoops),
 }
 
 /// Why macros stop their application.
@@ -24,6 +30,7 @@ pub enum MacroFault {
 #[derive(Debug, Default)]
 pub struct MacroWork {
     makehuman2: MacroResult,
+    mpfb: LoopResult,
 }
 
 impl Macros {
@@ -37,6 +44,13 @@ impl Macros {
                 table.evaluate(settings, &mut work.makehuman2).map_err(MacroFault::Makehuman2)?;
                 Ok(&work.makehuman2.factors)
             }
+            Self::Mpfb(loops) => {
+                // Settings are stored in 32 bits.
+                let stored: Vec<f64> = settings.iter().map(|value| f64::from(round_to_f32(*value))).collect();
+                loops.evaluate(&stored, CUT_OFF, &mut work.mpfb);
+                work.mpfb.weights.iter_mut().for_each(|(_, weight)| *weight = key_value(*weight));
+                Ok(&work.mpfb.weights)
+            }
         }
     }
 
@@ -44,6 +58,7 @@ impl Macros {
     pub fn cost(&self) -> usize {
         match self {
             Self::Makehuman2(table) => table.cost(),
+            Self::Mpfb(loops) => loops.cost(),
         }
     }
 
@@ -51,6 +66,8 @@ impl Macros {
     pub fn measure(&self, scene: &Scene, settings: &[Setting]) -> MacroMeasure {
         match self {
             Self::Makehuman2(table) => macro_survey::measure(table, scene, settings),
+            // No rule asks for its numbers yet.
+            Self::Mpfb(_) => MacroMeasure::default(),
         }
     }
 }

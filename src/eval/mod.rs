@@ -8,7 +8,7 @@
 //! the application would turn into NaN is NaN here.
 //!
 //! What applications calculate alike, and what is measured on it, is here; where they differ, each has a folder with
-//! its formulas (`makehuman1`, `makehuman2`).
+//! its formulas (`makehuman1`, `makehuman2`, `mpfb`).
 //!
 //! ```
 //! use mhlint::eval::makehuman2::joints::joint_position;
@@ -48,6 +48,7 @@ pub mod measure;
 pub mod measures;
 pub mod mesh;
 pub mod morph;
+pub mod mpfb;
 pub mod proportion;
 pub mod rig_measure;
 pub mod scene;

@@ -37,6 +37,8 @@ pub struct Scene {
     pub sliders: Vec<SceneSlider>,
     /// The macros; `None` without a macro system.
     pub macros: Option<Macros>,
+    /// What the factors of detail sliders are limited to, if to anything.
+    pub most_factor: Option<f64>,
     /// Whether there is a macro system with more in it than is evaluated.
     pub lacks_macros: bool,
     /// For each target number of the macros its place in `targets`.
@@ -187,7 +189,9 @@ impl Scene {
             let SliderKind::Detail { incr, decr, .. } = self.sliders.get(*number)?.kind else { return None };
             let (side, factor) = detail_factor(*value)?;
             let target = if side == Side::Incr { incr } else { decr };
-            target.map(|target| (target, factor))
+            // NaN stays.
+            let limited = self.most_factor.filter(|most| factor > *most).unwrap_or(factor);
+            target.map(|target| (target, limited))
         })
     }
 

@@ -3,9 +3,10 @@
 use std::path::Path;
 
 use super::error::Error;
+use crate::eval::scene::Scene;
 use crate::eval::vector::Point;
 use crate::formats::json_file::{self, JsonFault};
-use crate::formats::obj;
+use crate::formats::obj::{self, Mesh};
 use crate::json::{Document, SyntaxFault};
 /// A path as messages print it.
 pub(super) use crate::source::slashed as shown;
@@ -60,6 +61,26 @@ pub(super) fn json_cause(fault: &JsonFault, bytes: &[u8]) -> String {
 fn syntax_cause(fault: &SyntaxFault, bytes: &[u8]) -> String {
     let line = Lines::of(bytes).position(fault.span.start).line;
     format!("not valid JSON, line {line}: {fault}")
+}
+
+/// Puts vertices, faces and groups of a mesh into a scene. Faces at vertices that it lacks are left out.
+pub(super) fn take_mesh(scene: &mut Scene, mesh: &Mesh, is_visible: impl Fn(&str) -> bool) {
+    scene.positions.clone_from(&mesh.positions);
+    let vertices = mesh.positions.len();
+    for group in &mesh.groups {
+        scene.groups.push(group.name.clone());
+        scene.visible.push(is_visible(&group.name));
+    }
+    let start = |scene: &Scene| u32::try_from(scene.corners.len()).unwrap_or(u32::MAX);
+    for face in &mesh.faces {
+        let corners = face.of(&mesh.corners);
+        if corners.iter().all(|corner| (*corner as usize) < vertices) {
+            scene.face_starts.push(start(scene));
+            scene.corners.extend_from_slice(corners);
+            scene.face_groups.push(face.group);
+        }
+    }
+    scene.face_starts.push(start(scene));
 }
 
 /// An OBJ text whose `v` lines hold other positions, one each; every other line is kept as it is.

@@ -3,19 +3,29 @@
 //! To evaluate another one: a variant of [`Formulas`], a folder beside `makehuman2`, and an arm wherever the compiler
 //! asks for one.
 
+use serde_json::{Map, Value};
+
 use super::cases::Kind;
 use super::data::{RestSkeleton, SkeletonFile};
 use super::gauge::gauge;
 use super::worn::Fitted;
-use super::{Error, Evaluation, Rows, makehuman1, makehuman2};
+use super::{Error, Evaluation, Rows, Setting, makehuman1, makehuman2, mpfb};
 use crate::config::Config;
 use crate::diag::Application;
 use crate::eval::measures::Measures;
-use crate::eval::skeleton::Formulas;
 use crate::eval::vector::Point;
 use crate::repo::Layers;
 use crate::repo::makehuman2::Base;
 use crate::source::Limits;
+
+/// Whose formulas evaluate a body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Formulas {
+    /// `makehuman2`.
+    Makehuman2,
+    /// `mpfb`.
+    Mpfb,
+}
 
 /// A body of layers that can be opened.
 #[derive(Clone, Copy)]
@@ -29,13 +39,14 @@ pub(crate) struct Openable<'a> {
 const fn formulas(application: Application) -> Option<Formulas> {
     match application {
         Application::Makehuman2 => Some(Formulas::Makehuman2),
-        Application::Makehuman1 | Application::Mpfb => None,
+        Application::Mpfb => Some(Formulas::Mpfb),
+        Application::Makehuman1 => None,
     }
 }
 
-/// Whether the targets of an application are evaluated, so that their rows are needed.
+/// Whether rules ask for what the targets of an application come to, so that their rows are needed.
 pub(crate) const fn needs_rows(application: Application) -> bool {
-    formulas(application).is_some()
+    matches!(application, Application::Makehuman2)
 }
 
 /// Whether anything of the data of an application is measured: what is worn, also where nothing else is.
@@ -80,6 +91,7 @@ pub(crate) fn openable(application: Application, layers: Layers<'_>) -> Vec<Open
     let Some(formulas) = formulas(application) else { return Vec::new() };
     let names = match formulas {
         Formulas::Makehuman2 => makehuman2::base::with_mesh(layers),
+        Formulas::Mpfb => mpfb::base::with_mesh(layers),
     };
     names.into_iter().map(|name| Openable { name, layers, formulas }).collect()
 }
@@ -89,6 +101,7 @@ impl Openable<'_> {
     pub(crate) fn has_macros(&self) -> bool {
         match self.formulas {
             Formulas::Makehuman2 => Base::resolve(self.name, self.layers).macro_file().is_some(),
+            Formulas::Mpfb => true,
         }
     }
 
@@ -99,6 +112,7 @@ impl Openable<'_> {
     pub(crate) fn open(&self, limits: Limits) -> Result<Evaluation, Error> {
         match self.formulas {
             Formulas::Makehuman2 => makehuman2::base::open(&Base::resolve(self.name, self.layers), limits),
+            Formulas::Mpfb => mpfb::base::open(self.name, self.layers, limits),
         }
     }
 }
@@ -108,6 +122,26 @@ impl Evaluation {
     pub(super) const fn application(&self) -> Application {
         match self.formulas {
             Formulas::Makehuman2 => Application::Makehuman2,
+            Formulas::Mpfb => Application::Mpfb,
+        }
+    }
+
+    /// Whether a vertex of several rows moves by all of them, and one that the mesh lacks is passed over.
+    pub(super) const fn adds_rows(&self) -> bool {
+        matches!(self.formulas, Formulas::Mpfb)
+    }
+
+    /// The macros at a setting, as JSON.
+    ///
+    /// # Errors
+    /// No macros, or macros that stop the application.
+    pub fn macros_json(&self, setting: &Setting) -> Result<Map<String, Value>, Error> {
+        match self.formulas {
+            Formulas::Makehuman2 => {
+                let (table, result) = self.macros(setting)?;
+                Ok(makehuman2::macros_json(self, table, &result))
+            }
+            Formulas::Mpfb => mpfb::macros::macros_json(self, setting),
         }
     }
 
@@ -118,11 +152,12 @@ impl Evaluation {
     pub fn rest(&self, skeleton: &SkeletonFile, positions: &[Point]) -> Result<RestSkeleton, Error> {
         match self.formulas {
             Formulas::Makehuman2 => makehuman2::skeleton::rest(skeleton, positions),
+            Formulas::Mpfb => Err(mpfb::no_rigs(self.base())),
         }
     }
 }
 
 /// Every kind of case, of all applications.
 pub(super) fn kinds() -> impl Iterator<Item = &'static Kind> {
-    makehuman2::cases::KINDS.iter()
+    makehuman2::cases::KINDS.iter().chain(&mpfb::cases::KINDS)
 }

@@ -25,6 +25,7 @@ mod formulas;
 mod gauge;
 pub mod makehuman1;
 pub mod makehuman2;
+mod mpfb;
 mod opened;
 mod outputs;
 mod pose;

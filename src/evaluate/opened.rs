@@ -7,9 +7,9 @@ use std::collections::BTreeSet;
 use super::data::SkeletonFile;
 use super::error::Error;
 use super::files::read_cause;
+use super::formulas::Formulas;
 use crate::discover::extension;
 use crate::eval::scene::Scene;
-use crate::eval::skeleton::Formulas;
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhbin;
 use crate::formats::obj_text::text_of;
@@ -31,13 +31,22 @@ pub struct Evaluation {
     pub(super) scene: Scene,
     /// Other names of sliders, each with the patterns that it stands for.
     pub(super) keys: Vec<(String, Vec<String>)>,
-    pub(super) macros: Result<MacroFile, String>,
+    pub(super) macros: Result<MacroNames, String>,
     pub(super) mesh_path: String,
     pub(super) skeleton: Result<SkeletonFile, String>,
     /// Why the application stops when it binds the weights.
     pub(super) weights_fault: Option<Error>,
     /// The archive that the application reads in place of target files, and the targets in it.
     pub(super) archive: Option<(String, BTreeSet<String>)>,
+}
+
+/// What macros are called in their file.
+#[derive(Debug)]
+pub(super) enum MacroNames {
+    /// Components and definitions.
+    Components(MacroFile),
+    /// The names of each setting, numbered as in its parts.
+    Parts(Vec<Vec<String>>),
 }
 
 impl Evaluation {

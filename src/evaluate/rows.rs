@@ -1,15 +1,18 @@
 //! Rows of targets, read when a setting first needs them, and the mesh at a setting.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::error::Error;
 use super::files::read_cause;
 use super::opened::Evaluation;
+use crate::diag::Tally;
+use crate::discover::extension;
 use crate::eval::macros::{MacroFault, MacroWork};
 use crate::eval::scene::{Setting, SettingError};
 use crate::eval::vector::Point;
 use crate::formats::target::{self, Row, TargetFacts};
-use crate::source::Encoding;
+use crate::source::{Encoding, gunzip};
 
 impl Evaluation {
     /// The targets of a setting with their factors: places in the scene's targets, details before macros.
@@ -26,11 +29,19 @@ impl Evaluation {
     /// Macros that stop the application; a target that is missing or cannot be used.
     pub fn morphed(&mut self, setting: &Setting) -> Result<Vec<Point>, Error> {
         let factors = self.factors(setting)?;
-        for (target, _) in &factors {
+        self.with_factors(&factors)
+    }
+
+    /// The mesh with targets of the scene.
+    ///
+    /// # Errors
+    /// A target that is missing or cannot be used.
+    pub(super) fn with_factors(&mut self, factors: &[(usize, f64)]) -> Result<Vec<Point>, Error> {
+        for (target, _) in factors {
             self.need_rows(*target)?;
         }
         let mut positions = self.scene.positions.clone();
-        self.scene.add(&mut positions, &factors).map_err(|error| self.setting_error(error))?;
+        self.scene.add(&mut positions, factors).map_err(|error| self.setting_error(error))?;
         Ok(positions)
     }
 
@@ -51,7 +62,8 @@ impl Evaluation {
         let rows = self.read_rows(&known.path, &known.name)?;
         // Rows for seam duplicates are accepted and overwritten by the application.
         let vertices = self.size.vertices;
-        let rows = rows.into_iter().filter(|row| (row.0 as usize) < vertices).collect();
+        let rows = rows.into_iter().filter(|row| (row.0 as usize) < vertices);
+        let rows = if self.adds_rows() { added(rows) } else { rows.collect() };
         if let Some(known) = self.scene.targets.get_mut(target) {
             known.rows = Some(Arc::new(rows));
         }
@@ -61,13 +73,23 @@ impl Evaluation {
     fn read_rows(&self, path: &str, name: &str) -> Result<Vec<Row>, Error> {
         let (tree, entry) = self.entry(path).ok_or_else(|| self.missing(name))?;
         let bytes = tree.read(entry, &self.limits).map_err(|fault| Error::file(path, read_cause(&fault)))?;
+        let bytes = if extension(path) == "gz" { self.unpacked(path, &bytes)? } else { bytes };
         let encoding = Encoding::of(&bytes);
         if encoding.lfs_pointer {
             return Err(Error::file(path, "it is a Git LFS pointer; fetch the file with `git lfs pull`"));
         }
         let target = target::parse_file(&bytes, &encoding, Some(self.size));
         let target = target.ok_or_else(|| Error::file(path, "it is not a target"))?;
-        unusable(&target.facts).map_or(Ok(target.rows), |cause| Err(Error::file(path, cause)))
+        let cause = if self.adds_rows() { unreadable(&target.facts) } else { unusable(&target.facts) };
+        cause.map_or(Ok(target.rows), |cause| Err(Error::file(path, cause)))
+    }
+
+    /// The text of a packed target. One without a byte is an empty target.
+    fn unpacked(&self, path: &str, bytes: &[u8]) -> Result<Vec<u8>, Error> {
+        if bytes.is_empty() || Encoding::of(bytes).lfs_pointer {
+            return Ok(bytes.to_vec());
+        }
+        gunzip(bytes, &self.limits).map_err(|_| Error::file(path, "it cannot be unpacked"))
     }
 
     fn missing(&self, name: &str) -> Error {
@@ -85,9 +107,28 @@ impl Evaluation {
     }
 }
 
+/// The rows of each vertex as one.
+fn added(rows: impl Iterator<Item = Row>) -> Vec<Row> {
+    let mut sums: BTreeMap<u32, [f32; 3]> = BTreeMap::new();
+    for (vertex, delta) in rows {
+        let sum = sums.entry(vertex).or_default();
+        sum.iter_mut().zip(delta).for_each(|(sum, delta)| *sum += delta);
+    }
+    sums.into_iter().collect()
+}
+
 /// Whether a target is evaluated: whether its rows say what applications can do.
 pub(super) fn is_usable(target: &TargetFacts) -> bool {
     target.unreadable_rows == 0 && target.negative.count == 0 && target.out_of_range.count == 0
+}
+
+/// What stops an application that passes over rows for vertices which the mesh lacks. Lines of more or fewer fields are
+/// not among the rows that are kept.
+fn unreadable(target: &TargetFacts) -> Option<String> {
+    let in_range = TargetFacts { out_of_range: Tally::default(), ..target.clone() };
+    let odd = target.field_count.first.first();
+    let odd = odd.map(|(line, fields)| format!("line {line}: {fields} fields; mhlint evaluates rows of four"));
+    unusable(&in_range).or(odd)
 }
 
 fn unusable(target: &TargetFacts) -> Option<String> {

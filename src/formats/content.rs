@@ -6,6 +6,7 @@ use super::bvh::Motion;
 use super::geometry::Geometry;
 use super::json_file::JsonFault;
 use super::macro_json::MacroFile;
+use super::macro_parts::MacroParts;
 use super::meta::Meta;
 use super::mhbin::MeshFault;
 use super::mhbin_asset::Packed;
@@ -50,6 +51,8 @@ pub enum Content {
     Categories(Box<TargetCategories>),
     /// `target.json`.
     Catalog(Box<TargetCatalog>),
+    /// `macro.json` of MPFB.
+    Parts(Box<MacroParts>),
     /// `.mhskel`.
     Skeleton(Box<Skeleton>),
     /// `.mhw`.

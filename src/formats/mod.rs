@@ -17,6 +17,7 @@ pub mod geometry;
 pub(crate) mod inline_ignore;
 pub(crate) mod json_file;
 pub mod macro_json;
+pub mod macro_parts;
 pub mod mesh_difference;
 pub mod meta;
 pub mod mhbin;

@@ -6,8 +6,8 @@ use super::readers::{
     shader_source, target, uv_map, weights, zip,
 };
 use super::{
-    Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, pose_units, program, selection_filter,
-    target_cat, target_catalog,
+    Content, Input, Parsed, base_json, geometry, macro_json, macro_parts, mhskel, modelling, pose_units, program,
+    selection_filter, target_cat, target_catalog,
 };
 use crate::discover::Kind;
 use crate::json::Document;
@@ -102,7 +102,7 @@ pub(crate) static FORMATS: [Format; 41] = [
         Content::Categories(Box::new(target_cat::read(json)))
     }),
     tree(Kind::TargetCatalog, "target.json", |json| Content::Catalog(Box::new(target_catalog::read(json)))),
-    plain(Kind::MacroParts, "macro.json", Syntax::Json),
+    json(Kind::MacroParts, "macro.json", "mpfb_macro", |json| Content::Parts(Box::new(macro_parts::read(json)))),
     plain(Kind::FaceExpression, "expression", Syntax::Json),
     plain(Kind::HumanPreset, "saved character", Syntax::Json),
     plain(Kind::ImporterPreset, "importer preset", Syntax::Json),

@@ -101,7 +101,7 @@ impl Schema {
     }
 }
 
-static SCHEMAS: [Schema; 14] = [
+static SCHEMAS: [Schema; 15] = [
     Schema::new("base", include_str!("../../schemas/base.schema.json")),
     Schema::new("config", include_str!("../../schemas/config.schema.json")),
     Schema::new("geometry", include_str!("../../schemas/geometry.schema.json")),
@@ -110,6 +110,7 @@ static SCHEMAS: [Schema; 14] = [
     Schema::new("mhskel", include_str!("../../schemas/mhskel.schema.json")),
     Schema::new("mhw", include_str!("../../schemas/mhw.schema.json")),
     Schema::new("modelling", include_str!("../../schemas/modelling.schema.json")),
+    Schema::new("mpfb_macro", include_str!("../../schemas/mpfb_macro.schema.json")),
     Schema::new("pose_units", include_str!("../../schemas/pose_units.schema.json")),
     Schema::new("report", include_str!("../../schemas/report.schema.json")),
     Schema::new("selection_filter", include_str!("../../schemas/selection_filter.schema.json")),

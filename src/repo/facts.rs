@@ -8,6 +8,7 @@ use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::bvh::Motion;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
+use crate::formats::macro_parts::MacroParts;
 use crate::formats::meta::Meta;
 use crate::formats::mhbin::MeshFault;
 use crate::formats::mhbin_asset::Packed;
@@ -145,6 +146,11 @@ impl FileFacts {
     /// The catalogue of sliders, if it is one that could be read.
     pub fn catalog(&self) -> Option<&TargetCatalog> {
         if let Content::Catalog(catalog) = &*self.content { Some(catalog) } else { None }
+    }
+
+    /// The parts of the macro settings, if they could be read.
+    pub fn macro_parts(&self) -> Option<&MacroParts> {
+        if let Content::Parts(parts) = &*self.content { Some(parts) } else { None }
     }
 
     /// The archive, if it is one that was read.

@@ -99,7 +99,11 @@ impl<'a> View<'a> {
 
     /// Whether some body has more macros than are compared with one another.
     pub(crate) fn has_too_many_macros(&self) -> bool {
-        self.makehuman2().is_some_and(|view| view.bases.iter().any(makehuman2::Base::has_too_many_macros))
+        match self {
+            Self::Makehuman2(view) => view.bases.iter().any(makehuman2::Base::has_too_many_macros),
+            Self::Mpfb(view) => view.parts.as_ref().is_some_and(|parts| parts.is_too_large),
+            Self::Makehuman1(_) => false,
+        }
     }
 
     /// Folders of the checked layer in which that of a base mesh is left out, each with a file that shows it.
@@ -184,6 +188,11 @@ impl<'a> View<'a> {
     /// Whether the application does as well without this file.
     pub(crate) fn does_without(&self, file: &FileFacts) -> bool {
         self.makehuman2().is_some_and(|view| view.does_without(file))
+    }
+
+    /// Whether the application composes the name of a target out of others, so that no file has it.
+    pub(crate) fn composes_name_of(&self, file: &FileFacts) -> bool {
+        if let Self::Mpfb(view) = self { view.asks_for(file) } else { false }
     }
 
     /// Whether other files know what a reference belongs to by the name that it writes, so that the name has to stay.

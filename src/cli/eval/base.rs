@@ -7,14 +7,13 @@ use serde_json::Value;
 use super::args::{BaseArgs, MeshArgs, SkeletonArgs, SkinArgs};
 use super::{document, open, write};
 use crate::cli::exit::Failure;
-use crate::evaluate::makehuman2::{macros_json, read_skeleton};
+use crate::evaluate::makehuman2::read_skeleton;
 use crate::evaluate::{mesh_json, read_poses, skeleton_json, skin_json, with_positions};
 
 /// `mhlint eval macros`.
 pub(super) fn macros(args: &BaseArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let opened = open(args)?;
-    let (table, result) = opened.evaluation.macros(&opened.setting)?;
-    let outputs = macros_json(&opened.evaluation, table, &result);
+    let outputs = opened.evaluation.macros_json(&opened.setting)?;
     write::write(&document("macros", opened.inputs, outputs), None, out)
 }
 

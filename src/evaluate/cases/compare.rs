@@ -4,6 +4,7 @@
 
 use serde_json::Value;
 
+use super::inputs;
 use super::roots::use_of;
 use super::tolerance::{AT_THRESHOLD, Tolerance};
 use super::{CaseReport, Kind};
@@ -57,7 +58,8 @@ pub(super) fn compare(kind: &Kind, case: &Node, report: &CaseReport) -> Comparis
         differences: Vec::new(),
         failure: report.outputs.as_ref().err().map(ToString::to_string),
     };
-    let mut comparer = Comparer { kind, of_asset: is_of_asset(kind, case), comparison };
+    let scale = inputs::field(case, "scale_factor").and_then(Node::as_f64).unwrap_or(1.0);
+    let mut comparer = Comparer { kind, of_asset: is_of_asset(kind, case), scale, comparison };
     if let Ok(found) = &report.outputs {
         match case.get("outputs").map(|node| node.plain(&Value::Null)) {
             Some(Value::Object(expected)) if !expected.is_empty() => {
@@ -86,6 +88,8 @@ fn is_of_asset(kind: &Kind, case: &Node) -> bool {
 struct Comparer<'a> {
     kind: &'a Kind,
     of_asset: bool,
+    /// Units of the mesh that one of its file comes to.
+    scale: f64,
     comparison: Comparison,
 }
 
@@ -126,7 +130,7 @@ impl Comparer<'_> {
                 self.differ(format!("`{at}` has {} elements, {} expected", found.len(), expected.len()));
             }
             (Value::Number(_) | Value::Null, Value::Number(_) | Value::Null) => {
-                let tolerance = self.kind.tolerance(quantity);
+                let tolerance = self.kind.tolerance(quantity, self.scale);
                 self.number(quantity, at, tolerance, expected.as_f64(), found.as_f64());
             }
             (expected, found) if expected == found => {}
@@ -180,7 +184,7 @@ impl Comparer<'_> {
             if count != count_here {
                 self.differ(format!("`{at}` has {count_here} entries, {count} expected"));
             }
-            self.number("bone sum", &at, self.kind.tolerance("bone sum"), sum, sum_here);
+            self.number("bone sum", &at, self.kind.tolerance("bone sum", self.scale), sum, sum_here);
         }
         for bone in found.keys().filter(|bone| !expected.contains_key(*bone)) {
             self.differ(format!("`bones/{bone}` is computed, but not expected"));

@@ -12,12 +12,23 @@ pub(in crate::evaluate) enum Tolerance {
     Absolute(f64),
     /// As a share of the expected number.
     Relative(f64),
+    /// In the unit of the mesh: for one in metres, and for one in decimetres.
+    ByScale {
+        /// One unit of the file is a tenth of a unit of the mesh.
+        metres: f64,
+        /// It is a whole one.
+        decimetres: f64,
+    },
 }
 
 /// Factors of targets; `f64` in the application.
 pub(in crate::evaluate) const FACTORS: Tolerance = Tolerance::Absolute(1e-6);
 /// Coordinates and boxes of morphed meshes, decimetres.
 pub(in crate::evaluate) const MORPHED: Tolerance = Tolerance::Absolute(2e-5);
+/// Coordinates and boxes of shape keys as Blender mixes them.
+pub(in crate::evaluate) const MIXED: Tolerance = Tolerance::ByScale { metres: 3e-6, decimetres: 2e-5 };
+/// Their sums over all vertices of a mesh.
+pub(in crate::evaluate) const MIXED_SUMS: Tolerance = Tolerance::Absolute(0.05);
 /// Sums over all vertices of a mesh, decimetres.
 const MESH_SUMS: Tolerance = Tolerance::Absolute(0.2);
 /// Joints, heads, tails, lengths, decimetres.
@@ -38,8 +49,8 @@ pub(super) const AT_THRESHOLD: Tolerance = Tolerance::Absolute(1e-4);
 const EXACT: Tolerance = Tolerance::Absolute(0.0);
 
 impl Kind {
-    /// The tolerance of a quantity.
-    pub(super) fn tolerance(&self, quantity: &str) -> Tolerance {
+    /// The tolerance of a quantity, in a case whose mesh has this scale.
+    pub(super) fn tolerance(&self, quantity: &str, scale: f64) -> Tolerance {
         let own = self.tolerances.iter().find(|(name, _)| *name == quantity);
         let common = || match quantity {
             "count" | "vertex_count" | "ref_count" | "delete_verts" => EXACT,
@@ -47,15 +58,23 @@ impl Kind {
             "bone sum" => BONE_SUMS,
             _ => self.tolerance,
         };
-        own.map_or_else(common, |(_, own)| *own)
+        own.map_or_else(common, |(_, own)| *own).at(scale)
     }
 }
 
 impl Tolerance {
+    /// The tolerance for a mesh of this scale.
+    fn at(self, scale: f64) -> Self {
+        match self {
+            Self::ByScale { metres, decimetres } => Self::Absolute(if scale > 0.1 { decimetres } else { metres }),
+            other => other,
+        }
+    }
+
     /// The limit itself.
     pub(super) const fn limit(self) -> f64 {
         match self {
-            Self::Absolute(limit) | Self::Relative(limit) => limit,
+            Self::Absolute(limit) | Self::Relative(limit) | Self::ByScale { metres: limit, .. } => limit,
         }
     }
 
@@ -64,7 +83,7 @@ impl Tolerance {
         match (expected, found) {
             (None, None) => 0.0,
             (Some(expected), Some(found)) => match self {
-                Self::Absolute(_) => (expected - found).abs(),
+                Self::Absolute(_) | Self::ByScale { .. } => (expected - found).abs(),
                 Self::Relative(_) => {
                     let distance = (expected - found).abs();
                     // Equal zeros have no ratio.

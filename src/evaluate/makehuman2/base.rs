@@ -5,12 +5,11 @@ use std::collections::BTreeSet;
 use serde_json::{Value, json};
 
 use crate::eval::scene::Scene;
-use crate::eval::skeleton::Formulas;
 use crate::eval::vector::Point;
-use crate::evaluate::opened::NO_MESH;
+use crate::evaluate::formulas::Formulas;
+use crate::evaluate::opened::{MacroNames, NO_MESH};
 use crate::evaluate::outputs::rounded;
 use crate::evaluate::{Error, Evaluation};
-use crate::formats::macro_json::MacroFile;
 use crate::repo::Layers;
 use crate::repo::makehuman2::{Base, BoundSlider};
 use crate::source::Limits;
@@ -119,12 +118,12 @@ fn key_and_patterns(bound: &BoundSlider<'_>) -> (String, Vec<String>) {
     (bound.slider.key.clone(), bound.pattern.names().to_vec())
 }
 
-fn macros_of(base: &Base<'_>, scene: &Scene) -> Result<MacroFile, String> {
+fn macros_of(base: &Base<'_>, scene: &Scene) -> Result<MacroNames, String> {
     match base.macro_file() {
         Some((file, _)) if scene.macros.is_none() => {
             Err(format!("`{}` has too many combinations to evaluate", file.path))
         }
-        Some((_, macros)) => Ok(macros.clone()),
+        Some((_, macros)) => Ok(MacroNames::Components(macros.clone())),
         None if base.macros.is_broken() => {
             let file = base.macros.contarget.file().or_else(|| base.macros.system.file());
             Err(format!("`{}` cannot be used", file.map_or("macro.json", |file| file.path.as_str())))

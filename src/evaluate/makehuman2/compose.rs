@@ -19,6 +19,7 @@ use crate::eval::settings::Dimension;
 use crate::eval::skeleton::{Bone, SceneSkeleton};
 use crate::eval::weights::{Entry, LoadedWeights};
 use crate::evaluate::Rows;
+use crate::evaluate::files::take_mesh;
 use crate::evaluate::gauge::{Composed, Rig};
 use crate::evaluate::rows::is_usable;
 use crate::formats::macro_json::{self, MacroFile};
@@ -75,23 +76,8 @@ struct Composer<'r, 'm> {
 
 impl Composer<'_, '_> {
     fn mesh(&mut self, base: &Base<'_>) {
-        let scene = &mut self.scene;
-        scene.positions.clone_from(&self.mesh.positions);
-        let vertices = self.mesh.positions.len();
         let visible = base.settings().and_then(|(_, settings)| settings.shown.as_ref());
-        for group in &self.mesh.groups {
-            scene.groups.push(group.name.clone());
-            scene.visible.push(visible.is_some_and(|names| names.contains(&group.name)));
-        }
-        for face in &self.mesh.faces {
-            let corners = face.of(&self.mesh.corners);
-            if corners.iter().all(|corner| (*corner as usize) < vertices) {
-                scene.face_starts.push(u32::try_from(scene.corners.len()).unwrap_or(u32::MAX));
-                scene.corners.extend_from_slice(corners);
-                scene.face_groups.push(face.group);
-            }
-        }
-        scene.face_starts.push(u32::try_from(scene.corners.len()).unwrap_or(u32::MAX));
+        take_mesh(&mut self.scene, self.mesh, |group| visible.is_some_and(|names| names.contains(group)));
     }
 
     /// Binds all sliders; gives where each pattern is found in the macro settings.

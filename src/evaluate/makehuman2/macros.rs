@@ -10,8 +10,10 @@ use crate::eval::makehuman2::component::ComponentFault;
 use crate::eval::makehuman2::macro_eval::{Combination, Fate};
 use crate::eval::makehuman2::{MacroError, MacroResult, MacroTable};
 use crate::eval::scene::Setting;
+use crate::evaluate::opened::MacroNames;
 use crate::evaluate::outputs::{object, rounded};
 use crate::evaluate::{Error, Evaluation};
+use crate::formats::macro_json::MacroFile;
 
 impl Evaluation {
     /// Every combination of the macros at a setting.
@@ -20,9 +22,9 @@ impl Evaluation {
     /// No macros, or macros that stop the application.
     pub fn macros(&self, setting: &Setting) -> Result<(&MacroTable, MacroResult), Error> {
         let base = self.base.clone();
-        let table = self.scene.macros.as_ref().filter(|_| self.macros.is_ok());
-        let Macros::Makehuman2(table) = table
-            .ok_or_else(|| Error::NoMacros { base, reason: self.macros.as_ref().err().cloned().unwrap_or_default() })?;
+        let Some(Macros::Makehuman2(table)) = self.scene.macros.as_ref().filter(|_| self.macros.is_ok()) else {
+            return Err(Error::NoMacros { base, reason: self.macros.as_ref().err().cloned().unwrap_or_default() });
+        };
         let mut result = MacroResult::default();
         let evaluated = table.evaluate(&setting.macros, &mut result);
         evaluated.map_err(|error| self.macro_error(error))?;
@@ -65,11 +67,15 @@ impl Evaluation {
         place.and_then(|place| self.scene.targets.get(*place)).map_or("", |target| target.name.as_str())
     }
 
+    fn components(&self) -> Option<&MacroFile> {
+        if let Ok(MacroNames::Components(file)) = &self.macros { Some(file) } else { None }
+    }
+
     pub(in crate::evaluate) fn macro_error(&self, error: MacroError) -> Error {
         let MacroError::Component { component, fault } = error else {
             return Error::NoMacros { base: self.base.clone(), reason: error.to_string() };
         };
-        let name = self.macros.as_ref().ok().and_then(|macros| {
+        let name = self.components().and_then(|macros| {
             // The table holds the components that have a pattern.
             let used =
                 macros.components.iter().filter(|c| c.pattern.is_some() && (c.steps.is_some() || c.sum.is_some()));
@@ -94,7 +100,7 @@ fn exception(fault: ComponentFault) -> &'static str {
 /// As `macro_outputs`, with the fate of every combination and the components that dropped out.
 pub fn macros_json(evaluation: &Evaluation, table: &MacroTable, result: &MacroResult) -> Map<String, Value> {
     let mut outputs = evaluation.macro_outputs(table, result);
-    let macrodefs = evaluation.macros.as_ref().map(|macros| macros.macrodefs.as_slice()).unwrap_or_default();
+    let macrodefs = evaluation.components().map(|macros| macros.macrodefs.as_slice()).unwrap_or_default();
     let title = |number: usize| macrodefs.get(number).and_then(|macrodef| macrodef.name.clone());
     let fate = |fate: Fate| match fate {
         Fate::Applied(_) => "applied",

@@ -91,13 +91,6 @@ impl<'a> View<'a> {
         files.filter_map(UserTarget::of)
     }
 
-    /// Whether the macro system may ask for a target.
-    pub(crate) fn asks_for(&self, file: &FileFacts) -> bool {
-        // A name of the loops: `breast/` has targets of sliders, too.
-        file.rel.starts_with("targets/macrodetails/")
-            || file.rel.starts_with("targets/breast/") && file.file_name().ends_with("firmness.target.gz")
-    }
-
     /// The names of the targets that MPFB brings, which it finds first (§4.4).
     pub(crate) fn shipped(&self) -> impl Iterator<Item = &'a str> + use<'a> {
         let files = self.layers.system.into_iter().flat_map(|layer| layer.below("targets"));

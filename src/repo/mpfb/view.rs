@@ -2,6 +2,7 @@
 
 use std::ops::Bound;
 
+use super::parts::Parts;
 use super::references::collect;
 use crate::diag::{Application, Place};
 use crate::discover::Kind;
@@ -19,6 +20,8 @@ pub(crate) struct View<'a> {
     pub layers: Layers<'a>,
     /// The sliders, if they can be read.
     pub catalog: Option<Catalog<'a>>,
+    /// The parts of the macro settings, if they can be read.
+    pub parts: Option<Parts<'a>>,
     /// The base mesh, if it can be read.
     pub mesh: Option<(&'a FileFacts, &'a Mesh)>,
     /// Everything that names a file, and what it leads to.
@@ -44,15 +47,21 @@ impl<'a> View<'a> {
         let file = |kind| layers.system?.files.values().find(|file| file.kind_in(OWN) == kind);
         let catalog = layers.system.zip(file(Kind::TargetCatalog));
         let catalog = catalog.and_then(|(layer, file)| Some(Catalog { layer, file, sliders: file.catalog()? }));
+        let parts = layers.system.zip(file(Kind::MacroParts)).and_then(|(layer, file)| Parts::of(layer, file));
         let mesh = file(Kind::BaseMesh).and_then(|file| Some((file, file.mesh()?)));
         let references = References::new(catalog.as_ref().map(collect).unwrap_or_default());
-        Self { layers, catalog, mesh, references, worn: worn(layers) }
+        Self { layers, catalog, parts, mesh, references, worn: worn(layers) }
     }
 
     /// The name of the base mesh, if there is anything for it.
     pub(crate) fn body_name(&self) -> Option<&'a str> {
         let of_catalog = self.catalog.and_then(|catalog| catalog.file.base_in(OWN));
         self.mesh.and_then(|(file, _)| file.base_in(OWN)).or(of_catalog)
+    }
+
+    /// Whether MPFB composes the name of a target out of those of its macro settings.
+    pub(crate) fn asks_for(&self, file: &FileFacts) -> bool {
+        self.parts.as_ref().is_some_and(|parts| parts.asks_for(file))
     }
 
     /// The body. Which of its targets nobody uses cannot be told: any can be asked for by its name (formats/mpfb.md §4.4).
@@ -68,7 +77,8 @@ impl<'a> View<'a> {
 
     /// What is known of a target of the checked layer.
     pub(in crate::repo) fn target<'v>(&self, file: &'v FileFacts) -> Target<'v> {
-        let used_as = self.references.to_file(file).map(|reference| reference.kind).min();
+        let of_references = self.references.to_file(file).map(|reference| reference.kind).min();
+        let used_as = if self.asks_for(file) { Some(ReferenceKind::MacroTarget) } else { of_references };
         Target { file, folder: parent(&file.rel), used_as, is_unused: false, packed_in: None }
     }
 }

@@ -60,10 +60,11 @@ fn counts_as_missing(view: &View<'_>, file: &FileFacts) -> Option<&'static str> 
     (cause::counts_as_missing(file) && !usual).then_some(what)
 }
 
-/// `macro-empty-target` knows these better.
+/// `macro-empty-target` knows these better. Where names are composed an empty one is deliberate: each has to be there.
 fn is_target_of_macros(view: &View<'_>, file: &FileFacts) -> bool {
     let is_macro = |reference: &Reference<'_>| reference.kind == ReferenceKind::MacroTarget;
-    view.references().to_file(file).any(|reference| is_macro(reference) && reference.found().is_some())
+    view.composes_name_of(file)
+        || view.references().to_file(file).any(|reference| is_macro(reference) && reference.found().is_some())
 }
 
 fn emptiness(file: &FileFacts) -> Option<&'static str> {

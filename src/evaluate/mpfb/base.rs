@@ -1,0 +1,193 @@
+//! The body of MPFB made ready for settings: mesh, sliders of the catalogue, macros.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::NO_RIGS;
+use crate::discover::Kind;
+use crate::eval::macros::Macros;
+use crate::eval::mpfb::MacroLoops;
+use crate::eval::mpfb::loops::{Axis, Source, TargetLoop};
+use crate::eval::mpfb::shares::Part;
+use crate::eval::scene::{MorphTarget, Scene, SceneSlider, SliderKind};
+use crate::evaluate::files::take_mesh;
+use crate::evaluate::formulas::Formulas;
+use crate::evaluate::opened::{MacroNames, NO_MESH};
+use crate::evaluate::{Error, Evaluation};
+use crate::formats::macro_parts::{SETTINGS, Setting};
+use crate::formats::target_catalog::{Category, Section};
+use crate::repo::mpfb::loops::{self, LOOPS, RACES};
+use crate::repo::mpfb::{Catalog, Parts, View};
+use crate::repo::{FileFacts, Layers};
+use crate::source::Limits;
+
+/// Value of every macro setting of a new character, and of each race (formats/mpfb.md §3.4).
+const DEFAULTS: (f64, f64) = (0.5, 0.33);
+
+/// The name of the body, if there is a mesh for it.
+pub(in crate::evaluate) fn with_mesh(layers: Layers<'_>) -> BTreeSet<&str> {
+    let own = crate::diag::Application::Mpfb;
+    let files = layers.system.into_iter().flat_map(|layer| layer.files.values());
+    let meshes = files.filter(|file| file.kind_in(own) == Kind::BaseMesh && file.mesh().is_some());
+    meshes.filter_map(|file| file.base_in(own)).collect()
+}
+
+/// Takes what its files hold, but for the rows of its targets.
+///
+/// # Errors
+/// An unusable mesh.
+pub(in crate::evaluate) fn open(name: &str, layers: Layers<'_>, limits: Limits) -> Result<Evaluation, Error> {
+    let view = View::connect(layers);
+    let (file, mesh) = view.mesh.ok_or_else(|| Error::file("3dobjs/base.obj", NO_MESH))?;
+    if let Some(bad) = mesh.facts.unreadable.first() {
+        return Err(Error::file(&file.path, format!("line {}: {} (`{}`)", bad.line, bad.what, bad.text)));
+    }
+    let mut composer = Composer::default();
+    take_mesh(&mut composer.scene, mesh, |_| true);
+    // Shape keys end at 1.
+    composer.scene.most_factor = Some(1.0);
+    view.catalog.iter().for_each(|catalog| composer.sliders(catalog));
+    let macros = composer.macros(view.parts.as_ref());
+    Ok(Evaluation {
+        formulas: Formulas::Mpfb,
+        trees: Vec::new(),
+        limits,
+        base: name.to_owned(),
+        size: mesh.size(),
+        scene: composer.scene,
+        keys: composer.keys,
+        macros,
+        mesh_path: file.path.clone(),
+        skeleton: Err(NO_RIGS.to_owned()),
+        weights_fault: None,
+        archive: None,
+    })
+}
+
+#[derive(Default)]
+struct Composer {
+    scene: Scene,
+    keys: Vec<(String, Vec<String>)>,
+    /// Places of the targets by path.
+    by_path: BTreeMap<String, usize>,
+}
+
+impl Composer {
+    fn sliders(&mut self, catalog: &Catalog<'_>) {
+        for section in &catalog.sliders.sections {
+            for category in section.categories.iter().filter(|category| !category.has_full_path) {
+                for side in category.sides() {
+                    let pattern = format!("{}/{side}{}", section.name, category.name);
+                    let kind = self.kind(catalog, section, category, side);
+                    self.keys.push((identifier(&pattern), vec![pattern.clone()]));
+                    self.scene.sliders.push(SceneSlider { pattern, kind, default: 0.0 });
+                }
+            }
+        }
+    }
+
+    fn kind(&mut self, catalog: &Catalog<'_>, section: &Section, category: &Category, side: &str) -> SliderKind {
+        if category.slots.is_none() {
+            let stem = format!("{side}{}", category.name);
+            let file = catalog.target(&section.name, &stem);
+            let incr = Some(self.target(format!("{}/{stem}", section.name), file));
+            return SliderKind::Detail { incr, decr: None, two_sided: false };
+        }
+        let side = match side {
+            "l-" => "left",
+            "r-" => "right",
+            _ => "unsided",
+        };
+        let mut slot = |sign: &str| {
+            let key = format!("{sign}-{side}");
+            // A slot without a name asks for a file without a stem.
+            let found = category.slots.iter().flatten().find(|slot| slot.key == key);
+            let stem = found.map_or("", |slot| slot.stem.as_str());
+            let file = catalog.layer.file(&format!("{}/{stem}.target.gz", catalog.folder(&section.name)));
+            Some(self.target(format!("{}/{stem}", section.name), file))
+        };
+        SliderKind::Detail { incr: slot("positive"), decr: slot("negative"), two_sided: true }
+    }
+
+    /// Place of a target among the scene's.
+    fn target(&mut self, name: String, file: Option<&FileFacts>) -> usize {
+        let path = file.map_or_else(|| name.clone(), |file| file.path.clone());
+        let scene = &mut self.scene;
+        *self.by_path.entry(path.clone()).or_insert_with(|| {
+            scene.targets.push(MorphTarget { name, path, ..MorphTarget::default() });
+            scene.targets.len() - 1
+        })
+    }
+
+    fn macros(&mut self, parts: Option<&Parts<'_>>) -> Result<MacroNames, String> {
+        let parts = parts.ok_or_else(|| "macro.json is missing or cannot be used".to_owned())?;
+        if parts.is_too_large {
+            return Err(format!("`{}` has too many combinations to evaluate", parts.file.path));
+        }
+        if !parts.settings.is_whole() {
+            return Err(format!("`{}` lacks a setting, or a part of one cannot be used", parts.file.path));
+        }
+        let settings = SETTINGS.iter().map(|name| (*name, DEFAULTS.0));
+        for (name, default) in settings.chain(RACES.iter().map(|name| (*name, DEFAULTS.1))) {
+            let place = self.scene.macro_defaults.len();
+            self.scene.macro_defaults.push(default);
+            let kind = SliderKind::Macro(place);
+            self.scene.sliders.push(SceneSlider { pattern: name.to_owned(), kind, default });
+        }
+        let names: Vec<Vec<String>> = parts.settings.settings.iter().map(names).collect();
+        let numbered = parts.settings.settings.iter().zip(&names);
+        let settings = numbered.map(|(setting, names)| eval_parts(setting, names)).collect();
+        let loops = (0..LOOPS.len()).map(|number| self.target_loop(parts, &names, number)).collect();
+        self.scene.macros = Some(Macros::Mpfb(MacroLoops { settings, races: RACES.len(), loops }));
+        Ok(MacroNames::Parts(names))
+    }
+
+    fn target_loop(&mut self, parts: &Parts<'_>, names: &[Vec<String>], number: usize) -> TargetLoop {
+        let Some(own) = LOOPS.get(number) else { return TargetLoop::default() };
+        let place = |setting: usize, name: &str| {
+            let known = names.get(setting).and_then(|names| names.iter().position(|own| own == name));
+            known.and_then(|place| u32::try_from(place).ok()).unwrap_or(u32::MAX)
+        };
+        let lists = own.names(parts.settings);
+        let source = |axis: &loops::Axis| match axis {
+            loops::Axis::Race => Source::Races,
+            loops::Axis::Setting(setting) => Source::Setting(*setting),
+            loops::Axis::Only(setting, name) => Source::Only(*setting, place(*setting, name)),
+        };
+        let axes: Vec<Axis> =
+            own.axes.iter().zip(&lists).map(|(axis, list)| Axis { of: source(axis), names: list.len() }).collect();
+        let mut targets = vec![None; lists.iter().map(Vec::len).product()];
+        for request in parts.requests.iter().filter(|request| request.number == number) {
+            let index = axes.iter().zip(&request.names).fold(0, |index, (axis, name)| index * axis.names + name);
+            if let Some(slot) = targets.get_mut(index) {
+                *slot = u32::try_from(self.scene.macro_targets.len()).ok();
+                let place = self.target(request.target.clone(), request.file);
+                self.scene.macro_targets.push(place);
+            }
+        }
+        TargetLoop { axes, targets }
+    }
+}
+
+/// The names of a setting, numbered.
+fn names(setting: &Setting) -> Vec<String> {
+    loops::names(setting).iter().map(|name| name.text.to_owned()).collect()
+}
+
+fn eval_parts(setting: &Setting, names: &[String]) -> Vec<Part> {
+    let number = |name: &Option<String>| {
+        let place = names.iter().position(|own| Some(own) == name.as_ref())?;
+        u32::try_from(place).ok()
+    };
+    let part = |part: &crate::formats::macro_parts::Part| Part {
+        lowest: part.lowest,
+        highest: part.highest,
+        low: number(&part.low),
+        high: number(&part.high),
+    };
+    setting.parts.iter().map(part).collect()
+}
+
+/// What the program calls a slider (§2.2).
+fn identifier(pattern: &str) -> String {
+    pattern.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' }).collect()
+}

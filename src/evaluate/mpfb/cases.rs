@@ -1,0 +1,103 @@
+//! What each kind of case of MPFB computes.
+
+use serde_json::{Map, Value};
+
+use super::keys::Keys;
+use super::macros::outputs;
+use crate::diag::Application;
+use crate::eval::mpfb::loops::CUT_OFF;
+use crate::eval::mpfb::mix::{feet_on_ground, in_blender, lowest_point};
+use crate::eval::scene::Setting;
+use crate::eval::vector::{Point, round_to_f32};
+use crate::evaluate::cases::tolerance::{FACTORS, MIXED, MIXED_SUMS, Tolerance};
+use crate::evaluate::cases::{Compute, Computer, Kind, inputs};
+use crate::evaluate::outputs::{mesh_json, rounded};
+use crate::evaluate::{Error, Evaluation, SliderSetting};
+use crate::json::{Node, Value as Json};
+
+type Outputs = Map<String, Value>;
+
+/// The kinds that the reference files of MPFB have.
+pub(in crate::evaluate) static KINDS: [Kind; 2] = [
+    Kind { tolerances: &[("sum", FACTORS)], ..kind("mpfb_macro", macros, FACTORS) },
+    Kind {
+        tolerances: &[("shape_keys", FACTORS), ("sum", MIXED_SUMS), ("sum_xyz", MIXED_SUMS)],
+        ..kind("mpfb_morph", morph, MIXED)
+    },
+];
+
+const fn kind(name: &'static str, outputs: Compute, tolerance: Tolerance) -> Kind {
+    Kind { name, application: Application::Mpfb, outputs, tolerance, tolerances: &[], by_bone: false }
+}
+
+/// Here values are taken as they are: no property stores them.
+fn macros(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outputs, Error> {
+    let values = settings(inputs::wanted(case, "macro_info")?)?;
+    let cut_off = inputs::field(case, "cutoff").and_then(Node::as_f64).unwrap_or(CUT_OFF);
+    let base = of.base(case)?;
+    let setting = base.setting(&values)?;
+    outputs(base, &setting.macros, cut_off)
+}
+
+fn morph(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outputs, Error> {
+    let file = of.file;
+    let scale = inputs::field(case, "scale_factor").and_then(Node::as_f64).map_or(0.1, round_to_f32);
+    let is_lifted = matches!(inputs::field(case, "feet_on_ground").map(|node| &node.value), Some(Json::Bool(true)));
+    let details = details(case)?;
+    let base = of.base(case)?;
+    let mut keys = Keys::default();
+    let setting = |base: &Evaluation, node: &Node| -> Result<Setting, Error> { base.setting(&settings(node)?) };
+    if let Some(node) = inputs::field(case, "macro").filter(|node| !matches!(node.value, Json::Null)) {
+        let setting = setting(base, node)?;
+        keys.set_macros(base, &setting)?;
+    }
+    let blender = |positions: Vec<Point>| positions.into_iter().map(|point| in_blender(point, scale)).collect();
+    let mut lift = 0.0;
+    if is_lifted {
+        let mut standing: Vec<Point> = blender(keys.mixed(base)?);
+        let before = lowest_point(&standing).unwrap_or(0.0);
+        feet_on_ground(&mut standing);
+        lift = lowest_point(&standing).unwrap_or(0.0) - before;
+    }
+    for (target, value) in details {
+        keys.add(base, &target, value);
+    }
+    if let Some(node) = inputs::field(case, "reapply") {
+        let setting = setting(base, node)?;
+        keys.set_macros(base, &setting)?;
+    }
+    let mut positions: Vec<Point> = blender(keys.mixed(base)?);
+    positions.iter_mut().for_each(|point| point[2] += lift);
+    let mut outputs = mesh_json(&positions, &inputs::vertex_ids(file, case, base.base())?)?;
+    outputs.insert("shape_keys".to_owned(), keys.json());
+    let lowest = lowest_point(&positions).map_or(Value::Null, |lowest| rounded(f64::from(lowest)));
+    outputs.insert("lowest_point".to_owned(), lowest);
+    Ok(outputs)
+}
+
+/// Values of settings; those of the races stand in an object of their own.
+fn settings(node: &Node) -> Result<Vec<SliderSetting>, Error> {
+    let mut settings = Vec::new();
+    for member in node.effective_members() {
+        let races = member.node.effective_members();
+        let one = [member];
+        let values = if member.key == "race" { races.as_slice() } else { &one };
+        for value in values {
+            let number = value.node.as_f64();
+            let number = number.ok_or_else(|| Error::Input(format!("`{}` of the case is not a number", value.key)))?;
+            settings.push((value.key.clone(), number));
+        }
+    }
+    Ok(settings)
+}
+
+/// Target files with their values.
+fn details(case: &Node) -> Result<Vec<SliderSetting>, Error> {
+    let listed = inputs::field(case, "targets").map(Node::elements).unwrap_or_default();
+    let pair = |node: &Node| match node.elements() {
+        [file, value] => Some((file.as_str()?.to_owned(), value.as_f64()?)),
+        _ => None,
+    };
+    let wrong = || Error::Input("`targets` of the case is not a list of [file, value]".to_owned());
+    listed.iter().map(|node| pair(node).ok_or_else(wrong)).collect()
+}

@@ -1,0 +1,99 @@
+//! The parts of the macro settings with the targets that MPFB composes of their names (formats/mpfb.md §3).
+
+use std::collections::BTreeSet;
+
+use super::loops::{LOOPS, Name, are_too_many, is_reachable};
+use crate::formats::macro_parts::MacroParts;
+use crate::repo::{FileFacts, Layer};
+use crate::source::normalized;
+
+/// `macro.json` in its layer.
+#[derive(Debug)]
+pub(crate) struct Parts<'a> {
+    /// Where it lies.
+    pub layer: &'a Layer,
+    /// Its file.
+    pub file: &'a FileFacts,
+    /// What is in it.
+    pub settings: &'a MacroParts,
+    /// Targets that the loops ask for. None where something is absent that every character needs.
+    pub requests: Vec<Request<'a>>,
+    /// Whether these are more than are looked at, so that they are left out.
+    pub is_too_large: bool,
+    /// Printed paths of those that are there.
+    found: BTreeSet<&'a str>,
+}
+
+/// A target that a loop asks for.
+#[derive(Debug, Clone)]
+pub(crate) struct Request<'a> {
+    /// Number of the loop.
+    pub number: usize,
+    /// Numbers of its names, one an axis of the loop.
+    pub names: Vec<usize>,
+    /// Path below the targets without suffix.
+    pub target: String,
+    /// Path relative to the data root.
+    pub rel: String,
+    /// Whether sliders lead to it.
+    pub is_reachable: bool,
+    /// The target, if it is there.
+    pub file: Option<&'a FileFacts>,
+}
+
+impl<'a> Parts<'a> {
+    pub(super) fn of(layer: &'a Layer, file: &'a FileFacts) -> Option<Self> {
+        let settings = file.macro_parts()?;
+        let is_too_large = are_too_many(settings);
+        let mut parts = Self { layer, file, settings, requests: Vec::new(), is_too_large, found: BTreeSet::new() };
+        if settings.is_whole() && !is_too_large {
+            parts.requests = parts.all_requests();
+            parts.found = parts.requests.iter().filter_map(|own| Some(own.file?.path.as_str())).collect();
+        }
+        Some(parts)
+    }
+
+    /// Whether one of the loops asks for a file.
+    pub(crate) fn asks_for(&self, file: &FileFacts) -> bool {
+        self.found.contains(file.path.as_str())
+    }
+
+    /// The folder of all targets: the one above that of the file.
+    pub(crate) fn folder(&self) -> &'a str {
+        crate::repo::parent(crate::repo::parent(&self.file.rel))
+    }
+
+    fn all_requests(&self) -> Vec<Request<'a>> {
+        let mut requests = Vec::new();
+        for (number, own) in LOOPS.iter().enumerate() {
+            for names in combinations(&own.names(self.settings)) {
+                let words: Vec<&str> = names.iter().map(|(_, name)| name.text).collect();
+                let Some(target) = own.target(&words) else { continue };
+                let path = format!("{}/{target}.target.gz", self.folder());
+                // Nothing is found outside of the data.
+                let rel = normalized(&path).unwrap_or(path);
+                let is_reachable = is_reachable(&names.iter().map(|(_, name)| *name).collect::<Vec<_>>());
+                let names = names.iter().map(|(place, _)| *place).collect();
+                let file = self.layer.file(&rel);
+                requests.push(Request { number, names, target, rel, is_reachable, file });
+            }
+        }
+        requests
+    }
+}
+
+/// Every choice of one name from each list, the last list running fastest.
+fn combinations<'n, 'p>(lists: &'n [Vec<Name<'p>>]) -> impl Iterator<Item = Vec<(usize, Name<'p>)>> + use<'n, 'p> {
+    let count: usize = lists.iter().map(Vec::len).product();
+    (0..count).map(|number| {
+        let mut rest = number;
+        let mut chosen = Vec::with_capacity(lists.len());
+        for list in lists.iter().rev() {
+            let place = rest % list.len().max(1);
+            rest /= list.len().max(1);
+            chosen.extend(list.get(place).map(|name| (place, *name)));
+        }
+        chosen.reverse();
+        chosen
+    })
+}
