@@ -6,6 +6,9 @@ use crate::diag::Application;
 use crate::discover::{Kind, Use, kind_in, owner_of};
 use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::bvh::Motion;
+use crate::formats::face_expression::FaceExpression;
+use crate::formats::human_preset::HumanPreset;
+use crate::formats::importer_preset::Makeup;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
 use crate::formats::meta::Meta;
@@ -26,6 +29,7 @@ use crate::formats::selection_filter::SelectionFilter;
 use crate::formats::shader_source::ShaderSource;
 use crate::formats::target::TargetFacts;
 use crate::formats::target_catalog::TargetCatalog;
+use crate::formats::unfit::LoaderFaults;
 use crate::formats::uv_map::UvMap;
 use crate::formats::{Content, Needs};
 use crate::json::SchemaFaults;
@@ -145,6 +149,26 @@ impl FileFacts {
     /// The catalogue of sliders, if it is one that could be read.
     pub fn catalog(&self) -> Option<&TargetCatalog> {
         if let Content::Catalog(catalog) = &*self.content { Some(catalog) } else { None }
+    }
+
+    /// The expression of MPFB, if it is one that could be read.
+    pub fn face_expression(&self) -> Option<&FaceExpression> {
+        if let Content::FaceExpression(expression) = &*self.content { Some(expression) } else { None }
+    }
+
+    /// The saved character of MPFB, if it is one that could be read.
+    pub fn human_preset(&self) -> Option<&HumanPreset> {
+        if let Content::HumanPreset(preset) = &*self.content { Some(preset) } else { None }
+    }
+
+    /// The makeup, if it is one that could be read.
+    pub fn makeup(&self) -> Option<&Makeup> {
+        if let Content::Makeup(makeup) = &*self.content { Some(makeup) } else { None }
+    }
+
+    /// What the loader of a JSON cannot take, where nothing else of it matters.
+    pub fn loader_faults(&self) -> Option<&LoaderFaults> {
+        if let Content::Loaded(faults) = &*self.content { Some(faults) } else { None }
     }
 
     /// The archive, if it is one that was read.

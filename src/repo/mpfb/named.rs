@@ -1,0 +1,97 @@
+//! What MPFB finds by a name alone: targets (formats/mpfb.md §4.4), and files of assets (§1).
+
+use std::collections::BTreeMap;
+
+use crate::repo::{FileFacts, Layers};
+
+/// Targets that are found by their names, each under its file name in small letters.
+#[derive(Debug, Default)]
+pub(crate) struct NamedTargets<'a> {
+    /// A phase with any hit ends the search: packed ones of the system, then custom ones, then all.
+    phases: [BTreeMap<String, &'a FileFacts>; 3],
+}
+
+/// What a name leads to.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum NamedTarget<'a> {
+    /// A target of this name, or the only one that begins so.
+    Found(&'a FileFacts),
+    /// Several that begin so: which one is taken depends on the disk.
+    AnyOf(usize, &'a FileFacts),
+    /// None.
+    Missing,
+}
+
+const SUFFIXES: [&str; 2] = [".target.gz", ".target"];
+
+impl<'a> NamedTargets<'a> {
+    /// Those of all layers.
+    pub(super) fn of(layers: Layers<'a>) -> Self {
+        let mut found = Self::default();
+        for layer in layers.strongest_first().chain(layers.beside) {
+            let is_system = layers.system.is_some_and(|system| std::ptr::eq(system, layer));
+            for file in ["custom", "targets"].iter().flat_map(|folder| layer.below(folder)) {
+                let name = file.file_name();
+                if !SUFFIXES.iter().any(|suffix| name.ends_with(suffix)) {
+                    continue;
+                }
+                let is_custom = ["custom/", "targets/custom/"].iter().any(|folder| file.rel.starts_with(folder));
+                let is_first = is_system && file.rel.starts_with("targets/") && name.ends_with(".gz");
+                let own = [is_first, is_custom, file.rel.starts_with("targets/")];
+                for (phase, _) in found.phases.iter_mut().zip(own).filter(|(_, is_in)| *is_in) {
+                    phase.entry(name.to_lowercase()).or_insert(file);
+                }
+            }
+        }
+        found
+    }
+
+    /// What a name leads to, in whatever capitals.
+    pub(crate) fn find(&self, name: &str) -> NamedTarget<'a> {
+        let name = name.to_lowercase();
+        let exact = |phase: &BTreeMap<String, &'a FileFacts>| {
+            SUFFIXES.iter().find_map(|suffix| phase.get(&format!("{name}{suffix}")).copied())
+        };
+        for phase in &self.phases {
+            if let Some(file) = exact(phase) {
+                return NamedTarget::Found(file);
+            }
+            let mut beginning = phase.range(name.clone()..).take_while(|(other, _)| other.starts_with(&name));
+            match (beginning.next(), beginning.count()) {
+                (Some((_, file)), 0) => return NamedTarget::Found(file),
+                (Some((_, file)), more) => return NamedTarget::AnyOf(more + 1, file),
+                (None, _) => {}
+            }
+        }
+        NamedTarget::Missing
+    }
+
+    /// The names of all, for suggestions.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &'a str> {
+        let files = self.phases.iter().flat_map(BTreeMap::values);
+        files.filter_map(|file| SUFFIXES.iter().find_map(|suffix| file.file_name().strip_suffix(suffix)))
+    }
+}
+
+/// Files of assets by their names: folders count only where several have one name.
+#[derive(Debug, Default)]
+pub(crate) struct NamedFiles<'a>(BTreeMap<&'a str, &'a FileFacts>);
+
+impl<'a> NamedFiles<'a> {
+    /// Those of all layers.
+    pub(super) fn of(layers: Layers<'a>) -> Self {
+        let files = layers.strongest_first().chain(layers.beside).flat_map(|layer| layer.files.values());
+        Self(files.map(|file| (file.file_name(), file)).collect())
+    }
+
+    /// The file that a reference leads to, if there is one of its name.
+    pub(crate) fn find(&self, reference: &str) -> Option<&'a FileFacts> {
+        self.0.get(reference.rsplit('/').next().unwrap_or(reference)).copied()
+    }
+
+    /// The names of all with an extension, for suggestions.
+    pub(crate) fn names(&self, extension: &str) -> impl Iterator<Item = &'a str> {
+        let is_meant = move |name: &&str| name.rsplit_once('.').is_some_and(|(_, own)| own == extension);
+        self.0.keys().copied().filter(is_meant)
+    }
+}
