@@ -8,6 +8,7 @@ mod bvh;
 mod catalog;
 mod cause;
 mod config;
+mod expression;
 mod file;
 mod filter;
 mod json;
@@ -21,6 +22,7 @@ mod numeric;
 mod overlay;
 mod pack;
 mod pose;
+mod preset;
 mod program;
 mod proxy;
 mod regions;
@@ -28,6 +30,7 @@ mod rule;
 mod skeleton;
 mod target;
 mod units;
+mod unfit;
 mod unpacking;
 mod wearers;
 mod weights;
@@ -62,6 +65,8 @@ pub(crate) static RULES: &[&Rule] = &[
     &config::unknown_rule::RULE,
     &config::unused_glob::RULE,
     &config::unused_ignore::RULE,
+    &expression::missing_targets::RULE,
+    &expression::schema::RULE,
     &file::absolute_path::RULE,
     &file::backslash_path::RULE,
     &file::byte_order_mark::RULE,
@@ -225,6 +230,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &pose::unknown_bone::RULE,
     &pose::unknown_unit::RULE,
     &pose::value_range::RULE,
+    &preset::schema::RULE,
     &program::file_content::RULE,
     &program::missing_file::RULE,
     &program::skybox::RULE,

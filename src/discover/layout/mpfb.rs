@@ -1,7 +1,7 @@
 //! MPFB: one base mesh, packed targets, sliders in a catalogue (formats/mpfb.md §1).
 
-use super::super::Kind;
 use super::super::kind::extension;
+use super::super::{Candidate, Kind};
 use super::{HM08, LIBRARIES, Layout, Role, Sign, WORN};
 use crate::diag::Application;
 
@@ -17,7 +17,7 @@ pub(super) static LAYOUT: Layout = Layout {
     sign,
     place,
     beside: &["config"],
-    role: |below| Role::of_one(below, Application::Mpfb, Kind::TargetCatalog),
+    role,
     ..Layout::PLAIN
 };
 
@@ -26,8 +26,20 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         [.., "targets", "target.json"] | [.., "mesh_metadata", _] => Some((Sign::Strong, 2)),
         [.., "targets", "macrodetails", "macro.json"] => Some((Sign::Strong, 3)),
         [.., "rigs", "standard" | "rigify", name] if name.starts_with("rig.") => Some((Sign::Strong, 3)),
+        // A user's folder: nobody else reads packed targets, or has expressions in JSON.
+        [.., "targets", "custom", name] if name.ends_with(".target.gz") => Some((Sign::Weak, 3)),
+        [.., "custom", name] if name.ends_with(".target.gz") => Some((Sign::Weak, 2)),
+        [.., "expressions", name] if extension(name) == "json" => Some((Sign::Faint, 2)),
         _ => None,
     }
+}
+
+/// What the add-on has for itself: it looks for it nowhere else.
+fn role(below: &[Candidate<'_>]) -> Role {
+    let is_own = |one: &Candidate<'_>| {
+        matches!(one.kind_in(Application::Mpfb), Kind::TargetCatalog | Kind::MacroParts | Kind::BaseMesh)
+    };
+    if below.iter().any(is_own) { Role::System } else { Role::User }
 }
 
 /// `macro.json` shares nothing but its name with that of MakeHuman 2.

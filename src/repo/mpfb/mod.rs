@@ -5,5 +5,5 @@ mod named;
 mod references;
 mod view;
 
-pub(crate) use named::{NamedFiles, NamedTarget, NamedTargets};
+pub(crate) use named::NamedTarget;
 pub(crate) use view::{Catalog, View};

@@ -15,7 +15,7 @@ pub(crate) struct NamedTargets<'a> {
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum NamedTarget<'a> {
     /// A target of this name, or the only one that begins so.
-    Found(&'a FileFacts),
+    Found,
     /// Several that begin so: which one is taken depends on the disk.
     AnyOf(usize, &'a FileFacts),
     /// None.
@@ -50,15 +50,15 @@ impl<'a> NamedTargets<'a> {
     pub(crate) fn find(&self, name: &str) -> NamedTarget<'a> {
         let name = name.to_lowercase();
         let exact = |phase: &BTreeMap<String, &'a FileFacts>| {
-            SUFFIXES.iter().find_map(|suffix| phase.get(&format!("{name}{suffix}")).copied())
+            SUFFIXES.iter().any(|suffix| phase.contains_key(&format!("{name}{suffix}")))
         };
         for phase in &self.phases {
-            if let Some(file) = exact(phase) {
-                return NamedTarget::Found(file);
+            if exact(phase) {
+                return NamedTarget::Found;
             }
             let mut beginning = phase.range(name.clone()..).take_while(|(other, _)| other.starts_with(&name));
             match (beginning.next(), beginning.count()) {
-                (Some((_, file)), 0) => return NamedTarget::Found(file),
+                (Some(_), 0) => return NamedTarget::Found,
                 (Some((_, file)), more) => return NamedTarget::AnyOf(more + 1, file),
                 (None, _) => {}
             }
