@@ -27,6 +27,7 @@ pub mod mhbin;
 pub mod mhbin_asset;
 pub mod mhclo;
 pub mod mhm;
+pub mod mhm_columns;
 pub mod mhmat;
 pub mod mhpose;
 pub mod mhskel;

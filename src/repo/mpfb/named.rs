@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::diag::grouped;
 use crate::repo::{FileFacts, Layers};
 
 /// Targets that are found by their names, each under its file name in small letters.
@@ -75,23 +76,29 @@ impl<'a> NamedTargets<'a> {
 
 /// Files of assets by their names: folders count only where several have one name.
 #[derive(Debug, Default)]
-pub(crate) struct NamedFiles<'a>(BTreeMap<&'a str, &'a FileFacts>);
+pub(crate) struct NamedFiles<'a>(BTreeMap<&'a str, Vec<&'a FileFacts>>);
 
 impl<'a> NamedFiles<'a> {
     /// Those of all layers.
     pub(super) fn of(layers: Layers<'a>) -> Self {
         let files = layers.strongest_first().chain(layers.beside).flat_map(|layer| layer.files.values());
-        Self(files.map(|file| (file.file_name(), file)).collect())
+        Self(grouped(files.map(|file| (file.file_name(), file))))
     }
 
-    /// The file that a reference leads to, if there is one of its name.
-    pub(crate) fn find(&self, reference: &str) -> Option<&'a FileFacts> {
-        self.0.get(reference.rsplit('/').next().unwrap_or(reference)).copied()
+    /// Whether a reference leads to a file of its name below the folder of a section.
+    pub(crate) fn has(&self, section: &str, reference: &str) -> bool {
+        let name = reference.rsplit('/').next().unwrap_or(reference);
+        self.0.get(name).into_iter().flatten().any(|file| is_in(file, section))
     }
 
-    /// The names of all with an extension, for suggestions.
-    pub(crate) fn names(&self, extension: &str) -> impl Iterator<Item = &'a str> {
-        let is_meant = move |name: &&str| name.rsplit_once('.').is_some_and(|(_, own)| own == extension);
-        self.0.keys().copied().filter(is_meant)
+    /// The names of all in a section, for suggestions.
+    pub(crate) fn names(&self, section: &str) -> impl Iterator<Item = &'a str> {
+        let is_meant = move |(_, files): &(&&'a str, &Vec<&FileFacts>)| files.iter().any(|file| is_in(file, section));
+        self.0.iter().filter(is_meant).map(|(name, _)| *name)
     }
+}
+
+/// The folder at the top decides.
+fn is_in(file: &FileFacts, section: &str) -> bool {
+    file.rel.split_once('/').is_some_and(|(folder, _)| folder == section)
 }

@@ -66,6 +66,11 @@ impl<'a> View<'a> {
         self.layers.system.is_some() && (self.layers.user.is_some() || self.layers.beside.is_some())
     }
 
+    /// What the body can wear, of all layers.
+    pub(crate) fn worn(&self) -> &[Worn<'a>] {
+        &self.worn
+    }
+
     /// The name of the base mesh, if there is anything for it.
     pub(crate) fn body_name(&self) -> Option<&'a str> {
         let of_catalog = self.catalog.and_then(|catalog| catalog.file.base_in(OWN));

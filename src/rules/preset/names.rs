@@ -1,7 +1,7 @@
 //! Names in a saved character that lead to nothing.
 
 use super::super::{RuleCx, did_you_mean, such};
-use crate::diag::{Cases, Evidence, Level};
+use crate::diag::{Cases, Evidence, Level, steps};
 use crate::formats::human_preset::HumanPreset;
 use crate::formats::unfit::NamedAt;
 use crate::repo::mpfb::{NamedTarget, View};
@@ -23,13 +23,12 @@ pub(super) fn named(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> V
     all.extend(targets(view, preset, cx));
     all.extend(ambiguous(view, preset));
     all.extend(preset.rig.as_ref().and_then(|rig| unknown_rig(view, rig, cx)));
-    let skin: Vec<NamedAt> = preset.skin.iter().cloned().collect();
     for (names, key, what, level, effect) in [
-        (&preset.worn, "worn", "asset", Level::Warning, "leaves it out, with a message in the log"),
-        (&skin, "skin", "skin", Level::Warning, "shows the body without a material, with a message in the log"),
-        (&preset.expressions, "expressions", "expression", Level::Warning, "drops the expression"),
+        (preset.worn.as_slice(), "worn", "asset", Level::Warning, "leaves it out, with a message in the log"),
+        (preset.skin.as_slice(), "skin", "skin", Level::Warning, "shows the body without a material, with a message in the log"),
+        (preset.expressions.as_slice(), "expressions", "expression", Level::Warning, "drops the expression"),
         (
-            &preset.makeup,
+            preset.makeup.as_slice(),
             "makeup",
             "ink layer",
             Level::Error,
@@ -84,17 +83,27 @@ fn ambiguous<'p>(view: &View<'p>, preset: &'p HumanPreset) -> Option<Named> {
     })
 }
 
+/// The folder in which a file is looked for, by the key at the top of the saved character.
+fn section(one: &NamedAt) -> String {
+    let key = steps(&one.pointer).next().unwrap_or_default();
+    match key.as_str() {
+        "proxy" => "proxymeshes".to_owned(),
+        "skin_mhmat" => "skins".to_owned(),
+        "makeup" => "ink_layers".to_owned(),
+        _ => key,
+    }
+}
+
 /// Files that are looked for by their name alone: the first that does not exist, what it could be, and how many.
 fn files<'p>(
     view: &View<'p>,
     names: &'p [NamedAt],
     cx: &RuleCx<'_>,
 ) -> Option<(&'p NamedAt, Option<&'p str>, usize, Cases)> {
-    let missing: Vec<&NamedAt> = names.iter().filter(|one| view.named.find(&one.name).is_none()).collect();
+    let missing: Vec<&NamedAt> = names.iter().filter(|one| !view.named.has(&section(one), &one.name)).collect();
     let first = *missing.first()?;
     let file = first.name.rsplit('/').next().unwrap_or(&first.name);
-    let extension = file.rsplit_once('.').map_or("", |(_, extension)| extension);
-    let near = cx.suggestions.nearest(file, view.named.names(extension));
+    let near = cx.suggestions.nearest(file, view.named.names(&section(first)));
     Some((first, near, missing.len(), Evidence::of_cases(missing.iter().map(|one| one.name.as_str()))))
 }
 
