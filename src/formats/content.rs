@@ -3,7 +3,10 @@
 use super::asset_mesh::AssetMesh;
 use super::base_json::BaseJson;
 use super::bvh::Motion;
+use super::face_expression::FaceExpression;
 use super::geometry::Geometry;
+use super::human_preset::HumanPreset;
+use super::importer_preset::Makeup;
 use super::json_file::JsonFault;
 use super::macro_json::MacroFile;
 use super::macro_parts::MacroParts;
@@ -27,6 +30,7 @@ use super::shader_source::ShaderSource;
 use super::target::TargetFacts;
 use super::target_cat::TargetCategories;
 use super::target_catalog::TargetCatalog;
+use super::unfit::LoaderFaults;
 use super::uv_map::UvMap;
 
 /// Content of a file as rules need it.
@@ -53,6 +57,14 @@ pub enum Content {
     Catalog(Box<TargetCatalog>),
     /// `macro.json` of MPFB.
     Parts(Box<MacroParts>),
+    /// An expression of MPFB.
+    FaceExpression(Box<FaceExpression>),
+    /// `human.*.json`.
+    HumanPreset(Box<HumanPreset>),
+    /// `makeup.*.json`.
+    Makeup(Box<Makeup>),
+    /// A JSON of which nothing matters but what its loader cannot take.
+    Loaded(Box<LoaderFaults>),
     /// `.mhskel`.
     Skeleton(Box<Skeleton>),
     /// `.mhw`.

@@ -6,6 +6,7 @@
 use std::ops::Range;
 
 use super::fields::fields;
+use super::mhm_columns::{self, Columns};
 use super::number::python_float;
 use crate::source::lines;
 
@@ -34,6 +35,8 @@ pub struct Model {
     pub unknown: Vec<WornLine>,
     /// Whether any line begins with a keyword of models.
     pub has_keyword: bool,
+    /// The same lines as a loader takes them that does not split them into words.
+    pub columns: Columns,
 }
 
 /// A word and where it stands, in bytes.
@@ -110,7 +113,7 @@ const MOST: usize = 50_000;
 
 /// Reads all lines. Bytes that are no UTF-8 are dropped, as the loader does.
 pub fn read(text: &[u8]) -> Model {
-    let mut model = Model::default();
+    let mut model = Model { columns: mhm_columns::read(text), ..Model::default() };
     for (Range { start, .. }, line) in lines(text) {
         let words = fields(line);
         let word = |at: usize| words.get(at).map(|(from, word)| new_word(start + from, word)).unwrap_or_default();

@@ -6,8 +6,9 @@ use super::readers::{
     shader_source, target, uv_map, weights, zip,
 };
 use super::{
-    Content, Input, Parsed, base_json, geometry, macro_json, macro_parts, mhskel, modelling, pose_units, program,
-    selection_filter, target_cat, target_catalog,
+    Content, Input, Parsed, base_json, face_expression, geometry, human_preset, importer_preset, look_settings,
+    macro_json, macro_parts, mhskel, modelling, node_tree, pose_units, program, selection_filter, target_cat,
+    target_catalog,
 };
 use crate::discover::Kind;
 use crate::json::Document;
@@ -103,14 +104,22 @@ pub(crate) static FORMATS: [Format; 41] = [
     }),
     tree(Kind::TargetCatalog, "target.json", |json| Content::Catalog(Box::new(target_catalog::read(json)))),
     json(Kind::MacroParts, "macro.json", "mpfb_macro", |json| Content::Parts(Box::new(macro_parts::read(json)))),
-    plain(Kind::FaceExpression, "expression", Syntax::Json),
-    plain(Kind::HumanPreset, "saved character", Syntax::Json),
-    plain(Kind::ImporterPreset, "importer preset", Syntax::Json),
-    plain(Kind::MakeupPreset, "makeup preset", Syntax::Json),
+    json(Kind::FaceExpression, "expression", "mpfb_expression", |json| {
+        Content::FaceExpression(Box::new(face_expression::read(json)))
+    }),
+    json(Kind::HumanPreset, "saved character", "mpfb_human", |json| {
+        Content::HumanPreset(Box::new(human_preset::read(json)))
+    }),
+    json(Kind::ImporterPreset, "importer preset", "mpfb_importer", |json| {
+        Content::Loaded(Box::new(importer_preset::importer(json)))
+    }),
+    json(Kind::MakeupPreset, "makeup preset", "mpfb_makeup", |json| {
+        Content::Makeup(Box::new(importer_preset::makeup(json)))
+    }),
     plain(Kind::RandomizationPreset, "randomization preset", Syntax::Json),
-    plain(Kind::EyeSettings, "eye settings", Syntax::Json),
-    plain(Kind::SkinSettings, "skin settings", Syntax::Json),
-    plain(Kind::NodeTree, "node tree", Syntax::Json),
+    json(Kind::EyeSettings, "eye settings", "mpfb_eyes", |json| Content::Loaded(Box::new(look_settings::eyes(json)))),
+    json(Kind::SkinSettings, "skin settings", "mpfb_skin", |json| Content::Loaded(Box::new(look_settings::skin(json)))),
+    json(Kind::NodeTree, "node tree", "mpfb_nodes", |json| Content::Loaded(Box::new(node_tree::read(json)))),
     Format { needs: Needs::MeshInTurn, ..read(Kind::Target, "target", Syntax::Text, target) },
     Format { needs: Needs::MeshInTurn, ..read(Kind::PackedTarget, "packed target", Syntax::Binary, packed) },
     read(Kind::TargetArchive, "target archive", Syntax::Binary, archive),

@@ -195,6 +195,18 @@ impl Node {
         matches!(self.value, Value::Array(_))
     }
 
+    /// What kind of value it is, for people.
+    pub fn type_word(&self) -> &'static str {
+        match &self.value {
+            Value::Null => "null",
+            Value::Bool(_) => "true or false",
+            Value::Number(..) => "a number",
+            Value::String(_) => "a string",
+            Value::Array(_) => "a list",
+            Value::Object(_) => "an object",
+        }
+    }
+
     /// Whether Python would treat the value as false: `null`, `false`, 0, empty.
     pub fn is_falsy(&self) -> bool {
         match &self.value {

@@ -101,7 +101,7 @@ impl Schema {
     }
 }
 
-static SCHEMAS: [Schema; 15] = [
+static SCHEMAS: [Schema; 22] = [
     Schema::new("base", include_str!("../../schemas/base.schema.json")),
     Schema::new("config", include_str!("../../schemas/config.schema.json")),
     Schema::new("geometry", include_str!("../../schemas/geometry.schema.json")),
@@ -110,7 +110,14 @@ static SCHEMAS: [Schema; 15] = [
     Schema::new("mhskel", include_str!("../../schemas/mhskel.schema.json")),
     Schema::new("mhw", include_str!("../../schemas/mhw.schema.json")),
     Schema::new("modelling", include_str!("../../schemas/modelling.schema.json")),
+    Schema::new("mpfb_expression", include_str!("../../schemas/mpfb_expression.schema.json")),
+    Schema::new("mpfb_eyes", include_str!("../../schemas/mpfb_eyes.schema.json")),
+    Schema::new("mpfb_human", include_str!("../../schemas/mpfb_human.schema.json")),
+    Schema::new("mpfb_importer", include_str!("../../schemas/mpfb_importer.schema.json")),
     Schema::new("mpfb_macro", include_str!("../../schemas/mpfb_macro.schema.json")),
+    Schema::new("mpfb_makeup", include_str!("../../schemas/mpfb_makeup.schema.json")),
+    Schema::new("mpfb_nodes", include_str!("../../schemas/mpfb_nodes.schema.json")),
+    Schema::new("mpfb_skin", include_str!("../../schemas/mpfb_skin.schema.json")),
     Schema::new("pose_units", include_str!("../../schemas/pose_units.schema.json")),
     Schema::new("report", include_str!("../../schemas/report.schema.json")),
     Schema::new("selection_filter", include_str!("../../schemas/selection_filter.schema.json")),

@@ -6,6 +6,9 @@ use crate::diag::Application;
 use crate::discover::{Kind, Use, kind_in, owner_of};
 use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::bvh::Motion;
+use crate::formats::face_expression::FaceExpression;
+use crate::formats::human_preset::HumanPreset;
+use crate::formats::importer_preset::Makeup;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
 use crate::formats::macro_parts::MacroParts;
@@ -27,6 +30,7 @@ use crate::formats::selection_filter::SelectionFilter;
 use crate::formats::shader_source::ShaderSource;
 use crate::formats::target::TargetFacts;
 use crate::formats::target_catalog::TargetCatalog;
+use crate::formats::unfit::LoaderFaults;
 use crate::formats::uv_map::UvMap;
 use crate::formats::{Content, Needs};
 use crate::json::SchemaFaults;
@@ -151,6 +155,26 @@ impl FileFacts {
     /// The parts of the macro settings, if they could be read.
     pub fn macro_parts(&self) -> Option<&MacroParts> {
         if let Content::Parts(parts) = &*self.content { Some(parts) } else { None }
+    }
+
+    /// The expression of MPFB, if it is one that could be read.
+    pub fn face_expression(&self) -> Option<&FaceExpression> {
+        if let Content::FaceExpression(expression) = &*self.content { Some(expression) } else { None }
+    }
+
+    /// The saved character of MPFB, if it is one that could be read.
+    pub fn human_preset(&self) -> Option<&HumanPreset> {
+        if let Content::HumanPreset(preset) = &*self.content { Some(preset) } else { None }
+    }
+
+    /// The makeup, if it is one that could be read.
+    pub fn makeup(&self) -> Option<&Makeup> {
+        if let Content::Makeup(makeup) = &*self.content { Some(makeup) } else { None }
+    }
+
+    /// What the loader of a JSON cannot take, where nothing else of it matters.
+    pub fn loader_faults(&self) -> Option<&LoaderFaults> {
+        if let Content::Loaded(faults) = &*self.content { Some(faults) } else { None }
     }
 
     /// The archive, if it is one that was read.

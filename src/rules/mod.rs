@@ -8,6 +8,7 @@ mod bvh;
 mod catalog;
 mod cause;
 mod config;
+mod expression;
 mod file;
 mod filter;
 mod json;
@@ -21,12 +22,14 @@ mod numeric;
 mod overlay;
 mod pack;
 mod pose;
+mod preset;
 mod program;
 mod proxy;
 mod regions;
 mod rule;
 mod skeleton;
 mod target;
+mod unfit;
 mod units;
 mod unpacking;
 mod wearers;
@@ -72,6 +75,8 @@ pub(crate) static RULES: &[&Rule] = &[
     &config::unknown_rule::RULE,
     &config::unused_glob::RULE,
     &config::unused_ignore::RULE,
+    &expression::missing_targets::RULE,
+    &expression::schema::RULE,
     &file::absolute_path::RULE,
     &file::backslash_path::RULE,
     &file::byte_order_mark::RULE,
@@ -235,6 +240,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &pose::unknown_bone::RULE,
     &pose::unknown_unit::RULE,
     &pose::value_range::RULE,
+    &preset::schema::RULE,
     &program::file_content::RULE,
     &program::missing_file::RULE,
     &program::skybox::RULE,

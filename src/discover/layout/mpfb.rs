@@ -1,7 +1,7 @@
 //! MPFB: one base mesh, packed targets, sliders in a catalogue (formats/mpfb.md §1).
 
-use super::super::Kind;
 use super::super::kind::extension;
+use super::super::{Candidate, Kind};
 use super::{HM08, LIBRARIES, Layout, Role, Sign, WORN};
 use crate::diag::Application;
 
@@ -18,7 +18,7 @@ pub(super) static LAYOUT: Layout = Layout {
     place,
     beside: &["config"],
     shares_roots_of: Some(Application::Makehuman1),
-    role: |below| Role::of_one(below, Application::Mpfb, Kind::TargetCatalog),
+    role,
     ..Layout::PLAIN
 };
 
@@ -30,11 +30,21 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         [.., "packs", name] if extension(name) == "json" => Some((Sign::Weak, 2)),
         [.., "ink_layers", name] if extension(name) == "json" => Some((Sign::Weak, 2)),
         [.., "uv_layers", name] if name.ends_with(".json.gz") => Some((Sign::Weak, 2)),
+        // A user's folder: nobody else reads packed targets, or has expressions in JSON.
+        [.., "custom", name] if name.ends_with(".target.gz") => Some((Sign::Weak, 2)),
         [.., "targets", _, name] if Kind::of_target(name).is_some() => Some((Sign::Weak, 3)),
         [.., "targets" | "custom", name] if Kind::of_target(name).is_some() => Some((Sign::Faint, 2)),
         [.., "expressions", name] if extension(name) == "json" => Some((Sign::Faint, 2)),
         _ => None,
     }
+}
+
+/// What the add-on has for itself: it looks for it nowhere else.
+fn role(below: &[Candidate<'_>]) -> Role {
+    let is_own = |one: &Candidate<'_>| {
+        matches!(one.kind_in(Application::Mpfb), Kind::TargetCatalog | Kind::MacroParts | Kind::BaseMesh)
+    };
+    if below.iter().any(is_own) { Role::System } else { Role::User }
 }
 
 /// `macro.json` shares nothing but its name with that of MakeHuman 2.

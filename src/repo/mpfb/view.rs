@@ -2,6 +2,7 @@
 
 use std::ops::Bound;
 
+use super::named::{NamedFiles, NamedTargets};
 use super::parts::Parts;
 use super::references::collect;
 use crate::diag::{Application, Place};
@@ -26,6 +27,10 @@ pub(crate) struct View<'a> {
     pub mesh: Option<(&'a FileFacts, &'a Mesh)>,
     /// Everything that names a file, and what it leads to.
     pub references: References<'a>,
+    /// Targets by their names.
+    pub targets: NamedTargets<'a>,
+    /// Files by their names.
+    pub named: NamedFiles<'a>,
     /// What the body can wear.
     worn: Vec<Worn<'a>>,
 }
@@ -50,7 +55,24 @@ impl<'a> View<'a> {
         let parts = layers.system.zip(file(Kind::MacroParts)).and_then(|(layer, file)| Parts::of(layer, file));
         let mesh = file(Kind::BaseMesh).and_then(|file| Some((file, file.mesh()?)));
         let references = References::new(catalog.as_ref().map(collect).unwrap_or_default());
-        Self { layers, catalog, parts, mesh, references, worn: worn(layers) }
+        let (targets, named) = (NamedTargets::of(layers), NamedFiles::of(layers));
+        Self { layers, catalog, parts, mesh, references, targets, named, worn: worn(layers) }
+    }
+
+    /// The files of a kind in the checked layer that were read.
+    pub(crate) fn own(&self, kind: Kind) -> impl Iterator<Item = &'a FileFacts> {
+        let files = self.layers.checked.files.values();
+        files.filter(move |file| file.kind == kind && file.kind_in(OWN) == kind && !file.failed)
+    }
+
+    /// Whether both the system data and the user's folder, where what is named may lie, are at hand.
+    pub(crate) fn is_complete(&self) -> bool {
+        self.layers.system.is_some() && (self.layers.user.is_some() || self.layers.beside.is_some())
+    }
+
+    /// What the body can wear, of all layers.
+    pub(crate) fn worn(&self) -> &[Worn<'a>] {
+        &self.worn
     }
 
     /// The name of the base mesh, if there is anything for it.

@@ -1,7 +1,7 @@
 //! A JSON must fit the schema of its format.
 
 use super::super::cause::consequence::of_value;
-use super::super::cause::schema::stands_for;
+use super::super::cause::schema::{has_own_rule, stands_for};
 use super::super::cause::{counts_as_missing, is_ignored_override};
 use super::super::{Check, Rule, RuleCx};
 use super::left_out;
@@ -29,7 +29,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    if is_ignored_override(file) || counts_as_missing(file) {
+    if is_ignored_override(file) || counts_as_missing(file) || has_own_rule(file) {
         return;
     }
     // Two missing keys of one object fail at the same keyword; they are two faults.

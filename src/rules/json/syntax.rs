@@ -4,7 +4,7 @@ use super::super::cause::consequence::{Damage, consequence, of_special};
 use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Evidence, Finding, Level, Place, RuleInfo,
 };
 use crate::discover::Kind;
@@ -17,6 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "treats the file as missing, or crashes at start if it is an asset"),
         (Makehuman1, "does not put on the asset that uses these weights"),
+        (Mpfb, "stops with an exception where it reads the file"),
     ],
     docs: "The file is not valid JSON. JSON is strict: keys and strings in double quotes, a comma between two \
         members and none after the last, no comments, no text after the end.\n\nPython, in which all \

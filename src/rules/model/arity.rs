@@ -2,11 +2,19 @@
 
 use super::super::{Check, Rule, RuleCx, counted, such};
 use super::{own, when};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
+use crate::discover::Kind;
 use crate::repo::makehuman2::{Base, SavedModel, View};
+use crate::repo::mpfb;
 
-pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `IndexError` when the model is loaded")],
+pub(in crate::rules) static RULE: Rule = Check::Models(run, of_mpfb).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "crashes with `IndexError` when the model is loaded"),
+        (Mpfb, "stops with `IndexError` when the model is imported"),
+    ],
     docs: "A line of a model (`.mhm`) has too few words: `version`, `uuid`, `skinMaterial` and `skeleton` need a value, \
         `clothes`, `hair` and the other categories name and uuid of an asset, `material` name, uuid and file.\n\n\
         MakeHuman 2 crashes at the line. The figure that was shown before is gone: it has neither assets nor \
@@ -17,6 +25,18 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(own(view, base).filter_map(finding));
+}
+
+/// A line `clothes` alone; what is short of the others has no consequence.
+fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, model) in view.own(Kind::Model).filter_map(|file| Some((file, file.model()?))) {
+        let bare = &model.columns.bare;
+        let Some(first) = bare.first() else { continue };
+        let message = format!("`clothes` has no value{}", such(bare.len(), "lines"));
+        let finding = RULE.at(file, Place::Span(first.span.clone()), message);
+        let finding = finding.evidence(Evidence::counted(bare.len()));
+        out.push(finding.help("write `clothes`, then name and uuid of the asset, or remove the line"));
+    }
 }
 
 fn finding(saved: &SavedModel<'_>) -> Option<Finding> {

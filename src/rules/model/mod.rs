@@ -7,6 +7,8 @@ pub(in crate::rules) mod material;
 pub(in crate::rules) mod modifier;
 mod modifier_repeated;
 mod modifier_value;
+mod mpfb_asset;
+mod mpfb_modifier;
 pub(in crate::rules) mod syntax;
 pub(in crate::rules) mod tags;
 pub(in crate::rules) mod unknown_asset;

@@ -8,13 +8,20 @@ use super::super::{Check, Rule, RuleCx, counted, did_you_mean, such};
 use super::known_pattern::Known;
 use super::modifier_repeated::repeated;
 use super::modifier_value::{Faulty, faulty};
-use super::{own, when};
-use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use super::{mpfb_modifier, own, when};
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped,
+};
 use crate::formats::mhm::{Modifier, ModifierFault};
 use crate::repo::makehuman2::{Base, SavedModel, View};
+use crate::repo::mpfb;
 
-pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `ValueError` when the model is loaded")],
+pub(in crate::rules) static RULE: Rule = Check::Models(run, of_mpfb).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "crashes with `ValueError` when the model is loaded"),
+        (Mpfb, "stops with `ValueError` when the model is imported"),
+    ],
     docs: "A line `modifier` of a model (`.mhm`) needs exactly the pattern of a slider and a number.\n\n\
         With other words MakeHuman 2 crashes: no modifier is applied. Patterns with a blank, as of a user target with a \
         blank in its name, are saved in this form. NaN stops the shape half way.\n\n\
@@ -41,6 +48,10 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     if can_tell {
         out.extend(unknown(view, base, cx));
     }
+}
+
+fn of_mpfb(view: &mpfb::View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    mpfb_modifier::faults(&RULE, view, cx, out);
 }
 
 fn broken(saved: &SavedModel<'_>) -> Option<Finding> {

@@ -2,11 +2,21 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::own;
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    Case, Finding, Level, Place, RuleInfo,
+};
+use crate::discover::Kind;
 use crate::repo::makehuman2::{Base, View};
+use crate::repo::mpfb;
+use crate::source::Encoding;
 
-pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "loads it as the naked default figure, without a message")],
+pub(in crate::rules) static RULE: Rule = Check::Models(run, of_mpfb).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "loads it as the naked default figure, without a message"),
+        (Mpfb, "imports the default character without a name, without a message"),
+    ],
+    levels: &[(Mpfb, Level::Warning)],
     docs: "No line of a model (`.mhm`) begins with a keyword of models, such as `name`, `modifier`, `clothes` or \
         `skinMaterial`. The file is something else, such as a web page that was saved in place of a download, or a \
         character of another program.\n\n\
@@ -15,13 +25,30 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     ..RuleInfo::new("model-syntax", Level::Error, "a model without any line of models")
 });
 
+const NO_NAME: Case = &[(Mpfb, Level::Info, "imports a character with an empty name")];
+
+/// One without content, or in another encoding, has a finding of its own.
+fn has_text(encoding: &Encoding) -> bool {
+    !encoding.blank && !encoding.only_comments && !encoding.lfs_pointer && encoding.invalid_utf8_at.is_none()
+}
+
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    // One without content, or in another encoding, has a finding of its own.
-    let has_text = |encoding: &crate::source::Encoding| {
-        !encoding.blank && !encoding.only_comments && !encoding.lfs_pointer && encoding.invalid_utf8_at.is_none()
-    };
     for saved in own(view, base).filter(|saved| has_text(&saved.file.encoding) && !saved.model.has_keyword) {
         let finding = RULE.at(saved.file, Place::File, "no line begins with a keyword of models");
         out.push(finding.help("restore the model: this file is something else, such as a web page"));
+    }
+}
+
+/// Keywords count at the first column alone.
+fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for file in view.own(Kind::Model).filter(|file| has_text(&file.encoding)) {
+        let Some(columns) = file.model().map(|model| &model.columns) else { continue };
+        if !columns.has_line {
+            let finding = RULE.at(file, Place::File, "no line begins with a keyword of models at its first column");
+            out.push(finding.help("restore the model, or remove the blanks before its keywords"));
+        } else if !columns.has_name {
+            let finding = RULE.at(file, Place::File, "the model has no line `name`").key("name").case(NO_NAME);
+            out.push(finding.help("add a line `name` with the name of the character"));
+        }
     }
 }

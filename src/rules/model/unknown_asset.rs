@@ -3,14 +3,17 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::own;
-use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use super::{mpfb_asset, own};
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped,
+};
 use crate::formats::mhm::WornLine;
 use crate::repo::makehuman2::{Asset, Base, SavedModel, View};
-use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
+use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, mpfb};
 
-pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently loads the model without it")],
+pub(in crate::rules) static RULE: Rule = Check::Models(run, of_mpfb).rule(RuleInfo {
+    breaks: &[(Makehuman2, "silently loads the model without it"), (Mpfb, "imports the model without it")],
     docs: "A model (`.mhm`) wears an asset, has a skin or a skeleton that does not exist.\n\n\
         MakeHuman 2 looks for an asset by name and uuid, then by its name alone, whatever the category. The uuid alone is \
         not enough: once an asset was renamed, models lose it. A skin is looked for in `skins/<base>/`, a skeleton \
@@ -43,6 +46,10 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     let missing = files.filter(|one| one.base == base.name && matches!(one.resolution, Resolution::Missing));
     let by_file = grouped(missing.map(|one| ((one.kind, one.rel.as_str()), one)));
     out.extend(by_file.into_values().filter_map(|references| file(view, base, &references, cx)));
+}
+
+fn of_mpfb(view: &mpfb::View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    mpfb_asset::faults(&RULE, view, cx, out);
 }
 
 /// What is known of the assets of a base.

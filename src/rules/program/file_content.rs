@@ -1,12 +1,19 @@
 //! What `makehuman2_version.json` names must exist.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, nearest};
+use super::mpfb_content;
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    Case, Finding, Level, Place, RuleInfo, nearest,
+};
 use crate::formats::program::Version;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `KeyError` where it uses the key")],
+    breaks: &[
+        (Makehuman2, "crashes with `KeyError` where it uses the key"),
+        (Mpfb, "stops with an exception where it uses the value"),
+    ],
     docs: "`support_urls` in `makehuman2_version.json` names, for each entry of a menu, a key of the same file with an \
         address. `standardmesh` names a base mesh.\n\n\
         Without the key MakeHuman 2 crashes. A base mesh that does not exist is never chosen (a warning).\n\n\
@@ -16,7 +23,8 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 
 const NO_MESH: Case = &[(Makehuman2, Level::Warning, "does not find its standard mesh")];
 
-fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    mpfb_content::faults(&RULE, view, file, cx, out);
     let Some(version) = file.version() else { return };
     out.extend(version.support.iter().filter_map(|(label, key)| support(file, version, label, key)));
     out.extend(version.standard_mesh.as_deref().and_then(|mesh| standard_mesh(view, file, mesh)));

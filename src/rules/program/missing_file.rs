@@ -1,14 +1,19 @@
 //! The data folder of the program has the files without which it does not start.
 
 use super::super::{Check, Rule, RuleCx};
+use super::mpfb_files;
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, RuleInfo,
 };
 use crate::repo::{Layer, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "exits at start"), (Makehuman1, "misses the file at start")],
+    breaks: &[
+        (Makehuman2, "exits at start"),
+        (Makehuman1, "misses the file at start"),
+        (Mpfb, "fails where it needs the file"),
+    ],
     docs: "The data folder of MakeHuman 2 itself needs `makehuman2_version.json` and `shaders/shader.json`. Without the first \
         the program exits at start with code 20, without the second with code 21.\n\n\
         The rule asks for them only where the folder holds other parts of the program: shaders, or one of the two.\n\nOf the data of MakeHuman 1 the rule asks for the default skin, its litspheres, the default eyes and the shaders, each only where other files of its folder are there.\n\n\
@@ -22,8 +27,10 @@ const NEEDED: [(&str, u8); 2] = [("makehuman2_version.json", 20), ("shaders/shad
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();
     let Some(system) = layers.system.filter(|system| std::ptr::eq(*system, layers.checked)) else { return };
-    if view.is_makehuman1() {
-        return of_makehuman1(view, system, out);
+    match view {
+        View::Makehuman1(_) => return of_makehuman1(view, system, out),
+        View::Mpfb(_) => return mpfb_files::missing(&RULE, view, system, out),
+        View::Makehuman2(_) => {}
     }
     if !holds_program(system) {
         return;

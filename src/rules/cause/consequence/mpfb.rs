@@ -1,13 +1,24 @@
-//! What MPFB does with a file that it cannot read or find (formats/mpfb.md §2.3). So far for `targets/target.json` alone.
+//! What MPFB does with a file that it cannot read or find (formats/mpfb.md §2.3, §6, §7, §28; mpfb-observed.md 1.2): so far
+//! with `targets/target.json`, expressions, presets, settings and node trees.
 
 use super::table::{Cell, LOST, Table, anywhere, cell};
 use super::{Consequence, Damage, Moment};
-use crate::diag::Level::Error;
+use crate::diag::Level::{Error, Warning};
 use crate::discover::Kind;
 use crate::repo::ReferenceKind::{SliderName, Slot};
 
 pub(super) static TABLE: Table = Table {
-    rows: &[anywhere(Kind::TargetCatalog, Moment::Start, REFUSED)],
+    rows: &[
+        anywhere(Kind::TargetCatalog, Moment::Start, REFUSED),
+        anywhere(Kind::FaceExpression, Moment::Use, SKIPPED),
+        anywhere(Kind::HumanPreset, Moment::Use, NO_CHARACTER),
+        anywhere(Kind::ImporterPreset, Moment::Use, NO_PRESET),
+        anywhere(Kind::MakeupPreset, Moment::Use, NO_PRESET),
+        anywhere(Kind::RandomizationPreset, Moment::Use, NO_PRESET),
+        anywhere(Kind::EyeSettings, Moment::Use, NO_LOOK),
+        anywhere(Kind::SkinSettings, Moment::Use, NO_LOOK),
+        anywhere(Kind::NodeTree, Moment::Use, NO_MATERIAL),
+    ],
     at_moment: &[],
     in_general: LOST,
     unfound: &[(
@@ -26,3 +37,29 @@ const REFUSED: &[Cell] = &[
     cell(Damage::NotUtf8, Error, STOPS),
     cell(Damage::Syntax, Error, STOPS),
 ];
+
+/// Each file of the library is read on its own.
+const NOT_LISTED: &str = "skips the file with a message in the log: the expression is not listed";
+
+const SKIPPED: &[Cell] = &[
+    cell(Damage::Pointer, Warning, NOT_LISTED),
+    cell(Damage::Refused, Warning, NOT_LISTED),
+    cell(Damage::NotUtf8, Warning, NOT_LISTED),
+    cell(Damage::Syntax, Warning, NOT_LISTED),
+];
+
+/// The cells of a file at which an action stops.
+const fn stopped(effect: &'static str) -> [Cell; 5] {
+    [
+        cell(Damage::Closed, Error, effect),
+        cell(Damage::Pointer, Error, effect),
+        cell(Damage::Refused, Error, effect),
+        cell(Damage::NotUtf8, Error, effect),
+        cell(Damage::Syntax, Error, effect),
+    ]
+}
+
+const NO_CHARACTER: &[Cell] = &stopped("lists the character, and stops with an exception when it is loaded");
+const NO_PRESET: &[Cell] = &stopped("lists the preset, and stops with an exception when it is loaded");
+const NO_LOOK: &[Cell] = &stopped("stops with an exception when it makes a material with these settings");
+const NO_MATERIAL: &[Cell] = &stopped("stops with an exception when it makes a material of this kind");

@@ -1,0 +1,104 @@
+//! What MPFB finds by a name alone: targets (formats/mpfb.md §4.4), and files of assets (§1).
+
+use std::collections::BTreeMap;
+
+use crate::diag::grouped;
+use crate::repo::{FileFacts, Layers};
+
+/// Targets that are found by their names, each under its file name in small letters.
+#[derive(Debug, Default)]
+pub(crate) struct NamedTargets<'a> {
+    /// A phase with any hit ends the search: packed ones of the system, then custom ones, then all.
+    phases: [BTreeMap<String, &'a FileFacts>; 3],
+}
+
+/// What a name leads to.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum NamedTarget<'a> {
+    /// A target of this name, or the only one that begins so.
+    Found,
+    /// Several that begin so: which one is taken depends on the disk.
+    AnyOf(usize, &'a FileFacts),
+    /// None.
+    Missing,
+}
+
+const SUFFIXES: [&str; 2] = [".target.gz", ".target"];
+
+impl<'a> NamedTargets<'a> {
+    /// Those of all layers.
+    pub(super) fn of(layers: Layers<'a>) -> Self {
+        let mut found = Self::default();
+        for layer in layers.strongest_first().chain(layers.beside) {
+            let is_system = layers.system.is_some_and(|system| std::ptr::eq(system, layer));
+            for file in ["custom", "targets"].iter().flat_map(|folder| layer.below(folder)) {
+                let name = file.file_name();
+                if !SUFFIXES.iter().any(|suffix| name.ends_with(suffix)) {
+                    continue;
+                }
+                let is_custom = ["custom/", "targets/custom/"].iter().any(|folder| file.rel.starts_with(folder));
+                let is_first = is_system && file.rel.starts_with("targets/") && name.ends_with(".gz");
+                let own = [is_first, is_custom, file.rel.starts_with("targets/")];
+                for (phase, _) in found.phases.iter_mut().zip(own).filter(|(_, is_in)| *is_in) {
+                    phase.entry(name.to_lowercase()).or_insert(file);
+                }
+            }
+        }
+        found
+    }
+
+    /// What a name leads to, in whatever capitals.
+    pub(crate) fn find(&self, name: &str) -> NamedTarget<'a> {
+        let name = name.to_lowercase();
+        let exact = |phase: &BTreeMap<String, &'a FileFacts>| {
+            SUFFIXES.iter().any(|suffix| phase.contains_key(&format!("{name}{suffix}")))
+        };
+        for phase in &self.phases {
+            if exact(phase) {
+                return NamedTarget::Found;
+            }
+            let mut beginning = phase.range(name.clone()..).take_while(|(other, _)| other.starts_with(&name));
+            match (beginning.next(), beginning.count()) {
+                (Some(_), 0) => return NamedTarget::Found,
+                (Some((_, file)), more) => return NamedTarget::AnyOf(more + 1, file),
+                (None, _) => {}
+            }
+        }
+        NamedTarget::Missing
+    }
+
+    /// The names of all, for suggestions.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &'a str> {
+        let files = self.phases.iter().flat_map(BTreeMap::values);
+        files.filter_map(|file| SUFFIXES.iter().find_map(|suffix| file.file_name().strip_suffix(suffix)))
+    }
+}
+
+/// Files of assets by their names: folders count only where several have one name.
+#[derive(Debug, Default)]
+pub(crate) struct NamedFiles<'a>(BTreeMap<&'a str, Vec<&'a FileFacts>>);
+
+impl<'a> NamedFiles<'a> {
+    /// Those of all layers.
+    pub(super) fn of(layers: Layers<'a>) -> Self {
+        let files = layers.strongest_first().chain(layers.beside).flat_map(|layer| layer.files.values());
+        Self(grouped(files.map(|file| (file.file_name(), file))))
+    }
+
+    /// Whether a reference leads to a file of its name below the folder of a section.
+    pub(crate) fn has(&self, section: &str, reference: &str) -> bool {
+        let name = reference.rsplit('/').next().unwrap_or(reference);
+        self.0.get(name).into_iter().flatten().any(|file| is_in(file, section))
+    }
+
+    /// The names of all in a section, for suggestions.
+    pub(crate) fn names(&self, section: &str) -> impl Iterator<Item = &'a str> {
+        let is_meant = move |(_, files): &(&&'a str, &Vec<&FileFacts>)| files.iter().any(|file| is_in(file, section));
+        self.0.iter().filter(is_meant).map(|(name, _)| *name)
+    }
+}
+
+/// The folder at the top decides.
+fn is_in(file: &FileFacts, section: &str) -> bool {
+    file.rel.split_once('/').is_some_and(|(folder, _)| folder == section)
+}

@@ -1,0 +1,4 @@
+//! Saved characters of MPFB: `human.<name>.json`.
+
+mod names;
+pub(in crate::rules) mod schema;

@@ -1,0 +1,146 @@
+//! Names in a saved character that lead to nothing.
+
+use super::super::{RuleCx, did_you_mean, such};
+use crate::diag::{Cases, Evidence, Level, steps};
+use crate::formats::human_preset::HumanPreset;
+use crate::formats::unfit::NamedAt;
+use crate::repo::mpfb::{NamedTarget, View};
+
+/// What a finding on names says.
+pub(super) struct Named {
+    pub(super) at: String,
+    pub(super) message: String,
+    pub(super) key: &'static str,
+    pub(super) help: String,
+    pub(super) level: Level,
+    pub(super) effect: &'static str,
+    pub(super) cases: Cases,
+}
+
+/// All names that lead to nothing: one finding for those of one sort.
+pub(super) fn named(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> Vec<Named> {
+    let mut all = Vec::new();
+    all.extend(targets(view, preset, cx));
+    all.extend(ambiguous(view, preset));
+    all.extend(preset.rig.as_ref().and_then(|rig| unknown_rig(view, rig, cx)));
+    for (names, key, what, level, effect) in [
+        (preset.worn.as_slice(), "worn", "asset", Level::Warning, "leaves it out, with a message in the log"),
+        (
+            preset.skin.as_slice(),
+            "skin",
+            "skin",
+            Level::Warning,
+            "shows the body without a material, with a message in the log",
+        ),
+        (preset.expressions.as_slice(), "expressions", "expression", Level::Warning, "drops the expression"),
+        (
+            preset.makeup.as_slice(),
+            "makeup",
+            "ink layer",
+            Level::Error,
+            "stops with `TypeError` at the makeup; the character has everything that comes before it",
+        ),
+    ] {
+        all.extend(files(view, names, cx).map(|(first, near, count, cases)| Named {
+            at: first.pointer.clone(),
+            message: format!("{what} `{}` does not exist{}", first.name, such(count, "names")),
+            key,
+            help: did_you_mean(near, "correct the name, or add the file"),
+            level,
+            effect,
+            cases,
+        }));
+    }
+    all
+}
+
+fn targets(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> Option<Named> {
+    let is_missing = |one: &&NamedAt| matches!(view.targets.find(&one.name), NamedTarget::Missing);
+    let missing: Vec<&NamedAt> = preset.targets.iter().filter(is_missing).collect();
+    let first = missing.first()?;
+    let near = cx.suggestions.nearest(&first.name, view.targets.names());
+    Some(Named {
+        at: first.pointer.clone(),
+        message: format!("target `{}` does not exist{}", first.name, such(missing.len(), "targets")),
+        key: "targets",
+        help: did_you_mean(near, "correct the name, or add the target"),
+        level: Level::Warning,
+        effect: "skips the target, with a message in the log",
+        cases: Evidence::of_cases(missing.iter().map(|one| one.name.as_str())),
+    })
+}
+
+fn ambiguous<'p>(view: &View<'p>, preset: &'p HumanPreset) -> Option<Named> {
+    let of = |one: &'p NamedAt| match view.targets.find(&one.name) {
+        NamedTarget::AnyOf(count, file) => Some((one, count, file.file_name())),
+        _ => None,
+    };
+    let ambiguous: Vec<(&NamedAt, usize, &str)> = preset.targets.iter().filter_map(of).collect();
+    let (first, count, example) = ambiguous.first()?;
+    let more = such(ambiguous.len(), "names");
+    Some(Named {
+        at: first.pointer.clone(),
+        message: format!("no target is named `{}`, but {count} names begin so{more}", first.name),
+        key: "ambiguous",
+        help: format!("write the whole name, such as `{}`", example.split(".target").next().unwrap_or(example)),
+        level: Level::Warning,
+        effect: "takes the first of these that the disk lists",
+        cases: Evidence::of_cases(ambiguous.iter().map(|(one, ..)| one.name.as_str())),
+    })
+}
+
+/// The folder in which a file is looked for, by the key at the top of the saved character.
+fn section(one: &NamedAt) -> String {
+    let key = steps(&one.pointer).next().unwrap_or_default();
+    match key.as_str() {
+        "proxy" => "proxymeshes".to_owned(),
+        "skin_mhmat" => "skins".to_owned(),
+        "makeup" => "ink_layers".to_owned(),
+        _ => key,
+    }
+}
+
+/// Files that are looked for by their name alone: the first that does not exist, what it could be, and how many.
+fn files<'p>(
+    view: &View<'p>,
+    names: &'p [NamedAt],
+    cx: &RuleCx<'_>,
+) -> Option<(&'p NamedAt, Option<&'p str>, usize, Cases)> {
+    let missing: Vec<&NamedAt> = names.iter().filter(|one| !view.named.has(&section(one), &one.name)).collect();
+    let first = *missing.first()?;
+    let file = first.name.rsplit('/').next().unwrap_or(&first.name);
+    let near = cx.suggestions.nearest(file, view.named.names(&section(first)));
+    Some((first, near, missing.len(), Evidence::of_cases(missing.iter().map(|one| one.name.as_str()))))
+}
+
+/// A rig of MPFB, or one of the user. Those of Rigify are left alone: which names Rigify makes is not known.
+fn unknown_rig(view: &View<'_>, rig: &NamedAt, cx: &RuleCx<'_>) -> Option<Named> {
+    let name = rig.name.as_str();
+    let custom = name.strip_prefix("custom.");
+    let layers = view.layers;
+    let is_known = match custom {
+        Some(own) => layers.user.into_iter().chain(layers.beside).any(|layer| {
+            let rel = format!("rigs/{own}.json");
+            layer.file(&rel).is_some() || layer.has_unusable(&rel)
+        }),
+        None => name.starts_with("rigify.") || layers.system?.file(&format!("rigs/standard/rig.{name}.json")).is_some(),
+    };
+    let of_system = || layers.system.into_iter().flat_map(|layer| layer.below("rigs/standard"));
+    let stem = |file: &str| Some(file.strip_prefix("rig.")?.strip_suffix(".json")?.to_owned());
+    let rigs: Vec<String> = of_system().filter_map(|file| stem(file.file_name())).collect();
+    // A part of the data without any rig says nothing.
+    if is_known || custom.is_none() && rigs.is_empty() {
+        return None;
+    }
+    let near = rigs.iter().find(|other| other.eq_ignore_ascii_case(&name.replace('-', "_")));
+    let near = near.map(String::as_str).or_else(|| cx.suggestions.nearest(name, rigs.iter().map(String::as_str)));
+    Some(Named {
+        at: rig.pointer.clone(),
+        message: format!("rig `{name}` does not exist"),
+        key: "rig",
+        help: did_you_mean(near, "name a rig of MPFB, or add the rig to `rigs` of the user's data"),
+        level: Level::Error,
+        effect: "stops with an exception when it adds the rig: only the body is made",
+        cases: Evidence::of_cases([name]),
+    })
+}

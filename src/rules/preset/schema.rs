@@ -1,0 +1,67 @@
+//! A saved character of MPFB has the keys and values that its loader takes, and names what exists.
+
+use super::super::unfit::{findings, top};
+use super::super::{Check, Rule, RuleCx};
+use super::names::{Named, named};
+use crate::diag::{Application::Mpfb, Finding, Level, RuleInfo};
+use crate::discover::Kind;
+use crate::formats::human_preset::HumanPreset;
+use crate::formats::unfit::{Unfit, Why};
+use crate::repo::FileFacts;
+use crate::repo::mpfb::View;
+
+pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
+    breaks: &[(Mpfb, "stops with an exception when the character is loaded, which leaves it half-built")],
+    docs: "A saved character of MPFB (`config/human.<name>.json`) needs `phenotype`, `skin_mhmat` and `skin_material_type`.\n\n\
+        `phenotype` is null, or has `race` and no other keys than the eight settings; all values are numbers. `targets` is a \
+        list of objects with `target` and `value`. MPFB builds the character step by step, and stops with an exception at \
+        the first key or value that it does not take: what comes later is missing. A rig that does not exist and a \
+        makeup file that does not exist stop it as well. `clothes` as a string is read letter by letter: all clothes are \
+        missing.\n\n\
+        What else does not exist is left out, with a message in the log (a warning): targets, assets, the skin, \
+        expressions. A target is found by its name in whatever capitals; the beginning of a name is enough, but if several \
+        begin so, the disk decides. A value outside 0 to 1 is limited.\n\n\
+        Names are checked where both the data of MPFB and the user's are at hand.\n\n\
+        Correct the key, the value or the name, or save the character again.",
+    ..RuleInfo::new("preset-schema", Level::Error, "a saved character with what its loader does not take or find")
+});
+
+const RIG: &str = "stops with an exception when it adds the rig: only the body is made";
+
+fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for file in view.own(Kind::HumanPreset) {
+        let Some(preset) = file.human_preset() else { continue };
+        let stops = findings(&RULE, file, &preset.stops, cx);
+        out.extend(stops.map(|(first, finding)| if top(first) == "rig" { finding.effect(RIG) } else { finding }));
+        let ignored = findings(&RULE, file, &preset.ignored, cx);
+        out.extend(ignored.map(|(first, finding)| passed_over(first, finding)));
+        if view.is_complete() {
+            out.extend(unknown(view, file, preset, cx));
+        }
+    }
+}
+
+/// What does not stop the loader has a consequence of its own.
+fn passed_over(first: &Unfit, finding: Finding) -> Finding {
+    let (level, effect) = match (top(first).as_str(), &first.why) {
+        ("clothes", _) => (Level::Error, "reads the string letter by letter: all clothes are missing"),
+        ("targets", Why::Range(_)) => (Level::Warning, "limits the value to the range from 0 to 1"),
+        ("targets", _) => (Level::Warning, "applies the target twice"),
+        ("skin_material_type", _) => (Level::Warning, "shows the body without a material, without a message"),
+        ("expressions", Why::Range(_)) => (Level::Warning, "passes the value on to the face, which is distorted"),
+        ("expressions", _) => (Level::Warning, "silently drops the expression"),
+        _ => (Level::Warning, "ignores the value"),
+    };
+    finding.level(level).effect(effect)
+}
+
+/// Findings on names that lead nowhere.
+fn unknown(view: &View<'_>, file: &FileFacts, preset: &HumanPreset, cx: &RuleCx<'_>) -> Vec<Finding> {
+    named(view, preset, cx)
+        .into_iter()
+        .map(|Named { at, message, key, help, level, effect, cases }| {
+            let finding = RULE.at(file, crate::diag::Place::Pointer(at), message).key(key).help(help);
+            finding.evidence(cases).level(level).effect(effect)
+        })
+        .collect()
+}

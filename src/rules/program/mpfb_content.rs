@@ -1,0 +1,66 @@
+//! Presets, settings and node trees of MPFB, as far as their loaders do not take them (formats/mpfb.md §7.3, §28).
+
+use super::super::unfit::{findings, is_misspelt};
+use super::super::{Rule, RuleCx, did_you_mean, such};
+use super::mpfb_files::has_own_skin_settings;
+use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
+use crate::discover::Kind;
+use crate::formats::unfit::NamedAt;
+use crate::repo::{FileFacts, View, mpfb};
+
+const STOPPED_IMPORTER: Case = &[(Mpfb, Level::Error, "stops with `TypeError` when the preset is loaded")];
+const IGNORED_PRESET: Case = &[(Mpfb, Level::Warning, "ignores the preset")];
+const STOPPED_EYES: Case = &[(Mpfb, Level::Error, "stops with an exception when it makes eyes with these settings")];
+const STOPPED_SKIN: Case = &[(
+    Mpfb,
+    Level::Error,
+    "stops with an exception at the skin: this zone and all later ones keep the defaults of the shader",
+)];
+const UNREAD_KEY: Case = &[(Mpfb, Level::Warning, "silently ignores the key: the default of the shader stays")];
+const STOPPED_NODES: Case = &[(Mpfb, Level::Error, "stops with an exception when it makes a material of this kind")];
+const NO_LINK: Case = &[(Mpfb, Level::Warning, "leaves the link out")];
+const STOPPED_MAKEUP: Case = &[(Mpfb, Level::Error, "stops with an exception when the makeup is put on")];
+
+/// Findings on a file.
+pub(super) fn faults(rule: &Rule, view: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let View::Mpfb(own) = view else { return };
+    if let Some(makeup) = file.makeup() {
+        let stops = findings(rule, file, &makeup.stops, cx);
+        out.extend(stops.map(|(_, finding)| finding.case(STOPPED_MAKEUP)));
+        out.extend(missing_layers(rule, own, file, &makeup.layers, cx));
+    }
+    let Some(faults) = file.loader_faults() else { return };
+    // Of the skin the user's copy is read, once there is one.
+    if file.kind == Kind::SkinSettings && file.rel.starts_with("settings/") && has_own_skin_settings(view) {
+        return;
+    }
+    let (stopped, passed_over) = match file.kind {
+        Kind::ImporterPreset => (STOPPED_IMPORTER, IGNORED_PRESET),
+        Kind::EyeSettings => (STOPPED_EYES, UNREAD_KEY),
+        Kind::SkinSettings => (STOPPED_SKIN, UNREAD_KEY),
+        _ => (STOPPED_NODES, NO_LINK),
+    };
+    out.extend(findings(rule, file, &faults.stops, cx).map(|(_, finding)| finding.case(stopped)));
+    let ignored = findings(rule, file, &faults.ignored, cx).filter(|(first, _)| is_misspelt(first, cx));
+    out.extend(ignored.map(|(_, finding)| finding.case(passed_over)));
+}
+
+/// Ink layers that no file is.
+fn missing_layers(
+    rule: &Rule,
+    view: &mpfb::View<'_>,
+    file: &FileFacts,
+    layers: &[NamedAt],
+    cx: &RuleCx<'_>,
+) -> Option<Finding> {
+    if !view.is_complete() {
+        return None;
+    }
+    let missing: Vec<&NamedAt> = layers.iter().filter(|one| !view.named.has("ink_layers", &one.name)).collect();
+    let first = missing.first()?;
+    let message = format!("ink layer `{}` does not exist{}", first.name, such(missing.len(), "names"));
+    let near = cx.suggestions.nearest(&first.name, view.named.names("ink_layers"));
+    let finding = rule.at(file, Place::Pointer(first.pointer.clone()), message).key("layers").case(STOPPED_MAKEUP);
+    let finding = finding.evidence(Evidence::of_cases(missing.iter().map(|one| one.name.as_str())));
+    Some(finding.help(did_you_mean(near, "correct the name, or add the ink layer")))
+}

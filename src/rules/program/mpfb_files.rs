@@ -1,0 +1,60 @@
+//! Files without which MPFB does not work, or not as it should (formats/mpfb.md §1, §28; formats/mpfb-observed.md 2.4, 2.11).
+
+use super::super::Rule;
+use crate::diag::{Application::Mpfb, Case, Finding, Level};
+use crate::discover::Kind;
+use crate::repo::{Layer, View};
+
+/// What MPFB opens by name in its own data.
+const NEEDED: [(&str, Case); 8] = [
+    ("targets/target.json", NO_START),
+    ("targets/macrodetails/macro.json", NO_START),
+    ("3dobjs/base.obj", NO_BODY),
+    (SKIN_SETTINGS, NO_SKIN),
+    ("settings/eye_settings.default.json", NO_EYES),
+    ("node_trees/makeskin.json", NO_MATERIAL),
+    ("node_trees/enhanced_skin.json", NO_MATERIAL),
+    ("node_trees/procedural_eyes.json", NO_MATERIAL),
+];
+const SKIN_SETTINGS: &str = "settings/enhanced_settings.default.json";
+/// Where the user has a copy of these.
+pub(super) const OWN_SKIN_SETTINGS: &str = "config/enhanced_settings.default.json";
+
+const NO_START: Case = &[(Mpfb, Level::Error, "fails while the add-on is imported: MPFB cannot be enabled")];
+const NO_BODY: Case = &[(Mpfb, Level::Error, "starts, and fails with `OSError` at the first character")];
+const NO_SKIN: Case =
+    &[(Mpfb, Level::Error, "fails with `FileNotFoundError` at the first enhanced skin, after its material was made")];
+const NO_EYES: Case = &[(Mpfb, Level::Info, "silently makes eyes with the defaults of the shader")];
+const NO_MATERIAL: Case = &[(Mpfb, Level::Error, "fails when it makes a material of this kind")];
+
+/// The icons of sliders: any of them, but the folder must exist.
+const ICONS: &str = "targets/_images";
+
+/// Whether the user has a copy of the settings of skins, which is read in place of the shipped one.
+pub(super) fn has_own_skin_settings(view: &View<'_>) -> bool {
+    let layers = view.layers();
+    let user = layers.user.into_iter().chain(layers.beside);
+    user.chain([layers.checked]).any(|layer| exists(layer, OWN_SKIN_SETTINGS))
+}
+
+/// Findings on what does not exist.
+pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Vec<Finding>) {
+    for (rel, case) in NEEDED.into_iter().filter(|(rel, _)| !exists(system, rel)) {
+        if rel == SKIN_SETTINGS && has_own_skin_settings(view) {
+            continue;
+        }
+        let finding = rule.in_layer(system, rel, format!("`{rel}` does not exist")).case(case);
+        out.push(finding.help("restore the file from the download of the add-on"));
+    }
+    // Where pictures are kept elsewhere altogether, the folder is left out with them.
+    let is_picture = |kind| matches!(kind, Kind::Image | Kind::TargetIcon);
+    let has_pictures = system.files.values().any(|file| is_picture(file.kind));
+    if has_pictures && !system.has_folder(ICONS) && !system.has_fault(ICONS) {
+        let finding = rule.in_layer(system, ICONS, format!("`{ICONS}` does not exist")).case(NO_START);
+        out.push(finding.help("restore the folder from the download of the add-on"));
+    }
+}
+
+fn exists(layer: &Layer, rel: &str) -> bool {
+    layer.file(rel).is_some() || layer.has_unusable(rel)
+}
