@@ -217,6 +217,11 @@ impl<'v> Body<'v> {
         self.view.is_makehuman1()
     }
 
+    /// Whether MPFB has it, which reads targets otherwise.
+    pub(crate) const fn is_mpfb(&self) -> bool {
+        self.view.is_mpfb()
+    }
+
     /// The units that a pose is made of, if they could be read.
     pub(crate) fn units_of(&self, pose: &BodyPose<'_>) -> Option<(&'v FileFacts, &'v PoseUnits)> {
         let category = if pose.is_expression { "expressions" } else { "poses" };

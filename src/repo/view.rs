@@ -46,6 +46,11 @@ impl<'a> View<'a> {
         matches!(self, Self::Makehuman1(_))
     }
 
+    /// Whether it is that of MPFB.
+    pub(crate) const fn is_mpfb(&self) -> bool {
+        matches!(self, Self::Mpfb(_))
+    }
+
     /// Its layers.
     pub(crate) const fn layers(&self) -> Layers<'a> {
         match self {

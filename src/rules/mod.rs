@@ -321,6 +321,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &target::negative_index::RULE,
     &target::non_finite::RULE,
     &target::oversized_delta::RULE,
+    &target::separator::RULE,
     &target::splits_joint_cube::RULE,
     &target::stale_binary::RULE,
     &target::syntax::RULE,

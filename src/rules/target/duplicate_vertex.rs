@@ -2,15 +2,21 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{first_row, targets};
-use crate::diag::{Application::Makehuman2, Case, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    Case, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo,
+};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     fix: FixKind::Unsafe,
-    breaks: &[(Makehuman2, "applies only the last row of a vertex, not the sum")],
+    breaks: &[
+        (Makehuman2, "applies only the last row of a vertex, not the sum"),
+        (Mpfb, "adds up all rows of a vertex; MakeHuman applies the last one"),
+    ],
     docs: "A vertex has more than one row in a target.\n\n\
         MakeHuman 2 passes all rows to NumPy at once, which keeps the last row of a vertex and drops the others. \
-        Other programs add them up, so the same file yields two different shapes. If the rows of a vertex are \
+        MPFB and other programs add them up, so the same file yields two different shapes. If the rows of a vertex are \
         equal, MakeHuman 2 loses nothing: info.\n\n\
         Keep one row per vertex: the last one if the shape in MakeHuman 2 is right, or the sum if the shape was \
         made elsewhere.",
@@ -30,6 +36,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             count if facts.repeats_are_equal => {
                 format!("{count} rows repeat an earlier row of their vertex, first {vertex}")
             }
+            1 if body.is_mpfb() => format!("{vertex} appears twice; both rows are added"),
+            count if body.is_mpfb() => format!("{count} rows repeat a vertex, first {vertex}; all are added"),
             1 => format!("{vertex} appears twice; only the last row counts"),
             count => {
                 format!("{count} rows repeat a vertex, first {vertex}; only the last row of each counts")
@@ -37,7 +45,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let mut fix =
             Fix::new(RULE.info.fix, "keep only the last row of each vertex, the one that MakeHuman 2 applies");
-        if target.packed_in.is_none() {
+        if target.packed_in.is_none() && !body.is_mpfb() {
             fix = fix.step(&file.path, Change::Rewrite(Rewrite::KeepLastRows));
         }
         let finding = RULE

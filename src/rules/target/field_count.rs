@@ -1,17 +1,29 @@
 //! A data line of a target has four fields.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    Case, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently skips such lines: their vertices do not move")],
+    breaks: &[
+        (Makehuman2, "silently skips such lines: their vertices do not move"),
+        (
+            Mpfb,
+            "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part",
+        ),
+    ],
+    levels: &[(Mpfb, Level::Error)],
     docs: "A line of a target does not have exactly four fields. A row is `INDEX X Y Z`, separated by spaces.\n\n\
         MakeHuman 2 silently skips every line without four fields, comments included. A remark behind a row (`12 \
         .1 .2 .3 # nose`) makes five or more fields, and the row is lost; a missing number makes three.\n\n\
         A line that does not begin with a number is reported as info if the target has rows. The markers of a \
         merge conflict are one finding.\n\n\
+        MPFB stops at a line with fewer than four fields (an error). Of a longer one it takes the first four (an info: \
+        MakeHuman skips it).\n\n\
         Give the line four fields, put remarks on lines of their own that begin with `#`, or remove the line.",
     counts: "lines",
     ..RuleInfo::new("target-field-count", Level::Warning, "a line of a target does not have four fields")
@@ -24,7 +36,33 @@ const BOTH_SIDES: Case = &[(
     "skips the markers and reads the rows of both sides; the last row of a vertex wins",
 )];
 
-fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+/// The same for MPFB: what stops it, else what it takes and others do not.
+fn of_mpfb(file: &FileFacts, out: &mut Vec<Finding>) {
+    let Some(blanks) = file.target().and_then(|facts| facts.blanks.as_ref()) else { return };
+    for (tally, case, help) in [
+        (&blanks.few, &[][..], "write rows as `INDEX X Y Z`, and remarks on lines of their own that begin with `#`"),
+        (&blanks.further, TAKEN, "put remarks on lines of their own that begin with `#`"),
+    ] {
+        let Some((line, fields)) = tally.first.first() else { continue };
+        let fields = counted(fields.unsigned_abs(), "field");
+        let message = match tally.count {
+            1 => format!("the line has {fields} instead of 4"),
+            count => format!("{count} lines do not have four fields; the first has {fields}"),
+        };
+        let mut evidence =
+            Evidence::of_unnamed(tally.first.iter().map(|(line, fields)| format!("line {line}: {fields}")));
+        evidence.count = tally.count;
+        let finding = RULE.at(file, Place::Line(*line), message).case(case).help(help).evidence(evidence);
+        return out.push(finding);
+    }
+}
+
+const TAKEN: Case = &[(Mpfb, Level::Info, "takes the first four fields; MakeHuman skips the line")];
+
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if view.is_mpfb() {
+        return of_mpfb(file, out);
+    }
     // A packed one only MPFB opens.
     let Some(facts) = file.target().filter(|_| file.kind == Kind::Target) else { return };
     let Some((line, fields)) = facts.field_count.first.first() else { return };

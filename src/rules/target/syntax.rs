@@ -4,21 +4,31 @@ use super::super::cause::archived::weigh;
 use super::super::{Check, Rule, RuleCx};
 use super::targets;
 use super::unreadable_fields::finding;
-use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
-use crate::repo::Body;
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    Finding, Level, Place, RuleInfo,
+};
+use crate::formats::target::TargetFacts;
+use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(
-        Makehuman2,
-        "crashes at start with `ValueError` and leaves an empty compressedtargets.npz that crashes every later \
-         start",
-    )],
+    breaks: &[
+        (
+            Makehuman2,
+            "crashes at start with `ValueError` and leaves an empty compressedtargets.npz that crashes every later \
+             start",
+        ),
+        (Mpfb, "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part"),
+    ],
     docs: "A field of a target row is not a number. A row is a vertex index and three decimal numbers with a \
         point.\n\n\
         MakeHuman 2 parses every target below the folder at start, used or not, with Python's `int()` and \
         `float()`. What they reject (words, `1.0` as an index, a decimal comma) crashes it. The empty archive that \
         stays behind must be deleted by hand, even after the target was fixed. While MakeHuman 2 uses a sound \
         archive in place of the text, the text is not parsed: a warning.\n\n\
+        MPFB parses a target when its slider moves. It makes the shape key first, so that an empty one stays behind: the \
+        slider fails once and does nothing from then on. It splits rows at single blanks and takes the first four fields; \
+        what is wrong with other white space is `target-separator`.\n\n\
         Write the field as a number, or remove the row. For a target that nothing uses see `target-breaks-start`.",
     counts: "rows",
     ..RuleInfo::new("target-syntax", Level::Error, "a field of a target row is not a number")
@@ -26,8 +36,24 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body) {
-        if !target.is_unused {
+        if body.is_mpfb() {
+            out.extend(of_blanks(file, facts));
+        } else if !target.is_unused {
             out.extend(finding(&RULE, file, facts).map(|finding| weigh(target, finding)));
         }
     }
+}
+
+/// What a loader stops at that splits at single blanks.
+fn of_blanks(file: &FileFacts, facts: &TargetFacts) -> Option<Finding> {
+    let first = facts.blanks.as_ref()?.unreadable.as_ref()?;
+    let lines = facts.blanks.as_ref().map_or(0, |blanks| blanks.unreadable_lines);
+    let message = match lines {
+        1 => format!("`{}` is not a number", first.field),
+        count => format!("`{}` is not a number ({count} such lines)", first.field),
+    };
+    let place = Place::Span(first.start..first.start + first.field.len());
+    let help =
+        "write the row as `INDEX X Y Z`: an integer and three decimal numbers with a point; remarks begin with `#`";
+    Some(RULE.at(file, place, message).help(help))
 }

@@ -2,11 +2,17 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::targets;
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    Finding, Level, Place, RuleInfo,
+};
 use crate::repo::{Body, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "loads it, but the slider changes nothing")],
+    breaks: &[
+        (Makehuman2, "loads it, but the slider changes nothing"),
+        (Mpfb, "loads it, but the slider changes nothing"),
+    ],
     docs: "Every row of the target is zero, or is undone by a later zero row for the same vertex.\n\n\
         MakeHuman 2 loads the target, and moving its slider does nothing. Often the shape was exported before it \
         was made, or compared with itself.\n\n\

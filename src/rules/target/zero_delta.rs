@@ -3,14 +3,19 @@
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{first_row, targets};
 use crate::diag::{
-    Application::Makehuman2, Change, EXAMPLES, Evidence, Finding, Fix, FixKind, Level, Rewrite, RuleInfo, grouped,
+    Application::{Makehuman2, Mpfb},
+    Change, EXAMPLES, Evidence, Finding, Fix, FixKind, Level, Rewrite, RuleInfo, grouped,
 };
+use crate::discover::Kind;
 use crate::formats::target::TargetFacts;
 use crate::repo::{Body, FileFacts, Layer};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     fix: FixKind::Safe,
-    breaks: &[(Makehuman2, "loads and adds the zeros, which only costs a little time and memory")],
+    breaks: &[
+        (Makehuman2, "loads and adds the zeros, which only costs a little time and memory"),
+        (Mpfb, "adds the zeros, which changes nothing; it writes such rows itself"),
+    ],
     docs: "Rows of a target have three zeros and move nothing. Exporters write them for vertices that were touched \
         and put back, or whose movement was rounded away.\n\n\
         A whole side without movement was usually lost by mistake; `target-asymmetric` and \
@@ -46,9 +51,16 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn fix(body: &Body<'_>, found: &[(&FileFacts, &TargetFacts)]) -> Fix {
-    let read = found.iter().filter(|(file, _)| body.target(&file.path).is_some_and(|own| own.packed_in.is_none()));
+    let read = found
+        .iter()
+        .filter(|(file, _)| is_text(file) && body.target(&file.path).is_some_and(|own| own.packed_in.is_none()));
     let fix = Fix::new(RULE.info.fix, "remove the rows");
     read.fold(fix, |fix, (file, _)| fix.step(&file.path, Change::Rewrite(Rewrite::DropZeroRows)))
+}
+
+/// Whether it can be rewritten: what is packed stays as it is.
+fn is_text(file: &FileFacts) -> bool {
+    file.kind == Kind::Target
 }
 
 fn one_file(layer: &Layer, folder: &str, file: &FileFacts, facts: &TargetFacts) -> Finding {

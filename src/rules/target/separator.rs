@@ -1,0 +1,34 @@
+//! The fields of a row are separated by single blanks.
+
+use super::super::{Check, Rule, RuleCx, such};
+use super::targets;
+use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(
+        Mpfb,
+        "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part",
+    )],
+    docs: "The fields of a row are separated by a tab, by several blanks or by another white space.\n\n\
+        MPFB splits a row at single blanks, so that an empty field or two numbers in one are left, which are no number: the \
+        target stops with `ValueError`. MakeHuman takes any white space.\n\n\
+        Write one blank between the fields. White space at both ends of a line does not matter.",
+    counts: "rows",
+    ..RuleInfo::new("target-separator", Level::Error, "fields of a target that are not separated by one blank")
+});
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if !body.is_mpfb() {
+        return;
+    }
+    for (_, file, facts) in targets(body) {
+        let Some(tally) = facts.blanks.as_ref().map(|blanks| &blanks.separators) else { continue };
+        let Some((line, _)) = tally.first.first() else { continue };
+        let message = format!("the fields of the row are not separated by one blank{}", such(tally.count, "rows"));
+        let mut evidence = Evidence::of_unnamed(tally.first.iter().map(|(line, _)| format!("line {line}")));
+        evidence.count = tally.count;
+        let finding = RULE.at(file, Place::Line(*line), message).help("write one blank between the fields");
+        out.push(finding.evidence(evidence.out_of(facts.rows)));
+    }
+}
