@@ -4,8 +4,8 @@
 
 use super::makehuman2::{MacroError, MacroResult, MacroTable, macro_survey};
 use super::measures::MacroMeasure;
-use super::mpfb::loops::{CUT_OFF, LoopResult};
 use super::mpfb::MacroLoops;
+use super::mpfb::loops::{CUT_OFF, LoopResult};
 use super::mpfb::mix::key_value;
 use super::scene::{Scene, Setting};
 use super::vector::round_to_f32;

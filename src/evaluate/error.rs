@@ -116,7 +116,10 @@ impl fmt::Display for Error {
             Self::NoData(path) => {
                 let titles: Vec<&str> = evaluated().map(Application::title).collect();
                 let titles = titles.join(" or ");
-                write!(f, "`{path}` contains no {titles} data (expected base/<name>/base.obj, base.mhbin or 3dobjs/base.obj in it)")
+                write!(
+                    f,
+                    "`{path}` contains no {titles} data (expected base/<name>/base.obj, base.mhbin or 3dobjs/base.obj in it)"
+                )
             }
             Self::SeveralRoots(paths) => {
                 write!(f, "several data folders contain this base mesh; use one of: {}", paths.join(", "))

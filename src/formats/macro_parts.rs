@@ -5,8 +5,7 @@ use crate::diag::pointer;
 use crate::json::{Document, Node, Value};
 
 /// The keys of `macrotargets` that the program asks for; others are ignored.
-pub const SETTINGS: [&str; 8] =
-    ["gender", "age", "muscle", "weight", "proportions", "height", "cupsize", "firmness"];
+pub const SETTINGS: [&str; 8] = ["gender", "age", "muscle", "weight", "proportions", "height", "cupsize", "firmness"];
 
 /// The file.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -6,8 +6,8 @@ use super::readers::{
     shader_source, target, uv_map, weights, zip,
 };
 use super::{
-    Content, Input, Parsed, base_json, geometry, macro_json, macro_parts, mhskel, modelling, pose_units, program, selection_filter,
-    target_cat, target_catalog,
+    Content, Input, Parsed, base_json, geometry, macro_json, macro_parts, mhskel, modelling, pose_units, program,
+    selection_filter, target_cat, target_catalog,
 };
 use crate::discover::Kind;
 use crate::json::Document;

@@ -57,8 +57,7 @@ pub fn holes(ranges: &[(f64, f64)]) -> Vec<Hole> {
     holes.push(Hole { from: reach, to: f64::INFINITY, before, after: None });
     let clipped = holes.into_iter().map(|hole| {
         let (is_first, is_last) = (hole.from <= 0.0, hole.to >= 1.0);
-        let (before, after) =
-            (if is_first { None } else { hole.before }, if is_last { None } else { hole.after });
+        let (before, after) = (if is_first { None } else { hole.before }, if is_last { None } else { hole.after });
         Hole { from: hole.from.max(0.0), to: hole.to.min(1.0), before, after }
     });
     clipped.filter(|hole| values_in(hole.from, hole.to) > 0).collect()

@@ -105,7 +105,8 @@ impl Loop {
     /// Bytes of the longest name of each setting.
     fn longest(&self, file: &MacroParts) -> usize {
         let settings = self.axes.iter().filter_map(|axis| axis.setting(file));
-        let longest = |own: &Setting| own.parts.iter().flat_map(|part| [&part.low, &part.high]).flatten().map(String::len).max();
+        let longest =
+            |own: &Setting| own.parts.iter().flat_map(|part| [&part.low, &part.high]).flatten().map(String::len).max();
         settings.filter_map(longest).sum()
     }
 }
