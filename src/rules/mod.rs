@@ -21,6 +21,7 @@ mod modelling;
 mod numeric;
 mod overlay;
 mod pack;
+mod parts;
 mod pose;
 mod preset;
 mod program;
@@ -231,6 +232,15 @@ pub(crate) static RULES: &[&Rule] = &[
     &overlay::user_key_clash::RULE,
     &overlay::user_target_too_deep::RULE,
     &pack::layout::RULE,
+    &parts::coverage::RULE,
+    &parts::discontinuity::RULE,
+    &parts::empty_range::RULE,
+    &parts::end_share::RULE,
+    &parts::gap::RULE,
+    &parts::missing_setting::RULE,
+    &parts::missing_target::RULE,
+    &parts::overlap::RULE,
+    &parts::unknown_combination::RULE,
     &pose::licence_spelling::RULE,
     &pose::matrix::RULE,
     &pose::meta::RULE,

@@ -85,7 +85,7 @@ fn errors_name_the_nearest() {
     assert!(error_of(&["mesh", DATA, "--base", "figur"]).contains("did you mean `figure`?"));
     assert!(error_of(&["macros", DATA, "--set", "Gender"]).contains("NAME=VALUE"));
     assert!(error_of(&["macros", DATA, "--set", "Gender=much"]).contains("not a number"));
-    assert!(error_of(&["mesh", "fixtures/rules"]).contains("contains no MakeHuman 2 data"));
+    assert!(error_of(&["mesh", "fixtures/rules"]).contains("contains no MakeHuman 2 or MPFB data"));
     assert!(error_of(&["mesh", "nowhere"]).contains("nowhere"));
     assert!(error_of(&["mesh", DATA, "-o", "nowhere/out.obj"]).contains("folder `nowhere` does not exist"));
 }
@@ -333,7 +333,7 @@ fn exceptions_of_the_application_are_outputs() {
     }
 }
 
-/// The whole of the reference files of MakeHuman 2: `MHLINT_REFERENCE` names their folder.
+/// The whole of the reference files that are computed: `MHLINT_REFERENCE` names their folder.
 #[test]
 #[ignore = "needs the corpora and reference files: MHLINT_CORPORA=FOLDER MHLINT_REFERENCE=FOLDER cargo test -- --ignored"]
 fn reference_files_agree_within_their_tolerances() {
@@ -342,15 +342,111 @@ fn reference_files_agree_within_their_tolerances() {
     for entry in fs::read_dir(&reference).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();
-        if name.starts_with("mh2_") && path.extension().is_some_and(|ending| ending == "json") {
+        let is_computed = ["mh2_", "mpfb_macro", "mpfb_morph"].iter().any(|kind| name.starts_with(kind));
+        if is_computed && path.extension().is_some_and(|ending| ending == "json") {
             files.insert(name, path);
         }
     }
-    assert!(!files.is_empty(), "no mh2_*.json in {}", reference.display());
+    assert!(!files.is_empty(), "no mh2_*.json, mpfb_macro.json or mpfb_morph.json in {}", reference.display());
     let root = |name: &str| format!("{name}={}", corpus(name).display());
     for (name, path) in files {
-        let roots = [root("makehuman2"), root("makehuman-assets")];
-        let output = eval(&["cases", text(&path), "--compare", "--root", &roots[0], "--root", &roots[1]]);
+        let roots = ["makehuman2", "makehuman-assets", "mpfb"].map(root);
+        let given = roots.iter().flat_map(|root| ["--root", root]);
+        let output = eval(&["cases", text(&path), "--compare"].into_iter().chain(given).collect::<Vec<_>>());
         assert_eq!(output.status.code(), Some(0), "{name}\n{}", stdout(&output));
+    }
+}
+
+const MPFB: &str = "fixtures/mpfb";
+
+#[test]
+fn macros_of_mpfb_are_shares_of_names_and_their_products() {
+    let outputs = json_of(&eval(&["macros", MPFB, "--set", "age=0.2", "--set", "gender=1"]))["outputs"].clone();
+    assert_eq!(outputs["components"]["gender"], json!([["female", 0.0], ["male", 1.0]]));
+    assert_eq!(outputs["components"]["age"], json!([["child", 0.5999], ["young", 0.4001]]));
+    assert_eq!(outputs["components"]["height"], json!([]));
+    let targets = outputs["targets"].as_array().unwrap();
+    assert!(targets.contains(&json!(["macrodetails/universal-male-child-averagemuscle-averageweight", 0.5999])));
+    // The breast is that of a woman, whatever the gender.
+    assert!(
+        targets.contains(&json!(["breast/female-child-averagemuscle-averageweight-maxcup-averagefirmness", 0.29995]))
+    );
+    assert_eq!(outputs["targets_without_file"], json!([]));
+    assert!(error_of(&["macros", MPFB, "--set", "agee=1"]).contains("did you mean `age`?"));
+}
+
+/// The vertex 0 of the cube, which the slider and all macro targets move.
+fn corner(root: &str, set: &[&str]) -> Vec<f64> {
+    let mut args = vec!["mesh", root, "--format", "json", "--vertices", "0"];
+    // No age, no gender: no macro target.
+    for setting in ["age=2", "gender=2"].iter().chain(set) {
+        args.extend(["--set", setting]);
+    }
+    let vertex = json_of(&eval(&args))["outputs"]["vertices"][0].clone();
+    serde_json::from_value(vertex).unwrap()
+}
+
+#[test]
+fn sliders_of_mpfb_end_at_the_whole_target() {
+    assert_eq!(corner(MPFB, &[]), [-1.0, -1.0, -1.0]);
+    let up = corner(MPFB, &["nose/nose-hump-decr-incr=1"]);
+    assert_ne!(up, corner(MPFB, &[]));
+    assert_eq!(up, corner(MPFB, &["nose_nose_hump_decr_incr=3"]));
+    assert_ne!(up, corner(MPFB, &["nose/nose-hump-decr-incr=-1"]));
+}
+
+#[test]
+fn targets_of_mpfb_are_read_as_it_reads_them() {
+    let folder = tempfile::tempdir().unwrap();
+    copy_folder(&project(MPFB), folder.path());
+    let root = text(folder.path());
+    let target = folder.path().join("targets/chin/chin-triangle.target");
+    fs::remove_file(target.with_extension("target.gz")).unwrap();
+    // Rows of one vertex add up, and what the mesh lacks is passed over.
+    fs::write(&target, "0 0.5 0 0\n0 0.25 0 0.5\n99 1 1 1\n").unwrap();
+    assert_eq!(corner(root, &["chin/chin-triangle=1"]), [-0.25, -1.0, -0.5]);
+    fs::write(&target, "0 0.5 0\n").unwrap();
+    let moved = ["mesh", root, "--set", "chin/chin-triangle=1"];
+    assert!(error_of(&moved).contains("line 1: 3 fields"));
+    fs::remove_file(&target).unwrap();
+    assert!(error_of(&moved).contains("`chin/chin-triangle`, which does not exist; MPFB would crash"));
+    let packed = folder.path().join("targets/chin/chin-triangle.target.gz");
+    fs::write(&packed, "").unwrap();
+    assert_eq!(corner(root, &["chin/chin-triangle=1"]), corner(root, &[]));
+    fs::write(&packed, "no gzip").unwrap();
+    assert!(error_of(&moved).contains("cannot be unpacked"));
+    let macros = folder.path().join("targets/macrodetails/macro.json");
+    fs::write(&macros, "{}").unwrap();
+    assert!(error_of(&["macros", root]).contains("lacks a setting"));
+    fs::remove_file(&macros).unwrap();
+    assert!(error_of(&["macros", root]).contains("macro.json is missing or cannot be used"));
+    assert!(error_of(&["skeleton", root]).contains("rigs of MPFB"));
+}
+
+/// Cases of MPFB have the axes and the unit of Blender.
+#[test]
+fn cases_of_mpfb_are_computed_in_blender() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("cases.json");
+    let inputs = r#"{"macro": null, "scale_factor": 0.5, "feet_on_ground": true, "vertex_ids": [6],
+        "targets": [["chin/chin-triangle.target.gz", 3], ["chin/chin-triangle.target.gz", -1]]}"#;
+    let cases = |inputs: &str| {
+        fs::write(&file, format!(r#"{{"kind": "mpfb_morph", "cases": [{{"name": "x", "inputs": {inputs}}}]}}"#))
+            .unwrap();
+        eval(&["cases", text(&file), "--root", &format!("mpfb={MPFB}")])
+    };
+    let outputs = json_of(&cases(inputs))["cases"][0]["outputs"].clone();
+    assert_eq!(outputs["shape_keys"], json!([["chin-triangle", 1.0], ["chin-triangle.001", 0.0]]));
+    let plain =
+        json_of(&cases(&inputs.replace("\"chin/chin-triangle.target.gz\", 3", "\"chin/chin-triangle.target.gz\", 0")));
+    assert_eq!(plain["cases"][0]["outputs"]["vertices"], json!([[0.5, -0.5, 1.0]]));
+    assert_eq!(plain["cases"][0]["outputs"]["lowest_point"], json!(0.0));
+    for wrong in [
+        r#"{"targets": [3]}"#,
+        r#"{"macro": {"age": "x"}}"#,
+        r#"{"macro": {"agee": 1}}"#,
+        r#"{"targets": [["no/such.target.gz", 1]]}"#,
+    ] {
+        assert_eq!(cases(wrong).status.code(), Some(2), "{wrong}");
     }
 }

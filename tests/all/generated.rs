@@ -71,6 +71,7 @@ fn about(family: &str) -> &'static str {
         "numeric" => "the evaluated figure: shapes, joints and weights over the range of the sliders",
         "overlay" => "user data over system data",
         "pack" => "zips of assets as MakeHuman 2 imports them",
+        "parts" => "the macro settings of MPFB: `macro.json`, its parts and the targets it needs",
         "pose" => "poses, expressions, what they are made of (`body-poses.json`, `face-poses.json`), and motions",
         "program" => "files of the programs themselves",
         "proxy" => "clothes, hair, eyes and topologies (`.mhclo`, `.proxy`) with what they name",

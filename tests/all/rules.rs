@@ -118,12 +118,41 @@ fn weights_are_checked_as_makehuman_1_reads_them() {
 
 #[test]
 #[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
-fn the_catalogue_of_mpfb_is_whole() {
+fn the_data_of_mpfb_have_their_known_defects() {
     let tree = Tree::on_disk("", crate::scratch::corpus("mpfb").join("data"), |_, _| false);
     let outcome =
         trial::lint_trees(&[mhlint::Application::Mpfb], vec![tree], None, &mhlint::Config::default()).unwrap();
     assert!(outcome.is_whole());
     assert_eq!(outcome.checked().map(|root| root.bases.clone()).collect::<Vec<_>>(), [["hm08"]]);
+    let gap = |line: u32, text: &str| {
+        format!("targets/macrodetails/macro.json:{line}:31: warning[parts-gap] no part of {text}")
+    };
+    let found = concise(&outcome);
+    let expected = [
+        "`age` covers 0.1874998 to 0.1874999 (7 slider values)",
+        "`age` covers 0.49998 to 0.49999 (336 slider values)",
+        "`muscle` covers 0.49998 to 0.49999 (336 slider values)",
+        "`weight` covers 0.49998 to 0.49999 (336 slider values)",
+        "`cupsize` covers 0.49998 to 0.49999 (336 slider values)",
+        "`firmness` covers 0.4998 to 0.4999 (3355 slider values)",
+    ];
+    let gaps: Vec<String> =
+        [26, 32, 50, 68, 122, 140].into_iter().zip(expected).map(|(line, text)| gap(line, text)).collect();
+    let (others, found): (Vec<String>, Vec<String>) = found.into_iter().partition(|line| !line.contains("[parts-gap]"));
+    assert_eq!(found, gaps);
+    assert!(
+        matches!(others.as_slice(), [only] if only.contains("info[parts-end-share]") && only.contains("16 of 16")),
+        "{others:#?}"
+    );
+}
+
+/// Its rules run on it here alone.
+#[test]
+fn the_example_of_an_application_on_trial_is_silent() {
+    let tree = Tree::on_disk("", project("fixtures/mpfb"), |_, _| false);
+    let outcome =
+        trial::lint_trees(&[mhlint::Application::Mpfb], vec![tree], None, &mhlint::Config::default()).unwrap();
+    assert!(outcome.is_whole());
     assert_eq!(concise(&outcome), Vec::<String>::new());
 }
 

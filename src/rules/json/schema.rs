@@ -8,7 +8,7 @@ use super::left_out;
 use super::schema_help::edit;
 use super::schema_words::{lack, sentence};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped,
 };
 use crate::json::{SchemaFault, UnknownKey};
@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "crashes when it uses the value, usually at start with `TypeError` or `KeyError`"),
         (Makehuman1, "does not put on the asset that uses these weights"),
+        (Mpfb, "crashes when it uses the value"),
     ],
     docs: "Each format has a JSON Schema that says which keys an object needs and what their values are. `mhlint \
         schema NAME` prints it, and editors can use it for completion and checks.\n\nMakeHuman 2 checks almost \

@@ -25,8 +25,8 @@ pub(super) enum Cell {
 
 /// For each component the values meant; empty for all of them.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Pattern {
-    pub(super) values: Vec<Vec<usize>>,
+pub(in crate::rules) struct Pattern {
+    pub(in crate::rules) values: Vec<Vec<usize>>,
 }
 
 impl Pattern {
@@ -38,12 +38,12 @@ impl Pattern {
 }
 
 /// Whether a grid is small enough to be walked.
-pub(super) fn is_walkable(sizes: &[usize]) -> bool {
+pub(in crate::rules) fn is_walkable(sizes: &[usize]) -> bool {
     sizes.iter().try_fold(1_usize, |cells, size| cells.checked_mul(size + 1)).is_some_and(|cells| cells <= LIMIT)
 }
 
 /// Place of a combination in the grid.
-pub(super) fn index(sizes: &[usize], combination: &[usize]) -> usize {
+pub(in crate::rules) fn index(sizes: &[usize], combination: &[usize]) -> usize {
     sizes.iter().zip(combination).fold(0, |index, (size, value)| index * size + value)
 }
 
@@ -97,7 +97,7 @@ pub(super) fn systematic(sizes: &[usize], cells: &[Cell], neutral: &[Vec<bool>],
 }
 
 /// Few patterns that together stand for exactly the member cells: largest first, those that others make superfluous left out.
-pub(super) fn cover(sizes: &[usize], member: &[bool]) -> Vec<Pattern> {
+pub(in crate::rules) fn cover(sizes: &[usize], member: &[bool]) -> Vec<Pattern> {
     let cube = Cube::new(sizes);
     let counts = cube.counts(|cell| member.get(cell) == Some(&true));
     let mut maximal = cube.maximal(&counts);

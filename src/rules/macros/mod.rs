@@ -2,7 +2,7 @@
 
 mod absence;
 mod absence_text;
-mod combination_patterns;
+pub(super) mod combination_patterns;
 mod component;
 mod fit;
 mod lacking_component;

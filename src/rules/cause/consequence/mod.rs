@@ -134,7 +134,8 @@ pub(in crate::rules) fn unfound(view: &View<'_>, kind: ReferenceKind) -> Option<
 pub(in crate::rules) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -> Option<Consequence> {
     match view {
         View::Makehuman2(view) => makehuman2_values::of_value(view, file, fault),
-        View::Makehuman1(_) | View::Mpfb(_) => None,
+        View::Mpfb(_) => mpfb::of_value(file, fault),
+        View::Makehuman1(_) => None,
     }
 }
 

@@ -1,15 +1,18 @@
-//! What MPFB does with a file that it cannot read or find (formats/mpfb.md §2.3, §6, §7, §28; mpfb-observed.md 1.2): so far
-//! with `targets/target.json`, expressions, presets, settings and node trees.
+//! What MPFB does with a file that it cannot read or find (formats/mpfb.md §2.3, §3.1, §6, §7, §28; mpfb-observed.md 1.2): so
+//! far with `targets/target.json`, macro parts, expressions, presets, settings and node trees.
 
 use super::table::{Cell, LOST, Table, anywhere, cell};
 use super::{Consequence, Damage, Moment};
-use crate::diag::Level::{Error, Warning};
+use crate::diag::Level::{Error, Info, Warning};
 use crate::discover::Kind;
+use crate::json::{Found, SchemaFault};
+use crate::repo::FileFacts;
 use crate::repo::ReferenceKind::{SliderName, Slot};
 
 pub(super) static TABLE: Table = Table {
     rows: &[
         anywhere(Kind::TargetCatalog, Moment::Start, REFUSED),
+        anywhere(Kind::MacroParts, Moment::Start, REFUSED),
         anywhere(Kind::FaceExpression, Moment::Use, SKIPPED),
         anywhere(Kind::HumanPreset, Moment::Use, NO_CHARACTER),
         anywhere(Kind::ImporterPreset, Moment::Use, NO_PRESET),
@@ -63,3 +66,27 @@ const NO_CHARACTER: &[Cell] = &stopped("lists the character, and stops with an e
 const NO_PRESET: &[Cell] = &stopped("lists the preset, and stops with an exception when it is loaded");
 const NO_LOOK: &[Cell] = &stopped("stops with an exception when it makes a material with these settings");
 const NO_MATERIAL: &[Cell] = &stopped("stops with an exception when it makes a material of this kind");
+
+const NO_FIGURE: &str = "crashes whenever a character is made: none can be made";
+const NO_NAME: &str = "crashes where a setting comes into the part; if that is 0.5, no character can be made";
+
+/// What a value of the macro settings comes to: beginning of its place in the schema; the first that fits counts.
+static MACRO_PARTS: [(&str, Consequence); 2] = [
+    ("/$defs/part/properties/low/", Consequence::new(Error, NO_NAME)),
+    ("/$defs/part/properties/high/", Consequence::new(Error, NO_NAME)),
+];
+
+/// What a value comes to that does not fit its schema.
+pub(super) fn of_value(file: &FileFacts, fault: &SchemaFault) -> Option<Consequence> {
+    if file.kind != Kind::MacroParts {
+        return None;
+    }
+    let row = MACRO_PARTS.iter().find(|(place, _)| fault.keyword.starts_with(place));
+    let usual = || match fault.found() {
+        Some(Found::Bool(_)) if fault.keyword.starts_with("/$defs/part/properties/") => {
+            Consequence::new(Info, "takes `true` for 1 and `false` for 0")
+        }
+        _ => Consequence::new(Error, NO_FIGURE),
+    };
+    Some(row.map_or_else(usual, |(_, consequence)| *consequence))
+}

@@ -1,0 +1,51 @@
+//! Values between two parts of a setting that neither of them covers.
+
+use super::super::{Check, Rule, RuleCx, counted};
+use super::stretch::{checked, effect, harmful, is_of_dead_part, level, whole};
+use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
+use crate::eval::mpfb::cover::{Hole, unreachable_near, values_in};
+use crate::formats::macro_parts::Setting;
+use crate::repo::FileFacts;
+use crate::repo::mpfb::View;
+
+pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
+    breaks: &[(Mpfb, "drops all targets that need the setting at these values")],
+    docs: "The parts of a setting leave out values between 0 and 1. MPFB compares strictly: the values `lowest` and \
+        `highest` themselves are outside of a part, so two parts that meet at 0.5 leave out 0.5.\n\nAt such a value \
+        the setting has no share, and all targets that need it are dropped: all of them for gender and age, all but \
+        the race targets for muscle and weight, and the breast, height or proportions targets for the others. The \
+        shape jumps there. If 0.5 of gender or age is left out, a new character has no shape at all (an error).\n\n\
+        Sliders store 32-bit numbers, and the finding counts those in the gap. A gap without any is not reported, \
+        nor one between two empty names, where there is no shape to lose.\n\nEnd the one part and begin the next at \
+        one number that is not a 32-bit number, such as 0.4999.",
+    counts: "slider values",
+    ..RuleInfo::new("parts-gap", Level::Warning, "values between two parts that neither covers")
+});
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(parts) = checked(view) else { return };
+    for setting in whole(parts) {
+        let gaps = harmful(setting).into_iter().filter(|hole| !is_of_dead_part(setting, hole));
+        out.extend(gaps.filter_map(|gap| finding(parts.file, setting, &gap)));
+    }
+}
+
+/// Nothing for a hole at an end of the slider.
+fn finding(file: &FileFacts, setting: &Setting, gap: &Hole) -> Option<Finding> {
+    let (before, after) = (setting.parts.get(gap.before?)?, setting.parts.get(gap.after?)?);
+    let values = values_in(gap.from, gap.to);
+    let from_to = if gap.from < gap.to { format!("{} to {}", gap.from, gap.to) } else { gap.from.to_string() };
+    let message = format!("no part of `{}` covers {from_to} ({})", setting.name(), counted(values, "slider value"));
+    let level = level(setting, [gap]);
+    let name = before.high.as_ref().or(after.low.as_ref()).map_or("", String::as_str);
+    let help = format!(
+        "write {} for both `highest` of parts[{}] and `lowest` of parts[{}]: no slider has this value",
+        unreachable_near(gap.from, gap.to),
+        before.index,
+        after.index
+    );
+    let evidence = Evidence::counted(usize::try_from(values).unwrap_or(usize::MAX));
+    let finding = RULE.at(file, Place::Pointer(setting.pointer(after, "lowest")), message).level(level);
+    let finding = finding.key(format!("{} {name}", setting.name())).effect(effect(setting, level));
+    Some(finding.help(help).evidence(evidence))
+}

@@ -1,0 +1,99 @@
+//! Targets that MPFB asks for and that are not there.
+
+use super::super::macros::combination_patterns::{cover, index, is_walkable};
+use super::super::{Check, Rule, RuleCx, did_you_mean, enumerated};
+use super::stretch::checked;
+use super::wanted::{lost_names, missing};
+use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::mpfb::loops::{LOOPS, Loop, Name, names};
+use crate::repo::mpfb::{Parts, Request, View};
+
+pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
+    breaks: &[(
+        Mpfb,
+        "fails where a setting comes near them: the whole macro shape disappears, and no such character can be made",
+    )],
+    docs: "MPFB composes the names of its macro targets from the names in `macro.json`, in five fixed loops (race, \
+        universal, height, breast, proportions). It does not check whether the files exist. If one is missing, a \
+        character whose settings need it cannot be made; a slider that comes near sets all macro targets to 0 and \
+        then fails, so the whole macro shape is gone.\n\nOnly packed files (`.target.gz`) of MPFB's own data count, \
+        and capitals matter. Deliberately left out are breast and proportions targets of `baby`, and \
+        `averagecup-averagefirmness`. An empty file is an empty target, and is needed as well.\n\nOne finding stands \
+        for all of them, with a count for each loop; `*` in an example stands for any name. A new name in \
+        `macro.json` needs targets in every loop that uses its setting.\n\nCorrect the name, or add the targets.",
+    counts: "targets",
+    ..RuleInfo::new("parts-missing-target", Level::Error, "a target that the macro settings need does not exist")
+});
+
+fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(parts) = checked(view) else { return };
+    let missing: Vec<&Request<'_>> = missing(parts).collect();
+    let Some(first) = missing.first() else { return };
+    let (mut counts, mut patterns) = (Vec::new(), Vec::new());
+    for (number, own) in LOOPS.iter().enumerate() {
+        let of_loop: Vec<&Request<'_>> = missing.iter().copied().filter(|one| one.number == number).collect();
+        if !of_loop.is_empty() {
+            let all = parts.requests.iter().filter(|one| one.number == number && one.is_reachable).count();
+            counts.push(format!("{} of {all} {}", of_loop.len(), own.title));
+            patterns.extend(patterns_of(own, &own.names(parts.settings), &of_loop));
+        }
+    }
+    let message = match missing.as_slice() {
+        [only] => format!("the macro target `{}` does not exist", file_of(only)),
+        many => format!("{} macro targets do not exist ({})", many.len(), counts.join(", ")),
+    };
+    let evidence = Evidence::of_groups(patterns, missing.len() as u64).naming(missing.iter().map(|one| &one.target));
+    let all = parts.requests.iter().filter(|one| one.is_reachable).count();
+    let finding = RULE.at(parts.file, Place::pointer(["macrotargets"]), message).key("targets");
+    out.push(finding.evidence(evidence.out_of(all)).help(help(parts, first, cx)));
+}
+
+fn file_of(request: &Request<'_>) -> String {
+    format!("{}.target.gz", request.target)
+}
+
+/// Few patterns for the missing targets of a loop.
+fn patterns_of(own: &Loop, lists: &[Vec<Name<'_>>], missing: &[&Request<'_>]) -> Vec<String> {
+    let sizes: Vec<usize> = lists.iter().map(Vec::len).collect();
+    if !is_walkable(&sizes) {
+        return missing.iter().map(|request| request.target.clone()).collect();
+    }
+    let mut member = vec![false; sizes.iter().product()];
+    for request in missing {
+        if let Some(cell) = member.get_mut(index(&sizes, &request.names)) {
+            *cell = true;
+        }
+    }
+    let word = |list: &[Name<'_>], values: &[usize]| {
+        let words: Vec<&str> = values.iter().filter_map(|value| list.get(*value)).map(|name| name.text).collect();
+        match words.as_slice() {
+            [] => "*".to_owned(),
+            [only] => (*only).to_owned(),
+            several => format!("({})", several.join("|")),
+        }
+    };
+    let patterns = cover(&sizes, &member).into_iter().map(|pattern| {
+        let words: Vec<String> = lists.iter().zip(&pattern.values).map(|(list, values)| word(list, values)).collect();
+        format!("{}{}", own.prefix, words.join("-"))
+    });
+    patterns.collect()
+}
+
+fn help(parts: &Parts<'_>, first: &Request<'_>, cx: &RuleCx<'_>) -> String {
+    let lost = lost_names(parts);
+    if let Some((place, name)) = lost.first().copied().filter(|_| lost.len() == 1) {
+        let setting = parts.settings.settings.iter().find(|setting| setting.place == place);
+        let known = setting.map(names).unwrap_or_default();
+        let others = known.iter().map(|name| name.text).filter(|other| *other != name);
+        let near = cx.suggestions.nearest(name, others);
+        return did_you_mean(near, format!("correct `{name}`, or add its targets"));
+    }
+    if let Some(other) = parts.layer.file_ignoring_case(&first.rel) {
+        return format!("rename `{}` to `{}`: capitals matter", other.rel, first.rel);
+    }
+    if let Some(plain) = first.rel.strip_suffix(".gz").and_then(|plain| parts.layer.file(plain)) {
+        return format!("pack `{}` with gzip: MPFB loads only `.target.gz`", plain.rel);
+    }
+    let lost: Vec<String> = lost.iter().map(|(_, name)| format!("`{name}`")).collect();
+    if lost.is_empty() { "add the targets".to_owned() } else { format!("add the targets of {}", enumerated(&lost)) }
+}
