@@ -150,7 +150,10 @@ mod tests {
     fn zones_of_the_skin_have_settings() {
         let of = |text: &str| skin(&parse(text.as_bytes()).unwrap());
         let found = of(r#"{"body": {"Roughness": 0.5, "Rougness": 1}, "lips": 5, "nose": {"x": 1}, "ears": {}}"#);
-        assert_eq!((pointers(&found.stops), pointers(&found.ignored)), (vec!["/lips"], vec!["/body/Rougness", "/nose"]));
+        assert_eq!(
+            (pointers(&found.stops), pointers(&found.ignored)),
+            (vec!["/lips"], vec!["/body/Rougness", "/nose"])
+        );
         assert_eq!(pointers(&of("null").stops), [""]);
     }
 }

@@ -88,7 +88,7 @@ fn links(tree: &Node, pointer: &str, names: &BTreeMap<&str, bool>, faults: &mut 
         if let Some(input) = text("to_node").zip(text("to_socket")).filter(|_| is_always)
             && !inputs.insert(input)
         {
-            faults.stops.add(&nth(&pointer, at), Why::Twice(format!("{} of {}", input.1, input.0)));
+            faults.stops.add(&nth(&pointer, at), Why::SecondLink(format!("`{}` of `{}`", input.1, input.0)));
         }
     }
 }
@@ -133,7 +133,9 @@ mod tests {
         let image = r#""i": {"type": "ShaderNodeTexImage", "name": "i", "values": {}}, "n": {"name": "n"}"#;
         let found = of(image, "", r#""g": {"nodes": {"x": 5}, "links": []}"#);
         assert_eq!(pointers(&found.stops), ["/nodes/i", "/nodes/n", "/nodes/n", "/groups/g/nodes/x"]);
-        let group = |name| format!(r#""g": {{"type": "ShaderNodeGroup", "name": "g", "values": {{}}, "group_name": "{name}"}}"#);
+        let group = |name| {
+            format!(r#""g": {{"type": "ShaderNodeGroup", "name": "g", "values": {{}}, "group_name": "{name}"}}"#)
+        };
         let groups = r#""known": {"nodes": {}, "links": []}"#;
         assert_eq!(pointers(&of(&group("other"), "", groups).stops), ["/nodes/g/group_name"]);
         assert_eq!(of(&group("known"), "", groups), LoaderFaults::default());

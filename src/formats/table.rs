@@ -6,8 +6,8 @@ use super::readers::{
     shader_source, target, uv_map, weights, zip,
 };
 use super::{
-    Content, Input, Parsed, base_json, face_expression, geometry, human_preset, importer_preset, look_settings, macro_json,
-    mhskel, modelling, node_tree, pose_units, program, selection_filter, target_cat, target_catalog,
+    Content, Input, Parsed, base_json, face_expression, geometry, human_preset, importer_preset, look_settings,
+    macro_json, mhskel, modelling, node_tree, pose_units, program, selection_filter, target_cat, target_catalog,
 };
 use crate::discover::Kind;
 use crate::json::Document;

@@ -25,14 +25,20 @@ pub(super) fn named(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> V
     all.extend(preset.rig.as_ref().and_then(|rig| unknown_rig(view, rig, cx)));
     for (names, key, what, level, effect) in [
         (preset.worn.as_slice(), "worn", "asset", Level::Warning, "leaves it out, with a message in the log"),
-        (preset.skin.as_slice(), "skin", "skin", Level::Warning, "shows the body without a material, with a message in the log"),
+        (
+            preset.skin.as_slice(),
+            "skin",
+            "skin",
+            Level::Warning,
+            "shows the body without a material, with a message in the log",
+        ),
         (preset.expressions.as_slice(), "expressions", "expression", Level::Warning, "drops the expression"),
         (
             preset.makeup.as_slice(),
             "makeup",
             "ink layer",
             Level::Error,
-            "stops with `TypeError` at the makeup; the character has everything that comes before it",
+            "fails with `TypeError` at the makeup; the character has everything that comes before it",
         ),
     ] {
         all.extend(files(view, names, cx).map(|(first, near, count, cases)| Named {
@@ -134,7 +140,7 @@ fn unknown_rig(view: &View<'_>, rig: &NamedAt, cx: &RuleCx<'_>) -> Option<Named>
         key: "rig",
         help: did_you_mean(near, "name a rig of MPFB, or add the rig to `rigs` of the user's data"),
         level: Level::Error,
-        effect: "stops with an exception when it adds the rig: only the body is made",
+        effect: "fails with an exception when it adds the rig: only the body is made",
         cases: Evidence::of_cases([name]),
     })
 }
