@@ -88,7 +88,7 @@ fn links(tree: &Node, pointer: &str, names: &BTreeMap<&str, bool>, faults: &mut 
         if let Some(input) = text("to_node").zip(text("to_socket")).filter(|_| is_always)
             && !inputs.insert(input)
         {
-            faults.stops.add(&nth(&pointer, at), Why::Twice(format!("{} of {}", input.1, input.0)));
+            faults.stops.add(&nth(&pointer, at), Why::SecondLink(format!("`{}` of `{}`", input.1, input.0)));
         }
     }
 }

@@ -34,6 +34,8 @@ pub enum Why {
     Range(f64),
     /// It stands for what something earlier in the file stands for as well.
     Twice(String),
+    /// It is a second link to this input of a node.
+    SecondLink(String),
     /// It names something that is not in the file.
     Unknown(String),
 }

@@ -42,6 +42,7 @@ fn cause(one: &Unfit) -> String {
         Why::Length(..) => "length".to_owned(),
         Why::Range(_) => "range".to_owned(),
         Why::Twice(_) => "twice".to_owned(),
+        Why::SecondLink(_) => "link".to_owned(),
         Why::Unknown(_) => "unknown".to_owned(),
     };
     format!("{} {sort}", top(one))
@@ -59,6 +60,7 @@ const fn things(one: &Unfit) -> &'static str {
         Why::Lacks(_) => "places",
         Why::Key(_) => "keys",
         Why::Type { .. } | Why::Word(..) | Why::Length(..) | Why::Range(_) => "values",
+        Why::SecondLink(_) => "links",
         Why::Twice(_) | Why::Unknown(_) => "entries",
     }
 }
@@ -77,6 +79,7 @@ fn sentence(one: &Unfit) -> String {
         Why::Range(value) if value.is_finite() => format!("{subject} is {value}, outside 0 to 1"),
         Why::Range(_) => format!("{subject} is NaN or infinite, expected a number from 0 to 1"),
         Why::Twice(name) => format!("`{}` occurs more than once", quoted(name)),
+        Why::SecondLink(input) => format!("{subject} is a second link to {input}, expected one"),
         Why::Unknown(name) => format!("{subject} names `{}`, which does not exist", quoted(name)),
     }
 }
@@ -92,7 +95,7 @@ fn help(one: &Unfit, cx: &RuleCx<'_>) -> String {
         Why::Word(text, known) => did_you_mean(nearest(text, known, cx), format!("write {}", either(&few(known)))),
         Why::Length(_, wanted) => format!("write {wanted} numbers"),
         Why::Range(_) => "write a number from 0 to 1".to_owned(),
-        Why::Twice(_) => "keep one of them".to_owned(),
+        Why::Twice(_) | Why::SecondLink(_) => "keep one of them".to_owned(),
         Why::Unknown(_) => "correct the name, or add what it names".to_owned(),
     }
 }

@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "treats the file as missing, or crashes at start if it is an asset"),
         (Makehuman1, "does not put on the asset that uses these weights"),
-        (Mpfb, "stops with an exception where it reads the file"),
+        (Mpfb, "fails with an exception where it reads the file"),
     ],
     docs: "The file is not valid JSON. JSON is strict: keys and strings in double quotes, a comma between two \
         members and none after the last, no comments, no text after the end.\n\nPython, in which all \

@@ -13,7 +13,7 @@ use crate::repo::mpfb;
 pub(in crate::rules) static RULE: Rule = Check::Models(run, of_mpfb).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "crashes with `IndexError` when the model is loaded"),
-        (Mpfb, "stops with `IndexError` when the model is imported"),
+        (Mpfb, "fails with `IndexError` when the model is imported"),
     ],
     docs: "A line of a model (`.mhm`) has too few words: `version`, `uuid`, `skinMaterial` and `skeleton` need a value, \
         `clothes`, `hair` and the other categories name and uuid of an asset, `material` name, uuid and file.\n\n\

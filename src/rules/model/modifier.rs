@@ -20,7 +20,7 @@ use crate::repo::mpfb;
 pub(in crate::rules) static RULE: Rule = Check::Models(run, of_mpfb).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "crashes with `ValueError` when the model is loaded"),
-        (Mpfb, "stops with `ValueError` when the model is imported"),
+        (Mpfb, "fails with `ValueError` when the model is imported"),
     ],
     docs: "A line `modifier` of a model (`.mhm`) needs exactly the pattern of a slider and a number.\n\n\
         With other words MakeHuman 2 crashes: no modifier is applied. Patterns with a blank, as of a user target with a \

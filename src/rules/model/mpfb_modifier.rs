@@ -9,7 +9,7 @@ use crate::formats::mhm_columns::Setting;
 use crate::repo::FileFacts;
 use crate::repo::mpfb::{NamedTarget, View};
 
-const NOTHING_LOADED: Case = &[(Mpfb, Level::Error, "stops with `ValueError` when the model is imported")];
+const NOTHING_LOADED: Case = &[(Mpfb, Level::Error, "fails with `ValueError` when the model is imported")];
 const SKIPPED: Case = &[(Mpfb, Level::Warning, "skips it with a message in the log")];
 const ANY: Case = &[(Mpfb, Level::Warning, "takes the first target that the disk lists of those whose names begin so")];
 const LIMITED: Case = &[(Mpfb, Level::Warning, "limits the value: of a target to 0 to 1, one end of a pair to 1")];

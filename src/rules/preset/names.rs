@@ -38,7 +38,7 @@ pub(super) fn named(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> V
             "makeup",
             "ink layer",
             Level::Error,
-            "stops with `TypeError` at the makeup; the character has everything that comes before it",
+            "fails with `TypeError` at the makeup; the character has everything that comes before it",
         ),
     ] {
         all.extend(files(view, names, cx).map(|(first, near, count, cases)| Named {
@@ -140,7 +140,7 @@ fn unknown_rig(view: &View<'_>, rig: &NamedAt, cx: &RuleCx<'_>) -> Option<Named>
         key: "rig",
         help: did_you_mean(near, "name a rig of MPFB, or add the rig to `rigs` of the user's data"),
         level: Level::Error,
-        effect: "stops with an exception when it adds the rig: only the body is made",
+        effect: "fails with an exception when it adds the rig: only the body is made",
         cases: Evidence::of_cases([name]),
     })
 }

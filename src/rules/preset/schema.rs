@@ -11,10 +11,10 @@ use crate::repo::FileFacts;
 use crate::repo::mpfb::View;
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
-    breaks: &[(Mpfb, "stops with an exception when the character is loaded, which leaves it half-built")],
+    breaks: &[(Mpfb, "fails with an exception when the character is loaded, which leaves it half-built")],
     docs: "A saved character of MPFB (`config/human.<name>.json`) needs `phenotype`, `skin_mhmat` and `skin_material_type`.\n\n\
         `phenotype` is null, or has `race` and no other keys than the eight settings; all values are numbers. `targets` is a \
-        list of objects with `target` and `value`. MPFB builds the character step by step, and stops with an exception at \
+        list of objects with `target` and `value`. MPFB builds the character step by step, and fails with an exception at \
         the first key or value that it does not take: what comes later is missing. A rig that does not exist and a \
         makeup file that does not exist stop it as well. `clothes` as a string is read letter by letter: all clothes are \
         missing.\n\n\
@@ -26,7 +26,7 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     ..RuleInfo::new("preset-schema", Level::Error, "a saved character with what its loader does not take or find")
 });
 
-const RIG: &str = "stops with an exception when it adds the rig: only the body is made";
+const RIG: &str = "fails with an exception when it adds the rig: only the body is made";
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in view.own(Kind::HumanPreset) {

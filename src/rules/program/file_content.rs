@@ -12,7 +12,7 @@ use crate::repo::{FileFacts, View};
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "crashes with `KeyError` where it uses the key"),
-        (Mpfb, "stops with an exception where it uses the value"),
+        (Mpfb, "fails with an exception where it uses the value"),
     ],
     docs: "`support_urls` in `makehuman2_version.json` names, for each entry of a menu, a key of the same file with an \
         address. `standardmesh` names a base mesh.\n\n\

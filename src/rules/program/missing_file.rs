@@ -27,12 +27,10 @@ const NEEDED: [(&str, u8); 2] = [("makehuman2_version.json", 20), ("shaders/shad
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();
     let Some(system) = layers.system.filter(|system| std::ptr::eq(*system, layers.checked)) else { return };
-    match view {
-        View::Makehuman1(_) => return of_makehuman1(view, system, out),
-        View::Mpfb(_) => return mpfb_files::missing(&RULE, view, system, out),
-        View::Makehuman2(_) => {}
+    if view.is_makehuman1() {
+        return of_makehuman1(view, system, out);
     }
-    if !holds_program(system) {
+    if mpfb_files::missing(&RULE, view, system, out) || !holds_program(system) {
         return;
     }
     for (rel, code) in NEEDED.into_iter().filter(|(rel, _)| !exists(system, rel)) {

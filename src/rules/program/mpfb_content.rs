@@ -8,18 +8,18 @@ use crate::discover::Kind;
 use crate::formats::unfit::NamedAt;
 use crate::repo::{FileFacts, View, mpfb};
 
-const STOPPED_IMPORTER: Case = &[(Mpfb, Level::Error, "stops with `TypeError` when the preset is loaded")];
+const STOPPED_IMPORTER: Case = &[(Mpfb, Level::Error, "fails with `TypeError` when the preset is loaded")];
 const IGNORED_PRESET: Case = &[(Mpfb, Level::Warning, "ignores the preset")];
-const STOPPED_EYES: Case = &[(Mpfb, Level::Error, "stops with an exception when it makes eyes with these settings")];
+const STOPPED_EYES: Case = &[(Mpfb, Level::Error, "fails with an exception when it makes eyes with these settings")];
 const STOPPED_SKIN: Case = &[(
     Mpfb,
     Level::Error,
-    "stops with an exception at the skin: this zone and all later ones keep the defaults of the shader",
+    "fails with an exception at the skin: this zone and all later ones keep the defaults of the shader",
 )];
 const UNREAD_KEY: Case = &[(Mpfb, Level::Warning, "silently ignores the key: the default of the shader stays")];
-const STOPPED_NODES: Case = &[(Mpfb, Level::Error, "stops with an exception when it makes a material of this kind")];
+const STOPPED_NODES: Case = &[(Mpfb, Level::Error, "fails with an exception when it makes a material of this kind")];
 const NO_LINK: Case = &[(Mpfb, Level::Warning, "leaves the link out")];
-const STOPPED_MAKEUP: Case = &[(Mpfb, Level::Error, "stops with an exception when the makeup is put on")];
+const STOPPED_MAKEUP: Case = &[(Mpfb, Level::Error, "fails with an exception when the makeup is put on")];
 
 /// Findings on a file.
 pub(super) fn faults(rule: &Rule, view: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {

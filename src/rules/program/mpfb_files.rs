@@ -37,8 +37,9 @@ pub(super) fn has_own_skin_settings(view: &View<'_>) -> bool {
     user.chain([layers.checked]).any(|layer| exists(layer, OWN_SKIN_SETTINGS))
 }
 
-/// Findings on what does not exist.
-pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Vec<Finding>) {
+/// Findings on what does not exist, and whether the view is that of MPFB.
+pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Vec<Finding>) -> bool {
+    let View::Mpfb(_) = view else { return false };
     for (rel, case) in NEEDED.into_iter().filter(|(rel, _)| !exists(system, rel)) {
         if rel == SKIN_SETTINGS && has_own_skin_settings(view) {
             continue;
@@ -53,6 +54,7 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Ve
         let finding = rule.in_layer(system, ICONS, format!("`{ICONS}` does not exist")).case(NO_START);
         out.push(finding.help("restore the folder from the download of the add-on"));
     }
+    true
 }
 
 fn exists(layer: &Layer, rel: &str) -> bool {

@@ -62,10 +62,10 @@ const fn stopped(effect: &'static str) -> [Cell; 5] {
     ]
 }
 
-const NO_CHARACTER: &[Cell] = &stopped("lists the character, and stops with an exception when it is loaded");
-const NO_PRESET: &[Cell] = &stopped("lists the preset, and stops with an exception when it is loaded");
-const NO_LOOK: &[Cell] = &stopped("stops with an exception when it makes a material with these settings");
-const NO_MATERIAL: &[Cell] = &stopped("stops with an exception when it makes a material of this kind");
+const NO_CHARACTER: &[Cell] = &stopped("lists the character, and fails with an exception when it is loaded");
+const NO_PRESET: &[Cell] = &stopped("lists the preset, and fails with an exception when it is loaded");
+const NO_LOOK: &[Cell] = &stopped("fails with an exception when it makes a material with these settings");
+const NO_MATERIAL: &[Cell] = &stopped("fails with an exception when it makes a material of this kind");
 
 const NO_FIGURE: &str = "crashes whenever a character is made: none can be made";
 const NO_NAME: &str = "crashes where a setting comes into the part; if that is 0.5, no character can be made";
