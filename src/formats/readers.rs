@@ -200,8 +200,11 @@ pub(super) fn weights(input: &Input<'_>) -> Parsed {
     Parsed { content: Content::Weights(Box::new(weights)), ..explained }
 }
 
-/// A packed target: whether it can be unpacked.
+/// A packed target: whether it can be unpacked. One without a byte is taken for an empty target.
 pub(super) fn packed(input: &Input<'_>) -> Parsed {
+    if input.bytes.is_empty() {
+        return Parsed::default();
+    }
     Parsed { gzip_fault: try_gunzip(input.bytes, input.limits).err(), ..Parsed::default() }
 }
 
