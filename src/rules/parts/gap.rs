@@ -16,7 +16,8 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
         the race targets for muscle and weight, and the breast, height or proportions targets for the others. The \
         shape jumps there. If 0.5 of gender or age is left out, a new character has no shape at all (an error).\n\n\
         Sliders store 32-bit numbers, and the finding counts those in the gap. A gap without any is not reported, \
-        nor one between two empty names, where there is no shape to lose.\n\nEnd the one part and begin the next at \
+        nor one between two empty names, where there is no shape to lose. With one empty name see \
+        `parts-discontinuity`.\n\nEnd the one part and begin the next at \
         one number that is not a 32-bit number, such as 0.4999.",
     counts: "slider values",
     ..RuleInfo::new("parts-gap", Level::Warning, "values between two parts that neither covers")
@@ -37,6 +38,10 @@ fn finding(file: &FileFacts, setting: &Setting, gap: &Hole) -> Option<Finding> {
     let from_to = if gap.from < gap.to { format!("{} to {}", gap.from, gap.to) } else { gap.from.to_string() };
     let message = format!("no part of `{}` covers {from_to} ({})", setting.name(), counted(values, "slider value"));
     let level = level(setting, [gap]);
+    // With a name on one side only the gap belongs to what has no shape: what jumps is told as that.
+    if level == Level::Warning && before.high.is_none() != after.low.is_none() {
+        return None;
+    }
     let name = before.high.as_ref().or(after.low.as_ref()).map_or("", String::as_str);
     let help = format!(
         "write {} for both `highest` of parts[{}] and `lowest` of parts[{}]: no slider has this value",
