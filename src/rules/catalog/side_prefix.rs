@@ -7,7 +7,7 @@ use crate::formats::target_catalog::Category;
 use crate::repo::mpfb::{View, pair};
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
-    breaks: &[(Mpfb, "silently moves the other side of the body, or in the other direction")],
+    breaks: &[(Mpfb, "silently moves the left/right counterpart, or in the other direction")],
     docs: "A slot of `opposites` holds the target of another slot: one on the left holds a name with `r-`, a positive one \
         the negative end of the pair (`…-decr` in a slider `…-decr-incr`), or both ends are one target.\n\n\
         MPFB loads what is written.\n\nExchange the names.",
@@ -34,7 +34,10 @@ fn fault(category: &Category, side: &str, other_side: &str) -> Option<(String, S
     let of_other_side = |stem: &&str| !other_side.is_empty() && stem.starts_with(other_side);
     for (slot, stem) in slots.iter().zip([negative, positive]) {
         if let Some(stem) = stem.filter(of_other_side) {
-            return Some((slot.clone(), format!("`{slot}` of `{}` holds `{stem}`, of the other side", category.name)));
+            return Some((
+                slot.clone(),
+                format!("`{slot}` of `{}` holds `{stem}`, the left/right counterpart", category.name),
+            ));
         }
     }
     let (negative, positive, [_, slot]) = (negative?, positive?, slots);

@@ -45,7 +45,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let said = short.iter().map(|end| format!("{} {}: {} %", end.setting.name(), end.value(), percent(end.share)));
     let evidence = Evidence::of_cases(cases).showing(said.take(crate::diag::EXAMPLES)).out_of(all.len());
     out.push(RULE.at(parts.file, place, message).key("ends").evidence(evidence).help(
-        "leave it as it is unless the targets are made anew; closer bounds, such as -0.00001, reach the full shape",
+        "leave it as it is unless the targets are made again; closer bounds, such as -0.00001, reach the full shape",
     ));
 }
 
