@@ -118,18 +118,21 @@ impl MacroParts {
             index,
             lowest: lowest?.as_python_number()?,
             highest: highest?.as_python_number()?,
-            low: name(low?)?,
-            high: name(high?)?,
+            low: name(low?).ok()?,
+            high: name(high?).ok()?,
         })
     }
 }
 
+/// A value that the program cannot use.
+struct WrongType;
+
 /// A name, or none at all.
-fn name(node: &Node) -> Option<Option<String>> {
+fn name(node: &Node) -> Result<Option<String>, WrongType> {
     match &node.value {
-        Value::String(text) => Some(Some(text.clone()).filter(|text| !text.is_empty())),
-        Value::Null => Some(None),
-        _ => None,
+        Value::String(text) => Ok(Some(text.clone()).filter(|text| !text.is_empty())),
+        Value::Null => Ok(None),
+        _ => Err(WrongType),
     }
 }
 

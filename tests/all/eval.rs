@@ -366,12 +366,12 @@ fn macros_of_mpfb_are_shares_of_names_and_their_products() {
     assert_eq!(outputs["components"]["age"], json!([["child", 0.5999], ["young", 0.4001]]));
     assert_eq!(outputs["components"]["height"], json!([]));
     let targets = outputs["targets"].as_array().unwrap();
-    assert!(targets.contains(&json!(["macrodetails/universal-male-child-averagemuscle-averageweight", 0.149975])));
+    assert!(targets.contains(&json!(["macrodetails/universal-male-child-averagemuscle-averageweight", 0.149_975])));
     // A part with one name at both ends has the share of the end alone: of two for one name the last counts.
     // The breast is that of a woman, whatever the gender.
     assert!(
         targets
-            .contains(&json!(["breast/female-child-averagemuscle-averageweight-maxcup-averagefirmness", 0.03749375]))
+            .contains(&json!(["breast/female-child-averagemuscle-averageweight-maxcup-averagefirmness", 0.037_493_75]))
     );
     assert_eq!(outputs["targets_without_file"], json!([]));
     assert!(error_of(&["macros", MPFB, "--set", "agee=1"]).contains("did you mean `age`?"));

@@ -117,14 +117,14 @@ impl Axis {
 impl TargetLoop {
     /// All combinations of the shares from axis `from` on, behind those that make `index` and `weight`.
     fn walk(&self, axes: &[Vec<(u32, f64)>], found: &mut impl FnMut(u32, f64), from: usize, index: usize, weight: f64) {
-        let (Some(shares), Some(axis)) = (axes.get(from), self.axes.get(from)) else {
+        let (Some(shares), Some(of)) = (axes.get(from), self.axes.get(from)) else {
             if let Some(target) = self.targets.get(index).copied().flatten() {
                 found(target, weight);
             }
             return;
         };
         for (name, share) in shares {
-            self.walk(axes, found, from + 1, index * axis.names + *name as usize, weight * share);
+            self.walk(axes, found, from + 1, index * of.names + *name as usize, weight * share);
         }
     }
 }

@@ -28,8 +28,8 @@ pub(super) fn outputs(base: &Evaluation, values: &[f64], cut_off: f64) -> Result
     loops.evaluate(values, cut_off, &mut result);
     let components = SETTINGS.iter().zip(names).enumerate().map(|(place, (setting, names))| {
         let shares = loops.shares(place, values.get(place).copied().unwrap_or(f64::NAN));
-        let named = shares.iter().map(|(name, share)| json!([names.get(*name as usize), rounded(*share)]));
-        ((*setting).to_owned(), named.collect::<Value>())
+        let said = shares.iter().map(|(name, share)| json!([names.get(*name as usize), rounded(*share)]));
+        ((*setting).to_owned(), said.collect::<Value>())
     });
     let target = |number: u32| {
         let place = base.scene.macro_targets.get(number as usize);

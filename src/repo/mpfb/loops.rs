@@ -89,7 +89,7 @@ impl Loop {
         let is_universal = self.axes.iter().zip(names).any(|(axis, name)| *axis == Of(GENDER) && *name == "universal");
         let path = format!("{}{}", self.prefix, names.join("-"));
         let is_skipped = self.left_out.iter().any(|part| path.contains(part));
-        (!is_skipped && !(is_universal && self.axes.contains(&Race))).then_some(path)
+        (!is_skipped && (!is_universal || !self.axes.contains(&Race))).then_some(path)
     }
 
     /// What its names are put together from: for each axis the names, with the largest share that a slider gives them.
