@@ -1,6 +1,6 @@
 //! Saved characters of MPFB, `human.<name>.json` (formats/mpfb.md §7.1).
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 use super::unfit::{NamedAt, Unfits, Why, below, is_number, keep, nth};
 use crate::json::{Document, Node, Value};
@@ -94,9 +94,10 @@ impl HumanPreset {
     fn take_race(&mut self, race: &Node) {
         for member in race.effective_members() {
             let pointer = below("/phenotype/race", &member.key);
-            match RACES.contains(&&*member.key) {
-                true => self.take_setting(&pointer, &member.node),
-                false => self.stops.add(&pointer, Why::Key(RACES)),
+            if RACES.contains(&&*member.key) {
+                self.take_setting(&pointer, &member.node);
+            } else {
+                self.stops.add(&pointer, Why::Key(RACES));
             }
         }
     }
@@ -112,7 +113,7 @@ impl HumanPreset {
         if !targets.is_array() && !is_empty {
             return self.stops.add_type("/targets", targets, "a list");
         }
-        let mut known = BTreeMap::new();
+        let mut known = BTreeSet::new();
         for (at, entry) in targets.elements().iter().enumerate() {
             let pointer = nth("/targets", at);
             if !entry.is_object() {
@@ -127,7 +128,7 @@ impl HumanPreset {
             }
             if let Some(name) = entry.get("target").and_then(Node::as_str) {
                 let pointer = below(&pointer, "target");
-                if known.insert(name.to_lowercase(), ()).is_some() {
+                if !known.insert(name.to_lowercase()) {
                     self.ignored.add(&pointer, Why::Twice(name.to_owned()));
                 }
                 keep(&mut self.targets, &pointer, name);
@@ -138,7 +139,9 @@ impl HumanPreset {
     fn take_value(&mut self, pointer: &str, node: &Node) {
         match node.as_python_number() {
             None => self.stops.add_type(pointer, node, "a number"),
-            Some(value) if value < 0.0 || value > 1.0 => self.ignored.add(pointer, Why::Range(value)),
+            Some(value) if !value.is_nan() && !(0.0..=1.0).contains(&value) => {
+                self.ignored.add(pointer, Why::Range(value));
+            }
             Some(_) => {}
         }
     }

@@ -70,7 +70,8 @@ pub fn importer(document: &Document) -> LoaderFaults {
 pub fn makeup(document: &Document) -> Makeup {
     let root = &document.root;
     let mut makeup = Makeup::default();
-    if !root.is_array() && !(root.is_falsy() && matches!(root.value, Value::String(_) | Value::Object(_))) {
+    let is_empty = root.is_falsy() && matches!(root.value, Value::String(_) | Value::Object(_));
+    if !root.is_array() && !is_empty {
         makeup.stops.add_type("", root, "a list");
     }
     for (at, entry) in root.elements().iter().enumerate() {

@@ -27,7 +27,7 @@ const READ: usize = 4;
 pub(super) fn differs(text: &[u8]) -> bool {
     let odd = |byte: u8| byte >= 0x80 || byte == b'"' || byte < b' ' && !matches!(byte, b'\n' | b'\r');
     let has_odd = text.iter().fold(false, |found, byte| found | odd(*byte));
-    has_odd || text.iter().zip(text.iter().skip(1)).fold(false, |found, pair| found | (pair == (&b' ', &b' ')))
+    has_odd || text.windows(2).any(|pair| pair == b"  ")
 }
 
 /// Reads all lines.

@@ -36,9 +36,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         (!still.is_empty()).then_some((file, still, count))
     };
     let still: Vec<Still<'_>> = view.own(Kind::FaceExpression).filter_map(of_file).collect();
-    match UNITS.into_iter().all(is_still) {
-        true => out.extend(all_still(&still)),
-        false => out.extend(still.iter().filter_map(some_still)),
+    if UNITS.into_iter().all(is_still) {
+        out.extend(all_still(&still));
+    } else {
+        out.extend(still.iter().filter_map(some_still));
     }
 }
 

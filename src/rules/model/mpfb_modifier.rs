@@ -75,7 +75,10 @@ fn macro_of(pattern: &str) -> &str {
     PREFIXES.iter().find_map(|prefix| pattern.strip_prefix(prefix)).unwrap_or(pattern)
 }
 
-fn meant<'m>(pattern: &'m str, value: f64) -> Meant<'m> {
+/// Lines with their values.
+type Lines<'l> = Vec<(&'l Setting, f64)>;
+
+fn meant(pattern: &str, value: f64) -> Meant<'_> {
     if let Some((_, is_share)) = MACROS.iter().find(|(name, _)| *name == macro_of(pattern)) {
         return Meant::Macro(*is_share);
     }
@@ -112,7 +115,7 @@ fn values(rule: &Rule, file: &FileFacts, lines: &[Setting]) -> Vec<Finding> {
         Meant::Target(_) | Meant::Macro(true) if !(0.0..=1.0).contains(value) => Some(("range", LIMITED)),
         _ => None,
     };
-    let mut by_sort: BTreeMap<&str, (Case, Vec<(&Setting, f64)>)> = BTreeMap::new();
+    let mut by_sort: BTreeMap<&str, (Case, Lines<'_>)> = BTreeMap::new();
     for line in read(lines) {
         if let Some((key, case)) = sort(&line) {
             by_sort.entry(key).or_insert_with(|| (case, Vec::new())).1.push(line);
