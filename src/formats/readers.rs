@@ -12,7 +12,7 @@ use super::{
     shader_source, uv_map,
 };
 use crate::json::{self, Document, SchemaFaults};
-use crate::source::{Encoding, GzipFault, Limits, gunzip, zip_bomb};
+use crate::source::{Encoding, GzipFault, Limits, gunzip_at_most, zip_bomb};
 
 /// What a reader is given.
 #[derive(Debug, Clone, Copy)]
@@ -200,11 +200,18 @@ pub(super) fn weights(input: &Input<'_>) -> Parsed {
     Parsed { content: Content::Weights(Box::new(weights)), ..explained }
 }
 
-/// A packed target, with its rows.
+/// Bytes of a target at most; those of MPFB come to a hundredth of it. What is larger is not looked into.
+const LARGEST_TARGET: usize = 64 << 20;
+
+/// A packed target, with its rows. One without a byte is an empty target.
 pub(super) fn packed(input: &Input<'_>) -> Parsed {
-    match gunzip(input.bytes, input.limits) {
+    if input.bytes.is_empty() {
+        return Parsed::default();
+    }
+    match gunzip_at_most(input.bytes, input.limits, LARGEST_TARGET) {
         Err(fault) => Parsed { gzip_fault: Some(fault), ..Parsed::default() },
-        Ok(bytes) => {
+        Ok(None) => Parsed::default(),
+        Ok(Some(bytes)) => {
             let encoding = Encoding::of(&bytes);
             let parsed = target(&Input { bytes: &bytes, encoding: &encoding, ..*input });
             let reason = || GzipFault::Corrupt("what is in it is not UTF-8".to_owned());

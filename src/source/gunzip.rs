@@ -38,6 +38,39 @@ pub(crate) fn gunzip(packed: &[u8], limits: &Limits) -> Result<Vec<u8>, GzipFaul
     Ok(out)
 }
 
+/// The same if it comes to `most` bytes at most; `None` for more, of which nothing is kept.
+///
+/// # Errors
+/// As [`gunzip`].
+pub(crate) fn gunzip_at_most(packed: &[u8], limits: &Limits, most: usize) -> Result<Option<Vec<u8>>, GzipFault> {
+    let mut kept = Kept { bytes: Vec::new(), most, is_whole: true };
+    unpack(packed, limits, &mut kept)?;
+    Ok(kept.is_whole.then_some(kept.bytes))
+}
+
+/// Bytes as long as they are few.
+struct Kept {
+    bytes: Vec<u8>,
+    most: usize,
+    is_whole: bool,
+}
+
+impl Write for Kept {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.is_whole &= self.bytes.len() + bytes.len() <= self.most;
+        if self.is_whole {
+            self.bytes.extend_from_slice(bytes);
+        } else {
+            self.bytes = Vec::new();
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
 fn unpack(packed: &[u8], limits: &Limits, out: &mut impl Write) -> Result<u64, GzipFault> {
     let total = packed.len() as u64;
     let limit = limits.unpacked_limit(total);

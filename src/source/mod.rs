@@ -24,7 +24,7 @@ pub(crate) use text::{BYTE_ORDER_MARK, Guess};
 pub use tree::Tree;
 
 pub(crate) use folder::{Folder, Outer, folder_and_name, holds, inside, is_below, normalized};
-pub(crate) use gunzip::{GzipFault, gunzip};
+pub(crate) use gunzip::{GzipFault, gunzip, gunzip_at_most};
 #[cfg(test)]
 pub(crate) use lines::PASSED;
 pub(crate) use lines::{Lines, first_line, lines};

@@ -357,7 +357,7 @@ fn reference_files_agree_within_their_tolerances() {
     }
 }
 
-const MPFB: &str = "fixtures/mpfb";
+const MPFB: &str = "fixtures/mpfb/data";
 
 #[test]
 fn macros_of_mpfb_are_shares_of_names_and_their_products() {
