@@ -28,6 +28,17 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[
             }
         }
     }
+    // An application that shares its users' folders with another one claims none of them alone: it has to be asked for, or
+    // to have a root of its own at hand.
+    let is_at_hand = |application: Application| {
+        let own = |(root, sign): (&DataRoot, &Sign)| root.application == application && *sign == Sign::Strong;
+        asked.contains(&application) || signs.iter().any(own)
+    };
+    let company: Vec<Application> = Application::ALL
+        .into_iter()
+        .filter(|one| Layout::of(*one).shares_roots_of.is_none() || is_at_hand(*one))
+        .collect();
+    signs.retain(|root, sign| *sign == Sign::Strong || company.contains(&root.application));
     // One that is near a better one does not count, unless it is as good.
     let count = |sign, better: &[DataRoot]| -> Vec<DataRoot> {
         let own = signs.iter().filter(|(_, own)| **own == sign).map(|(root, _)| root);
@@ -37,11 +48,8 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[
     for sign in [Sign::Weak, Sign::Faint] {
         roots.extend(count(sign, &roots));
     }
-    for application in Application::ALL {
+    for application in company {
         let Some(other) = Layout::of(application).shares_roots_of else { continue };
-        if !asked.contains(&application) && !roots.iter().any(|root| root.application == application) {
-            continue;
-        }
         // Signs that others have, too, are those of a user.
         let is_shared = |root: &&DataRoot| root.application == other && signs.get(*root) == Some(&Sign::Faint);
         let shared = roots.iter().filter(is_shared).map(|root| DataRoot { path: root.path.clone(), application });
@@ -108,7 +116,13 @@ mod tests {
         assert_eq!(with_system.iter().skip(1).cloned().collect::<Vec<_>>(), both("user"));
         let asked = find_roots([library], &[Application::Mpfb]);
         assert_eq!(asked.into_iter().map(|root| (root.path, root.application)).collect::<Vec<_>>(), both("user"));
-        assert_eq!(found(&[library, "user/packs/mine.json"]), [("user".to_owned(), Application::Mpfb)]);
+        // Without its company a folder of packs, expressions or custom targets is nobody's, or that of the other one.
+        assert_eq!(found(&["src/packs/mine.json", "src/expressions/a.json", "src/custom/x.target.gz"]), []);
+        for path in
+            ["user/packs/mine.json", "user/expressions/a.json", "user/custom/x.target", "user/targets/a/b.target"]
+        {
+            assert_eq!(found(&[library, path]), [("user".to_owned(), Application::Makehuman1)], "{path}");
+        }
     }
 
     #[test]

@@ -24,7 +24,9 @@ pub fn lint_trees(
     system: Option<Tree>,
     options: &Config,
 ) -> Result<Outcome, Error> {
-    lint_sides(&Side::of(trees, system), None, options, applications)
+    // Who tries an application asks for it by name.
+    let options = Config { applications: applications.to_vec(), ..options.clone() };
+    lint_sides(&Side::of(trees, system), None, &options, applications)
 }
 
 /// As [`super::lint_trees`], with what is new or worse than in the trees before.
