@@ -98,29 +98,24 @@ pub fn parse_file(bytes: &[u8], encoding: &Encoding, mesh: Option<MeshSize>) -> 
         return None;
     }
     if !encoding.byte_order_mark {
-        return Some(with_blanks(parse(bytes, mesh), bytes));
+        return Some(parse(bytes, mesh));
     }
     // The mark is a fault of its own; blanks in its place keep it out of the first row and all offsets right.
     let mut unmarked = bytes.to_vec();
     unmarked.iter_mut().take(3).for_each(|byte| *byte = b' ');
-    let mut target = with_blanks(parse(&unmarked, mesh), &unmarked);
-    target.facts.has_mark = true;
-    Some(target)
-}
-
-/// Looks once more at a text in which not every line is a plain row or a comment.
-fn with_blanks(mut target: Target, text: &[u8]) -> Target {
-    let facts = &mut target.facts;
-    if facts.field_count.count > 0 || facts.unreadable_rows > 0 || target_blanks::differs(text) {
-        facts.blanks = Some(Box::new(target_blanks::read(text)));
-    }
-    target
+    Some(parse(&unmarked, mesh))
 }
 
 /// `fast` reads the lines it knows; tests take it away.
 fn parse_by(fast: impl Fn(&[u8]) -> (Option<Row>, usize), text: &[u8], mesh: Option<MeshSize>) -> Target {
-    let mut parser =
-        Parser { target: Target::default(), mesh, lengths: Vec::new(), zeros: Vec::new(), line_offsets: Vec::new() };
+    let mut parser = Parser {
+        target: Target::default(),
+        mesh,
+        lengths: Vec::new(),
+        zeros: Vec::new(),
+        line_offsets: Vec::new(),
+        is_odd: false,
+    };
     parser.target.rows.reserve(text.len() / 20);
     let mut line = 1;
     let mut start = 0;
@@ -134,6 +129,10 @@ fn parse_by(fast: impl Fn(&[u8]) -> (Option<Row>, usize), text: &[u8], mesh: Opt
             start += parser.slow_line(line, rest, start);
         }
         line += 1;
+    }
+    // Lines that the fast path knows are read alike by all.
+    if parser.is_odd {
+        parser.target.facts.blanks = Some(Box::new(target_blanks::read(text)));
     }
     parser.finish()
 }
@@ -149,6 +148,8 @@ struct Parser {
     zeros: Vec<(u32, i64)>,
     /// Line minus position of the row, wherever it changes: position and difference.
     line_offsets: Vec<(usize, usize)>,
+    /// Whether a line may be read otherwise by a loader that splits at single blanks.
+    is_odd: bool,
 }
 
 impl Parser {
@@ -156,6 +157,7 @@ impl Parser {
     fn slow_line(&mut self, line: u32, rest: &[u8], offset: usize) -> usize {
         let (text, length) = first_line(rest);
         let fields = fields(text);
+        self.is_odd |= target_blanks::is_odd(text);
         if let Some((_, first)) = fields.first() {
             self.marker(line, first);
         }
@@ -165,6 +167,7 @@ impl Parser {
             [index, x, y, z] => self.data(line, offset, [*index, *x, *y, *z]),
             other => {
                 let count = i64::try_from(other.len()).unwrap_or(i64::MAX);
+                self.is_odd = true;
                 self.target.facts.field_count.add(line, count);
                 self.target.facts.broken_rows += u64::from(begins_a_row(other));
                 self.target.facts.field_count_names.add(|| row_name(other));
@@ -198,6 +201,7 @@ impl Parser {
         match (parsed, floats) {
             (Ok(index), [Some(x), Some(y), Some(z)]) => self.row(line, index, [x, y, z].map(stored)),
             (parsed, floats) => {
+                self.is_odd = true;
                 let bad = if parsed.is_err() {
                     fields.first()
                 } else {

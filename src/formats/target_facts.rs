@@ -54,8 +54,6 @@ pub struct TargetFacts {
     pub basemesh: Option<(u32, String)>,
     /// What a loader makes of the text that splits at single blanks; nothing where that is what all others make of it.
     pub blanks: Option<Box<BlankFacts>>,
-    /// Whether a byte order mark stands in front.
-    pub has_mark: bool,
     /// Hash over the decoded rows: equal rows, equal hash.
     pub content: u64,
     /// Hash over what comes of the rows: without those that move nothing or are replaced.
