@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::macro_parts::{RACES, SETTINGS};
 use super::unfit::{NamedAt, Unfits, Why, below, is_number, keep, nth};
 use crate::json::{Document, Node, Value};
 
@@ -26,11 +27,9 @@ pub struct HumanPreset {
     pub makeup: Vec<NamedAt>,
 }
 
-const SETTINGS: [&str; 8] = ["gender", "age", "muscle", "weight", "proportions", "height", "cupsize", "firmness"];
 /// All keys of `phenotype`.
 const PHENOTYPE: &[&str] =
     &["gender", "age", "muscle", "weight", "proportions", "height", "cupsize", "firmness", "race"];
-const RACES: &[&str] = &["asian", "caucasian", "african"];
 /// What the body has one of each.
 const BODY_PARTS: [&str; 7] = ["eyes", "eyebrows", "eyelashes", "tongue", "teeth", "hair", "proxy"];
 /// The kinds of materials that a skin can be made.
@@ -97,7 +96,7 @@ impl HumanPreset {
             if RACES.contains(&&*member.key) {
                 self.take_setting(&pointer, &member.node);
             } else {
-                self.stops.add(&pointer, Why::Key(RACES));
+                self.stops.add(&pointer, Why::Key(&RACES));
             }
         }
     }

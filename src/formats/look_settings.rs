@@ -4,25 +4,7 @@
 use super::unfit::{LoaderFaults, Why, below, is_number};
 use crate::json::{Document, Node};
 
-/// Keys of eyes with a number.
-const EYE_NUMBERS: [&str; 16] = [
-    "Clearcoat",
-    "Clearcoat Roughness",
-    "InnerLayerRoughness",
-    "IrisBumpStrength",
-    "IrisClockwiseMult",
-    "IrisFeatureScale",
-    "IrisRadialMult",
-    "IrisSection1End",
-    "IrisSection2End",
-    "IrisSection3End",
-    "IrisToEyeWhiteRelation",
-    "OuterLayerAlpha",
-    "OuterLayerIOR",
-    "OuterLayerRoughness",
-    "OuterLayerTransmission",
-    "PupilSize",
-];
+/// Keys of eyes with a colour. All others have a number.
 const EYE_COLOURS: [&str; 6] =
     ["EyeWhiteColor", "IrisMajorColor", "IrisMinorColor", "IrisSection4Color", "OuterLayerColor", "PupilColor"];
 const EYE_KEYS: &[&str] = &[
@@ -76,7 +58,7 @@ pub fn eyes(document: &Document) -> LoaderFaults {
     for member in root.effective_members() {
         let key = &*member.key;
         let is_colour = EYE_COLOURS.contains(&key);
-        let is_known = is_colour || EYE_NUMBERS.contains(&key);
+        let is_known = EYE_KEYS.contains(&key);
         faults.take(&below("", key), &member.node, is_known.then_some(is_colour), EYE_KEYS);
     }
     faults
@@ -137,8 +119,8 @@ mod tests {
 
     #[test]
     fn the_keys_of_eyes_are_numbers_and_colours() {
-        assert!(EYE_NUMBERS.iter().chain(&EYE_COLOURS).all(|key| EYE_KEYS.contains(key)));
-        assert_eq!(EYE_KEYS.len(), EYE_NUMBERS.len() + EYE_COLOURS.len());
+        assert!(EYE_COLOURS.iter().all(|key| EYE_KEYS.contains(key)));
+        assert_eq!((EYE_KEYS.len(), EYE_COLOURS.len()), (22, 6));
         let of = |text: &str| eyes(&parse(text.as_bytes()).unwrap());
         assert_eq!(of(r#"{"PupilSize": 1, "PupilColor": [0, 0.5, NaN, 1]}"#), LoaderFaults::default());
         let bad = of(r#"{"PupilSize": "big", "PupilColor": [0, 0, 0], "OuterLayerColor": [0, 0, 0, "1"], "Pupil": 1}"#);

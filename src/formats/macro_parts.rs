@@ -7,6 +7,9 @@ use crate::json::{Document, Node, Value};
 /// The keys of `macrotargets` that the program asks for; others are ignored.
 pub const SETTINGS: [&str; 8] = ["gender", "age", "muscle", "weight", "proportions", "height", "cupsize", "firmness"];
 
+/// The races, which have no parts, as they stand in names.
+pub const RACES: [&str; 3] = ["asian", "caucasian", "african"];
+
 /// The file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MacroParts {

@@ -13,10 +13,10 @@ use crate::evaluate::files::take_mesh;
 use crate::evaluate::formulas::Formulas;
 use crate::evaluate::opened::{MacroNames, NO_MESH};
 use crate::evaluate::{Error, Evaluation};
-use crate::formats::macro_parts::{SETTINGS, Setting};
+use crate::formats::macro_parts::{RACES, SETTINGS, Setting};
 use crate::formats::target_catalog::{Category, Section};
-use crate::repo::mpfb::loops::{self, LOOPS, RACES};
-use crate::repo::mpfb::{Catalog, Parts, View};
+use crate::repo::mpfb::loops::{self, LOOPS};
+use crate::repo::mpfb::{Catalog, Parts, View, identifier};
 use crate::repo::{FileFacts, Layers};
 use crate::source::Limits;
 
@@ -76,9 +76,10 @@ impl Composer {
         for section in &catalog.sliders.sections {
             for category in section.categories.iter().filter(|category| !category.has_full_path) {
                 for side in category.sides() {
-                    let pattern = format!("{}/{side}{}", section.name, category.name);
+                    let name = format!("{side}{}", category.name);
+                    let pattern = format!("{}/{name}", section.name);
                     let kind = self.kind(catalog, section, category, side);
-                    self.keys.push((identifier(&pattern), vec![pattern.clone()]));
+                    self.keys.push((identifier(&section.name, &name), vec![pattern.clone()]));
                     self.scene.sliders.push(SceneSlider { pattern, kind, default: 0.0 });
                 }
             }
@@ -185,9 +186,4 @@ fn eval_parts(setting: &Setting, names: &[String]) -> Vec<Part> {
         high: number(&part.high),
     };
     setting.parts.iter().map(part).collect()
-}
-
-/// What the program calls a slider (§2.2).
-fn identifier(pattern: &str) -> String {
-    pattern.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' }).collect()
 }

@@ -1,10 +1,8 @@
 //! Which targets MPFB composes the names of: five loops over the names in `macro.json`, hard-coded in the program
 //! (formats/mpfb.md §3.3).
 
-use crate::formats::macro_parts::{MacroParts, Setting};
+use crate::formats::macro_parts::{MacroParts, RACES, Setting};
 
-/// The races, as they stand in names.
-pub(crate) const RACES: [&str; 3] = ["asian", "caucasian", "african"];
 /// Places among the settings.
 pub(crate) const GENDER: usize = 0;
 pub(crate) const AGE: usize = 1;
@@ -15,7 +13,7 @@ const HEIGHT: usize = 5;
 const CUP_SIZE: usize = 6;
 const FIRMNESS: usize = 7;
 
-/// A target is applied with a weight above this.
+/// A target is applied with a weight above this, as in `eval/mpfb/loops.rs`, which knows no files.
 const CUT_OFF: f64 = 0.01;
 /// Most combinations of shares in one loop, every part counted with both its names. Those of MPFB come to 3072.
 const MOST_COMBINATIONS: usize = 1 << 16;

@@ -10,5 +10,7 @@ mod view;
 
 pub(crate) use named::NamedTarget;
 pub(crate) use parts::{Parts, Request};
-pub(crate) use sliders::{LONGEST, LONGEST_SECTION, LONGEST_SECTION_WITH_SLIDERS, UserTarget, identifiers, pair};
+pub(crate) use sliders::{
+    LONGEST, LONGEST_SECTION, LONGEST_SECTION_WITH_SLIDERS, UserTarget, ends, identifier, identifiers, is_custom, pair,
+};
 pub(crate) use view::{Catalog, View};

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::sliders::is_custom;
 use crate::diag::grouped;
 use crate::repo::{FileFacts, Layers};
 
@@ -36,9 +37,8 @@ impl<'a> NamedTargets<'a> {
                 if !SUFFIXES.iter().any(|suffix| name.ends_with(suffix)) {
                     continue;
                 }
-                let is_custom = ["custom/", "targets/custom/"].iter().any(|folder| file.rel.starts_with(folder));
                 let is_first = is_system && file.rel.starts_with("targets/") && name.ends_with(".gz");
-                let own = [is_first, is_custom, file.rel.starts_with("targets/")];
+                let own = [is_first, is_custom(&file.rel), file.rel.starts_with("targets/")];
                 for (phase, _) in found.phases.iter_mut().zip(own).filter(|(_, is_in)| *is_in) {
                     phase.entry(name.to_lowercase()).or_insert(file);
                 }
@@ -65,6 +65,14 @@ impl<'a> NamedTargets<'a> {
             }
         }
         NamedTarget::Missing
+    }
+
+    /// A name in small letters among those that MPFB brings, and finds first: this one, else the first that begins so.
+    pub(crate) fn shipped(&self, beginning: &str) -> Option<&str> {
+        let [shipped, ..] = &self.phases;
+        let exact = shipped.get_key_value(&format!("{beginning}.target.gz"));
+        let (name, _) = exact.or_else(|| shipped.range(beginning.to_owned()..).next())?;
+        name.strip_suffix(".target.gz").filter(|name| name.starts_with(beginning))
     }
 
     /// The names of all, for suggestions.

@@ -12,7 +12,7 @@ pub(crate) const LONGEST_SECTION: usize = 39;
 pub(crate) const LONGEST_SECTION_WITH_SLIDERS: usize = 36;
 
 /// The pairs of words that the two ends of a slider are called by, as `.mhm` files have them (§7.2).
-pub(crate) const PAIRS: [(&str, &str); 8] = [
+const PAIRS: [(&str, &str); 8] = [
     ("decr", "incr"),
     ("down", "up"),
     ("in", "out"),
@@ -48,13 +48,25 @@ pub(crate) fn identifiers(section: &Section, category: &Category) -> Vec<String>
     category.sides().iter().map(|side| identifier(&section.name, &format!("{side}{}", category.name))).collect()
 }
 
-/// A name without the words of the two ends, and these; `None` for a name that ends in no pair.
+/// What stands before the words of the two ends in a name, and these, with a sign between them; `None` for a name that
+/// ends in no pair.
+pub(crate) fn ends(name: &str, between: char) -> Option<(&str, &'static str, &'static str)> {
+    PAIRS.into_iter().find_map(|(negative, positive)| {
+        let stem = name.strip_suffix(positive)?.strip_suffix(between)?.strip_suffix(negative)?;
+        Some((stem, negative, positive))
+    })
+}
+
+/// The same of the name of a slider, without the sign in front of the words.
 pub(crate) fn pair(name: &str) -> Option<(&str, &'static str, &'static str)> {
-    let of = |(negative, positive): (&'static str, &'static str)| {
-        let stem = name.strip_suffix(positive)?.strip_suffix('-')?.strip_suffix(negative)?.strip_suffix('-')?;
-        (!stem.is_empty()).then_some((stem, negative, positive))
-    };
-    PAIRS.into_iter().find_map(of)
+    let (stem, negative, positive) = ends(name, '-')?;
+    let stem = stem.strip_suffix('-').filter(|stem| !stem.is_empty())?;
+    Some((stem, negative, positive))
+}
+
+/// Whether a path is that of a target of a user in any data root.
+pub(crate) fn is_custom(rel: &str) -> bool {
+    rel.starts_with("custom/") || rel.starts_with("targets/custom/")
 }
 
 impl<'a> UserTarget<'a> {
@@ -63,7 +75,7 @@ impl<'a> UserTarget<'a> {
         let parts: Vec<&str> = file.rel.split('/').collect();
         let (name, folders) = parts.split_last()?;
         let is_plain = name.ends_with(".target");
-        let is_custom = matches!(folders, [CUSTOM, ..] | ["targets", CUSTOM, ..]);
+        let is_custom = is_custom(&file.rel);
         if !(is_plain || is_custom && name.ends_with(".target.gz")) {
             return None;
         }
@@ -85,17 +97,9 @@ impl<'a> UserTarget<'a> {
 impl<'a> View<'a> {
     /// The targets of the checked layer that become sliders without the catalogue. In MPFB's own data nobody puts any.
     pub(crate) fn user_targets(&self) -> impl Iterator<Item = UserTarget<'a>> + use<'a> {
-        let is_custom = |file: &FileFacts| file.rel.starts_with("custom/") || file.rel.starts_with("targets/custom/");
         let is_system = self.layers.checks_system();
-        let files = self.layers.checked.files.values().filter(move |file| !is_system || is_custom(file));
+        let files = self.layers.checked.files.values().filter(move |file| !is_system || is_custom(&file.rel));
         files.filter_map(UserTarget::of)
-    }
-
-    /// The names of the targets that MPFB brings, which it finds first (§4.4).
-    pub(crate) fn shipped(&self) -> impl Iterator<Item = &'a str> + use<'a> {
-        let files = self.layers.system.into_iter().flat_map(|layer| layer.below("targets"));
-        let custom = |file: &FileFacts| file.rel.starts_with("targets/custom/");
-        files.filter(move |file| !custom(file)).filter_map(|file| file.file_name().strip_suffix(".target.gz"))
     }
 }
 

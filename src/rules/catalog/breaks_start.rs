@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use super::place;
+use super::{checked, place};
 use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::extension;
 use crate::repo::mpfb::{LONGEST, LONGEST_SECTION, LONGEST_SECTION_WITH_SLIDERS, UserTarget, View, identifiers};
@@ -61,7 +61,7 @@ fn refusal(section: &str, longest: usize) -> Option<String> {
 
 /// The names in the catalogue.
 fn sections(view: &View<'_>, out: &mut Vec<Finding>) {
-    let Some(catalog) = view.catalog.filter(|catalog| view.layers.is_checked(catalog.file)) else { return };
+    let Some(catalog) = checked(view) else { return };
     for section in &catalog.sliders.sections {
         let longest = if section.categories.is_empty() { LONGEST_SECTION } else { LONGEST_SECTION_WITH_SLIDERS };
         if let Some(why) = refusal(&section.name, longest) {

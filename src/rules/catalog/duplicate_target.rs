@@ -6,7 +6,7 @@ use super::super::{Check, Rule, RuleCx, counted};
 use super::{checked, place, sliders};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, RuleInfo, grouped};
 use crate::formats::target_catalog::{Category, Section};
-use crate::repo::mpfb::{Catalog, View, identifiers};
+use crate::repo::mpfb::{Catalog, View, identifiers, is_custom};
 use crate::repo::{FileFacts, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
@@ -82,7 +82,7 @@ fn slots(catalog: &Catalog<'_>, out: &mut Vec<Finding>) {
 /// Targets of one name in several folders.
 fn stems(view: &View<'_>) -> Option<Finding> {
     let system = view.layers.system?;
-    let packed = |file: &&FileFacts| file.rel.ends_with(".target.gz") && !file.rel.starts_with("targets/custom/");
+    let packed = |file: &&FileFacts| file.rel.ends_with(".target.gz") && !is_custom(&file.rel);
     let stem = |file: &FileFacts| file.file_name().trim_end_matches(".target.gz").to_lowercase();
     let by_stem = grouped(system.below("targets").filter(packed).map(|file| (stem(file), file)));
     let several: Vec<(String, Vec<&FileFacts>)> = by_stem.into_iter().filter(|(_, files)| files.len() > 1).collect();

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::neighbours::Neighbours;
-use super::{forgotten_ends, sliders};
+use super::{checked, forgotten_ends, sliders};
 use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo, grouped, pointer};
 use crate::formats::target_catalog::Section;
 use crate::repo::mpfb::{Catalog, View};
@@ -27,7 +27,7 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(catalog) = view.catalog.filter(|catalog| view.layers.is_checked(catalog.file)) else { return };
+    let Some(catalog) = checked(view) else { return };
     let neighbours = Neighbours::of(view, &catalog);
     // A slider without its two ends has a finding of its own.
     let forgotten: BTreeSet<&str> = sliders(&catalog)

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{checked, forgotten_ends, sliders};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, RuleInfo, grouped};
-use crate::repo::mpfb::View;
+use crate::repo::mpfb::{View, is_custom};
 use crate::repo::{FileFacts, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
@@ -35,7 +35,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_free = |file: &&FileFacts| {
         let is_target = file.rel.ends_with(".target.gz") || file.rel.ends_with(".target");
         is_target
-            && !file.rel.starts_with("targets/custom/")
+            && !is_custom(&file.rel)
             && view.references.to_file(file).next().is_none()
             && !view.asks_for(file)
             && !forgotten.contains(&file.rel)

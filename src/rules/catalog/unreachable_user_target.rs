@@ -25,14 +25,13 @@ const REPLACES: Case =
     &[(Mpfb, Level::Warning, "loads it by the slider of that name, which then goes from 0 to 1 only")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let shipped: Vec<String> = view.shipped().map(str::to_lowercase).collect();
     let own: Vec<UserTarget<'_>> = view.user_targets().collect();
     let sections = view.catalog.iter().flat_map(|catalog| &catalog.sliders.sections);
     let known: Vec<String> = sections
         .flat_map(|section| section.categories.iter().flat_map(move |category| identifiers(section, category)))
         .collect();
     for target in &own {
-        out.extend(unknown_again(target).or_else(|| of_shipped(target, &shipped, &known)));
+        out.extend(unknown_again(target).or_else(|| of_shipped(view, target, &known)));
     }
     for (_, all) in grouped(own.iter().map(|target| (target.identifier(), target))) {
         let (Some(first), Some(last)) = (all.first(), all.last()) else { continue };
@@ -59,18 +58,18 @@ fn unknown_again(target: &UserTarget<'_>) -> Option<Finding> {
 }
 
 /// A name that leads to one of MPFB's own targets or sliders.
-fn of_shipped(target: &UserTarget<'_>, shipped: &[String], known: &[String]) -> Option<Finding> {
+fn of_shipped(view: &View<'_>, target: &UserTarget<'_>, known: &[String]) -> Option<Finding> {
     let name = target.name.to_lowercase();
     let at = |message: String| RULE.at(target.file, Place::File, message).key("shipped");
     if known.contains(&target.identifier()) {
         let message = format!("`{}` is a slider of MPFB in section `{}`", target.name, target.section);
         return Some(at(message).case(REPLACES).help("rename the file or its folder"));
     }
-    let message = if shipped.contains(&name) {
+    let shipped = view.targets.shipped(&name)?;
+    let message = if shipped == name {
         format!("MPFB has a target `{}` of its own", target.name)
     } else {
-        let longer = shipped.iter().find(|stem| stem.starts_with(&name))?;
-        format!("`{}` is the beginning of a target of MPFB, `{longer}`", target.name)
+        format!("`{}` is the beginning of a target of MPFB, `{shipped}`", target.name)
     };
     Some(at(message).help("give the target a longer name of its own"))
 }

@@ -24,13 +24,15 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     ..RuleInfo::new("expression-schema", Level::Error, "an expression with values that its loader does not take")
 });
 
+const NO_UNIT: &str = "skips the unit, with a message on the console alone";
+
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in view.own(Kind::FaceExpression) {
         let Some(expression) = file.face_expression() else { continue };
         out.extend(findings(&RULE, file, &expression.empties, cx).map(|(_, finding)| finding));
         for (faults, effect) in [
             (&expression.refused, "skips the file: the expression is not listed"),
-            (&expression.no_numbers, "skips the unit, with a message on the console alone"),
+            (&expression.no_numbers, NO_UNIT),
             (
                 &expression.out_of_range,
                 "does not limit the strength when it loads the expression: other expressions on the same face are distorted",
@@ -52,7 +54,7 @@ fn unknown(file: &FileFacts, expression: &FaceExpression, cx: &RuleCx<'_>) -> Op
     let message = format!("`{name}` is not a face unit{}", such(unknown.len(), "units"));
     let finding = RULE.at(file, Place::Key(pointer.clone()), message).key("units").level(Level::Warning);
     let finding = finding.evidence(Evidence::of_cases(unknown.iter().map(|(name, _)| name.as_str())));
-    let finding = finding.effect("skips the unit, with a message on the console alone");
+    let finding = finding.effect(NO_UNIT);
     Some(finding.help(did_you_mean(near, "write the name of a unit of ARKit, or remove the unit")))
 }
 

@@ -7,7 +7,7 @@ use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
 use crate::discover::Kind;
 use crate::formats::mhm_columns::Setting;
 use crate::repo::FileFacts;
-use crate::repo::mpfb::{NamedTarget, View};
+use crate::repo::mpfb::{NamedTarget, View, ends};
 
 const NOTHING_LOADED: Case = &[(Mpfb, Level::Error, "fails with `ValueError` when the model is imported")];
 const SKIPPED: Case = &[(Mpfb, Level::Warning, "skips it with a message in the log")];
@@ -34,18 +34,6 @@ const MACROS: [(&str, bool); 11] = [
     ("BreastSize", false),
     ("BreastFirmness", false),
 ];
-/// What stands for the two ends of a slider, by value.
-const PAIRS: [(&str, &str); 8] = [
-    ("decr", "incr"),
-    ("down", "up"),
-    ("in", "out"),
-    ("backward", "forward"),
-    ("concave", "convex"),
-    ("compress", "uncompress"),
-    ("square", "round"),
-    ("pointed", "triangle"),
-];
-
 /// What a pattern stands for.
 enum Meant<'m> {
     /// A macro; whether it is a share.
@@ -83,11 +71,12 @@ fn meant(pattern: &str, value: f64) -> Meant<'_> {
         return Meant::Macro(*is_share);
     }
     let name = pattern.split_once('/').map_or(pattern, |(_, name)| name);
-    let pair = PAIRS.iter().find_map(|(negative, positive)| {
-        let stem = name.strip_suffix(positive)?.strip_suffix('|')?.strip_suffix(negative)?;
-        Some(format!("{stem}{}", if value < 0.0 { negative } else { positive }))
-    });
-    pair.map_or(Meant::Target(name), Meant::Pair)
+    match ends(name, '|') {
+        Some((stem, negative, positive)) => {
+            Meant::Pair(format!("{stem}{}", if value < 0.0 { negative } else { positive }))
+        }
+        None => Meant::Target(name),
+    }
 }
 
 /// Lines of which the value can be read.

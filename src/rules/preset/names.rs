@@ -17,30 +17,31 @@ pub(super) struct Named {
     pub(super) cases: Cases,
 }
 
+/// What becomes of a rig that MPFB cannot add.
+pub(super) const NO_RIG: &str = "fails with an exception when it adds the rig: only the body is made";
+
+/// What is named: key of the finding, word for it, and what becomes of a name that leads to nothing.
+const SORTS: [(&str, &str, Level, &str); 4] = [
+    ("worn", "asset", Level::Warning, "leaves it out, with a message in the log"),
+    ("skin", "skin", Level::Warning, "shows the body without a material, with a message in the log"),
+    ("expressions", "expression", Level::Warning, "drops the expression"),
+    (
+        "makeup",
+        "ink layer",
+        Level::Error,
+        "fails with `TypeError` at the makeup; the character has everything that comes before it",
+    ),
+];
+
 /// All names that lead to nothing: one finding for those of one sort.
 pub(super) fn named(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> Vec<Named> {
     let mut all = Vec::new();
     all.extend(targets(view, preset, cx));
     all.extend(ambiguous(view, preset));
     all.extend(preset.rig.as_ref().and_then(|rig| unknown_rig(view, rig, cx)));
-    for (names, key, what, level, effect) in [
-        (preset.worn.as_slice(), "worn", "asset", Level::Warning, "leaves it out, with a message in the log"),
-        (
-            preset.skin.as_slice(),
-            "skin",
-            "skin",
-            Level::Warning,
-            "shows the body without a material, with a message in the log",
-        ),
-        (preset.expressions.as_slice(), "expressions", "expression", Level::Warning, "drops the expression"),
-        (
-            preset.makeup.as_slice(),
-            "makeup",
-            "ink layer",
-            Level::Error,
-            "fails with `TypeError` at the makeup; the character has everything that comes before it",
-        ),
-    ] {
+    let of_sort =
+        [preset.worn.as_slice(), preset.skin.as_slice(), preset.expressions.as_slice(), preset.makeup.as_slice()];
+    for (names, (key, what, level, effect)) in of_sort.into_iter().zip(SORTS) {
         all.extend(files(view, names, cx).map(|(first, near, count, cases)| Named {
             at: first.pointer.clone(),
             message: format!("{what} `{}` does not exist{}", first.name, such(count, "names")),
@@ -140,7 +141,7 @@ fn unknown_rig(view: &View<'_>, rig: &NamedAt, cx: &RuleCx<'_>) -> Option<Named>
         key: "rig",
         help: did_you_mean(near, "name a rig of MPFB, or add the rig to `rigs` of the user's data"),
         level: Level::Error,
-        effect: "fails with an exception when it adds the rig: only the body is made",
+        effect: NO_RIG,
         cases: Evidence::of_cases([name]),
     })
 }

@@ -2,8 +2,8 @@
 
 use super::super::unfit::{findings, top};
 use super::super::{Check, Rule, RuleCx};
-use super::names::{Named, named};
-use crate::diag::{Application::Mpfb, Finding, Level, RuleInfo};
+use super::names::{NO_RIG, Named, named};
+use crate::diag::{Application::Mpfb, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::human_preset::HumanPreset;
 use crate::formats::unfit::{Unfit, Why};
@@ -26,13 +26,11 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     ..RuleInfo::new("preset-schema", Level::Error, "a saved character with what its loader does not take or find")
 });
 
-const RIG: &str = "fails with an exception when it adds the rig: only the body is made";
-
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in view.own(Kind::HumanPreset) {
         let Some(preset) = file.human_preset() else { continue };
         let stops = findings(&RULE, file, &preset.stops, cx);
-        out.extend(stops.map(|(first, finding)| if top(first) == "rig" { finding.effect(RIG) } else { finding }));
+        out.extend(stops.map(|(first, finding)| if top(first) == "rig" { finding.effect(NO_RIG) } else { finding }));
         let ignored = findings(&RULE, file, &preset.ignored, cx);
         out.extend(ignored.map(|(first, finding)| passed_over(first, finding)));
         if view.is_complete() {
@@ -60,7 +58,7 @@ fn unknown(view: &View<'_>, file: &FileFacts, preset: &HumanPreset, cx: &RuleCx<
     named(view, preset, cx)
         .into_iter()
         .map(|Named { at, message, key, help, level, effect, cases }| {
-            let finding = RULE.at(file, crate::diag::Place::Pointer(at), message).key(key).help(help);
+            let finding = RULE.at(file, Place::Pointer(at), message).key(key).help(help);
             finding.evidence(cases).level(level).effect(effect)
         })
         .collect()
