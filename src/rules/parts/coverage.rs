@@ -1,7 +1,7 @@
 //! An end of a setting that no part covers.
 
 use super::super::{Check, Rule, RuleCx};
-use super::stretch::{checked, effect, harmful, is_of_dead_part, level, whole};
+use super::stretch::{THESE_VALUES, checked, effect, harmful, is_of_dead_part, level, shown, whole};
 use crate::diag::{Application::Mpfb, Finding, Level, Place, RuleInfo, pointer};
 use crate::eval::mpfb::cover::Hole;
 use crate::formats::macro_parts::Setting;
@@ -32,7 +32,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn finding(file: &FileFacts, setting: &Setting, hole: &Hole) -> Option<Finding> {
     let part = |number: Option<usize>| number.and_then(|number| setting.parts.get(number));
     let name = setting.name();
-    let from_to = if hole.from < hole.to { format!("{} to {}", hole.from, hole.to) } else { hole.from.to_string() };
+    let from_to = shown(hole);
     let uncovered = format!("no part of `{name}` covers {from_to}");
     let (place, message, help, end) = match (part(hole.before), part(hole.after)) {
         (Some(_), Some(_)) => return None,
@@ -46,6 +46,7 @@ fn finding(file: &FileFacts, setting: &Setting, hole: &Hole) -> Option<Finding> 
         }
     };
     let level = level(setting, [hole]);
-    let finding = RULE.at(file, Place::Pointer(place), message).level(level).effect(effect(setting, level));
+    let finding =
+        RULE.at(file, Place::Pointer(place), message).level(level).effect(effect(setting, level, THESE_VALUES));
     Some(finding.key(format!("{name}{end}")).help(help))
 }

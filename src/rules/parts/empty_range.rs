@@ -1,7 +1,7 @@
 //! A part that no value is in.
 
 use super::super::{Check, Rule, RuleCx};
-use super::stretch::{checked, dead, effect, harmful, level, touches, whole};
+use super::stretch::{checked, dead, effect, harmful, level, shown, touches, whole};
 use crate::diag::{Application::Mpfb, Finding, Level, Place, RuleInfo};
 use crate::eval::mpfb::cover::Hole;
 use crate::formats::macro_parts::{Part, Setting};
@@ -44,9 +44,6 @@ fn finding(file: &FileFacts, setting: &Setting, part: &Part, holes: &[Hole]) -> 
     let finding = finding.key(format!("{} {}-{}", setting.name(), name(&part.low), name(&part.high)));
     match lost.as_slice() {
         [] => finding,
-        [hole, ..] => {
-            let effect = effect(setting, level).replace("these values", &format!("{} to {}", hole.from, hole.to));
-            finding.effect(effect)
-        }
+        [hole, ..] => finding.effect(effect(setting, level, &shown(hole))),
     }
 }

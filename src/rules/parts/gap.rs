@@ -1,7 +1,7 @@
 //! Values between two parts of a setting that neither of them covers.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::stretch::{checked, effect, harmful, is_of_dead_part, level, whole};
+use super::stretch::{THESE_VALUES, checked, effect, harmful, is_of_dead_part, level, shown, whole};
 use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::mpfb::cover::{Hole, unreachable_near, values_in};
 use crate::formats::macro_parts::Setting;
@@ -35,7 +35,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn finding(file: &FileFacts, setting: &Setting, gap: &Hole) -> Option<Finding> {
     let (before, after) = (setting.parts.get(gap.before?)?, setting.parts.get(gap.after?)?);
     let values = values_in(gap.from, gap.to);
-    let from_to = if gap.from < gap.to { format!("{} to {}", gap.from, gap.to) } else { gap.from.to_string() };
+    let from_to = shown(gap);
     let message = format!("no part of `{}` covers {from_to} ({})", setting.name(), counted(values, "slider value"));
     let level = level(setting, [gap]);
     // With a name on one side only the gap belongs to what has no shape: what jumps is told as that.
@@ -51,6 +51,6 @@ fn finding(file: &FileFacts, setting: &Setting, gap: &Hole) -> Option<Finding> {
     );
     let evidence = Evidence::counted(usize::try_from(values).unwrap_or(usize::MAX));
     let finding = RULE.at(file, Place::Pointer(setting.pointer(after, "lowest")), message).level(level);
-    let finding = finding.key(format!("{} {name}", setting.name())).effect(effect(setting, level));
+    let finding = finding.key(format!("{} {name}", setting.name())).effect(effect(setting, level, THESE_VALUES));
     Some(finding.help(help).evidence(evidence))
 }

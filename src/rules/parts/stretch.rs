@@ -58,12 +58,20 @@ pub(super) fn level<'h>(setting: &Setting, holes: impl IntoIterator<Item = &'h H
     if has_default && [GENDER, AGE].contains(&setting.place) { Level::Error } else { Level::Warning }
 }
 
+/// What `effect` calls the values where the finding names them.
+pub(super) const THESE_VALUES: &str = "these values";
+
+/// A hole in words.
+pub(super) fn shown(hole: &Hole) -> String {
+    if hole.from < hole.to { format!("{} to {}", hole.from, hole.to) } else { hole.from.to_string() }
+}
+
 /// What a user sees of values without a share.
-pub(super) fn effect(setting: &Setting, level: Level) -> String {
+pub(super) fn effect(setting: &Setting, level: Level, values: &str) -> String {
     let lost: Vec<&str> = LOOPS.iter().filter(|own| own.needs(setting.place)).map(|own| own.title).collect();
     match (level, lost.len() == LOOPS.len()) {
         (Level::Error, _) => "makes characters without any shape key: 0.5 is the value of a new character".to_owned(),
-        (_, true) => format!("drops all macro targets at these values ({})", enumerated(&lost)),
-        (_, false) => format!("drops the {} targets at these values", enumerated(&lost)),
+        (_, true) => format!("drops all macro targets at {values} ({})", enumerated(&lost)),
+        (_, false) => format!("drops the {} targets at {values}", enumerated(&lost)),
     }
 }
