@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::{Kind, Layout};
+use super::{Kind, Layout, Role};
 use crate::diag::Application;
 use crate::source::{Entry, EntryKind, Tree, inside, is_below};
 
@@ -57,7 +57,12 @@ pub(crate) fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) ->
     // What macOS puts beside the files of a zip, no application looks for.
     let entries = entries.filter(|(_, rel)| !is_below(rel, "__MACOSX"));
     let mut found: Vec<Candidate<'t>> = entries.map(|(entry, rel)| Candidate::new(entry, rel, layouts)).collect();
-    layouts.iter().for_each(|layout| found.extend(beside(tree, root, layout)));
+    for layout in layouts {
+        // Only a user has something of his own there.
+        if (layout.role)(&found) == Role::User {
+            found.extend(beside(tree, root, layout));
+        }
+    }
     found
 }
 
@@ -70,7 +75,7 @@ fn beside<'t>(tree: &'t Tree, root: &str, layout: &Layout) -> Vec<Candidate<'t>>
         let below = tree.entries().iter().filter(|entry| entry.kind != EntryKind::Folder);
         let files = below.filter_map(|entry| Some((entry, format!("{folder}/{}", inside(&entry.path, &path)?))));
         let candidates = files.map(|(entry, rel)| Candidate::loose(entry, rel, layout));
-        candidates.filter(|one| !matches!(one.kind(), Kind::Json | Kind::Other)).collect::<Vec<_>>()
+        candidates.filter(|one| one.kind() != Kind::Other).collect::<Vec<_>>()
     };
     folders.flat_map(of_folder).collect()
 }

@@ -35,6 +35,8 @@ pub enum Kind {
     EyeSettings,
     /// `enhanced_settings.*.json` of MPFB: how its skin looks.
     SkinSettings,
+    /// Any other JSON in the `config/` of a user of MPFB.
+    ConfigJson,
     /// A JSON in `node_trees/` of MPFB.
     NodeTree,
     /// `*.target` where targets are loaded from.

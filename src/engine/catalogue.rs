@@ -6,7 +6,7 @@ use crate::repo::makehuman1::is_of_library;
 use crate::rules::{Check, RULES, Rule};
 
 /// The applications whose data are checked. Any that has a layout can be loaded.
-pub(super) const CHECKED: [Application; 2] = [Application::Makehuman2, Application::Makehuman1];
+pub(super) const CHECKED: [Application; 3] = [Application::Makehuman2, Application::Makehuman1, Application::Mpfb];
 
 /// Whether rules are about what is in files of this kind, for an application. Of other files only the name, the
 /// encoding and the syntax are checked.
@@ -46,10 +46,17 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
             Kind::BaseMesh
                 | Kind::TargetCatalog
                 | Kind::MacroParts
+                | Kind::FaceExpression
+                | Kind::HumanPreset
+                | Kind::ImporterPreset
+                | Kind::MakeupPreset
+                | Kind::EyeSettings
+                | Kind::SkinSettings
+                | Kind::NodeTree
+                | Kind::Model
                 | Kind::Target
                 | Kind::PackedTarget
                 | Kind::TargetIcon
-                | Kind::Material
                 | Kind::Image
         ),
         Application::Makehuman1 => is_of_library(kind),

@@ -46,12 +46,12 @@ const fn formulas(application: Application) -> Option<Formulas> {
 
 /// Whether rules ask for what the targets of an application come to, so that their rows are needed.
 pub(crate) const fn needs_rows(application: Application) -> bool {
-    matches!(application, Application::Makehuman2)
+    matches!(application, Application::Makehuman2 | Application::Mpfb)
 }
 
 /// Whether anything of the data of an application is measured: what is worn, also where nothing else is.
 pub(crate) const fn is_measured(application: Application) -> bool {
-    matches!(application, Application::Makehuman2 | Application::Makehuman1)
+    matches!(application, Application::Makehuman2 | Application::Makehuman1 | Application::Mpfb)
 }
 
 /// The applications whose data can be evaluated.
@@ -82,7 +82,7 @@ pub(crate) fn measure(
             Some(Measures { worn, ..measures })
         }
         Application::Makehuman1 => Some(Measures { worn: makehuman1::worn::measure(layers), ..Measures::default() }),
-        Application::Mpfb => None,
+        Application::Mpfb => Some(gauge(&mpfb::base::compose(layers, rows)?, options)),
     }
 }
 

@@ -9,9 +9,11 @@ use super::opened::Evaluation;
 use crate::diag::Tally;
 use crate::discover::extension;
 use crate::eval::macros::{MacroFault, MacroWork};
+use crate::eval::proportion::{Lengths, MEDIAN_RATIO, oversize};
 use crate::eval::scene::{Setting, SettingError};
 use crate::eval::vector::Point;
 use crate::formats::target::{self, Row, TargetFacts};
+use crate::repo::FileFacts;
 use crate::source::{Encoding, gunzip};
 
 impl Evaluation {
@@ -115,6 +117,18 @@ fn added(rows: impl Iterator<Item = Row>) -> Vec<Row> {
         sum.iter_mut().zip(delta).for_each(|(sum, delta)| *sum += delta);
     }
     sums.into_iter().collect()
+}
+
+/// Rows that rules report for themselves: looking at them again in every setting would say it many times.
+pub(super) fn is_suspect(file: &FileFacts, extent: Option<f32>) -> bool {
+    let Some(facts) = file.target() else { return false };
+    let lengths = facts.largest.map(|largest| Lengths {
+        longest: largest.length,
+        median: facts.median_length,
+        tail: facts.tail_length,
+    });
+    let oversized = lengths.zip(extent).is_some_and(|(lengths, size)| oversize(lengths, size, MEDIAN_RATIO).is_some());
+    facts.non_finite.count > 0 || oversized
 }
 
 /// Whether a target is evaluated: whether its rows say what applications can do.

@@ -61,6 +61,8 @@ pub enum Content {
     FaceExpression(Box<FaceExpression>),
     /// `human.*.json`.
     HumanPreset(Box<HumanPreset>),
+    /// A saved character that is called something else.
+    StrayCharacter,
     /// `makeup.*.json`.
     Makeup(Box<Makeup>),
     /// A JSON of which nothing matters but what its loader cannot take.

@@ -71,7 +71,11 @@ pub fn skin(document: &Document) -> LoaderFaults {
     if !root.is_object() {
         faults.stops.add_type("", root, "an object");
     }
-    for zone in root.effective_members() {
+    let zones = root.effective_members();
+    if root.is_object() && zones.iter().all(|zone| ZONES.contains(&&*zone.key)) {
+        faults.absent = ZONES.iter().copied().filter(|known| zones.iter().all(|zone| zone.key != *known)).collect();
+    }
+    for zone in zones {
         let pointer = below("", &zone.key);
         if !ZONES.contains(&&*zone.key) {
             faults.ignored.add(&pointer, Why::Key(ZONES));

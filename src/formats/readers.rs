@@ -212,7 +212,8 @@ pub(super) fn packed(input: &Input<'_>) -> Parsed {
         Err(fault) => Parsed { gzip_fault: Some(fault), ..Parsed::default() },
         Ok(None) => Parsed::default(),
         Ok(Some(bytes)) => {
-            let encoding = Encoding::of(&bytes);
+            // Whoever unpacks it has no finding on a mark but that its first line is no row.
+            let encoding = Encoding { byte_order_mark: false, ..Encoding::of(&bytes) };
             let parsed = target(&Input { bytes: &bytes, encoding: &encoding, ..*input });
             let reason = || GzipFault::Corrupt("what is in it is not UTF-8".to_owned());
             Parsed { gzip_fault: encoding.invalid_utf8_at.map(|_| reason()), ignores: Vec::new(), ..parsed }

@@ -90,7 +90,7 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 41] = [
+pub(crate) static FORMATS: [Format; 42] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
@@ -102,7 +102,9 @@ pub(crate) static FORMATS: [Format; 41] = [
     json(Kind::TargetCategories, "target_cat.json", "target_cat", |json| {
         Content::Categories(Box::new(target_cat::read(json)))
     }),
-    tree(Kind::TargetCatalog, "target.json", |json| Content::Catalog(Box::new(target_catalog::read(json)))),
+    json(Kind::TargetCatalog, "target.json", "mpfb_catalog", |json| {
+        Content::Catalog(Box::new(target_catalog::read(json)))
+    }),
     json(Kind::MacroParts, "macro.json", "mpfb_macro", |json| Content::Parts(Box::new(macro_parts::read(json)))),
     json(Kind::FaceExpression, "expression", "mpfb_expression", |json| {
         Content::FaceExpression(Box::new(face_expression::read(json)))
@@ -119,6 +121,10 @@ pub(crate) static FORMATS: [Format; 41] = [
     plain(Kind::RandomizationPreset, "randomization preset", Syntax::Json),
     json(Kind::EyeSettings, "eye settings", "mpfb_eyes", |json| Content::Loaded(Box::new(look_settings::eyes(json)))),
     json(Kind::SkinSettings, "skin settings", "mpfb_skin", |json| Content::Loaded(Box::new(look_settings::skin(json)))),
+    tree(Kind::ConfigJson, "JSON", |json| match json.root.get("phenotype") {
+        Some(_) => Content::StrayCharacter,
+        None => Content::Json,
+    }),
     json(Kind::NodeTree, "node tree", "mpfb_nodes", |json| Content::Loaded(Box::new(node_tree::read(json)))),
     Format { needs: Needs::MeshInTurn, ..read(Kind::Target, "target", Syntax::Text, target) },
     Format { needs: Needs::MeshInTurn, ..read(Kind::PackedTarget, "packed target", Syntax::Binary, packed) },

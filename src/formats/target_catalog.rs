@@ -17,6 +17,8 @@ pub struct Section {
     pub name: String,
     /// Its sliders.
     pub categories: Vec<Category>,
+    /// Whether all of its sliders are known: there is a list, and each has a name.
+    pub is_whole: bool,
     /// Whether its list of sliders is there and empty.
     pub is_empty: bool,
     /// Whether `unsorted` names targets, which nothing reads.
@@ -97,10 +99,14 @@ impl Category {
 /// Takes what the loader would take.
 pub fn read(document: &Document) -> TargetCatalog {
     let sections = document.root.effective_members().into_iter().map(|member| {
-        let categories = member.node.get("categories").map(Node::elements).unwrap_or_default().iter().enumerate();
+        let list = member.node.get("categories").map(Node::elements).unwrap_or_default();
+        let categories: Vec<Category> =
+            list.iter().enumerate().filter_map(|(index, node)| category(index, node)).collect();
+        let is_list = member.node.get("categories").is_some_and(|node| matches!(node.value, Value::Array(_)));
         Section {
             name: member.key.clone(),
-            categories: categories.filter_map(|(index, node)| category(index, node)).collect(),
+            is_whole: is_list && categories.len() == list.len(),
+            categories,
             is_empty: member.node.get("categories").is_some_and(is_empty_list),
             has_unsorted: member.node.get("unsorted").is_some_and(|list| !list.elements().is_empty()),
             is_excluded: member.node.get("include_per_default").is_some_and(Node::is_falsy),

@@ -120,4 +120,6 @@ pub struct LoaderFaults {
     pub stops: Unfits,
     /// What it passes over, or takes otherwise than it is meant.
     pub ignored: Unfits,
+    /// Keys of the top of which others are known, and none of these is misspelt.
+    pub absent: Vec<&'static str>,
 }

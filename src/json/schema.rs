@@ -101,7 +101,7 @@ impl Schema {
     }
 }
 
-static SCHEMAS: [Schema; 22] = [
+static SCHEMAS: [Schema; 23] = [
     Schema::new("base", include_str!("../../schemas/base.schema.json")),
     Schema::new("config", include_str!("../../schemas/config.schema.json")),
     Schema::new("geometry", include_str!("../../schemas/geometry.schema.json")),
@@ -110,6 +110,7 @@ static SCHEMAS: [Schema; 22] = [
     Schema::new("mhskel", include_str!("../../schemas/mhskel.schema.json")),
     Schema::new("mhw", include_str!("../../schemas/mhw.schema.json")),
     Schema::new("modelling", include_str!("../../schemas/modelling.schema.json")),
+    Schema::new("mpfb_catalog", include_str!("../../schemas/mpfb_catalog.schema.json")),
     Schema::new("mpfb_expression", include_str!("../../schemas/mpfb_expression.schema.json")),
     Schema::new("mpfb_eyes", include_str!("../../schemas/mpfb_eyes.schema.json")),
     Schema::new("mpfb_human", include_str!("../../schemas/mpfb_human.schema.json")),

@@ -26,8 +26,9 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     match parts {
         [.., "modifiers", name] if name.ends_with("_modifiers.json") => Some((Sign::Strong, 2)),
         [.., "3dobjs", "base.obj"] => Some((Sign::Weak, 2)),
-        [.., "proxymeshes", _, name] if extension(name) == "proxy" => Some((Sign::Strong, 3)),
         [.., "rigs", name] if extension(name) == "mhskel" => Some((Sign::Strong, 2)),
+        // MPFB has them, too.
+        [.., "proxymeshes", _, name] if extension(name) == "proxy" => Some((Sign::Faint, 3)),
         // Packs of nothing but skins, or of poses, each with what else belongs to one.
         [.., "skins", name] if extension(name) == "mhmat" => Some((Sign::Faint, 2)),
         [.., "skins", base, name] if extension(name) == "mhmat" && !MAKEHUMAN2_BASES.contains(base) => {

@@ -2,7 +2,7 @@
 
 use super::super::kind::extension;
 use super::super::{Candidate, Kind};
-use super::{HM08, LIBRARIES, Layout, Role, Sign, WORN};
+use super::{HM08, HiddenPath, LIBRARIES, Layout, Role, Sign, WORN};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -16,11 +16,17 @@ pub(super) static LAYOUT: Layout = Layout {
     ],
     sign,
     place,
-    beside: &["config"],
+    beside: &["config", "models"],
     shares_roots_of: Some(Application::Makehuman1),
     role,
+    reads_hidden,
+    is_folder: |rel, _| FOLDERS.contains(&rel) || WORN.contains(&rel),
     ..Layout::PLAIN
 };
+
+/// Folders that are listed.
+const FOLDERS: [&str; 9] =
+    ["targets", "targets/custom", "custom", "expressions", "skins", "proxymeshes", "poses", "packs", "ink_layers"];
 
 fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     match parts {
@@ -39,6 +45,13 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     }
 }
 
+/// Every target of a user is listed, whatever it and the folders above it are called: one below `.git` stops the add-on
+/// (§2.5).
+fn reads_hidden(path: &HiddenPath<'_>) -> bool {
+    let is_target = path.is_folder || Kind::of_target(path.name).is_some();
+    path.visible.iter().any(|part| matches!(*part, "targets" | "custom")) && is_target
+}
+
 /// What the add-on has for itself: it looks for it nowhere else.
 fn role(below: &[Candidate<'_>]) -> Role {
     let is_own = |one: &Candidate<'_>| {
@@ -55,6 +68,7 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["targets", "macrodetails", "macro.json"] => Kind::MacroParts,
         ["expressions", .., file] if extension(file) == "json" => Kind::FaceExpression,
         ["node_trees", file] if extension(file) == "json" => Kind::NodeTree,
+        ["config", file] if extension(file).eq_ignore_ascii_case("json") => of_config(file).unwrap_or(Kind::ConfigJson),
         ["config" | "settings", file] => of_config(file).unwrap_or(Kind::by_extension(file)),
         ["targets", "_images", file] if extension(file) == "png" => Kind::TargetIcon,
         ["targets" | "custom", .., file] => Kind::of_target(file).unwrap_or(Kind::by_extension(file)),
@@ -105,8 +119,8 @@ mod tests {
             ("uv_layers/a.json.gz", Kind::Other),
             ("expressions/a/b.json", Kind::FaceExpression),
             ("config/human.joe.json", Kind::HumanPreset),
-            ("config/human..json", Kind::Json),
-            ("config/x.json", Kind::Json),
+            ("config/human..json", Kind::ConfigJson),
+            ("config/x.json", Kind::ConfigJson),
             ("settings/eye_settings.default.json", Kind::EyeSettings),
             ("node_trees/makeskin.json", Kind::NodeTree),
         ] {

@@ -177,9 +177,9 @@ fn places_outside<'t>(
     let units = UnitNames::of(systems, &options.limits);
     let mut places = Vec::new();
     for (input, roots) in found {
-        let mut taken: BTreeSet<String> = BTreeSet::new();
+        let mut taken = beside(input, roots);
         for (applications, is_meant) in [(&first, true), (&others, false)] {
-            let before = std::mem::take(&mut taken);
+            let before = taken.clone();
             for application in applications {
                 let own = systems.iter().filter(|system| system.is_of(*application));
                 let bases = own.flat_map(base_meshes).collect();
@@ -191,6 +191,14 @@ fn places_outside<'t>(
         }
     }
     Ok(places)
+}
+
+/// The files beside data roots that belong to these.
+fn beside(input: &Input, roots: &BTreeMap<String, Vec<&'static Layout>>) -> BTreeSet<String> {
+    let each = roots.iter().flat_map(|(root, layouts)| layouts.iter().map(move |layout| (root, *layout)));
+    let each = each.filter(|(_, layout)| !layout.beside.is_empty());
+    let files = each.flat_map(|(root, layout)| candidates(&input.tree, root, &[layout]));
+    files.filter(|file| file.is_loose).map(|file| file.entry.path.clone()).collect()
 }
 
 fn base_meshes(place: &Place<'_>) -> BTreeSet<String> {
@@ -207,7 +215,8 @@ fn note_outside<'p, 't: 'p>(
 ) {
     let (mut closed, mut others) = (BTreeSet::new(), BTreeSet::new());
     for (input, roots) in found {
-        let is_outside = |path: &str| !roots.keys().any(|root| is_below(path, root));
+        let beside = beside(input, roots);
+        let is_outside = |path: &str| !beside.contains(path) && !roots.keys().any(|root| is_below(path, root));
         let faults = input.tree.faults().iter().filter(|fault| matches!(fault.kind, WalkFaultKind::Unreadable { .. }));
         let shut = faults.filter(|fault| is_outside(&fault.path)).map(|fault| input.tree.shown(&fault.path));
         // Around a file that alone was named more is listed than anybody asks for.

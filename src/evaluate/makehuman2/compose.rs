@@ -13,7 +13,7 @@ use crate::eval::makehuman2::macro_def::{Blend, Component, Macrodef, Slider};
 use crate::eval::makehuman2::rest::hierarchy;
 use crate::eval::makehuman2::weights::load;
 use crate::eval::measures::Received;
-use crate::eval::proportion::{Lengths, MEDIAN_RATIO, extent, oversize};
+use crate::eval::proportion::extent;
 use crate::eval::scene::{MorphTarget, Scene, SceneSlider, SliderKind};
 use crate::eval::settings::Dimension;
 use crate::eval::skeleton::{Bone, SceneSkeleton};
@@ -21,14 +21,14 @@ use crate::eval::weights::{Entry, LoadedWeights};
 use crate::evaluate::Rows;
 use crate::evaluate::files::take_mesh;
 use crate::evaluate::gauge::{Composed, Rig};
-use crate::evaluate::rows::is_usable;
+use crate::evaluate::rows::{is_suspect, is_usable};
 use crate::formats::macro_json::{self, MacroFile};
 use crate::formats::mhskel::{self, Plane, RotationPlane, Skeleton};
 use crate::formats::mhw::Weights;
 use crate::formats::obj::Mesh;
 use crate::formats::target::Row;
 use crate::repo::makehuman2::{Base, Pattern, TargetFolder};
-use crate::repo::{FileFacts, shortened};
+use crate::repo::shortened;
 
 /// Barycentric sets after a reset, whatever `default` says.
 const BARYCENTRIC_DEFAULTS: [f64; 3] = [0.33, 0.33, 0.34];
@@ -200,18 +200,6 @@ fn dimension(component: &macro_json::Component, registered: &BTreeMap<String, Sl
         }
         (None, None) => None,
     }
-}
-
-/// Rows that rules report for themselves: looking at them again in every setting would say it many times.
-fn is_suspect(file: &FileFacts, extent: Option<f32>) -> bool {
-    let Some(facts) = file.target() else { return false };
-    let lengths = facts.largest.map(|largest| Lengths {
-        longest: largest.length,
-        median: facts.median_length,
-        tail: facts.tail_length,
-    });
-    let oversized = lengths.zip(extent).is_some_and(|(lengths, size)| oversize(lengths, size, MEDIAN_RATIO).is_some());
-    facts.non_finite.count > 0 || oversized
 }
 
 fn component(component: &macro_json::Component) -> Option<Component<'_>> {

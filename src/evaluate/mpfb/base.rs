@@ -8,17 +8,25 @@ use crate::eval::macros::Macros;
 use crate::eval::mpfb::MacroLoops;
 use crate::eval::mpfb::loops::{Axis, Source, TargetLoop};
 use crate::eval::mpfb::shares::Part;
+use crate::eval::proportion::extent;
 use crate::eval::scene::{MorphTarget, Scene, SceneSlider, SliderKind};
+use crate::eval::settings::Dimension;
 use crate::evaluate::files::take_mesh;
 use crate::evaluate::formulas::Formulas;
+use crate::evaluate::gauge::Composed;
 use crate::evaluate::opened::{MacroNames, NO_MESH};
-use crate::evaluate::{Error, Evaluation};
-use crate::formats::macro_parts::{RACES, SETTINGS, Setting};
+use crate::evaluate::rows::{is_suspect, is_usable};
+use crate::evaluate::{Error, Evaluation, Rows};
+use crate::formats::macro_parts::{MacroParts, RACES, SETTINGS, Setting};
+use crate::formats::obj::Mesh;
 use crate::formats::target_catalog::{Category, Section};
 use crate::repo::mpfb::loops::{self, LOOPS};
 use crate::repo::mpfb::{Catalog, Parts, View, identifier};
 use crate::repo::{FileFacts, Layers};
 use crate::source::Limits;
+
+/// The group of faces that is seen: helpers and joints are masked.
+const SHOWN: &str = "body";
 
 /// Value of every macro setting of a new character, and of each race (formats/mpfb.md §3.4).
 const DEFAULTS: (f64, f64) = (0.5, 0.33);
@@ -42,11 +50,7 @@ pub(in crate::evaluate) fn open(name: &str, layers: Layers<'_>, limits: Limits) 
         return Err(Error::file(&file.path, format!("line {}: {} (`{}`)", bad.line, bad.what, bad.text)));
     }
     let mut composer = Composer::default();
-    take_mesh(&mut composer.scene, mesh, |_| true);
-    // Shape keys end at 1.
-    composer.scene.most_factor = Some(1.0);
-    view.catalog.iter().for_each(|catalog| composer.sliders(catalog));
-    let macros = composer.macros(view.parts.as_ref());
+    let macros = composer.all(&view, mesh, |_| true);
     Ok(Evaluation {
         formulas: Formulas::Mpfb,
         trees: Vec::new(),
@@ -63,6 +67,27 @@ pub(in crate::evaluate) fn open(name: &str, layers: Layers<'_>, limits: Limits) 
     })
 }
 
+/// The scene, with the rows of its targets taken out of `rows`. `None` without a mesh.
+pub(in crate::evaluate) fn compose(layers: Layers<'_>, rows: &mut Rows) -> Option<Composed> {
+    let view = View::connect(layers);
+    let (_, mesh) = view.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
+    let mut composer = Composer::default();
+    let macros = composer.all(&view, mesh, |group| group == SHOWN);
+    composer.scene.lacks_macros = macros.is_err() && view.parts.as_ref().is_some_and(|parts| parts.is_too_large);
+    let (files, extent) = (view.layers.system.map(|system| &system.files), extent(&mesh.positions));
+    let by_path = files.into_iter().flat_map(|files| files.values()).map(|file| (file.path.as_str(), file));
+    let by_path: BTreeMap<&str, &FileFacts> = by_path.collect();
+    let vertices = mesh.positions.len();
+    for target in &mut composer.scene.targets {
+        let Some(file) = by_path.get(target.path.as_str()) else { continue };
+        let is_whole = file.target().is_some_and(is_usable);
+        let own = rows.remove(&target.path).filter(|own| own.iter().all(|row| (row.0 as usize) < vertices));
+        target.rows = own.filter(|_| is_whole);
+        target.suspect = is_suspect(file, extent);
+    }
+    Some(Composed { scene: composer.scene, rigs: Vec::new(), is_cut: false })
+}
+
 #[derive(Default)]
 struct Composer {
     scene: Scene,
@@ -72,6 +97,15 @@ struct Composer {
 }
 
 impl Composer {
+    /// Takes the mesh, the sliders and the macros; gives the names of these, or why there are none.
+    fn all(&mut self, view: &View<'_>, mesh: &Mesh, is_visible: impl Fn(&str) -> bool) -> Result<MacroNames, String> {
+        take_mesh(&mut self.scene, mesh, is_visible);
+        // Shape keys end at 1.
+        self.scene.most_factor = Some(1.0);
+        view.catalog.iter().for_each(|catalog| self.sliders(catalog));
+        self.macros(view.parts.as_ref())
+    }
+
     fn sliders(&mut self, catalog: &Catalog<'_>) {
         for section in &catalog.sliders.sections {
             for category in section.categories.iter().filter(|category| !category.has_full_path) {
@@ -134,6 +168,7 @@ impl Composer {
             let kind = SliderKind::Macro(place);
             self.scene.sliders.push(SceneSlider { pattern: name.to_owned(), kind, default });
         }
+        self.scene.products = dimensions(parts.settings);
         let names: Vec<Vec<String>> = parts.settings.settings.iter().map(names).collect();
         let numbered = parts.settings.settings.iter().zip(&names);
         let settings = numbered.map(|(setting, names)| eval_parts(setting, names)).collect();
@@ -168,6 +203,23 @@ impl Composer {
         TargetLoop { axes, targets }
     }
 }
+
+/// What the settings are looked at alone by: the ends of the ranges of their parts, and the races.
+fn dimensions(settings: &MacroParts) -> Vec<Vec<Dimension>> {
+    let of_setting = |(place, setting): (usize, &Setting)| {
+        let ends = setting.parts.iter().flat_map(|part| [part.lowest, part.highest]);
+        let mut steps: Vec<f64> = ends.map(|end| end.clamp(0.0, 1.0)).chain([0.0, 1.0]).collect();
+        steps.sort_by(f64::total_cmp);
+        steps.dedup_by(|one, other| (*one - *other).abs() < APART);
+        vec![Dimension::Steps { place, steps: steps.into() }]
+    };
+    let first = settings.settings.len();
+    let races = vec![Dimension::Corners((first..first + RACES.len()).collect())];
+    settings.settings.iter().enumerate().map(of_setting).chain([races]).collect()
+}
+
+/// Ends of ranges that are nearer are looked at once.
+const APART: f64 = 0.01;
 
 /// The names of a setting, numbered.
 fn names(setting: &Setting) -> Vec<String> {

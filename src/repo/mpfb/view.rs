@@ -1,5 +1,6 @@
 //! The system data with their catalogue: MPFB looks for neither it nor its targets anywhere else (formats/mpfb.md §1).
 
+use std::collections::BTreeSet;
 use std::ops::Bound;
 
 use super::named::{NamedFiles, NamedTargets};
@@ -33,6 +34,10 @@ pub(crate) struct View<'a> {
     pub named: NamedFiles<'a>,
     /// What the body can wear.
     worn: Vec<Worn<'a>>,
+    /// The groups of the base mesh that are seen: helpers and joints are masked.
+    shown: BTreeSet<String>,
+    /// Endings of targets that move the body sideways.
+    one_sided: Vec<String>,
 }
 
 /// The catalogue in its layer.
@@ -51,12 +56,16 @@ impl<'a> View<'a> {
     pub(crate) fn connect(layers: Layers<'a>) -> Self {
         let file = |kind| layers.system?.files.values().find(|file| file.kind_in(OWN) == kind);
         let catalog = layers.system.zip(file(Kind::TargetCatalog));
+        // Of what is no object at all nothing follows for its targets.
+        let catalog = catalog.filter(|(_, file)| !file.schema.faults.iter().any(|fault| fault.pointer.is_empty()));
         let catalog = catalog.and_then(|(layer, file)| Some(Catalog { layer, file, sliders: file.catalog()? }));
         let parts = layers.system.zip(file(Kind::MacroParts)).and_then(|(layer, file)| Parts::of(layer, file));
         let mesh = file(Kind::BaseMesh).and_then(|file| Some((file, file.mesh()?)));
         let references = References::new(catalog.as_ref().map(collect).unwrap_or_default());
         let (targets, named) = (NamedTargets::of(layers), NamedFiles::of(layers));
-        Self { layers, catalog, parts, mesh, references, targets, named, worn: worn(layers) }
+        let shown = BTreeSet::from(["body".to_owned()]);
+        let one_sided = ["-trans-in", "-trans-out"].map(str::to_owned).to_vec();
+        Self { layers, catalog, parts, mesh, references, targets, named, worn: worn(layers), shown, one_sided }
     }
 
     /// The files of a kind in the checked layer that were read.
@@ -67,7 +76,13 @@ impl<'a> View<'a> {
 
     /// Whether both the system data and the user's folder, where what is named may lie, are at hand.
     pub(crate) fn is_complete(&self) -> bool {
-        self.layers.system.is_some() && (self.layers.user.is_some() || self.layers.beside.is_some())
+        self.layers.system.is_some() && self.has_user()
+    }
+
+    /// Whether the user's folder is at hand. What a file in place of one of its folders takes away is told there.
+    pub(crate) fn has_user(&self) -> bool {
+        let holds = |layer: &Layer| !["targets", "custom", "expressions"].iter().any(|name| layer.file(name).is_some());
+        self.layers.user.or(self.layers.beside).is_some_and(holds)
     }
 
     /// What the body can wear, of all layers.
@@ -78,7 +93,10 @@ impl<'a> View<'a> {
     /// The name of the base mesh, if there is anything for it.
     pub(crate) fn body_name(&self) -> Option<&'a str> {
         let of_catalog = self.catalog.and_then(|catalog| catalog.file.base_in(OWN));
-        self.mesh.and_then(|(file, _)| file.base_in(OWN)).or(of_catalog)
+        let of_mesh = self.mesh.and_then(|(file, _)| file.base_in(OWN)).or(of_catalog);
+        // Without the data of MPFB the targets of a user are still for the one base mesh that there is.
+        let of_user = || self.layers.checked.files.values().find_map(|file| file.base_in(OWN));
+        of_mesh.or_else(of_user)
     }
 
     /// Whether MPFB composes the name of a target out of those of its macro settings.
@@ -92,6 +110,8 @@ impl<'a> View<'a> {
         let mut body = Body::new(self.body_name()?, view, targets.map(|file| self.target(file)).collect());
         body.mesh = self.mesh;
         body.obj = self.mesh;
+        body.visible_groups = self.mesh.map(|_| &self.shown);
+        body.one_sided_endings = Some(&self.one_sided);
         body.worn = &self.worn;
         body.add_worn_weights(view.files().filter(|file| file.kind == Kind::AssetWeights));
         Some(body)
@@ -101,8 +121,13 @@ impl<'a> View<'a> {
     pub(in crate::repo) fn target<'v>(&self, file: &'v FileFacts) -> Target<'v> {
         let of_references = self.references.to_file(file).map(|reference| reference.kind).min();
         let used_as = if self.asks_for(file) { Some(ReferenceKind::MacroTarget) } else { of_references };
-        Target { file, folder: parent(&file.rel), used_as, is_unused: false, packed_in: None }
+        Target { file, folder: first_folder(&file.rel), used_as, is_unused: false, packed_in: None }
     }
+}
+
+/// The folder at the top that a path leads into: all that is below is for the one base mesh.
+fn first_folder(rel: &str) -> &str {
+    rel.split_once('/').map_or("", |(folder, _)| folder)
 }
 
 /// What can be worn (formats/mpfb.md §26).

@@ -6,6 +6,7 @@ pub(super) mod empty_section;
 pub(super) mod missing_opposites;
 pub(super) mod missing_target;
 mod neighbours;
+pub(super) mod no_slider;
 pub(super) mod opposite_unlisted;
 pub(super) mod opposites_sides;
 pub(super) mod side_prefix;

@@ -45,10 +45,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// Whether every slot has a target of its own.
+/// Whether every slot is there and has a target of its own.
 fn is_sound(category: &Category) -> bool {
     let stems: BTreeSet<&str> = category.slots_in_use().map(|slot| slot.stem.as_str()).collect();
-    !stems.is_empty() && stems.len() == category.slots_in_use().count()
+    let slots = if category.is_sided { 4 } else { 2 };
+    stems.len() == slots && category.slots_in_use().count() == slots
 }
 
 /// Targets in a slot and not in the list, and the reverse.

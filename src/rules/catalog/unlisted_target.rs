@@ -22,6 +22,10 @@ const BY_NAME: Case = &[(Mpfb, Level::Info, "shows no slider for them; saved cha
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(catalog) = checked(view) else { return };
+    // A section that another one of its key takes away is told as such.
+    if !catalog.file.json.duplicates.is_empty() {
+        return;
+    }
     // Their slider is there, and lacks the slots.
     let forgotten: Vec<String> = sliders(&catalog)
         .filter_map(|(section, category)| Some((section, forgotten_ends(&catalog, section, category)?)))
@@ -44,7 +48,12 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let free = catalog.layer.below("targets").filter(is_free);
     for (folder, files) in grouped(free.map(|file| (parent(&file.rel), file))) {
         let Some(first) = files.first() else { continue };
-        let is_section = catalog.sliders.sections.iter().any(|section| catalog.folder(&section.name) == folder);
+        let section = catalog.sliders.sections.iter().find(|section| catalog.folder(&section.name) == folder);
+        // Whether a slider that cannot be read has them is not known.
+        if section.is_some_and(|section| !section.is_whole) {
+            continue;
+        }
+        let is_section = section.is_some();
         let count = counted(files.len(), "target");
         let message = format!("{count} in `{folder}` {} no slider, first `{}`", has(files.len()), first.file_name());
         let finding = RULE.in_layer(catalog.layer, folder, message).key(folder);

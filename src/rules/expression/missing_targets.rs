@@ -24,7 +24,7 @@ type Still<'v> = (&'v FileFacts, Vec<&'v (String, String)>, usize);
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // The targets are in a user's folder.
-    if view.layers.user.is_none() && view.layers.beside.is_none() {
+    if !view.has_user() {
         return;
     }
     let is_still = |unit: &str| matches!(view.targets.find(unit), NamedTarget::Missing);

@@ -5,7 +5,7 @@ use super::super::cause::consequence::{Damage, consequence};
 use super::super::cause::{is_override, is_unmet};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo,
 };
 use crate::discover::Kind;
@@ -16,13 +16,15 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "rejects the file, or loses its first line"),
         (Makehuman1, "rejects the file, or loses its first line"),
+        (Mpfb, "rejects the file, or loses its first line"),
     ],
     docs: "The file begins with a byte order mark: three invisible bytes (EF BB BF) that some editors write \
         before the text. MakeHuman 2 does not remove them.\n\nPython's JSON reader rejects such a file, so it \
         counts as missing. In a target the mark becomes part of the first word: if the first line has four \
         words, even in a comment, MakeHuman 2 crashes at start. In other text formats the first word is not \
         recognised and its line is lost; if that is a comment, nothing else happens, and the finding is an \
-        info.\n\nSave the file as UTF-8 without a byte order mark.",
+        info.\n\nMPFB rejects a JSON with the mark and a target, \
+        even if the first line is a comment.\n\nSave the file as UTF-8 without a byte order mark.",
     ..RuleInfo::new("file-byte-order-mark", Level::Error, "a byte order mark at the beginning of a text file")
 });
 
@@ -36,7 +38,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     if !is_marked || !file.kind.is_text() || is_override(file) || is_unmet(view, file) {
         return;
     }
-    let damage = damage(file);
+    let damage = damage(view, file);
     let Some(loss) = consequence(view, &file.rel, damage) else { return };
     let message = format!("`{}` begins with a byte order mark", file.file_name());
     let fix = Fix::new(RULE.info.fix, "remove the byte order mark");
@@ -79,13 +81,14 @@ fn first_keyword(file: &FileFacts) -> Case {
     }
 }
 
-fn damage(file: &FileFacts) -> Damage {
+fn damage(view: &View<'_>, file: &FileFacts) -> Damage {
     let words = &file.encoding.marked_words;
     match file.kind {
         kind if kind.is_json() => Damage::Refused,
         Kind::Target if words.len() == ROW_FIELDS => Damage::MarkedRow,
         _ if words.first().is_none_or(|word| word.starts_with('#')) => Damage::MarkedComment,
         // Nobody reads these lines.
+        Kind::Model if view.is_mpfb() && words.first().is_some_and(|word| word == "version") => Damage::MarkedComment,
         Kind::Material if words.first().is_some_and(|word| word == "//") => Damage::MarkedComment,
         Kind::BaseMesh | Kind::AssetMesh if !words.first().is_some_and(|word| is_of_mesh(word)) => {
             Damage::MarkedComment

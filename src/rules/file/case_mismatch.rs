@@ -7,7 +7,7 @@ use super::named::{Cause, causes, differs_in_form, written};
 use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain, respelled, without_common_folders};
 use super::{fixed_names, folders};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Change, EXAMPLES, Finding, Fix, FixKind, Level, Place, RuleInfo,
 };
 use crate::discover::extension;
@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "finds the file on Windows and macOS, but not on Linux"),
         (Makehuman1, "finds the file on Windows and macOS, but not on Linux"),
+        (Mpfb, "finds the file on Windows and macOS, but not on Linux"),
     ],
     docs: "The name is written with other capitals than the file has. On Windows and most Macs that makes no \
         difference; on Linux the file is not found, and neither is its member in `compressedtargets.npz` on any \

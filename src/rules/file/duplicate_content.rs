@@ -2,12 +2,15 @@
 
 use super::super::cause::copies::CopiedFolders;
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped,
+};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, ReferenceKind, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "loads the same content more than once")],
+    breaks: &[(Makehuman2, "loads the same content more than once"), (Mpfb, "loads the same content more than once")],
     docs: "Several targets have the same displacements, or several pictures or meshes the same bytes. That does \
         no harm, but takes space, and a change to one is easily forgotten in the others.\n\nTargets are compared \
         by their numbers, not their comments. Targets that move nothing and files below 200 bytes are left out. \
@@ -24,7 +27,12 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     // Through a link it is the same file, not another one.
     let is_link = |file: &FileFacts| file.link_to.as_deref().is_some_and(|real| layer.file(real).is_some());
-    let files = view.files().filter(|file| !is_link(file));
+    // Where names are composed, or found by themselves, each must be there: only sliders could share a target.
+    let is_needed = |file: &FileFacts| {
+        let is_target = matches!(file.kind, Kind::Target | Kind::PackedTarget);
+        view.is_mpfb() && is_target && (view.composes_name_of(file) || view.references().to_file(file).next().is_none())
+    };
+    let files = view.files().filter(|file| !is_link(file) && !is_needed(file));
     let twins = grouped(files.filter_map(|file| Some(((category(file), class(file)?, file.content_hash?), file))));
     let copied = CopiedFolders::of(view);
     for ((_, class, _), files) in twins {
@@ -56,7 +64,7 @@ fn class(file: &FileFacts) -> Option<&'static str> {
     let extension = file.rel.rsplit('.').next().unwrap_or_default();
     match file.kind {
         _ if file.size < SMALLEST || file.encoding.lfs_pointer => None,
-        Kind::Target => file.target().filter(|facts| facts.moving > 0).map(|_| "displacements"),
+        Kind::Target | Kind::PackedTarget => file.target().filter(|facts| facts.moving > 0).map(|_| "displacements"),
         Kind::BaseMesh | Kind::AssetMesh => Some("mesh"),
         // Every asset has its own thumb, named after it.
         Kind::Image if extension == "thumb" => None,
@@ -71,12 +79,17 @@ fn category(file: &FileFacts) -> (&str, &str) {
     file.base().map_or((file.rel.as_str(), ""), |base| (folder, base))
 }
 
+fn is_of_slider(kind: ReferenceKind) -> bool {
+    use ReferenceKind::{Decr, Incr, SliderName, Slot};
+    matches!(kind, Incr | Decr | SliderName | Slot)
+}
+
 fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
     let references = || others.iter().flat_map(|other| view.references().to_file(other));
     let mut found = references().filter(|reference| reference.found().is_some());
     match (found.next(), found.count()) {
         // With another target the slider would have another name in saved models.
-        (Some(reference), _) if matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr) => format!(
+        (Some(reference), _) if is_of_slider(reference.kind) => format!(
             "keep the files if `{}` in {} is meant to have the same shape, because saved models find a slider by the \
              name of its target; otherwise give it its own shape",
             reference.owner,

@@ -5,14 +5,18 @@ use super::super::cause::schema::is_of_wrong_type;
 use super::super::cause::{self, is_override, is_unmet};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo,
 };
 use crate::discover::Kind;
 use crate::repo::{FileFacts, Reference, ReferenceKind, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "loads nothing from it, or crashes"), (Makehuman1, "loads nothing from it")],
+    breaks: &[
+        (Makehuman2, "loads nothing from it, or crashes"),
+        (Makehuman1, "loads nothing from it"),
+        (Mpfb, "loads nothing from it"),
+    ],
     docs: "The file has no bytes, or only whitespace and comments. Often a download or an export was \
         interrupted.\n\nAn empty `.mhskel`, `.mhpose` or `.mhbin` crashes MakeHuman 2 when it scans the assets, \
         an empty `base.mhbin` when it loads the base, and an empty `compressedtargets.npz` at every start until \

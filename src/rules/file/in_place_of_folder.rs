@@ -2,12 +2,18 @@
 
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    Finding, Level, RuleInfo,
+};
 use crate::discover::Kind;
 use crate::repo::View;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "cannot open it, and may crash at start")],
+    breaks: &[
+        (Makehuman2, "cannot open it, and may crash at start"),
+        (Mpfb, "finds nothing in it, or fails with an exception when it lists the folder"),
+    ],
     docs: "A file has the name of a folder that an application looks into, or a folder has the name of a file \
         that it opens.\n\nMakeHuman 2 crashes at start where it lists or fills such a folder, and treats a JSON \
         that is a folder as missing. If the user's `target/<base>` is a file, it rejects the base mesh (\"File \
@@ -34,7 +40,12 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.extend(finding(&file.rel, "file", "folder", "remove or rename the file"));
         }
     }
-    let is_opened = |folder: &str| is_file(view.kind_at(folder)) || is_archive(view, folder);
+    // What looks like a target and is a folder, MPFB passes over.
+    let is_listed = |kind: Kind| view.is_mpfb() && matches!(kind, Kind::Target | Kind::PackedTarget);
+    let is_opened = |folder: &str| {
+        let kind = view.kind_at(folder);
+        is_file(kind) && !is_listed(kind) || is_archive(view, folder)
+    };
     for folder in layer.folders.iter().filter(|folder| is_opened(folder)) {
         out.extend(finding(folder, "folder", "file", "rename the folder, or replace it with the file"));
     }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Evidence, Finding, Level, Place, RuleInfo,
 };
 use crate::discover::Kind;
@@ -19,6 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
             "reads the pointer instead of the content: JSON is rejected, targets move nothing, pictures are not shown",
         ),
         (Makehuman1, "reads the pointer instead of the content"),
+        (Mpfb, "reads the pointer instead of the content"),
     ],
     docs: "Git LFS keeps large files elsewhere and leaves a small text in their place, the pointer, until the \
         content is fetched. Without it the asset is missing, although a file of its name exists.\n\nOne finding \

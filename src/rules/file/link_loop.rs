@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, RuleInfo,
 };
 use crate::repo::View;
@@ -12,6 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "lists the same files over and over, or fails to open the link"),
         (Makehuman1, "passes over the link"),
+        (Mpfb, "passes over the link"),
     ],
     levels: &[(Makehuman1, Level::Info)],
     docs: "A symbolic link points to a folder above it, or to a link that points back. A program that lists the \

@@ -5,7 +5,7 @@ use super::super::cause::consequence::{Damage, consequence};
 use super::super::cause::is_unmet;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
 };
 use crate::discover::Kind;
@@ -13,7 +13,7 @@ use crate::repo::{FileFacts, View};
 use crate::source::Guess;
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `UnicodeDecodeError`"), (Makehuman1, "cannot read the file")],
+    breaks: &[(Makehuman2, "crashes with `UnicodeDecodeError`"), (Makehuman1, "cannot read the file"), (Mpfb, "fails with `UnicodeDecodeError` where it reads the file")],
     docs: "MakeHuman 2 reads JSON, targets, meshes and BVH as strict UTF-8. One letter in Latin-1 or a Windows \
         code page, even in a comment, or a file saved as UTF-16 crashes it with `UnicodeDecodeError`: at start \
         for everything that is loaded or scanned then, otherwise when the asset is used.\n\nThe loaders of \

@@ -3,21 +3,28 @@
 use super::super::{Check, Rule, RuleCx};
 use super::left_out;
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
-    Finding, Level, Place, RuleInfo, grouped, steps, structural,
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Case, Finding, Level, Place, RuleInfo, grouped, steps, structural,
 };
 use crate::discover::Kind;
 use crate::json::Duplicate;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently keeps only the last value"), (Makehuman1, "silently keeps only the last value")],
+    breaks: &[
+        (Makehuman2, "silently keeps only the last value"),
+        (Makehuman1, "silently keeps only the last value"),
+        (Mpfb, "silently keeps only the last value"),
+    ],
     docs: "JSON allows the same key twice in one object, but Python keeps only the last value. Whatever stood \
         under the key before is lost: a slider, a bone, a macro component.\n\nMostly an entry was copied and its \
         key not changed. Give one of the two another key, or remove the wrong one. If both values are equal \
         nothing is lost, and the finding is an info.",
     ..RuleInfo::new("json-duplicate-key", Level::Warning, "a key that appears more than once in an object")
 });
+
+/// What has a slider once is reached by saved characters alone.
+const NO_SLIDERS: Case = &[(Mpfb, Level::Error, "keeps only the last value: the sliders of the others are missing")];
 
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let by_member = grouped(file.json.duplicates.iter().map(|duplicate| (duplicate.pointer.as_str(), duplicate)));
@@ -34,6 +41,8 @@ fn finding(file: &FileFacts, pointer: &str, all: &[&Duplicate]) -> Option<Findin
     let loss = if equal { " with the same value" } else { "; only the last value counts" };
     let finding = RULE.at(file, Place::Span(first.lost.clone()), format!("key `{key}` appears {times}{loss}"));
     let related = Place::Span(last.kept.clone());
+    let loses = file.kind == Kind::TargetCatalog && !equal;
+    let finding = if loses { finding.case(NO_SLIDERS) } else { finding };
     let finding = if equal { finding.at_most(Level::Info) } else { finding };
     Some(
         finding

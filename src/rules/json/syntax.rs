@@ -64,7 +64,7 @@ fn sort(kind: &SyntaxKind) -> &'static str {
 
 /// Whether no loader looks for a JSON of this name where it lies: `file-unreferenced` speaks, or `file-case-mismatch`.
 fn is_stray(view: &View<'_>, file: &FileFacts) -> bool {
-    matches!(file.kind, Kind::Json | Kind::Pose) && !(view.layout().opens)(&file.rel)
+    matches!(file.kind, Kind::Json | Kind::ConfigJson | Kind::Pose) && !(view.layout().opens)(&file.rel)
 }
 
 /// Quotes that word processors and chat programs make of straight ones.

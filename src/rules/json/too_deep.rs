@@ -2,14 +2,20 @@
 
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    Finding, Level, Place, RuleInfo,
+};
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::SyntaxKind;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `RecursionError` if the nesting exceeds Python's limit of about 1000 levels")],
+    breaks: &[
+        (Makehuman2, "crashes with `RecursionError` if the nesting exceeds Python's limit of about 1000 levels"),
+        (Mpfb, "fails with `RecursionError` if the nesting exceeds Python's limit of about 1000 levels"),
+    ],
     docs: "The file is nested deeper than 990 levels. No MakeHuman format needs more than ten: the file is \
         damaged, or made to crash its readers.\n\n`mhlint` stops reading there, so nothing else is reported for \
         the file. Python's reader gives up at about 1000 levels with an exception that crashes MakeHuman \

@@ -39,6 +39,11 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     }
 }
 
+/// Whether a byte order mark takes the line with the name away, which has a finding of its own.
+fn has_lost_name(encoding: &Encoding) -> bool {
+    encoding.byte_order_mark && encoding.marked_words.first().is_some_and(|word| &**word == "name")
+}
+
 /// Keywords count at the first column alone.
 fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in view.own(Kind::Model).filter(|file| has_text(&file.encoding)) {
@@ -46,7 +51,7 @@ fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if !columns.has_line {
             let finding = RULE.at(file, Place::File, "no line begins with a keyword of models at its first column");
             out.push(finding.help("restore the model, or remove the blanks before its keywords"));
-        } else if !columns.has_name {
+        } else if !columns.has_name && !has_lost_name(&file.encoding) {
             let finding = RULE.at(file, Place::File, "the model has no line `name`").key("name").case(NO_NAME);
             out.push(finding.help("add a line `name` with the name of the character"));
         }

@@ -2,13 +2,19 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, percent, untold};
-use crate::diag::{Application::Makehuman2, Case, Confidence, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    Case, Confidence, Evidence, Finding, Level, RuleInfo,
+};
 use crate::eval::measures::{Measures, Seen};
 use crate::eval::survey::Trouble;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows these faces black or not at all: a face without area has no normal")],
+    breaks: &[
+        (Makehuman2, "shows these faces black or not at all: a face without area has no normal"),
+        (Mpfb, "shows these faces black or not at all: a face without area has no normal"),
+    ],
     docs: "At some slider setting visible faces have (almost) no area, or a considerable part of the skin turns \
         inside out.\n\n\
         A face has collapsed if its area falls to a ten-thousandth of its area on the default character. In \

@@ -3,13 +3,19 @@
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
-use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    Confidence, Evidence, Finding, Level, RuleInfo,
+};
 use crate::eval::measures::Measures;
 use crate::eval::survey::Trouble;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "tears such vertices out of the figure, together with their faces, joints and clothes")],
+    breaks: &[
+        (Makehuman2, "tears such vertices out of the figure, together with their faces, joints and clothes"),
+        (Mpfb, "tears such vertices out of the figure, together with their faces, joints and clothes"),
+    ],
     docs: "At some slider setting a vertex lies outside the box around the default character by more than 0.6 \
         times the diagonal of that box. The tallest character of MakeHuman's own base stays within 0.41 \
         diagonals.\n\n\

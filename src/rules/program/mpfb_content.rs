@@ -2,7 +2,7 @@
 
 use super::super::unfit::{findings, is_misspelt};
 use super::super::{Rule, RuleCx, did_you_mean, such};
-use super::mpfb_files::has_own_skin_settings;
+use super::mpfb_files::{OWN_SKIN_SETTINGS, SKIN_SETTINGS, has_own_skin_settings};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
 use crate::discover::Kind;
 use crate::formats::unfit::NamedAt;
@@ -17,6 +17,8 @@ const STOPPED_SKIN: Case = &[(
     "fails with an exception at the skin: this zone and all later ones keep the defaults of the shader",
 )];
 const UNREAD_KEY: Case = &[(Mpfb, Level::Warning, "silently ignores the key: the default of the shader stays")];
+const UNREAD_PART: Case =
+    &[(Mpfb, Level::Warning, "silently leaves the defaults of the shader for this part of the skin")];
 const STOPPED_NODES: Case = &[(Mpfb, Level::Error, "fails with an exception when it makes a material of this kind")];
 const NO_LINK: Case = &[(Mpfb, Level::Warning, "leaves the link out")];
 const STOPPED_MAKEUP: Case = &[(Mpfb, Level::Error, "fails with an exception when the makeup is put on")];
@@ -41,8 +43,18 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, file: &FileFacts, cx: &RuleCx
         _ => (STOPPED_NODES, NO_LINK),
     };
     out.extend(findings(rule, file, &faults.stops, cx).map(|(_, finding)| finding.case(stopped)));
+    out.extend(absent(rule, file, &faults.absent));
     let ignored = findings(rule, file, &faults.ignored, cx).filter(|(first, _)| is_misspelt(first, cx));
     out.extend(ignored.map(|(_, finding)| finding.case(passed_over)));
+}
+
+/// Parts that the settings lack which are read without being asked for; settings of a user are often about a few.
+fn absent(rule: &Rule, file: &FileFacts, absent: &[&str]) -> Option<Finding> {
+    let first = absent.first().filter(|_| [SKIN_SETTINGS, OWN_SKIN_SETTINGS].contains(&file.rel.as_str()))?;
+    let message = format!("the settings have no `{first}`{}", such(absent.len(), "parts"));
+    let finding = rule.at(file, Place::File, message).key("absent").case(UNREAD_PART);
+    let help = "restore them from the download of the add-on; MPFB makes the user's copy again once it is deleted";
+    Some(finding.help(help).evidence(Evidence::of_cases(absent.iter().copied())))
 }
 
 /// Ink layers that no file is.

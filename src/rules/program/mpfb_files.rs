@@ -2,7 +2,6 @@
 
 use super::super::Rule;
 use crate::diag::{Application::Mpfb, Case, Finding, Level};
-use crate::discover::Kind;
 use crate::repo::{Layer, View};
 
 /// What MPFB opens by name in its own data.
@@ -16,7 +15,7 @@ const NEEDED: [(&str, Case); 8] = [
     ("node_trees/enhanced_skin.json", NO_MATERIAL),
     ("node_trees/procedural_eyes.json", NO_MATERIAL),
 ];
-const SKIN_SETTINGS: &str = "settings/enhanced_settings.default.json";
+pub(super) const SKIN_SETTINGS: &str = "settings/enhanced_settings.default.json";
 /// Where the user has a copy of these.
 pub(super) const OWN_SKIN_SETTINGS: &str = "config/enhanced_settings.default.json";
 
@@ -25,10 +24,15 @@ const NO_BODY: Case = &[(Mpfb, Level::Error, "starts, and fails with `OSError` a
 const NO_SKIN: Case =
     &[(Mpfb, Level::Error, "fails with `FileNotFoundError` at the first enhanced skin, after its material was made")];
 const NO_EYES: Case = &[(Mpfb, Level::Info, "silently makes eyes with the defaults of the shader")];
+const NO_PICTURES: Case = &[(
+    Mpfb,
+    Level::Warning,
+    "makes materials without the pictures of its own that they name, with messages in the log",
+)];
 const NO_MATERIAL: Case = &[(Mpfb, Level::Error, "fails when it makes a material of this kind")];
 
-/// The icons of sliders: any of them, but the folder must exist.
-const ICONS: &str = "targets/_images";
+/// Folders that must exist: of the icons of sliders any may be missing.
+const FOLDERS: [(&str, Case); 2] = [("targets/_images", NO_START), ("textures", NO_PICTURES)];
 
 /// Whether the user has a copy of the settings of skins, which is read in place of the shipped one.
 pub(super) fn has_own_skin_settings(view: &View<'_>) -> bool {
@@ -47,12 +51,11 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Ve
         let finding = rule.in_layer(system, rel, format!("`{rel}` does not exist")).case(case);
         out.push(finding.help("restore the file from the download of the add-on"));
     }
-    // Where pictures are kept elsewhere altogether, the folder is left out with them.
-    let is_picture = |kind| matches!(kind, Kind::Image | Kind::TargetIcon);
-    let has_pictures = system.files.values().any(|file| is_picture(file.kind));
-    if has_pictures && !system.has_folder(ICONS) && !system.has_fault(ICONS) {
-        let finding = rule.in_layer(system, ICONS, format!("`{ICONS}` does not exist")).case(NO_START);
-        out.push(finding.help("restore the folder from the download of the add-on"));
+    for (folder, case) in FOLDERS {
+        if !system.has_folder(folder) && !system.has_fault(folder) {
+            let finding = rule.in_layer(system, folder, format!("folder `{folder}` does not exist")).case(case);
+            out.push(finding.help("restore the folder from the download of the add-on"));
+        }
     }
     true
 }

@@ -4,14 +4,20 @@ use super::super::regions::regions;
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::shown::with_setting;
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    Evidence, Finding, Level, OptionInfo, Place, RuleInfo,
+};
 use crate::eval::measures::Measures;
 use crate::eval::side;
 use crate::eval::target_measure::TargetMeasure;
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "makes the figure asymmetric; symmetry cannot fix it")],
+    breaks: &[
+        (Makehuman2, "makes the figure asymmetric; symmetry cannot fix it"),
+        (Mpfb, "makes the figure asymmetric"),
+    ],
     docs: "A target whose name has no side (no `l`, `r`, `left`, `right`) moves the left half of the body \
         differently from the right.\n\n\
         Targets whose names end as listed in `nonsym` under `random` of base.json are intended to be asymmetric \
@@ -60,6 +66,9 @@ fn is_told_by_cubes(target: &TargetMeasure) -> bool {
     target.own_mirror.different.len() <= CORNERS * target.torn.len()
 }
 
+const MIRROR: &str = "leave it if that is intended; otherwise make it symmetric";
+const MIRROR_OR_LIST: &str = "leave it if that is intended, and add its ending to `nonsym` under `random` of base.json; otherwise make it symmetric";
+
 fn one_sided(body: &Body<'_>, file: &FileFacts, target: &TargetMeasure) -> Option<Finding> {
     let mirror = &target.own_mirror;
     let different = mirror.different.len();
@@ -77,7 +86,7 @@ fn one_sided(body: &Body<'_>, file: &FileFacts, target: &TargetMeasure) -> Optio
     let finding = RULE
         .at(file, Place::File, message)
         .parts(&mirror.different)
-        .help("leave it if that is intended, and add its ending to `nonsym` under `random` of base.json; otherwise make it symmetric")
+        .help(if body.is_mpfb() { MIRROR } else { MIRROR_OR_LIST })
         .evidence(evidence.with_worst(worst, format!("vertex {vertex}")));
     Some(with_setting(finding, body, file))
 }

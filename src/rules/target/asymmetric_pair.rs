@@ -3,12 +3,18 @@
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::shown::with_setting;
-use crate::diag::{Application::Makehuman2, Case, Element, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    Case, Element, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::eval::measures::{Measures, PairMeasure};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "gives left and right different shapes for the same slider values")],
+    breaks: &[
+        (Makehuman2, "gives left and right different shapes for the same slider values"),
+        (Mpfb, "gives left and right different shapes for the same slider values"),
+    ],
     docs: "Two targets whose names differ only in `l` and `r` (`left` and `right`) are not mirror images of each \
         other.\n\n\
         mhlint finds from the base mesh which vertices mirror each other. Displacements may differ by 0.025 cm \
@@ -19,8 +25,10 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     ..RuleInfo::new("target-asymmetric-pair", Level::Warning, "left and right targets are not mirror images")
 });
 
-const ON_HELPERS: Case =
-    &[(Makehuman2, Level::Info, "fits clothes and hair asymmetrically at these helpers; the body is symmetric")];
+const ON_HELPERS: Case = &[
+    (Makehuman2, Level::Info, "fits clothes and hair asymmetrically at these helpers; the body is symmetric"),
+    (Mpfb, Level::Info, "fits clothes and hair asymmetrically at these helpers; the body is symmetric"),
+];
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(measures.pairs.iter().filter_map(|pair| finding(body, pair)));
@@ -45,7 +53,7 @@ fn finding(body: &Body<'_>, pair: &PairMeasure) -> Option<Finding> {
     let differs = if different == 1 { " differs" } else { "" };
     let message = format!(
         "not the mirror image of `{}`: {differing}{}{differs} by {}",
-        right.stem(),
+        right.stem().trim_end_matches(".target"),
         body.vertex(vertex),
         length(worst),
     );

@@ -5,14 +5,18 @@ use super::super::{Check, Rule, RuleCx};
 use super::shown::with_setting;
 use super::targets;
 use crate::diag::{
-    Application::Makehuman2, Confidence, Element, Evidence, Finding, Level, OptionInfo, Place, RuleInfo, grouped,
+    Application::{Makehuman2, Mpfb},
+    Confidence, Element, Evidence, Finding, Level, OptionInfo, Place, RuleInfo, grouped,
 };
 use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, oversize, stands_out_of_folder};
 use crate::formats::target::{Largest, TargetFacts};
 use crate::repo::{Body, FileFacts, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "tears the vertex out of the mesh when the target is applied")],
+    breaks: &[
+        (Makehuman2, "tears the vertex out of the mesh when the target is applied"),
+        (Mpfb, "tears the vertex out of the mesh when the target is applied"),
+    ],
     docs: "A displacement is out of proportion to the mesh or to the rest of its target.\n\n\
         Reported are a vertex that moves farther than the size of the whole base mesh, and a vertex that stands \
         out from its own target: many times the median of the target, several times as far as all but its longest \
@@ -64,7 +68,10 @@ fn is_vertex(body: &Body<'_>, largest: &Largest) -> bool {
 /// Details of a folder are of one kind and of one order: one that goes much farther than all others was exported in
 /// other units.
 fn beyond_neighbours(body: &Body<'_>, size: f32, ratio: f32) -> Vec<Finding> {
-    let is_detail = |used_as| matches!(used_as, Some(ReferenceKind::Incr | ReferenceKind::Decr));
+    let is_detail = |used_as| {
+        use ReferenceKind::{Decr, Incr, SliderName, Slot};
+        matches!(used_as, Some(Incr | Decr | Slot | SliderName))
+    };
     let details = body.targets.iter().filter(|target| is_detail(target.used_as));
     let folders = grouped(details.filter_map(|target| {
         let facts = target.file.target()?;

@@ -44,16 +44,20 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
+const ROW: &str =
+    "write the row as `INDEX X Y Z`: an integer and three decimal numbers with a point; remarks begin with `#`";
+const NO_MARK: &str = "save the text as UTF-8 without a byte order mark, and pack it again";
+
 /// What a loader stops at that splits at single blanks.
 fn of_blanks(file: &FileFacts, facts: &TargetFacts) -> Option<Finding> {
     let first = facts.blanks.as_ref()?.unreadable.as_ref()?;
     let lines = facts.blanks.as_ref().map_or(0, |blanks| blanks.unreadable_lines);
     let message = match lines {
+        _ if first.field.starts_with('\u{feff}') => "the packed text begins with a byte order mark".to_owned(),
         1 => format!("`{}` is not a number", first.field),
         count => format!("`{}` is not a number ({count} such lines)", first.field),
     };
     let place = Place::Span(first.start..first.start + first.field.len());
-    let help =
-        "write the row as `INDEX X Y Z`: an integer and three decimal numbers with a point; remarks begin with `#`";
+    let help = if first.field.starts_with('\u{feff}') { NO_MARK } else { ROW };
     Some(RULE.at(file, place, message).help(help))
 }

@@ -39,7 +39,8 @@ const ALL_ON_ROOT: &str = "assigns the whole mesh to the root bone: no other bon
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // To MakeHuman 1 weights that end before the last vertex are worse (`proxy-weight-table-short`).
     let is_short = |own: &worn::Own<'_>| body.is_makehuman1() && own.listed() < own.vertices;
-    out.extend(worn::all(body).filter(|own| !is_short(own)).filter_map(|own| of_asset(&own)));
+    // MPFB has the weights of the body for vertices that have none.
+    out.extend(worn::all(body).filter(|own| !is_short(own) && !body.is_mpfb()).filter_map(|own| of_asset(&own)));
     let mut room = MOST_NAMED;
     // Entries that cannot be used may be the missing ones.
     for (own, weights) in readable_own(body).filter(|(_, weights)| !has_unusable_entries(weights)) {

@@ -1,5 +1,4 @@
-//! What MPFB does with a file that it cannot read or find (formats/mpfb.md §2.3, §3.1, §6, §7, §28; mpfb-observed.md 1.2): so
-//! far with `targets/target.json`, macro parts, expressions, presets, settings and node trees.
+//! What MPFB does with a file that it cannot read or find (formats/mpfb.md §2.3, §3.1, §6, §7, §28; mpfb-observed.md 1.2).
 
 use super::table::{Cell, LOST, Table, anywhere, cell};
 use super::{Consequence, Damage, Moment};
@@ -20,6 +19,9 @@ pub(super) static TABLE: Table = Table {
         anywhere(Kind::RandomizationPreset, Moment::Use, NO_PRESET),
         anywhere(Kind::EyeSettings, Moment::Use, NO_LOOK),
         anywhere(Kind::SkinSettings, Moment::Use, NO_LOOK),
+        anywhere(Kind::BaseMesh, Moment::Use, NO_BODY),
+        anywhere(Kind::Target, Moment::Use, NO_SHAPE),
+        anywhere(Kind::PackedTarget, Moment::Use, NO_SHAPE),
         anywhere(Kind::NodeTree, Moment::Use, NO_MATERIAL),
     ],
     at_moment: &[],
@@ -34,6 +36,8 @@ pub(super) static TABLE: Table = Table {
 const STOPS: &str = "fails while the add-on is imported: MPFB cannot be enabled";
 
 const REFUSED: &[Cell] = &[
+    cell(Damage::Absent, Error, STOPS),
+    cell(Damage::Empty, Error, STOPS),
     cell(Damage::Closed, Error, STOPS),
     cell(Damage::Pointer, Error, STOPS),
     cell(Damage::Refused, Error, STOPS),
@@ -67,6 +71,23 @@ const NO_PRESET: &[Cell] = &stopped("lists the preset, and fails with an excepti
 const NO_LOOK: &[Cell] = &stopped("fails with an exception when it makes a material with these settings");
 const NO_MATERIAL: &[Cell] = &stopped("fails with an exception when it makes a material of this kind");
 
+const NO_BODY: &[Cell] = &stopped("fails with an exception whenever a character is made: none can be made");
+
+/// The shape key is made before the rows are read.
+const NOT_A_ROW: &str =
+    "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part";
+const UNDECODABLE: &str = "fails whenever its slider moves; saved characters with it load only in part";
+
+const NO_SHAPE: &[Cell] = &[
+    cell(Damage::Closed, Error, UNDECODABLE),
+    cell(Damage::Pointer, Error, NOT_A_ROW),
+    cell(Damage::MarkedRow, Error, NOT_A_ROW),
+    cell(Damage::MarkedWord, Error, NOT_A_ROW),
+    cell(Damage::MarkedComment, Error, NOT_A_ROW),
+    cell(Damage::NotUtf8, Error, UNDECODABLE),
+    cell(Damage::Empty, Warning, "makes a slider that changes nothing"),
+];
+
 const NO_FIGURE: &str = "crashes whenever a character is made: none can be made";
 const NO_NAME: &str = "crashes where a setting comes into the part; if that is 0.5, no character can be made";
 
@@ -76,17 +97,40 @@ static MACRO_PARTS: [(&str, Consequence); 2] = [
     ("/$defs/part/properties/high/", Consequence::new(Error, NO_NAME)),
 ];
 
+/// What a value of the catalogue comes to where it does not stop the add-on, likewise.
+static CATALOG: [(&str, Consequence); 4] = [
+    ("/$defs/category/properties/targets/", Consequence::new(Error, NO_PANEL)),
+    ("/$defs/category/properties/full_path/", Consequence::new(Error, DEAD)),
+    ("/$defs/opposites/", Consequence::new(Error, DEAD)),
+    ("/$defs/slot/", Consequence::new(Error, DEAD)),
+];
+
+const NO_PANEL: &str = "fails with an exception whenever the panel of the slider is drawn";
+const DEAD: &str = "fails with an exception, on the console alone, when the slider is shown or moved";
+
 /// What a value comes to that does not fit its schema.
 pub(super) fn of_value(file: &FileFacts, fault: &SchemaFault) -> Option<Consequence> {
-    if file.kind != Kind::MacroParts {
-        return None;
+    let begins = |row: &&(&str, Consequence)| fault.keyword.starts_with(row.0);
+    match file.kind {
+        Kind::MacroParts => {
+            let row = MACRO_PARTS.iter().find(begins);
+            Some(row.map_or_else(|| usual_part(fault), |(_, consequence)| *consequence))
+        }
+        Kind::TargetCatalog => Some(match (CATALOG.iter().find(begins), fault.missing()) {
+            (Some((_, consequence)), _) => *consequence,
+            (None, Some("targets")) => Consequence::new(Error, NO_PANEL),
+            (None, Some(slot)) if slot.contains('-') => Consequence::new(Error, DEAD),
+            _ => Consequence::new(Error, STOPS),
+        }),
+        _ => None,
     }
-    let row = MACRO_PARTS.iter().find(|(place, _)| fault.keyword.starts_with(place));
-    let usual = || match fault.found() {
+}
+
+fn usual_part(fault: &SchemaFault) -> Consequence {
+    match fault.found() {
         Some(Found::Bool(_)) if fault.keyword.starts_with("/$defs/part/properties/") => {
             Consequence::new(Info, "takes `true` for 1 and `false` for 0")
         }
         _ => Consequence::new(Error, NO_FIGURE),
-    };
-    Some(row.map_or_else(usual, |(_, consequence)| *consequence))
+    }
 }
