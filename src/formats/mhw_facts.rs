@@ -193,11 +193,11 @@ impl WeightsFacts {
         for bone in bones {
             let name = &Arc::from(bone.name.as_str());
             for pair in bone.pairs.iter().filter(above) {
-                let sum = sums.get(&pair.vertex).copied().unwrap_or_default();
+                let sum = sums.get(&pair.vertex).copied();
                 // Exactly the sum: another weight, however small, has its share of the vertex.
-                if sum == pair.weight {
+                if sum == Some(pair.weight) {
                     self.above_one_alone += 1;
-                } else if pair.weight > MISPLACED && (sum - 100.0).abs() > PER_CENT_TOLERANCE {
+                } else if pair.weight > MISPLACED && sum.is_none_or(|sum| (sum - 100.0).abs() > PER_CENT_TOLERANCE) {
                     self.above_others.add(name, *pair);
                 }
             }
