@@ -10,7 +10,7 @@ use crate::config::Config;
 use crate::diag::{Application, NotChecked, Outcome, Unchecked, Untouched};
 use crate::discover::{Kind, UNKNOWN_BASE};
 use crate::eval::measures::Measures;
-use crate::repo::{FileFacts, Pack, Resolution, View};
+use crate::repo::{FileFacts, Pack, Resolution, View, is_unfiled};
 use crate::source::is_below;
 
 /// What a run has checked so far.
@@ -45,7 +45,7 @@ impl<'r> Coverage<'r> {
         if root.layer.pack.as_ref().is_some_and(|pack| pack.import.is_some()) {
             self.untouched.retain(|path| !is_below(&root.layer.path, path));
         }
-        for file in root.layer.files.values().filter(|file| asked.is_for(root, file)) {
+        for file in root.layer.files.values().filter(|file| asked.is_for(root, views, file)) {
             let mut is_checked = false;
             for view in views {
                 let application = view.application();
@@ -73,7 +73,7 @@ impl<'r> Coverage<'r> {
         }
         for view in views {
             let open = view.references().iter().filter(|one| matches!(one.resolution, Resolution::NeedsSystem));
-            for reference in open.filter(|one| asked.is_for(root, one.from)) {
+            for reference in open.filter(|one| asked.is_for(root, views, one.from)) {
                 // Where that would lie in a data folder is only supposed.
                 let is_beside =
                     reference.from.is_loose && reference.rel.ends_with(reference.text.trim_start_matches("../"));
@@ -104,7 +104,7 @@ impl<'r> Coverage<'r> {
             }
             let is_cut = body.has_too_many_macros || measure.is_some_and(|measure| measure.lacks_settings);
             let file = body.macros.map(|(file, _)| file).filter(|_| is_cut);
-            if let Some(file) = file.filter(|file| self.asked.is_for(root, file)) {
+            if let Some(file) = file.filter(|file| self.asked.is_for(root, std::slice::from_ref(view), file)) {
                 self.leave(view.application(), Unchecked::TooManyMacros, &file.path);
             }
         }
@@ -152,8 +152,10 @@ const fn is_of_whole_files(what: Unchecked) -> bool {
 }
 
 impl Asked<'_> {
-    fn is_for(self, root: &Loaded<'_>, file: &FileFacts) -> bool {
-        let is_of_asked_base = file.base().is_none_or(|base| self.options.asks_for_base(base));
+    fn is_for(self, root: &Loaded<'_>, views: &[View<'_>], file: &FileFacts) -> bool {
+        let asks = |base: &str| self.options.asks_for_base(base);
+        let layers = || views.iter().flat_map(|view| view.layers().strongest_first());
+        let is_of_asked_base = file.base().is_none_or(asks) || is_unfiled(file, layers(), asks);
         root.is_asked_for(&file.path) && !self.scope.excludes(&file.path) && is_of_asked_base
     }
 }

@@ -134,7 +134,12 @@ mod tests {
     fn a_vertex_that_follows_its_skin_does_not_drift() {
         let rest = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
         let reference = Reference { vertices: [0, 1, 2], weights: [0.0, 0.5, 0.5], offset: [0.0, 0.0, 0.1] };
-        let worn = [WornAsset { path: String::new(), references: vec![reference], scales: Some([1.0, 1.0, 2.0]) }];
+        let worn = [WornAsset {
+            path: String::new(),
+            references: vec![reference],
+            scales: Some([1.0, 1.0, 2.0]),
+            weights: None,
+        }];
         let anchor = |joint, place| {
             let skin = vec![0, 1, 2, 3];
             Some(Anchor { joint, distance: from_nearest(place, &skin, &rest), stand: 0.5, skin })

@@ -32,6 +32,8 @@ pub struct Measures {
     pub bones: Vec<String>,
     /// What is worn, by printed path; only assets whose rows fit the mesh.
     pub worn: BTreeMap<String, WornMeasure>,
+    /// Bones of the pose skeleton that have each other's weights on what is worn, by printed path of these weights.
+    pub exchanged: BTreeMap<String, Vec<usize>>,
     /// Whether something was left out because it was too much work.
     pub is_cut: bool,
 }

@@ -103,16 +103,33 @@ pub fn weights(
     let asymmetry = |pair: &(usize, usize)| {
         asymmetry([lists.get(&pair.0)?, lists.get(&pair.1)?], &loaded.raw_sums, *pair, mirror, tolerance)
     };
-    let sides: Vec<[bool; 2]> = skeleton.joints.iter().map(|joint| sides_of(joint, positions)).collect();
     Some(WeightMeasure {
         most: reduction.most,
         over: reduction.reduced,
         asymmetric: pairs.iter().filter_map(asymmetry).collect(),
-        wrong_side: (loaded.bones.iter().filter(|list| is_across(list, skeleton, positions, &sides)))
-            .map(|list| list.bone)
-            .collect(),
+        wrong_side: wrong_side(&loaded.bones, skeleton, positions, positions),
         rest_distance: rest_distance(loaded, skeleton, positions),
     })
+}
+
+/// Bones whose weights are on the other half of a mesh than their name says, and their joints lie on the body.
+fn wrong_side(lists: &[BoneWeights], skeleton: &SceneSkeleton, body: &[Point], positions: &[Point]) -> Vec<usize> {
+    let sides: Vec<[bool; 2]> = skeleton.joints.iter().map(|joint| sides_of(joint, body)).collect();
+    lists.iter().filter(|list| is_across(list, skeleton, positions, &sides)).map(|list| list.bone).collect()
+}
+
+/// Bones that have each other's weights on what is worn. Of a single bone only a few vertices may be on an asset, and
+/// these may well hang over the middle.
+pub fn exchanged(
+    lists: &[BoneWeights],
+    skeleton: &SceneSkeleton,
+    body: &[Point],
+    positions: &[Point],
+    pairs: &[(usize, usize)],
+) -> Vec<usize> {
+    let across: BTreeSet<usize> = wrong_side(lists, skeleton, body, positions).into_iter().collect();
+    let both = pairs.iter().filter(|(left, right)| across.contains(left) && across.contains(right));
+    both.flat_map(|(left, right)| [*left, *right]).collect()
 }
 
 /// Whether a joint lies wholly on the left, and on the right.
@@ -249,6 +266,15 @@ mod tests {
         assert_eq!(exchanged.wrong_side, [1, 2]);
         let stray = measure(&[(1, &[(0, 0.4), (2, 0.6), (3, 0.5)]), (2, &[(1, 1.0)])]);
         assert!(stray.wrong_side.is_empty());
+    }
+
+    #[test]
+    fn what_is_worn_is_exchanged_where_both_bones_are_across() {
+        let worn = [[0.5, 0.0, 0.0], [-0.5, 0.0, 0.0]];
+        let list = |bone, vertex| BoneWeights { bone, entries: vec![(vertex, 1.0)] };
+        let found = |lists: &[BoneWeights]| exchanged(lists, &skeleton(), &POSITIONS, &worn, &[(1, 2)]);
+        assert_eq!(found(&[list(1, 1), list(2, 0)]), [1, 2]);
+        assert!(found(&[list(1, 0), list(2, 1)]).is_empty() && found(&[list(1, 1), list(2, 1)]).is_empty());
     }
 
     #[test]

@@ -14,7 +14,7 @@ use super::morph::{Side, apply, detail_factor};
 use super::settings::Dimension;
 use super::skeleton::SceneSkeleton;
 use super::vector::{Point, Vec3};
-use super::weights::LoadedWeights;
+use super::weights::{BoneWeights, LoadedWeights};
 
 /// A base mesh with its targets, sliders, skeleton and weights.
 #[derive(Debug, Clone, Default)]
@@ -64,6 +64,8 @@ pub struct WornAsset {
     pub references: Vec<Reference>,
     /// What offsets are multiplied by; `None` for 1.
     pub scales: Option<Vec3>,
+    /// Bone weights of its own, with where they came from.
+    pub weights: Option<(String, Vec<BoneWeights>)>,
 }
 
 /// A morph target.

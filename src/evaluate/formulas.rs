@@ -3,12 +3,13 @@
 //! To evaluate another one: a variant of [`Formulas`], a folder beside `makehuman2`, and an arm wherever the compiler
 //! asks for one.
 
+use std::collections::BTreeMap;
+
 use serde_json::{Map, Value};
 
 use super::cases::Kind;
 use super::data::{RestSkeleton, SkeletonFile};
 use super::gauge::gauge;
-use super::worn::Fitted;
 use super::{Error, Evaluation, Rows, Setting, makehuman1, makehuman2, mpfb};
 use crate::config::Config;
 use crate::diag::Application;
@@ -76,7 +77,9 @@ pub(crate) fn measure(
             let mut composed = makehuman2::compose::compose(&base, rows)?;
             let own = makehuman2::worn::own(&base, layers);
             let fitted = makehuman2::worn::fit(&base, &own);
-            composed.scene.worn = fitted.iter().map(Fitted::on_scene).collect();
+            let bones = composed.scene.skeleton.iter().flat_map(|skeleton| skeleton.names.iter().enumerate().rev());
+            let bones: BTreeMap<&str, usize> = bones.map(|(number, name)| (name.as_str(), number)).collect();
+            composed.scene.worn = fitted.iter().map(|one| one.on_scene(&bones)).collect();
             let worn = || makehuman2::worn::measure(&base, &fitted);
             let (measures, worn) = rayon::join(|| gauge(&composed, options), worn);
             Some(Measures { worn, ..measures })

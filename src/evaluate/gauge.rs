@@ -7,11 +7,12 @@ use rayon::prelude::*;
 use crate::config::{Config, MOST_SAMPLES};
 use crate::diag::Few;
 use crate::eval::culprit::most_moving;
+use crate::eval::fit::fit;
 use crate::eval::look::look;
 use crate::eval::macros::MacroWork;
 use crate::eval::measures::{Measures, PairMeasure, Received, Seen, SkeletonMeasure};
 use crate::eval::mesh::bounding_box;
-use crate::eval::rig_measure::{bone_pairs, bones, weights};
+use crate::eval::rig_measure::{bone_pairs, bones, exchanged, weights};
 use crate::eval::scene::{MorphTarget, Scene, Setting};
 use crate::eval::settings::{DEFAULT_SAMPLES, moved, plan};
 use crate::eval::side::{self, Side};
@@ -93,9 +94,22 @@ fn shape(scene: &Scene, rigs: &[Rig]) -> Measures {
         cubes,
         skeletons: rigs.iter().filter_map(|rig| skeleton_measure(rig, &rest, is_centred)).collect(),
         weights,
+        exchanged: if is_centred { exchanged_of(scene, &rest) } else { BTreeMap::new() },
         bones: scene.skeleton.as_ref().map(|skeleton| skeleton.names.clone()).unwrap_or_default(),
         ..Measures::default()
     }
+}
+
+/// Bones that have each other's weights on what is worn, by path of these weights.
+fn exchanged_of(scene: &Scene, rest: &[Point]) -> BTreeMap<String, Vec<usize>> {
+    let Some(skeleton) = &scene.skeleton else { return BTreeMap::new() };
+    let weighted = scene.worn.iter().filter_map(|asset| Some((asset, asset.weights.as_ref()?)));
+    let exchanged = weighted.filter_map(|(asset, (path, lists))| {
+        let positions = fit(rest, &asset.references, asset.scales).ok()?;
+        let bones = exchanged(lists, skeleton, rest, &positions, &bone_pairs(&skeleton.names));
+        (!bones.is_empty()).then(|| (path.clone(), bones))
+    });
+    exchanged.collect()
 }
 
 /// What settings add to the mesh, as many of them as there is work allowed for, and whether these are all. Settings are

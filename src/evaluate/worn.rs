@@ -9,11 +9,13 @@ use crate::eval::fit::{Reference, ScaleLine};
 use crate::eval::mesh::bounding_box;
 use crate::eval::scene::WornAsset;
 use crate::eval::vector::{Point, Vec3};
+use crate::eval::weights::BoneWeights;
 use crate::eval::worn::{Garment, Wearer, WornMeasure, measure};
 use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::mhclo::{self, Clothes, FaultKind, Scale};
+use crate::formats::mhw::{self, Pair};
 use crate::formats::obj::Mesh;
-use crate::repo::Worn;
+use crate::repo::{Reference as Named, ReferenceKind, Worn};
 
 /// The faces of a mesh that are shown, as two lists.
 pub(super) fn skin(mesh: &Mesh, shows: impl Fn(&str) -> bool) -> (Vec<u32>, Vec<u32>) {
@@ -73,9 +75,30 @@ pub(super) fn measure_all(
 }
 
 impl Fitted<'_> {
-    /// What of it is looked at over the slider space.
-    pub(super) fn on_scene(&self) -> WornAsset {
-        WornAsset { path: self.worn.file.path.clone(), references: self.references.clone(), scales: self.scales }
+    /// What of it is looked at with the body, whose bones have these numbers.
+    pub(super) fn on_scene(&self, bones: &BTreeMap<&str, usize>) -> WornAsset {
+        WornAsset {
+            path: self.worn.file.path.clone(),
+            references: self.references.clone(),
+            scales: self.scales,
+            weights: self.weights(bones),
+        }
+    }
+
+    /// Its own weights, those of known bones.
+    fn weights(&self, bones: &BTreeMap<&str, usize>) -> Option<(String, Vec<BoneWeights>)> {
+        let file = self.worn.reference(ReferenceKind::AssetWeights).and_then(Named::meant)?;
+        let own = file.weights().filter(|weights| weights.has_weights)?;
+        let entry = |pair: &Pair| {
+            let vertex = u32::try_from(pair.vertex).ok().filter(|vertex| (*vertex as usize) < self.references.len())?;
+            Some((vertex, pair.weight))
+        };
+        let known = own.bones.iter().filter_map(|bone| Some((*bones.get(bone.name.as_str())?, bone)));
+        let list = |(bone, list): (usize, &mhw::BoneWeights)| BoneWeights {
+            bone,
+            entries: list.pairs.iter().filter_map(entry).collect(),
+        };
+        Some((file.path.clone(), known.map(list).collect()))
     }
 }
 

@@ -14,6 +14,10 @@ use crate::diag::{Cases, EXAMPLES, Evidence, Few};
 pub const THRESHOLD: f32 = 1e-4;
 /// A sum this near to 1 is 1: weights are written with three or four decimals and added as float32.
 pub(super) const SUM_TOLERANCE: f32 = 1e-4;
+/// Up to this a weight above 1 is one of many that were painted without dividing by their sum.
+const MISPLACED: f32 = 2.0;
+/// A sum this near to 100 is one of weights in per cent.
+const PER_CENT_TOLERANCE: f32 = 1.0;
 /// Distances from 1 that the distribution of sums is counted at.
 pub const FAR_SUMS: [f32; 2] = [0.01, 0.1];
 
@@ -35,6 +39,9 @@ pub struct WeightsFacts {
     pub above_one: PairTally,
     /// How many of them are the only weight of their vertex, so that dividing by the sum makes them 1.
     pub above_one_alone: u64,
+    /// Those that take more of their vertex than was meant when they are divided by its sum: they stand among smaller
+    /// ones, and these are not per cent.
+    pub above_others: PairTally,
     /// NaN and infinity.
     pub non_finite: PairTally,
     /// Pairs that normalising leaves at or below [`THRESHOLD`], zero weights included.
@@ -123,9 +130,9 @@ impl WeightsFacts {
         }
         let mut lost = BTreeMap::new();
         for bone in bones {
-            self.count_alone(bone, &sums);
             self.count_below_threshold(bone, &sums, &mut lost);
         }
+        self.count_above(bones);
         let all = bones.iter().flat_map(|bone| &bone.pairs);
         self.may_overflow = !all.map(|pair| pair.weight.abs()).sum::<f32>().is_finite();
         self.negative_alone = if self.negative.count > 0 { negative_alone(bones) } else { 0 };
@@ -173,10 +180,28 @@ impl WeightsFacts {
         }
     }
 
-    fn count_alone(&mut self, bone: &BoneWeights, sums: &Sums) {
-        // Exactly the sum: another weight, however small, has its share of the vertex.
-        let above = bone.pairs.iter().filter(|pair| pair.weight.is_finite() && pair.weight > 1.0 + SUM_TOLERANCE);
-        self.above_one_alone += above.filter(|pair| sums.of_pair(pair) == Some(pair.weight)).count() as u64;
+    /// Needs no mesh: weights of assets are read without one.
+    fn count_above(&mut self, bones: &[BoneWeights]) {
+        if self.above_one.count == 0 {
+            return;
+        }
+        let mut sums: BTreeMap<i64, f32> = BTreeMap::new();
+        for pair in bones.iter().flat_map(|bone| &bone.pairs) {
+            *sums.entry(pair.vertex).or_default() += pair.weight;
+        }
+        let above = |pair: &&Pair| pair.weight.is_finite() && pair.weight > 1.0 + SUM_TOLERANCE;
+        for bone in bones {
+            let name = &Arc::from(bone.name.as_str());
+            for pair in bone.pairs.iter().filter(above) {
+                let sum = sums.get(&pair.vertex).copied();
+                // Exactly the sum: another weight, however small, has its share of the vertex.
+                if sum == Some(pair.weight) {
+                    self.above_one_alone += 1;
+                } else if pair.weight > MISPLACED && sum.is_none_or(|sum| (sum - 100.0).abs() > PER_CENT_TOLERANCE) {
+                    self.above_others.add(name, *pair);
+                }
+            }
+        }
     }
 
     fn count_below_threshold(&mut self, bone: &BoneWeights, sums: &Sums, lost: &mut BTreeMap<u32, f32>) {
@@ -278,6 +303,15 @@ mod tests {
         let text = r#"{"weights": {"a": [[0, -0.5], [1, -0.5], [2, -0.5]], "b": [[1, -0.25], [2, 1], [0, 0]]}}"#;
         let facts = weights(text, 3).facts;
         assert_eq!((facts.negative.count, facts.negative_alone), (4, 3));
+    }
+
+    #[test]
+    fn a_weight_above_one_is_harmless_alone_and_in_per_cent() {
+        let text =
+            r#"{"weights": {"a": [[0, 1.5], [1, 60], [2, 1.25], [3, 50]], "b": [[1, 40.5], [2, 0.5], [3, 0.5]]}}"#;
+        let facts = weights(text, 4).facts;
+        assert_eq!((facts.above_one.count, facts.above_one_alone), (5, 1));
+        assert_eq!(facts.above_others.first, [("a".into(), 3, 3, 50.0)]);
     }
 
     #[test]

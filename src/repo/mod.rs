@@ -25,6 +25,7 @@ pub(crate) use facts::FileFacts;
 pub(crate) use landmarks::{Landmarks, Region, Unreached};
 pub(crate) use layer::{Layer, composed, fold};
 pub(crate) use layers::Layers;
+pub(crate) use makehuman2::is_unfiled;
 pub(crate) use pack::{Import, Pack};
 pub(crate) use path::shortened;
 pub(crate) use reference::{PictureFolders, Reference, ReferenceKind, Resolution};

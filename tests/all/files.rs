@@ -121,6 +121,8 @@ fn help_says_what_to_write_in_the_words_of_the_file() {
         findings[0]["help"].as_str().unwrap().to_owned()
     };
     let [modelling, macros] = ["data/target/figure/modelling.json", "data/target/figure/macro.json"];
+    let [clothes, material] = ["mhclo", "mhmat"].map(|suffix| format!("data/clothes/figure/shirt/shirt.{suffix}"));
+    let [clothes, material] = [clothes.as_str(), &material];
     let cases = [
         (
             modelling,
@@ -136,6 +138,9 @@ fn help_says_what_to_write_in_the_words_of_the_file() {
             "write `macro_build`, or rename the folder",
         ),
         (macros, "\"highland-female\", \"t\"", "\"\", \"t\"", "did you mean `highland-female`?"),
+        (clothes, "4b7f-8e1d", "4b7f -8e1d", "write `uuid 38a1d6f4-50c2-4b7f-8e1d-6c09f2b4d702`, without spaces"),
+        (clothes, "d702", "d702 old", "write `uuid 38a1d6f4-50c2-4b7f-8e1d-6c09f2b4d702`, without spaces"),
+        (material, "shirt_folds.png", "shirt folds.png", "write `shirt_folds.png`: a name ends at the first space"),
     ];
     for (file, find, replace, expected) in cases {
         assert_eq!(help(file, find, replace), expected);

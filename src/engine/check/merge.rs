@@ -30,13 +30,18 @@ pub(super) fn merged(views: Vec<Vec<Finding>>) -> Vec<Finding> {
 }
 
 /// The findings on the same files as several applications would have them, each at a place of its own: what is printed
-/// of two alike is printed once.
+/// of two alike is printed once. What two rules say of it, each for other applications, is one fault as well.
 pub(in crate::engine) fn merged_as_printed(sets: Vec<Vec<Finding>>) -> Vec<Finding> {
     let mut all: Vec<Finding> = Vec::new();
-    let mut places: BTreeMap<(&str, String, String), Vec<usize>> = BTreeMap::new();
+    let mut places: BTreeMap<(String, String), Vec<usize>> = BTreeMap::new();
     for finding in merged(sets) {
-        let known = places.entry((finding.rule, finding.path.clone(), finding.message.clone())).or_default();
-        let same = known.iter().copied().find(|at| all.get(*at).is_some_and(|one| one.place == finding.place));
+        let known = places.entry((finding.path.clone(), finding.message.clone())).or_default();
+        let is_alike = |one: &Finding| {
+            let is_of_others =
+                || !one.breaks.iter().any(|own| finding.breaks.iter().any(|other| is_of_one(own, other)));
+            one.place == finding.place && (one.rule == finding.rule || is_of_others())
+        };
+        let same = known.iter().copied().find(|at| all.get(*at).is_some_and(is_alike));
         if let Some(same) = same.and_then(|at| all.get_mut(at)) {
             join(same, finding);
         } else {
@@ -45,6 +50,10 @@ pub(in crate::engine) fn merged_as_printed(sets: Vec<Vec<Finding>>) -> Vec<Findi
         }
     }
     all
+}
+
+fn is_of_one(one: &Break, other: &Break) -> bool {
+    one.application == other.application
 }
 
 fn identities(findings: &[Finding]) -> Vec<Identity> {

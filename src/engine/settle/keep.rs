@@ -10,6 +10,7 @@ use super::scope::Scope;
 use super::select::{Selection, Verdict, cannot_be_ignored};
 use crate::config::Config;
 use crate::diag::{Finding, IgnoredFiles};
+use crate::repo::is_unfiled;
 
 /// All that decides what is reported of some layers.
 pub(in crate::engine) struct Keeper<'r> {
@@ -110,10 +111,18 @@ impl Keeper<'_> {
             return false;
         }
         let bases: Vec<String> = self.root.layers().flat_map(|layer| layer.bases_at(&finding.path)).collect();
-        let is_of_asked = bases.is_empty() || bases.iter().any(|base| self.options.asks_for_base(base));
+        let asks = |base: &str| self.options.asks_for_base(base);
+        let is_of_asked = bases.is_empty() || bases.iter().any(|base| asks(base)) || self.is_unfiled(&finding.path);
         // One finding may be about several files; who names one of them gets it.
         let mut files = std::iter::once(&finding.path).chain(finding.files());
         files.any(|file| (self.is_asked_for)(file)) && is_of_asked
+    }
+
+    /// Whether the file at a path is for a base mesh that is asked for, though it lies in the folder of none.
+    fn is_unfiled(&self, path: &str) -> bool {
+        let file = self.root.layers().find_map(|layer| layer.printed(path));
+        let layers = || self.root.layers().chain(self.root.below.iter().copied());
+        file.is_some_and(|file| is_unfiled(file, layers(), |base| self.options.asks_for_base(base)))
     }
 
     fn is_reported(&self, path: &str) -> bool {

@@ -19,6 +19,7 @@ mod slider;
 mod surfaces;
 mod target_folder;
 mod textures;
+mod unfiled;
 mod usage;
 pub(crate) mod user_scan;
 mod view;
@@ -36,6 +37,7 @@ pub(crate) use overlay::{Candidate, Overlaid};
 pub(crate) use slider::{BoundSlider, Pattern};
 pub(crate) use target_folder::TargetFolder;
 pub(in crate::repo) use textures::folders as picture_folders;
+pub(crate) use unfiled::is_unfiled;
 pub(crate) use view::View;
 pub(crate) use worn::worn;
 

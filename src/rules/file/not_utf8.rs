@@ -19,7 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         for everything that is loaded or scanned then, otherwise when the asset is used.\n\nThe loaders of \
         clothes, materials and models drop invalid bytes. But the asset scan at start reads `.mhclo`, `.proxy`, \
         `.mhm` and `.meta` strictly and crashes as well. Only materials and files that the scan does not reach \
-        merely lose the letters.\n\nMakeHuman 1 drops such bytes in `.mhclo` and `.proxy`. It rejects meshes, poses and materials with them; a skin or a `.meta` that is not UTF-8 empties the whole list of skins or poses.\n\nOpen the file in an editor, and save it as UTF-8 without a byte order mark.",
+        merely lose the letters, which changes nothing in a comment of a material (info).\n\nMakeHuman 1 drops such bytes in `.mhclo` and `.proxy`. It rejects meshes, poses and materials with them; a skin or a `.meta` that is not UTF-8 empties the whole list of skins or poses.\n\nOpen the file in an editor, and save it as UTF-8 without a byte order mark.",
     ..RuleInfo::new("file-not-utf8", Level::Error, "a text file that is not UTF-8")
 });
 
@@ -28,6 +28,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         return;
     };
     let Some(loss) = consequence(view, &file.rel, Damage::NotUtf8) else { return };
+    // Whoever rejects the file reads no other line, either.
+    let is_dropped = loss.level == Level::Warning;
     let (guess, help) = file.encoding.guess.map_or(("probably another encoding", SAVE), worded);
     // macOS leaves one beside each file of an archive.
     let help = if file.file_name().starts_with("._") { "delete it: macOS keeps its own notes in it" } else { help };
@@ -43,6 +45,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         }
         Kind::Clothes if is_whole => finding.case(NO_LINE),
         Kind::Clothes if file.encoding.only_comments_invalid => finding.case(IN_COMMENTS),
+        Kind::Material if file.encoding.only_comments_invalid && is_dropped => finding.case(IN_COMMENTS_OF_MATERIAL),
         _ => finding,
     };
     out.push(if file.kind == Kind::Target { weigh(&view.target(file), finding) } else { finding });
@@ -54,6 +57,7 @@ const NO_LINE: Case = &[(Makehuman1, Level::Error, "lists the asset and does not
 /// What macOS leaves where no list looks.
 const UNSEEN: Case = &[(Makehuman2, Level::Info, "never opens it")];
 const IN_COMMENTS: Case = &[(Makehuman1, Level::Info, "drops the letters, which are only in comments")];
+const IN_COMMENTS_OF_MATERIAL: Case = &[(Makehuman2, Level::Info, "drops the letters, which are only in comments")];
 
 const SAVE: &str = "save the file as UTF-8 without a byte order mark";
 

@@ -6,6 +6,7 @@ use crate::diag::{
     Case, Finding, Level, Place, RuleInfo,
 };
 use crate::discover::Kind;
+use crate::formats::mhclo::Entry;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
@@ -47,10 +48,19 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
                 finding.help(format!("move the comment to a line of its own: `{keyword} {bare}`"))
             }
             "name" => finding.help(format!("write `{keyword} {}`", entry.value.replace(' ', "_"))),
-            _ => finding.case(UUID).help(format!("write `uuid {}`", entry.word())),
+            _ => finding.case(UUID).help(format!("write `uuid {}`, without spaces", joined(entry))),
         });
     }
 }
+
+/// A uuid in one word: the first one, if that is whole, or all of them together.
+fn joined(entry: &Entry) -> String {
+    let is_whole = entry.word().len() == WHOLE_UUID && entry.word().matches('-').count() == 4;
+    if is_whole { entry.word().to_owned() } else { entry.value.replace(' ', "") }
+}
+
+/// Letters of a uuid as programs write it.
+const WHOLE_UUID: usize = 36;
 
 /// A model names poses and skins by their paths.
 fn in_path(view: &View<'_>, file: &FileFacts) -> Option<Finding> {

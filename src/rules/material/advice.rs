@@ -6,6 +6,7 @@ use std::ops::Bound;
 use super::super::did_you_mean;
 use crate::diag::{Place, Suggestions, grouped};
 use crate::discover::extension;
+use crate::formats::mhmat::Line;
 use crate::repo::{FileFacts, PictureFolders, Reference, View};
 
 /// The pictures that names may be meant for.
@@ -32,8 +33,15 @@ impl<'v, 'a> Advice<'v, 'a> {
         if let Some(name) = with_blanks(reference).filter(|name| self.is_near(name, &folders)) {
             return format!("rename `{name}` without spaces, and write that name: a name ends at the first space");
         }
+        let cut = with_blanks(reference).filter(|name| is_cut(reference.text, name)).map(|name| joined(&name));
+        if let Some(name) = cut.iter().flatten().find(|name| self.is_near(name, &folders)) {
+            return format!("write `{name}`: a name ends at the first space");
+        }
         if let Some(name) = self.moved(reference, &folders) {
             return format!("write `{name}`: the picture is there");
+        }
+        if let Some([name, ..]) = &cut {
+            return format!("write the name without spaces, such as `{name}`: it ends at the first space");
         }
         let around = self.below(around(&folders)).filter(|file| self.is_free(file));
         let names = around.filter_map(|file| near(file, &folders)).filter(|name| is_name(name));
@@ -84,10 +92,27 @@ fn is_name(name: &str) -> bool {
 fn with_blanks(reference: &Reference<'_>) -> Option<String> {
     let Place::Span(span) = &reference.place else { return None };
     // They stand in the order of the file.
-    let textures = &reference.from.material()?.textures;
-    let at = textures.partition_point(|texture| texture.span.start < span.start);
-    let texture = textures.get(at).filter(|texture| texture.span == *span)?;
-    (!texture.lost.is_empty()).then(|| format!("{} {}", texture.word, texture.lost).replace('"', ""))
+    let material = reference.from.material()?;
+    let at = material.textures.partition_point(|texture| texture.span.start < span.start);
+    if let Some(texture) = material.textures.get(at).filter(|texture| texture.span == *span) {
+        return (!texture.lost.is_empty()).then(|| format!("{} {}", texture.word, texture.lost).replace('"', ""));
+    }
+    // A picture of another keyword.
+    let from = |line: &'_ Line| line.words.iter().position(|word| word.span == *span);
+    let (line, at) = material.lines.iter().find_map(|line| Some((line, from(line)?)))?;
+    let words: Vec<&str> = line.words.iter().skip(at).map(|word| &*word.text).collect();
+    (words.len() > 1).then(|| words.join(" ").replace('"', ""))
+}
+
+/// Whether a name was cut off before its extension, as `plain` of `plain skin.png`.
+fn is_cut(text: &str, whole: &str) -> bool {
+    let is_named = |name: &str| PICTURES.contains(&extension(name).to_lowercase().as_str());
+    is_named(whole) && !is_named(text) && !whole.contains("//") && !whole.contains('#')
+}
+
+/// Names without spaces that may be meant by one with them.
+fn joined(whole: &str) -> [String; 3] {
+    ["_", "", "-"].map(|by| whole.replace(' ', by))
 }
 
 /// The farthest folder around a material in which its pictures are looked for.

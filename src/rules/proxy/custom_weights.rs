@@ -28,7 +28,11 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // A bone that is missing as a parent is reported as such (`skeleton-unknown-parent`).
     let parents = skeleton.bones.iter().filter_map(|bone| bone.parent.as_deref());
     let known: BTreeSet<&str> = skeleton.bones.iter().map(|bone| &*bone.name).chain(parents).collect();
-    let worn = texts(body).map(|text| text.worn).chain(lone_archives(body).map(|archive| archive.worn));
+    // Of an asset of another base mesh that is the finding.
+    let worn = texts(body)
+        .filter(|text| !text.is_foreign(body))
+        .map(|text| text.worn)
+        .chain(lone_archives(body).map(|archive| archive.worn));
     let files = worn.filter_map(|worn| worn.reference(ReferenceKind::AssetWeights)?.meant());
     // Several assets may name one file.
     let files: BTreeMap<&str, &FileFacts> = files.map(|file| (file.path.as_str(), file)).collect();

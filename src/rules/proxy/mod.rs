@@ -7,6 +7,7 @@ pub(super) mod delete_range;
 pub(super) mod deprecated_keyword;
 pub(super) mod extension_case;
 pub(super) mod fit_drift;
+mod foreign;
 pub(super) mod hides_body;
 pub(super) mod keyword_after_verts;
 pub(super) mod keyword_spelling;

@@ -99,10 +99,14 @@ fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Op
     let last = size.vertices.saturating_sub(1);
     let names = "name two vertices of the base mesh that are far apart along the axis, with their distance";
     let end = i64::try_from(size.with_seams).unwrap_or(i64::MAX);
+    // That it is of another base mesh is reported for its rows.
+    if text.is_foreign(body) {
+        return None;
+    }
     let outside = |vertex: i64| vertex >= end || vertex < -end;
     if let Some(vertex) = [a, b].into_iter().find(|vertex| outside(*vertex)) {
         let message = format!("vertex {vertex} of `{name}` does not exist; the base mesh has 0 to {last}");
-        return Some(told(message).case(INDEX).help(names));
+        return (!text.reaches_beyond(body)).then(|| told(message).case(INDEX).help(names));
     }
     if let Some(vertex) = [a, b].into_iter().find(|vertex| *vertex < 0) {
         return Some(told(format!("vertex {vertex} of `{name}` is negative")).case(FROM_END).help(names));
@@ -112,6 +116,7 @@ fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Op
     if a != b && distance >= NOTHING {
         let message =
             format!("`{name}` says {}, but its vertices are {} apart", length(scale.distance), length(distance));
+        let help = text.use_with_its_base(help);
         return (!USUAL_SHARE.contains(&share)).then(|| told(message).case(OTHER).help(help));
     }
     let message = if a == b {

@@ -57,7 +57,7 @@ fn unreadable(rule: &Rule, text: &Text<'_, '_>, entry: &Entry) -> Option<Finding
 
 /// Vertices that the base mesh does not have.
 fn outside(rule: &Rule, body: &Body<'_>, text: &Text<'_, '_>, entry: &Entry) -> Option<Finding> {
-    let size = text.size_of_base(body)?;
+    let size = text.size_of_base(body).filter(|_| !text.reaches_beyond(body))?;
     let end = i64::try_from(size.with_seams).ok()?;
     let vertices = entry.value.split(' ').take(2).filter_map(|word| python_int(word.as_bytes()));
     let vertex = vertices.into_iter().find(|vertex| *vertex >= end || *vertex < -end)?;

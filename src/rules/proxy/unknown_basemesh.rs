@@ -25,8 +25,12 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     for text in texts(body) {
+        // What then does not fit is the finding.
+        if text.other_base().is_none() || text.is_foreign(body) || text.is_foreign_by_scale(body) {
+            continue;
+        }
         let base = text.worn.base;
-        let Some(entry) = text.last("basemesh").filter(|entry| entry.word() != base) else { continue };
+        let Some(entry) = text.last("basemesh") else { continue };
         let named: String = entry.word().chars().take(40).collect();
         let message = format!("`basemesh {named}`, but the asset is one of `{base}`");
         let finding = RULE.at(text.file, Place::Span(entry.word_span()), message).key(named);

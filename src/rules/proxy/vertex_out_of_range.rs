@@ -48,9 +48,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let last = Some(size.vertices.saturating_sub(1));
         out.extend(finding(&text, &rows.out_of_range, "a vertex row", last));
         let seams = seam(&text, &rows.in_seams, size.vertices);
-        out.extend(seams.filter(|_| rows.out_of_range.count == 0));
+        let is_listed = || deletes.out_of_range.count > 0 && text.is_foreign(body);
+        out.extend(seams.filter(|_| rows.out_of_range.count == 0 && !is_listed()));
+        // Beside such rows the list has the same cause.
         let hidden = finding(&text, &deletes.out_of_range, "`delete_verts`", last);
-        out.extend(hidden.map(|one| one.key("deleted").case(LIST)));
+        out.extend(hidden.filter(|_| rows.out_of_range.count == 0).map(|one| one.key("deleted").case(LIST)));
         out.extend(negative(&text, &deletes.negative));
     }
     for archive in archives(body) {
@@ -74,9 +76,8 @@ fn finding(text: &Text<'_, '_>, tally: &Tally, place: &str, last: Option<usize>)
         count => format!("{place} names vertex {vertex}, which does not exist ({count} such numbers){range}"),
     };
     let finding = RULE.at(text.file, Place::Line(*line), message).evidence(tally.evidence(text.clothes.rows.count));
-    Some(
-        finding.help("use vertices of this base mesh, counted from 0, or the asset with the base that it was made for"),
-    )
+    let help = "use vertices of this base mesh, counted from 0, or the asset with the base that it was made for";
+    Some(finding.help(text.use_with_its_base(help)))
 }
 
 fn negative(text: &Text<'_, '_>, tally: &Tally) -> Option<Finding> {

@@ -204,7 +204,7 @@ pub(crate) static CASES: &[Case] = &[
     case("weights for a bone that does not exist", "mh2bot", &[Replace("rigs/mh2bot/default_weights.mhw", "\"eyebrow.L\":", "\"eyebrwo.L\":")], &["weights-unknown-bone rigs/mh2bot/default_weights.mhw"], &[]),
     case("a negative weight", "mh2bot", &[Replace("rigs/mh2bot/default_weights.mhw", "[3082, 1.0]", "[3082, -1.0]")], &["weights-negative rigs/mh2bot/default_weights.mhw"], &[]),
     case("NaN for a weight", "mh2bot", &[Replace("rigs/mh2bot/default_weights.mhw", "[3082, 1.0]", "[3082, NaN]")], &["weights-non-finite rigs/mh2bot/default_weights.mhw"], &[]),
-    case("a weight above one", "mh2bot", &[Replace("rigs/mh2bot/default_weights.mhw", "[3082, 1.0]", "[3082, 1.5]")], &["weights-above-one rigs/mh2bot/default_weights.mhw"], &[]),
+    case("a weight above one", "mh2bot", &[Replace("rigs/mh2bot/default_weights.mhw", "[3132, 0.9]", "[3132, 9.0]")], &["weights-above-one rigs/mh2bot/default_weights.mhw"], &[]),
     case("a weight too small to count", "mh2bot", &[Replace("rigs/mh2bot/default_weights.mhw", "[3082, 1.0],", "[3082, 1.0], [9, 0.00001],")], &["weights-below-threshold rigs/mh2bot/default_weights.mhw"], &[]),
     case("a vertex twice in a bone", "mh2bot", &[Replace("rigs/mh2bot/default_weights.mhw", "[3082, 1.0],", "[3082, 0.5], [3082, 0.5],")], &["weights-duplicate-vertex rigs/mh2bot/default_weights.mhw"], &[]),
     case("a weight beyond the mesh", "mh2bot", &[Replace("rigs/mh2bot/default_weights.mhw", "[3082, 1.0]", "[3082, 1.0], [99999, 1.0]")], &["weights-vertex-out-of-range rigs/mh2bot/default_weights.mhw"], &[]),
