@@ -19,7 +19,8 @@ pub(crate) struct DataRoot {
 /// All data roots in a listing of file paths, sorted by path; `asked` are the applications that are asked for by name.
 pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[Application]) -> Vec<DataRoot> {
     let mut signs: BTreeMap<DataRoot, Sign> = BTreeMap::new();
-    for file in files {
+    let files: Vec<&str> = files.into_iter().collect();
+    for file in files.iter().copied() {
         for application in Application::ALL {
             if let Some((path, sign)) = Layout::of(application).sign(file) {
                 let root = DataRoot { path: path.to_owned(), application };
@@ -28,8 +29,8 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[
             }
         }
     }
-    // An application that shares its users' folders with another one claims none of them alone: it has to be asked for, or
-    // to have a root of its own at hand.
+    // An application that shares its users' folders with another one claims none of them alone: it has to be asked for, to
+    // have a root of its own at hand, or files beside the folder that no other has.
     let is_at_hand = |application: Application| {
         let own = |(root, sign): (&DataRoot, &Sign)| root.application == application && *sign == Sign::Strong;
         asked.contains(&application) || signs.iter().any(own)
@@ -38,7 +39,9 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[
         .into_iter()
         .filter(|one| Layout::of(*one).shares_roots_of.is_none() || is_at_hand(*one))
         .collect();
-    signs.retain(|root, sign| *sign == Sign::Strong || company.contains(&root.application));
+    signs.retain(|root, sign| {
+        *sign == Sign::Strong || company.contains(&root.application) || is_confirmed(root, &files)
+    });
     // One that is near a better one does not count, unless it is as good.
     let count = |sign, better: &[DataRoot]| -> Vec<DataRoot> {
         let own = signs.iter().filter(|(_, own)| **own == sign).map(|(root, _)| root);
@@ -58,6 +61,17 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[
     roots.sort();
     roots.dedup();
     roots
+}
+
+/// Whether a file beside a root is one of its application by its name.
+fn is_confirmed(root: &DataRoot, files: &[&str]) -> bool {
+    let layout = Layout::of(root.application);
+    let Some(above) = root.path.strip_suffix("data").filter(|_| !layout.beside.is_empty()) else { return false };
+    let is_own = |rel: &str| {
+        let folder = rel.split('/').next().unwrap_or_default();
+        layout.beside.contains(&folder) && (layout.is_telling)(layout.use_of(rel).kind)
+    };
+    (above.is_empty() || above.ends_with('/')) && files.iter().filter_map(|file| file.strip_prefix(above)).any(is_own)
 }
 
 fn nested(a: &str, b: &str) -> bool {
@@ -123,6 +137,15 @@ mod tests {
         {
             assert_eq!(found(&[library, path]), [("user".to_owned(), Application::Makehuman1)], "{path}");
         }
+    }
+
+    #[test]
+    fn what_lies_beside_a_folder_tells_whose_it_is() {
+        let files = ["user/config/human.ada.json", "user/data/custom/x.target", "user/data/clothes/hat/hat.mhclo"];
+        let of_mpfb = vec![("user/data".to_owned(), Application::Mpfb)];
+        assert_eq!(found(&["user/config/human.ada.json", "user/data/packs/mine.json"]), of_mpfb);
+        assert!(found(&files).contains(&of_mpfb[0]));
+        assert_eq!(found(&["user/config/studio.json", "user/data/packs/mine.json"]), []);
     }
 
     #[test]

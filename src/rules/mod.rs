@@ -77,6 +77,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &config::unknown_rule::RULE,
     &config::unused_glob::RULE,
     &config::unused_ignore::RULE,
+    &expression::clash::RULE,
     &expression::missing_targets::RULE,
     &expression::schema::RULE,
     &file::absolute_path::RULE,

@@ -26,6 +26,7 @@ mod hostile_worn;
 mod ignores;
 mod listing;
 mod loose;
+mod mpfb;
 mod observed;
 mod overlay;
 #[cfg(unix)]

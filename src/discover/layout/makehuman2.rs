@@ -22,6 +22,7 @@ pub(super) static LAYOUT: Layout = Layout {
     import: Some(importer::import),
     shelf,
     beside: &[],
+    is_telling: |_| false,
     shares_roots_of: None,
     has_bases: true,
     only_base: None,

@@ -47,6 +47,8 @@ pub(crate) struct Layout {
     pub shares_roots_of: Option<Application>,
     /// The part that the data root with these files plays.
     pub role: fn(&[Candidate<'_>]) -> Role,
+    /// Whether a file of this kind in one of those folders is of the application and of no other.
+    pub is_telling: fn(Kind) -> bool,
     /// Whether the root with these files, beside another one, is the system although it could play both parts.
     pub is_system_of_two: fn(&[Candidate<'_>]) -> bool,
     /// Whether any loader opens a file of this name.
@@ -168,6 +170,7 @@ impl Layout {
         joint: None,
         flat: "",
         beside: &[],
+        is_telling: |_| false,
         shares_roots_of: None,
         role: |_| Role::User,
         is_system_of_two: |_| false,

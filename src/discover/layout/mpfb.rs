@@ -17,6 +17,10 @@ pub(super) static LAYOUT: Layout = Layout {
     sign,
     place,
     beside: &["config", "models"],
+    is_telling: |kind| {
+        use Kind::{EyeSettings, HumanPreset, ImporterPreset, MakeupPreset, SkinSettings};
+        matches!(kind, HumanPreset | ImporterPreset | MakeupPreset | EyeSettings | SkinSettings)
+    },
     shares_roots_of: Some(Application::Makehuman1),
     role,
     reads_hidden,

@@ -1,0 +1,48 @@
+//! Every expression has a slider of its own.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application::Mpfb, Case, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
+use crate::repo::FileFacts;
+use crate::repo::mpfb::View;
+
+pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
+    breaks: &[(Mpfb, "makes a slider for only one of them")],
+    docs: "MPFB makes a slider of each expression, which is called like the path of the file below `expressions`, with `_` for \
+        everything but letters and digits of ASCII: `a-b.json`, `a_b.json` and `a/b.json` are one slider, that of the file that \
+        is found first.\n\n\
+        Of one path in several data roots the first root counts: MPFB's own before the user's.\n\n\
+        Rename one of the files.",
+    ..RuleInfo::new("expression-clash", Level::Error, "two expressions with one slider")
+});
+
+const HIDDEN: Case = &[(Mpfb, Level::Warning, "reads the expression of that path in its own data")];
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let mut first_of: BTreeMap<String, &FileFacts> = BTreeMap::new();
+    // Its own data come first.
+    let system = view.layers.system.filter(|system| !std::ptr::eq(*system, view.layers.checked));
+    for layer in system.into_iter().chain([view.layers.checked]) {
+        for file in layer.below("expressions").filter(|file| file.kind == Kind::FaceExpression) {
+            let first = *first_of.entry(slider(&file.rel)).or_insert(file);
+            if std::ptr::eq(first, file) || !view.layers.is_checked(file) {
+                continue;
+            }
+            let finding = if first.rel == file.rel {
+                let message = format!("{} has the same path", view.layers.named(first));
+                RULE.at(file, Place::File, message).key("path").case(HIDDEN)
+            } else {
+                RULE.at(file, Place::File, format!("has the slider of {}, too", view.layers.named(first))).key("slider")
+            };
+            let finding = finding.related(first.path.clone(), Place::File, "the other expression");
+            out.push(finding.between([first.path.as_str(), file.path.as_str()]).help("rename one of them"));
+        }
+    }
+}
+
+/// What Blender calls the slider of an expression.
+fn slider(rel: &str) -> String {
+    rel.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' }).collect()
+}
