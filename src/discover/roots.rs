@@ -42,6 +42,13 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[
     signs.retain(|root, sign| {
         *sign == Sign::Strong || company.contains(&root.application) || is_confirmed(root, &files)
     });
+    // What lies beside a folder called `data` does not make a root of the one above it.
+    let is_above_data = |root: &DataRoot| {
+        let below = DataRoot { path: format!("{}/data", root.path), application: root.application };
+        !Layout::of(root.application).beside.is_empty() && signs.contains_key(&below)
+    };
+    let above_data: Vec<DataRoot> = signs.keys().filter(|root| is_above_data(root)).cloned().collect();
+    signs.retain(|root, _| !above_data.contains(root));
     // One that is near a better one does not count, unless it is as good.
     let count = |sign, better: &[DataRoot]| -> Vec<DataRoot> {
         let own = signs.iter().filter(|(_, own)| **own == sign).map(|(root, _)| root);

@@ -7,6 +7,8 @@ use crate::json::{Document, Node, Value};
 /// The file.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct FaceExpression {
+    /// Keys of a file without units.
+    pub unread: Unfits,
     /// What no list of expressions survives.
     pub empties: Unfits,
     /// What makes the loader pass over this file.
@@ -52,6 +54,10 @@ pub fn read(document: &Document) -> FaceExpression {
             Value::String(text) => expression.has_letters_for_tags = !text.is_empty(),
             Value::Null | Value::Array(_) | Value::Object(_) => {}
         }
+    }
+    if root.get("face_units").is_none() {
+        let members = root.effective_members();
+        members.iter().for_each(|member| expression.unread.add(&below("", &member.key), Why::Key(&["face_units"])));
     }
     match root.get("face_units") {
         Some(units) if units.is_object() => expression.take(units),

@@ -13,6 +13,8 @@ pub struct HumanPreset {
     pub stops: Unfits,
     /// What is passed over, or taken otherwise than it is meant.
     pub ignored: Unfits,
+    /// Keys that nothing reads.
+    pub unread: Unfits,
     /// The targets, by name.
     pub targets: Vec<NamedAt>,
     /// The skeleton, if there is to be one.
@@ -27,6 +29,31 @@ pub struct HumanPreset {
     pub makeup: Vec<NamedAt>,
 }
 
+/// All keys of the file.
+const KEYS: &[&str] = &[
+    "name",
+    "phenotype",
+    "targets",
+    "rig",
+    "eyes",
+    "eyebrows",
+    "eyelashes",
+    "tongue",
+    "teeth",
+    "hair",
+    "proxy",
+    "clothes",
+    "expressions",
+    "makeup",
+    "skin_mhmat",
+    "skin_material_type",
+    "skin_material_settings",
+    "eyes_material_type",
+    "eyes_material_settings",
+    "color_adjustments",
+    "alternative_materials",
+    "clothes_material_type",
+];
 /// All keys of `phenotype`.
 const PHENOTYPE: &[&str] =
     &["gender", "age", "muscle", "weight", "proportions", "height", "cupsize", "firmness", "race"];
@@ -63,6 +90,8 @@ pub fn read(document: &Document) -> HumanPreset {
     for (at, name) in makeup.filter_map(|(at, node)| Some((at, node.as_str()?))) {
         keep(&mut preset.makeup, &nth("/makeup", at), name);
     }
+    let unknown = root.effective_members().into_iter().filter(|member| !KEYS.contains(&&*member.key));
+    unknown.for_each(|member| preset.unread.add(&below("", &member.key), Why::Key(KEYS)));
     preset
 }
 
@@ -101,9 +130,14 @@ impl HumanPreset {
         }
     }
 
+    /// No value is limited: outside of 0 to 1 the shape of the macro vanishes.
     fn take_setting(&mut self, pointer: &str, node: &Node) {
-        if !is_number(node) {
-            self.stops.add_type(pointer, node, "a number");
+        match node.as_python_number() {
+            Some(value) if is_number(node) && !(0.0..=1.0).contains(&value) => {
+                self.ignored.add(pointer, Why::Range(value));
+            }
+            _ if !is_number(node) => self.stops.add_type(pointer, node, "a number"),
+            _ => {}
         }
     }
 
@@ -159,8 +193,9 @@ impl HumanPreset {
         let pointer = below("", key);
         match &part.value {
             Value::String(name) if !name.is_empty() => keep(&mut self.worn, &pointer, name),
-            Value::Number(..) => self.stops.add_type(&pointer, part, "a string"),
-            _ => {}
+            Value::String(_) | Value::Null => {}
+            _ if part.is_falsy() => {}
+            _ => self.stops.add_type(&pointer, part, "a string"),
         }
     }
 

@@ -12,6 +12,7 @@ pub struct TargetCatalog {
 
 /// Sliders whose targets lie in one folder.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "each says one thing of the section")]
 pub struct Section {
     /// Its key, which is the name of the folder.
     pub name: String,

@@ -142,7 +142,7 @@ pub(crate) fn why_nothing(outcome: &Outcome, what: Option<Unchecked>) -> String 
             "nothing in it can be read as an asset; in a pack assets are in folders such as `clothes/`, `hair/` or `rigs/`".to_owned()
         }
         None => format!(
-            "no {} data found; name the folder that contains `base/`, `target/`, `contarget/` or `rigs/`",
+            "no data of {} found; name the folder that contains `base/`, `target/`, `contarget/` or `rigs/`",
             titles(&outcome.looked_for)
         ),
     }
@@ -251,7 +251,11 @@ fn applications(outcome: &Outcome, gravest: &[&Finding]) -> String {
 }
 
 fn titles(applications: &[Application]) -> String {
-    applications.iter().map(|application| application.title()).collect::<Vec<_>>().join(" or ")
+    let titles: Vec<&str> = applications.iter().map(|application| application.title()).collect();
+    match titles.split_last() {
+        Some((last, others)) if !others.is_empty() => format!("{} or {last}", others.join(", ")),
+        _ => titles.concat(),
+    }
 }
 
 fn size(bytes: u64) -> String {

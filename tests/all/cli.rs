@@ -122,16 +122,6 @@ fn nothing_to_check_is_no_pass_for_programs() {
 }
 
 #[test]
-fn data_of_another_application_are_named_as_not_checked() {
-    let folder = tempfile::tempdir().unwrap();
-    fs::create_dir_all(folder.path().join("targets")).unwrap();
-    fs::write(folder.path().join("targets/target.json"), "{}").unwrap();
-    let output = mhlint(folder.path(), &[]);
-    assert_eq!(code(&output), Some(3));
-    assert!(stderr(&output).contains("MPFB"), "{}", stderr(&output));
-}
-
-#[test]
 fn loose_assets_are_checked_alone_and_against_the_system_data() {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir(folder.path().join("mine")).unwrap();
@@ -337,21 +327,18 @@ fn bent_quotes_get_their_remedy() {
 #[test]
 fn notes_go_to_stderr_for_programs_and_into_the_human_report() {
     let repository = example();
-    fs::create_dir_all(repository.path().join("other/targets")).unwrap();
-    fs::write(repository.path().join("other/targets/target.json"), "{}").unwrap();
     fs::write(repository.path().join("data/models/figure/visitor.blend"), "").unwrap();
     let human = mhlint(repository.path(), &[]);
     let text = stdout(&human).replace('\n', " ");
-    assert!(text.contains("1 file of MPFB data (not"), "{text}");
+    assert!(text.contains(".blend (no rules yet)"), "{text}");
     assert_eq!(stderr(&human), "");
     let gitlab = mhlint(repository.path(), &["--report", "gitlab"]);
-    assert!(stderr(&gitlab).contains("1 file of MPFB data (not supported"), "{}", stderr(&gitlab));
-    assert!(!stdout(&gitlab).contains("MPFB"));
+    assert!(stderr(&gitlab).contains(".blend (no rules yet)"), "{}", stderr(&gitlab));
+    assert!(!stdout(&gitlab).contains("no rules yet"));
     let concise = mhlint(repository.path(), &["--report", "concise"]);
     assert_eq!(stderr(&concise), "");
     assert!(
-        stdout(&concise).contains("; not checked: ")
-            && stdout(&concise).contains("(no rules yet); 1 file of MPFB data"),
+        stdout(&concise).contains("; not checked: ") && stdout(&concise).contains(".blend (no rules yet)"),
         "{}",
         stdout(&concise)
     );
@@ -368,7 +355,7 @@ fn quiet_leaves_findings_and_verdict() {
 
 #[test]
 fn timings_go_to_stderr() {
-    let output = mhlint(&project("fixtures"), &["makehuman2", "makehuman1", "--timings"]);
+    let output = mhlint(&project("fixtures"), &["makehuman2", "makehuman1", "mpfb", "--timings"]);
     assert!(!stdout(&output).contains(" ms  "));
     let text = stderr(&output);
     let lines: Vec<(f64, &str)> = text

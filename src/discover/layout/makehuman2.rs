@@ -21,6 +21,7 @@ pub(super) static LAYOUT: Layout = Layout {
     loose_place,
     import: Some(importer::import),
     shelf,
+    checks_packs: true,
     beside: &[],
     is_telling: |_| false,
     shares_roots_of: None,

@@ -33,6 +33,8 @@ pub(crate) struct Layout {
     /// The library that a loose file belongs to, by its extension and the names of the folders above it, the nearest
     /// first; `None` for files that no library lists.
     pub shelf: fn(&str, &[&str]) -> Option<&'static str>,
+    /// Whether it is known what becomes of a zip.
+    pub checks_packs: bool,
     /// Whether libraries have a folder for each base mesh.
     pub has_bases: bool,
     /// The only base mesh, where there is but one.
@@ -169,6 +171,7 @@ impl Layout {
         only_base: None,
         joint: None,
         flat: "",
+        checks_packs: true,
         beside: &[],
         is_telling: |_| false,
         shares_roots_of: None,

@@ -16,6 +16,7 @@ pub(super) static LAYOUT: Layout = Layout {
     ],
     sign,
     place,
+    checks_packs: false,
     beside: &["config", "models"],
     is_telling: |kind| {
         use Kind::{EyeSettings, HumanPreset, ImporterPreset, MakeupPreset, SkinSettings};
@@ -73,6 +74,9 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["expressions", .., file] if extension(file) == "json" => Kind::FaceExpression,
         ["node_trees", file] if extension(file) == "json" => Kind::NodeTree,
         ["config", file] if extension(file).eq_ignore_ascii_case("json") => of_config(file).unwrap_or(Kind::ConfigJson),
+        ["config", .., file] if extension(file).eq_ignore_ascii_case("json") => Kind::ConfigJson,
+        // A saved character where nobody looks for it.
+        [file] if file.starts_with("human.") && extension(file) == "json" => Kind::ConfigJson,
         ["config" | "settings", file] => of_config(file).unwrap_or(Kind::by_extension(file)),
         ["targets", "_images", file] if extension(file) == "png" => Kind::TargetIcon,
         ["targets" | "custom", .., file] => Kind::of_target(file).unwrap_or(Kind::by_extension(file)),

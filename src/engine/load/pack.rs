@@ -19,7 +19,8 @@ type Importer = fn(&str, &str) -> Option<String>;
 pub(super) fn asked(applications: &[Application], systems: &[Place<'_>], options: &Config) -> Vec<Application> {
     let is_given = |application: &Application| systems.iter().any(|system| system.is_of(*application));
     let by_system = options.applications.is_empty() && !systems.is_empty();
-    let is_asked = |one: &Application| options.asks_for(*one) && (!by_system || is_given(one));
+    let is_asked =
+        |one: &Application| Layout::of(*one).checks_packs && options.asks_for(*one) && (!by_system || is_given(one));
     applications.iter().copied().filter(is_asked).collect()
 }
 

@@ -79,6 +79,16 @@ impl<'a> View<'a> {
         self.layers.system.is_some() && self.has_user()
     }
 
+    /// Whether a slider of the catalogue has a target of that name, there or not.
+    pub(crate) fn has_slider_for(&self, name: &str) -> bool {
+        let sections = self.catalog.iter().flat_map(|catalog| &catalog.sliders.sections);
+        let mut categories = sections.flat_map(|section| &section.categories);
+        categories.any(|category| {
+            let mut stems = category.slots_in_use().map(|slot| slot.stem.as_str());
+            stems.any(|stem| !stem.is_empty() && stem.eq_ignore_ascii_case(name))
+        })
+    }
+
     /// Whether the user's folder is at hand. What a file in place of one of its folders takes away is told there.
     pub(crate) fn has_user(&self) -> bool {
         let holds = |layer: &Layer| !["targets", "custom", "expressions"].iter().any(|name| layer.file(name).is_some());

@@ -40,7 +40,7 @@ fn of(file: &FileFacts) -> Option<Finding> {
         (message, BY_HAND, "move it out of the folders of targets")
     } else if suffix != suffix.to_ascii_lowercase() {
         (format!("`{name}` has a suffix in capitals"), UNSEEN, "write the suffix in small letters")
-    } else if !is_custom(&file.rel) && is_packed && !UNITS.contains(&stem) {
+    } else if !is_custom(&file.rel) && is_packed && !UNITS.iter().any(|unit| unit.eq_ignore_ascii_case(stem)) {
         (format!("the packed target `{name}` is not in `custom`"), BY_NAME, "move it to `custom/`, or unpack it")
     } else if file.rel.starts_with("targets/custom/") && !is_packed {
         (format!("`{name}` is in `targets/custom`"), TWICE, "move it to `custom/`")

@@ -36,12 +36,18 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .flat_map(|(section, category)| category.targets.iter().map(move |(_, name)| (section, name)))
         .map(|(section, name)| format!("{}/{name}.target", catalog.folder(&section.name)))
         .collect();
+    // Without the macro settings nobody knows which names are composed of them.
+    let lacks_parts = view.parts.as_ref().is_none_or(|parts| !parts.settings.is_whole());
+    let may_be_of_macros = |file: &FileFacts| {
+        lacks_parts && (file.rel.starts_with("targets/macrodetails/") || file.rel.starts_with("targets/breast/"))
+    };
     let is_free = |file: &&FileFacts| {
         let is_target = file.rel.ends_with(".target.gz") || file.rel.ends_with(".target");
         is_target
             && !is_custom(&file.rel)
             && view.references.to_file(file).next().is_none()
             && !view.asks_for(file)
+            && !may_be_of_macros(file)
             && !forgotten.contains(&file.rel)
             && !listed.contains(file.rel.trim_end_matches(".gz"))
     };

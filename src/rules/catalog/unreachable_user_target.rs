@@ -21,8 +21,16 @@ const EMPTY: Case = &[(Mpfb, Level::Error, "shows a slider without a name, and e
 const AS_MACRO: Case = &[(Mpfb, Level::Error, "takes it for a macro: removes it as soon as another setting changes")];
 const ONE_SLIDER: Case =
     &[(Mpfb, Level::Error, "shows one slider for both, with whichever target the disk lists last")];
+const ONE_KEY: Case = &[(
+    Mpfb,
+    Level::Warning,
+    "moves whichever of them was loaded first with both sliders; saved characters find one of them",
+)];
 const REPLACES: Case =
     &[(Mpfb, Level::Warning, "loads it by the slider of that name, which then goes from 0 to 1 only")];
+
+/// Bytes of the name of a shape key: Blender cuts the rest.
+const LONGEST_KEY: usize = 63;
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let own: Vec<UserTarget<'_>> = view.user_targets().collect();
@@ -33,6 +41,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for target in &own {
         out.extend(unknown_again(target).or_else(|| of_shipped(view, target, &known)));
     }
+    out.extend(of_one_name(&own));
     for (_, all) in grouped(own.iter().map(|target| (target.identifier(), target))) {
         let (Some(first), Some(last)) = (all.first(), all.last()) else { continue };
         if !std::ptr::eq(first.file, last.file) {
@@ -44,10 +53,28 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
+/// Targets of one name in several sections have a slider each, and one shape key.
+fn of_one_name(own: &[UserTarget<'_>]) -> Vec<Finding> {
+    let by_name = grouped(own.iter().map(|target| (target.name.to_lowercase(), target)));
+    let finding = |all: Vec<&UserTarget<'_>>| {
+        let (first, last) = (all.first()?, all.last()?);
+        let message = format!("has the name of `{}`", first.file.rel);
+        let finding = RULE.at(last.file, Place::File, message).key("stem").case(ONE_KEY);
+        let finding = finding.related(first.file.path.clone(), Place::File, "the other target");
+        let is_other = first.identifier() != last.identifier();
+        is_other
+            .then(|| finding.between([first.file.path.as_str(), last.file.path.as_str()]).help("rename one of them"))
+    };
+    by_name.into_values().filter_map(finding).collect()
+}
+
 /// A name that shape keys must not have.
 fn unknown_again(target: &UserTarget<'_>) -> Option<Finding> {
     let (message, case) = match target.name.as_str() {
         "" => ("the target has no name".to_owned(), EMPTY),
+        name if name.len() > LONGEST_KEY => {
+            (format!("the name has {} bytes, a shape key at most {LONGEST_KEY}", name.len()), NOT_KNOWN_AGAIN)
+        }
         name if name.to_lowercase().contains("basis") => {
             ("`basis` must not be in the name of a target".to_owned(), NOT_KNOWN_AGAIN)
         }

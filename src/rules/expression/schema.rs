@@ -1,6 +1,6 @@
 //! An expression of MPFB has units that exist, with strengths from 0 to 1.
 
-use super::super::unfit::findings;
+use super::super::unfit::{findings, is_misspelt};
 use super::super::{Check, Rule, RuleCx, did_you_mean, such};
 use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
@@ -41,6 +41,10 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let own = findings(&RULE, file, faults, cx).map(|(_, finding)| finding);
             out.extend(own.map(|finding| finding.level(Level::Warning).effect(effect)));
         }
+        let unread = findings(&RULE, file, &expression.unread, cx).filter(|(first, _)| is_misspelt(first, cx));
+        out.extend(
+            unread.map(|(_, one)| one.level(Level::Warning).effect("finds no units: the expression does nothing")),
+        );
         out.extend(unknown(file, expression, cx));
         out.extend(letters(file, expression));
     }

@@ -103,12 +103,18 @@ fn others(alike: &[String], target: &str) -> Option<String> {
 /// Whether the names are the same up to the extension of a target, which is not written in what names it, or of a
 /// material, which lists know in small letters alone.
 fn differs_in_extension(written: &str, real: &str) -> bool {
-    let stem = written.strip_suffix(".target").or_else(|| written.strip_suffix(".mhmat"));
+    let targets = written.strip_suffix(".target.gz").or_else(|| written.strip_suffix(".target"));
+    let stem = targets.or_else(|| written.strip_suffix(".mhmat"));
     stem.is_some_and(|stem| real.strip_prefix(stem).is_some_and(|rest| rest.starts_with('.')))
 }
 
 /// What to write, as far as possible in the words of the file that is at fault.
 fn meant(first: &Reference<'_>, name: &str, on_disk: &str) -> String {
+    if matches!(first.kind, ReferenceKind::Slot | ReferenceKind::SliderName) {
+        // A slot holds the name of the file without its suffix.
+        let file = on_disk.rsplit('/').next().unwrap_or(on_disk);
+        return file.split(".target").next().unwrap_or(file).to_owned();
+    }
     if let (ReferenceKind::Texture, Some(found)) = (first.kind, found(first)) {
         return respelled(first.text, found);
     }

@@ -79,6 +79,15 @@ fn meant(pattern: &str, value: f64) -> Meant<'_> {
     }
 }
 
+/// The name of the target that a pattern stands for.
+fn target_of(pattern: &str, value: f64) -> String {
+    match meant(pattern, value) {
+        Meant::Pair(name) => name,
+        Meant::Target(name) => name.to_owned(),
+        Meant::Macro(_) => String::new(),
+    }
+}
+
 /// Lines of which the value can be read.
 fn read(lines: &[Setting]) -> impl Iterator<Item = (&Setting, f64)> {
     lines.iter().filter_map(|line| Some((line, *line.value.as_ref().ok()?)))
@@ -101,6 +110,8 @@ fn values(rule: &Rule, file: &FileFacts, lines: &[Setting]) -> Vec<Finding> {
         _ if !value.is_finite() => Some(("non-finite", NOT_FINITE)),
         Meant::Macro(false) if !(0.0..=1.0).contains(value) => Some(("macro-range", NO_MACRO)),
         Meant::Pair(_) if value.abs() > 1.0 => Some(("range", LIMITED)),
+        // A pair that MPFB does not know is no target at all.
+        Meant::Target(name) if name.contains('|') => None,
         Meant::Target(_) | Meant::Macro(true) if !(0.0..=1.0).contains(value) => Some(("range", LIMITED)),
         _ => None,
     };
@@ -147,6 +158,8 @@ fn names(rule: &Rule, view: &View<'_>, file: &FileFacts, lines: &[Setting], cx: 
             Meant::Target(name) => view.targets.find(name),
         };
         match found {
+            // That the target of a slider is missing is told of the slider.
+            NamedTarget::Missing if view.has_slider_for(&target_of(&line.pattern.text, value)) => {}
             NamedTarget::Missing => unknown.push(line),
             NamedTarget::AnyOf(..) => ambiguous.push(line),
             NamedTarget::Found => {}

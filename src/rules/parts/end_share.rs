@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::stretch::{checked, ranges, whole};
-use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::mpfb::cover::is_live;
 use crate::eval::mpfb::shares::rounded;
 use crate::formats::macro_parts::{Part, Setting};
@@ -29,6 +29,10 @@ struct End<'p> {
     share: f64,
 }
 
+/// An end that reaches less is of no use: the bounds are not those of a slider.
+const HALF: f64 = 0.5;
+const MOST_LOST: Case = &[(Mpfb, Level::Warning, "never shows most of the shape, also on the default character")];
+
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(parts) = checked(view) else { return };
     let all: Vec<End<'_>> = whole(parts).flat_map(ends).collect();
@@ -44,9 +48,14 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let cases = short.iter().map(|end| format!("{} {}", end.setting.name(), end.value()));
     let said = short.iter().map(|end| format!("{} {}: {} %", end.setting.name(), end.value(), percent(end.share)));
     let evidence = Evidence::of_cases(cases).showing(said.take(crate::diag::EXAMPLES)).out_of(all.len());
-    out.push(RULE.at(parts.file, place, message).key("ends").evidence(evidence).help(
-        "leave it as it is unless the targets are made again; closer bounds, such as -0.00001, reach the full shape",
-    ));
+    let finding = RULE.at(parts.file, place, message).key("ends").evidence(evidence);
+    out.push(if worst.share < HALF {
+        finding.case(MOST_LOST).help("write the bounds in the range of the slider, from 0 to 1")
+    } else {
+        finding.help(
+            "leave it as it is unless the targets are made again; closer bounds, such as -0.00001, reach the full shape",
+        )
+    });
 }
 
 /// The ends of a slider that a single part covers and names.

@@ -56,7 +56,10 @@ pub(super) fn named(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> V
 }
 
 fn targets(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> Option<Named> {
-    let is_missing = |one: &&NamedAt| matches!(view.targets.find(&one.name), NamedTarget::Missing);
+    // That the target of a slider is missing is told of the slider.
+    let is_missing = |one: &&NamedAt| {
+        matches!(view.targets.find(&one.name), NamedTarget::Missing) && !view.has_slider_for(&one.name)
+    };
     let missing: Vec<&NamedAt> = preset.targets.iter().filter(is_missing).collect();
     let first = missing.first()?;
     let near = cx.suggestions.nearest(&first.name, view.targets.names());
@@ -114,7 +117,7 @@ fn files<'p>(
     Some((first, near, missing.len(), Evidence::of_cases(missing.iter().map(|one| one.name.as_str()))))
 }
 
-/// A rig of MPFB, or one of the user. Those of Rigify are left alone: which names Rigify makes is not known.
+/// A rig of MPFB, or one of the user.
 fn unknown_rig(view: &View<'_>, rig: &NamedAt, cx: &RuleCx<'_>) -> Option<Named> {
     let name = rig.name.as_str();
     let custom = name.strip_prefix("custom.");
@@ -124,7 +127,14 @@ fn unknown_rig(view: &View<'_>, rig: &NamedAt, cx: &RuleCx<'_>) -> Option<Named>
             let rel = format!("rigs/{own}.json");
             layer.file(&rel).is_some() || layer.has_unusable(&rel)
         }),
-        None => name.starts_with("rigify.") || layers.system?.file(&format!("rigs/standard/rig.{name}.json")).is_some(),
+        None => match name.strip_prefix("rigify.") {
+            Some(own) => {
+                let system = layers.system?;
+                system.file(&format!("rigs/rigify/rig.{own}.json")).is_some()
+                    || system.below("rigs/rigify").next().is_none()
+            }
+            None => layers.system?.file(&format!("rigs/standard/rig.{name}.json")).is_some(),
+        },
     };
     let of_system = || layers.system.into_iter().flat_map(|layer| layer.below("rigs/standard"));
     let stem = |file: &str| Some(file.strip_prefix("rig.")?.strip_suffix(".json")?.to_owned());

@@ -21,10 +21,16 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let stem = name.get(..name.len().saturating_sub(".json".len())).unwrap_or(name);
         let is_begun = stem.get(..BEGINNING.len()).is_some_and(|start| start.eq_ignore_ascii_case(BEGINNING));
         let own = if is_begun { stem.get(BEGINNING.len()..).unwrap_or_default() } else { stem };
-        let own = own.trim_matches('.');
+        let own = own.trim_start_matches("human").trim_matches(['.', '_', '-', ' ']);
         let wanted = format!("{BEGINNING}{}.json", if own.is_empty() { "name" } else { own });
-        let message = format!("`{name}` holds a saved character, but is not called `human.<name>.json`");
-        out.push(RULE.at(file, Place::File, message).help(format!("rename it to `{wanted}`")));
+        let (message, help) = if file.folder().ends_with("config") && name != wanted {
+            let message = format!("`{name}` holds a saved character, but is not called `human.<name>.json`");
+            (message, format!("rename it to `{wanted}`"))
+        } else {
+            let message = format!("`{name}` holds a saved character, but is not in the folder `config`");
+            (message, "move it to the folder `config` beside `data`".to_owned())
+        };
+        out.push(RULE.at(file, Place::File, message).help(help));
     }
 }
 

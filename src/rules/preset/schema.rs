@@ -1,6 +1,6 @@
 //! A saved character of MPFB has the keys and values that its loader takes, and names what exists.
 
-use super::super::unfit::{findings, top};
+use super::super::unfit::{findings, is_misspelt, top};
 use super::super::{Check, Rule, RuleCx};
 use super::names::{NO_RIG, Named, named};
 use crate::diag::{Application::Mpfb, Finding, Level, Place, RuleInfo};
@@ -33,6 +33,11 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.extend(stops.map(|(first, finding)| if top(first) == "rig" { finding.effect(NO_RIG) } else { finding }));
         let ignored = findings(&RULE, file, &preset.ignored, cx);
         out.extend(ignored.map(|(first, finding)| passed_over(first, finding)));
+        let unread = findings(&RULE, file, &preset.unread, cx).filter(|(first, _)| is_misspelt(first, cx));
+        out.extend(
+            unread
+                .map(|(_, finding)| finding.level(Level::Warning).effect("silently ignores the key and what it holds")),
+        );
         if view.is_complete() {
             out.extend(unknown(view, file, preset, cx));
         }
@@ -43,6 +48,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn passed_over(first: &Unfit, finding: Finding) -> Finding {
     let (level, effect) = match (top(first).as_str(), &first.why) {
         ("clothes", _) => (Level::Error, "reads the string letter by letter: all clothes are missing"),
+        ("phenotype", Why::Range(_)) => (Level::Warning, "does not limit the value: the shape of this macro vanishes"),
         ("targets", Why::Range(_)) => (Level::Warning, "limits the value to the range from 0 to 1"),
         ("targets", _) => (Level::Warning, "applies the target twice"),
         ("skin_material_type", _) => (Level::Warning, "shows the body without a material, without a message"),

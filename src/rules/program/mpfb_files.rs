@@ -1,13 +1,16 @@
-//! Files without which MPFB does not work, or not as it should (formats/mpfb.md §1, §28; formats/mpfb-observed.md 2.4, 2.11).
+//! Files without which MPFB does not work, or not as it should (formats/mpfb.md §1, §28; formats/mpfb-observed.md 1.1, 2.4, 2.6, 2.11).
 
 use super::super::Rule;
 use crate::diag::{Application::Mpfb, Case, Finding, Level};
 use crate::repo::{Layer, View};
 
 /// What MPFB opens by name in its own data.
-const NEEDED: [(&str, Case); 8] = [
+const NEEDED: [(&str, Case); 11] = [
     ("targets/target.json", NO_START),
     ("targets/macrodetails/macro.json", NO_START),
+    ("mesh_metadata/basemesh_vertex_groups.json", NO_START),
+    ("mesh_metadata/hm08_config.json", NO_DIMENSIONS),
+    ("mesh_metadata/hm08.mirror", NO_MIRROR),
     ("3dobjs/base.obj", NO_BODY),
     (SKIN_SETTINGS, NO_SKIN),
     ("settings/eye_settings.default.json", NO_EYES),
@@ -20,6 +23,12 @@ pub(super) const SKIN_SETTINGS: &str = "settings/enhanced_settings.default.json"
 pub(super) const OWN_SKIN_SETTINGS: &str = "config/enhanced_settings.default.json";
 
 const NO_START: Case = &[(Mpfb, Level::Error, "fails while the add-on is imported: MPFB cannot be enabled")];
+const NO_DIMENSIONS: Case = &[(
+    Mpfb,
+    Level::Error,
+    "fails with an exception after it fits an asset that has a scale: this one is left half-made",
+)];
+const NO_MIRROR: Case = &[(Mpfb, Level::Error, "fails with an exception when a target is made symmetric")];
 const NO_BODY: Case = &[(Mpfb, Level::Error, "starts, and fails with `OSError` at the first character")];
 const NO_SKIN: Case =
     &[(Mpfb, Level::Error, "fails with `FileNotFoundError` at the first enhanced skin, after its material was made")];

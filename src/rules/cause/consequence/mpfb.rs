@@ -22,6 +22,7 @@ pub(super) static TABLE: Table = Table {
         anywhere(Kind::BaseMesh, Moment::Use, NO_BODY),
         anywhere(Kind::Target, Moment::Use, NO_SHAPE),
         anywhere(Kind::PackedTarget, Moment::Use, NO_SHAPE),
+        anywhere(Kind::Model, Moment::Use, MODEL),
         anywhere(Kind::NodeTree, Moment::Use, NO_MATERIAL),
     ],
     at_moment: &[],
@@ -87,6 +88,9 @@ const NO_SHAPE: &[Cell] = &[
     cell(Damage::NotUtf8, Error, UNDECODABLE),
     cell(Damage::Empty, Warning, "makes a slider that changes nothing"),
 ];
+
+const MODEL: &[Cell] =
+    &[cell(Damage::MarkedComment, Info, "does not recognise the first line, which it does not need")];
 
 const NO_FIGURE: &str = "crashes whenever a character is made: none can be made";
 const NO_NAME: &str = "crashes where a setting comes into the part; if that is 0.5, no character can be made";
