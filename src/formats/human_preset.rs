@@ -281,10 +281,10 @@ mod tests {
         for members in [
             format!(r#""phenotype": null, {SKIN}"#),
             format!(
-                r#""phenotype": {{"age": 3, {RACE}}}, {SKIN}, "targets": [{{"target": "a", "value": 1}}], "rig": null,
+                r#""phenotype": {{"age": 1, {RACE}}}, {SKIN}, "targets": [{{"target": "a", "value": 1}}], "rig": null,
                 "eyes": null, "hair": "", "clothes": [], "expressions": null, "name": 7, "unknown": {{}}"#
             ),
-            format!(r#""phenotype": {{{RACE}, "height": NaN}}, {SKIN}, "rig": "", "clothes": ["a/a.mhclo"]"#),
+            format!(r#""phenotype": {{{RACE}, "height": 0}}, {SKIN}, "rig": "", "clothes": ["a/a.mhclo"]"#),
         ] {
             assert_eq!(pointers(&of(&members)), [Vec::<&str>::new(), Vec::new()], "{members}");
         }
@@ -301,6 +301,15 @@ mod tests {
         ));
         let expected = ["/targets/0", "/targets/1", "/targets/2/value", "/rig", "/eyes", "/clothes"];
         assert_eq!(pointers(&found)[0], expected);
+    }
+
+    #[test]
+    fn settings_are_not_limited_and_unknown_keys_not_read() {
+        let found = of(&format!(r#""phenotype": {{"age": 50, "height": NaN, {RACE}}}, {SKIN}, "Targets": []"#));
+        assert_eq!(pointers(&found), [vec![], vec!["/phenotype/age", "/phenotype/height"]]);
+        assert_eq!(found.unread.all().len(), 1);
+        let found = of(&format!(r#""phenotype": null, {SKIN}, "eyes": ["a.mhclo"]"#));
+        assert_eq!(pointers(&found)[0], ["/eyes"]);
     }
 
     #[test]
