@@ -57,7 +57,7 @@ pub(crate) fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) ->
     // What macOS puts beside the files of a zip, no application looks for.
     let entries = entries.filter(|(_, rel)| !is_below(rel, "__MACOSX"));
     let mut found: Vec<Candidate<'t>> = entries.map(|(entry, rel)| Candidate::new(entry, rel, layouts)).collect();
-    for layout in layouts {
+    for layout in layouts.iter().filter(|layout| !layout.beside.is_empty()) {
         // Only a user has something of his own there.
         if (layout.role)(&found) == Role::User {
             found.extend(beside(tree, root, layout));

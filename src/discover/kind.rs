@@ -107,6 +107,20 @@ const BY_EXTENSION: [(Kind, &[&str]); 13] = [
 ];
 
 impl Kind {
+    /// Whether it is a JSON of MPFB of which its loader takes more than a schema can say.
+    pub(crate) const fn is_judged_by_loader(self) -> bool {
+        matches!(
+            self,
+            Self::FaceExpression
+                | Self::HumanPreset
+                | Self::ImporterPreset
+                | Self::MakeupPreset
+                | Self::EyeSettings
+                | Self::SkinSettings
+                | Self::NodeTree
+        )
+    }
+
     /// Whether it is a base mesh, in whatever form.
     pub(crate) const fn is_base_mesh(self) -> bool {
         matches!(self, Self::BaseMesh | Self::MeshArchive)

@@ -1,6 +1,6 @@
 //! Finds data roots by their shape (design.md, "Data roots, layers, applications").
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::Layout;
 use super::layout::Sign;
@@ -19,9 +19,11 @@ pub(crate) struct DataRoot {
 /// All data roots in a listing of file paths, sorted by path; `asked` are the applications that are asked for by name.
 pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[Application]) -> Vec<DataRoot> {
     let mut signs: BTreeMap<DataRoot, Sign> = BTreeMap::new();
-    let files: Vec<&str> = files.into_iter().collect();
-    for file in files.iter().copied() {
+    // Roots that a file beside them confirms.
+    let mut confirmed: BTreeSet<DataRoot> = BTreeSet::new();
+    for file in files {
         for application in Application::ALL {
+            confirmed.extend(beside_of(file, application));
             if let Some((path, sign)) = Layout::of(application).sign(file) {
                 let root = DataRoot { path: path.to_owned(), application };
                 let known = signs.entry(root).or_insert(sign);
@@ -39,15 +41,13 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[
         .into_iter()
         .filter(|one| Layout::of(*one).shares_roots_of.is_none() || is_at_hand(*one))
         .collect();
-    signs.retain(|root, sign| {
-        *sign == Sign::Strong || company.contains(&root.application) || is_confirmed(root, &files)
-    });
+    signs.retain(|root, sign| *sign == Sign::Strong || company.contains(&root.application) || confirmed.contains(root));
     // What lies beside a folder called `data` does not make a root of the one above it.
     let is_above_data = |root: &DataRoot| {
-        let below = DataRoot { path: format!("{}/data", root.path), application: root.application };
+        let below = data_in(&root.path, root.application);
         !Layout::of(root.application).beside.is_empty() && signs.contains_key(&below)
     };
-    let above_data: Vec<DataRoot> = signs.keys().filter(|root| is_above_data(root)).cloned().collect();
+    let above_data: BTreeSet<DataRoot> = signs.keys().filter(|root| is_above_data(root)).cloned().collect();
     signs.retain(|root, _| !above_data.contains(root));
     // One that is near a better one does not count, unless it is as good.
     let count = |sign, better: &[DataRoot]| -> Vec<DataRoot> {
@@ -70,15 +70,20 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[
     roots
 }
 
-/// Whether a file beside a root is one of its application by its name.
-fn is_confirmed(root: &DataRoot, files: &[&str]) -> bool {
-    let layout = Layout::of(root.application);
-    let Some(above) = root.path.strip_suffix("data").filter(|_| !layout.beside.is_empty()) else { return false };
-    let is_own = |rel: &str| {
-        let folder = rel.split('/').next().unwrap_or_default();
-        layout.beside.contains(&folder) && (layout.is_telling)(layout.use_of(rel).kind)
-    };
-    (above.is_empty() || above.ends_with('/')) && files.iter().filter_map(|file| file.strip_prefix(above)).any(is_own)
+/// The data root that a file lies beside, if it is one of the application by its name.
+fn beside_of(file: &str, application: Application) -> Option<DataRoot> {
+    let layout = Layout::of(application);
+    let (folder, name) = file.rsplit_once('/')?;
+    let (above, folder) = folder.rsplit_once('/').unwrap_or(("", folder));
+    let is_telling =
+        layout.beside.contains(&folder) && (layout.is_telling)(layout.use_of(&format!("{folder}/{name}")).kind);
+    is_telling.then(|| data_in(above, application))
+}
+
+/// A folder `data` as the data root of an application.
+fn data_in(above: &str, application: Application) -> DataRoot {
+    let path = if above.is_empty() { "data".to_owned() } else { format!("{above}/data") };
+    DataRoot { path, application }
 }
 
 fn nested(a: &str, b: &str) -> bool {
@@ -153,6 +158,9 @@ mod tests {
         assert_eq!(found(&["user/config/human.ada.json", "user/data/packs/mine.json"]), of_mpfb);
         assert!(found(&files).contains(&of_mpfb[0]));
         assert_eq!(found(&["user/config/studio.json", "user/data/packs/mine.json"]), []);
+        // A folder at the top is as good as one below, and what lies above `data` by mistake is no root.
+        let stray = ["config/human.ada.json", "data/targets/a/b.target", "targets/a/b.target"];
+        assert_eq!(found(&stray), [("data".to_owned(), Application::Mpfb)]);
     }
 
     #[test]

@@ -41,24 +41,20 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                 | Kind::Packed
                 | Kind::Image
         ),
-        Application::Mpfb => matches!(
-            kind,
-            Kind::BaseMesh
-                | Kind::TargetCatalog
-                | Kind::MacroParts
-                | Kind::FaceExpression
-                | Kind::HumanPreset
-                | Kind::ImporterPreset
-                | Kind::MakeupPreset
-                | Kind::EyeSettings
-                | Kind::SkinSettings
-                | Kind::NodeTree
-                | Kind::Model
-                | Kind::Target
-                | Kind::PackedTarget
-                | Kind::TargetIcon
-                | Kind::Image
-        ),
+        Application::Mpfb => {
+            kind.is_judged_by_loader()
+                || matches!(
+                    kind,
+                    Kind::BaseMesh
+                        | Kind::TargetCatalog
+                        | Kind::MacroParts
+                        | Kind::Model
+                        | Kind::Target
+                        | Kind::PackedTarget
+                        | Kind::TargetIcon
+                        | Kind::Image
+                )
+        }
         Application::Makehuman1 => is_of_library(kind),
     }
 }

@@ -67,8 +67,9 @@ impl<'t> Roots<'t> {
         }
         let asked: Vec<Application> =
             applications.iter().copied().filter(|application| options.asks_for(*application)).collect();
-        let outside = places_outside(&found, &systems, &asked, options)?;
-        note_outside(&found, outside.iter().map(|(place, _)| place), outcome);
+        let beside: Vec<BTreeSet<String>> = found.iter().map(|(input, roots)| beside(input, roots)).collect();
+        let outside = places_outside(&found, &beside, &systems, &asked, options)?;
+        note_outside(&found, &beside, outside.iter().map(|(place, _)| place), outcome);
         let mut given = found.iter().flat_map(|(input, roots)| roots.keys().map(|root| input.tree.shown(root)));
         let all_given = given.next().filter(|first| given.all(|other| other == *first));
         for all in systems.extract_if(.., |system| all_given == Some(system.path())) {
@@ -163,6 +164,7 @@ fn of_systems<'i>(found: Vec<Found<'i>>, systems: &[Place<'_>], applications: &[
 /// none is asked for by name, those come first whose data are at hand, and the others have what is left.
 fn places_outside<'t>(
     found: &[Found<'t>],
+    beside: &[BTreeSet<String>],
     systems: &[Place<'_>],
     asked: &[Application],
     options: &Config,
@@ -176,8 +178,8 @@ fn places_outside<'t>(
     let (first, others): (Vec<Application>, Vec<Application>) = asked.iter().partition(|one| is_first(one));
     let units = UnitNames::of(systems, &options.limits);
     let mut places = Vec::new();
-    for (input, roots) in found {
-        let mut taken = beside(input, roots);
+    for ((input, roots), beside) in found.iter().zip(beside) {
+        let mut taken = beside.clone();
         for (applications, is_meant) in [(&first, true), (&others, false)] {
             let before = taken.clone();
             for application in applications {
@@ -210,12 +212,12 @@ fn base_meshes(place: &Place<'_>) -> BTreeSet<String> {
 /// those that are checked alone.
 fn note_outside<'p, 't: 'p>(
     found: &[(&Input, BTreeMap<String, Vec<&'static Layout>>)],
+    beside: &[BTreeSet<String>],
     checked: impl Iterator<Item = &'p Place<'t>>,
     outcome: &mut Outcome,
 ) {
     let (mut closed, mut others) = (BTreeSet::new(), BTreeSet::new());
-    for (input, roots) in found {
-        let beside = beside(input, roots);
+    for ((input, roots), beside) in found.iter().zip(beside) {
         let is_outside = |path: &str| !beside.contains(path) && !roots.keys().any(|root| is_below(path, root));
         let faults = input.tree.faults().iter().filter(|fault| matches!(fault.kind, WalkFaultKind::Unreadable { .. }));
         let shut = faults.filter(|fault| is_outside(&fault.path)).map(|fault| input.tree.shown(&fault.path));

@@ -9,7 +9,7 @@ use super::references::collect;
 use crate::diag::{Application, Place};
 use crate::discover::Kind;
 use crate::formats::obj::Mesh;
-use crate::formats::target_catalog::TargetCatalog;
+use crate::formats::target_catalog::{Category, TargetCatalog};
 use crate::repo::{Body, FileFacts, Layer, Layers, Reference, ReferenceKind, References, Target, Worn, parent};
 
 /// Whose uses of a file count here.
@@ -57,7 +57,7 @@ impl<'a> View<'a> {
         let file = |kind| layers.system?.files.values().find(|file| file.kind_in(OWN) == kind);
         let catalog = layers.system.zip(file(Kind::TargetCatalog));
         // Of what is no object at all nothing follows for its targets.
-        let catalog = catalog.filter(|(_, file)| !file.schema.faults.iter().any(|fault| fault.pointer.is_empty()));
+        let catalog = catalog.filter(|(_, file)| !file.is_misshapen());
         let catalog = catalog.and_then(|(layer, file)| Some(Catalog { layer, file, sliders: file.catalog()? }));
         let parts = layers.system.zip(file(Kind::MacroParts)).and_then(|(layer, file)| Parts::of(layer, file));
         let mesh = file(Kind::BaseMesh).and_then(|file| Some((file, file.mesh()?)));
@@ -79,14 +79,11 @@ impl<'a> View<'a> {
         self.layers.system.is_some() && self.has_user()
     }
 
-    /// Whether a slider of the catalogue has a target of that name, there or not.
-    pub(crate) fn has_slider_for(&self, name: &str) -> bool {
+    /// The targets in the slots of sliders, there or not, in small letters.
+    pub(crate) fn slot_targets(&self) -> BTreeSet<String> {
         let sections = self.catalog.iter().flat_map(|catalog| &catalog.sliders.sections);
-        let mut categories = sections.flat_map(|section| &section.categories);
-        categories.any(|category| {
-            let mut stems = category.slots_in_use().map(|slot| slot.stem.as_str());
-            stems.any(|stem| !stem.is_empty() && stem.eq_ignore_ascii_case(name))
-        })
+        let slots = sections.flat_map(|section| &section.categories).flat_map(Category::slots_in_use);
+        slots.filter(|slot| !slot.stem.is_empty()).map(|slot| slot.stem.to_lowercase()).collect()
     }
 
     /// Whether the user's folder is at hand. What a file in place of one of its folders takes away is told there.

@@ -1,7 +1,6 @@
 //! Parts of a JSON that the schema says something of: what they lack, or seem to hold, follows from that.
 
 use crate::diag::pointer;
-use crate::discover::Kind;
 use crate::json::{SchemaFault, UnknownKey};
 use crate::repo::FileFacts;
 
@@ -12,16 +11,7 @@ pub(in crate::rules) fn is_of_wrong_type(file: &FileFacts) -> bool {
 
 /// Whether a rule for files of this kind says what does not fit: its loader takes more than a schema can say.
 pub(in crate::rules) const fn has_own_rule(file: &FileFacts) -> bool {
-    matches!(
-        file.kind,
-        Kind::FaceExpression
-            | Kind::HumanPreset
-            | Kind::ImporterPreset
-            | Kind::MakeupPreset
-            | Kind::EyeSettings
-            | Kind::SkinSettings
-            | Kind::NodeTree
-    )
+    file.kind.is_judged_by_loader()
 }
 
 /// Whether the schema has nothing against the value at a pointer or below it; else the model lacks a part of it.

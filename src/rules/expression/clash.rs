@@ -6,7 +6,7 @@ use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Mpfb, Case, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::FileFacts;
-use crate::repo::mpfb::View;
+use crate::repo::mpfb::{View, identifier};
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "makes a slider for only one of them")],
@@ -26,7 +26,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let system = view.layers.system.filter(|system| !std::ptr::eq(*system, view.layers.checked));
     for layer in system.into_iter().chain([view.layers.checked]) {
         for file in layer.below("expressions").filter(|file| file.kind == Kind::FaceExpression) {
-            let first = *first_of.entry(slider(&file.rel)).or_insert(file);
+            let first = *first_of.entry(identifier("expr", &file.rel)).or_insert(file);
             if std::ptr::eq(first, file) || !view.layers.is_checked(file) {
                 continue;
             }
@@ -40,9 +40,4 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(finding.between([first.path.as_str(), file.path.as_str()]).help("rename one of them"));
         }
     }
-}
-
-/// What Blender calls the slider of an expression.
-fn slider(rel: &str) -> String {
-    rel.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' }).collect()
 }

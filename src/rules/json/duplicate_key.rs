@@ -41,7 +41,8 @@ fn finding(file: &FileFacts, pointer: &str, all: &[&Duplicate]) -> Option<Findin
     let loss = if equal { " with the same value" } else { "; only the last value counts" };
     let finding = RULE.at(file, Place::Span(first.lost.clone()), format!("key `{key}` appears {times}{loss}"));
     let related = Place::Span(last.kept.clone());
-    let is_slider_lost = file.kind == Kind::TargetCatalog && !equal;
+    let holds_sliders = key == "categories" || steps(pointer).count() == 1;
+    let is_slider_lost = file.kind == Kind::TargetCatalog && holds_sliders && !equal;
     let finding = if is_slider_lost { finding.case(NO_SLIDERS) } else { finding };
     let finding = if equal { finding.at_most(Level::Info) } else { finding };
     Some(

@@ -1,6 +1,6 @@
 //! Modifiers of a model as MPFB imports them (formats/mpfb.md §7.2): a macro, or the name of a target.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Rule, RuleCx, did_you_mean, such};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
@@ -79,15 +79,6 @@ fn meant(pattern: &str, value: f64) -> Meant<'_> {
     }
 }
 
-/// The name of the target that a pattern stands for.
-fn target_of(pattern: &str, value: f64) -> String {
-    match meant(pattern, value) {
-        Meant::Pair(name) => name,
-        Meant::Target(name) => name.to_owned(),
-        Meant::Macro(_) => String::new(),
-    }
-}
-
 /// Lines of which the value can be read.
 fn read(lines: &[Setting]) -> impl Iterator<Item = (&Setting, f64)> {
     lines.iter().filter_map(|line| Some((line, *line.value.as_ref().ok()?)))
@@ -152,20 +143,25 @@ fn repeated(rule: &Rule, file: &FileFacts, lines: &[Setting]) -> Option<Finding>
 fn names(rule: &Rule, view: &View<'_>, file: &FileFacts, lines: &[Setting], cx: &RuleCx<'_>) -> Vec<Finding> {
     let (mut unknown, mut ambiguous) = (Vec::new(), Vec::new());
     for (line, value) in read(lines) {
-        let found = match meant(&line.pattern.text, value) {
+        let name = match meant(&line.pattern.text, value) {
             Meant::Macro(_) => continue,
-            Meant::Pair(name) => view.targets.find(&name),
-            Meant::Target(name) => view.targets.find(name),
+            Meant::Pair(name) => name,
+            Meant::Target(name) => name.to_owned(),
         };
-        match found {
-            // That the target of a slider is missing is told of the slider.
-            NamedTarget::Missing if view.has_slider_for(&target_of(&line.pattern.text, value)) => {}
-            NamedTarget::Missing => unknown.push(line),
+        match view.targets.find(&name) {
+            NamedTarget::Missing => unknown.push((line, name)),
             NamedTarget::AnyOf(..) => ambiguous.push(line),
             NamedTarget::Found => {}
         }
     }
     let mut findings = Vec::new();
+    // That the target of a slider is missing is told of the slider.
+    let of_sliders = if unknown.is_empty() { BTreeSet::new() } else { view.slot_targets() };
+    let unknown: Vec<&Setting> = unknown
+        .into_iter()
+        .filter(|(_, name)| !of_sliders.contains(&name.to_lowercase()))
+        .map(|(line, _)| line)
+        .collect();
     if let Some(first) = unknown.first() {
         let pattern = &first.pattern.text;
         let message = format!("`{pattern}` is neither a macro nor a target{}", such(unknown.len(), "lines"));

@@ -56,11 +56,12 @@ pub(super) fn named(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> V
 }
 
 fn targets(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> Option<Named> {
+    let is_missing = |one: &&NamedAt| matches!(view.targets.find(&one.name), NamedTarget::Missing);
+    let mut missing: Vec<&NamedAt> = preset.targets.iter().filter(is_missing).collect();
+    missing.first()?;
     // That the target of a slider is missing is told of the slider.
-    let is_missing = |one: &&NamedAt| {
-        matches!(view.targets.find(&one.name), NamedTarget::Missing) && !view.has_slider_for(&one.name)
-    };
-    let missing: Vec<&NamedAt> = preset.targets.iter().filter(is_missing).collect();
+    let of_sliders = view.slot_targets();
+    missing.retain(|one| !of_sliders.contains(&one.name.to_lowercase()));
     let first = missing.first()?;
     let near = cx.suggestions.nearest(&first.name, view.targets.names());
     Some(Named {

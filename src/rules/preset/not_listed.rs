@@ -5,6 +5,7 @@ use crate::diag::{Application::Mpfb, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::Content;
 use crate::repo::mpfb::View;
+use crate::repo::parent;
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "does not list the character, and fails when it is loaded by its path")],
@@ -23,7 +24,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let own = if is_begun { stem.get(BEGINNING.len()..).unwrap_or_default() } else { stem };
         let own = own.trim_start_matches("human").trim_matches(['.', '_', '-', ' ']);
         let wanted = format!("{BEGINNING}{}.json", if own.is_empty() { "name" } else { own });
-        let (message, help) = if file.folder().ends_with("config") && name != wanted {
+        let (message, help) = if parent(&file.rel) == "config" {
             let message = format!("`{name}` holds a saved character, but is not called `human.<name>.json`");
             (message, format!("rename it to `{wanted}`"))
         } else {

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx, either};
 use super::readable;
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2},
     Finding, Level, Place, RuleInfo,
 };
 use crate::repo::Body;
@@ -12,7 +12,6 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "stores `name` and `version` without using them, and never reads `license`"),
         (Makehuman1, "stores these keys without using them"),
-        (Mpfb, "never reads these keys"),
     ],
     docs: "`name`, `version` or `license` is missing. They have no effect on the shape; they tell people what the \
         weights are for and whether they may be shared.\n\n\

@@ -36,15 +36,7 @@ pub(super) static TABLE: Table = Table {
 /// Blender imports the add-on, which reads the file at once and catches nothing.
 const STOPS: &str = "fails while the add-on is imported: MPFB cannot be enabled";
 
-const REFUSED: &[Cell] = &[
-    cell(Damage::Absent, Error, STOPS),
-    cell(Damage::Empty, Error, STOPS),
-    cell(Damage::Closed, Error, STOPS),
-    cell(Damage::Pointer, Error, STOPS),
-    cell(Damage::Refused, Error, STOPS),
-    cell(Damage::NotUtf8, Error, STOPS),
-    cell(Damage::Syntax, Error, STOPS),
-];
+const REFUSED: &[Cell] = &stopped(STOPS);
 
 /// Each file of the library is read on its own.
 const NOT_LISTED: &str = "skips the file with a message in the log: the expression is not listed";
