@@ -1,6 +1,6 @@
 //! Presets of MPFB that are kept beside saved characters: for its importer, and for makeup (formats/mpfb.md §7.3).
 
-use super::unfit::{LoaderFaults, NamedAt, Unfits, below, keep, nth};
+use super::unfit::{LoaderFaults, NamedAt, Unfits, Why, below, keep, nth};
 use crate::json::{Document, Node, Value};
 
 /// `makeup.<name>.json`: ink layers, one over the other.
@@ -12,8 +12,8 @@ pub struct Makeup {
     pub layers: Vec<NamedAt>,
 }
 
-/// Keys that are true or false.
-const SWITCHES: [&str; 19] = [
+/// All keys of a preset for the importer: those that are true or false, then the others.
+const KEYS: &[&str] = &[
     "import_body",
     "import_body_proxy",
     "import_body_parts",
@@ -33,7 +33,15 @@ const SWITCHES: [&str; 19] = [
     "material_instances",
     "procedural_eyes",
     "fix_bad_roughness",
+    "name",
+    "subdiv_levels",
+    "scale_factor",
+    "handle_helpers",
+    "skin_material_type",
+    "material_creation_policy",
 ];
+/// How many of these are true or false.
+const SWITCHES: usize = 19;
 
 /// Keys with a few words to choose from.
 const CHOICES: [(&str, &[&str]); 4] = [
@@ -57,8 +65,12 @@ pub fn importer(document: &Document) -> LoaderFaults {
                 Some(_) => faults.stops.check_word(&pointer, node, words),
                 None => faults.stops.add_type(&pointer, node, "a string"),
             }
-        } else if SWITCHES.contains(&key) && !matches!(node.value, Value::Bool(_) | Value::Number(..)) {
-            faults.stops.add_type(&pointer, node, "true or false");
+        } else if KEYS.iter().take(SWITCHES).any(|known| *known == key) {
+            if !matches!(node.value, Value::Bool(_) | Value::Number(..)) {
+                faults.stops.add_type(&pointer, node, "true or false");
+            }
+        } else if !KEYS.contains(&key) {
+            faults.ignored.add(&pointer, Why::Key(KEYS));
         } else if key == "subdiv_levels" && !matches!(node.value, Value::Bool(_) | Value::Number(_, true)) {
             faults.stops.add_type(&pointer, node, "a whole number");
         }
@@ -95,8 +107,9 @@ mod tests {
     #[test]
     fn an_importer_preset_takes_its_own_types() {
         let of = |text: &str| importer(&parse(text.as_bytes()).unwrap());
-        let good = r#"{"import_body": true, "import_rig": 0, "subdiv_levels": 9, "scale_factor": "METER", "mine": []}"#;
+        let good = r#"{"import_body": true, "import_rig": 0, "subdiv_levels": 9, "scale_factor": "METER"}"#;
         assert_eq!(of(good), LoaderFaults::default());
+        assert_eq!(pointers(&of(r#"{"import_clohtes": false}"#).ignored), ["/import_clohtes"]);
         let bad = of(r#"{"import_body": "yes", "subdiv_levels": 1.5, "handle_helpers": "HIDE", "scale_factor": 1}"#);
         assert_eq!(pointers(&bad.stops), ["/import_body", "/subdiv_levels", "/handle_helpers", "/scale_factor"]);
         assert_eq!(pointers(&of("[]").ignored), [""]);

@@ -18,6 +18,10 @@ pub struct Columns {
     pub bare: Vec<Word>,
     /// The file of the skin; of several the last.
     pub skin: Option<Word>,
+    /// The skeleton; of several the last.
+    pub skeleton: Option<Word>,
+    /// Lines that would be known without the blanks in front of their keywords, or its capitals: keyword and place.
+    pub displaced: Vec<Word>,
     /// Whether it has a name.
     pub has_name: bool,
     /// Whether the importer knows any line.
@@ -59,15 +63,27 @@ pub fn read(text: &[u8]) -> Columns {
             "modifier" => keep(&mut columns.modifiers, setting(rest, at)),
             "skinMaterial" => columns.skin = Some(word(rest.trim_end(), at)).filter(|skin| !skin.text.is_empty()),
             "clothes" if rest.trim().is_empty() => keep(&mut columns.bare, word(keyword, start)),
-            "skeleton" => {}
+            "skeleton" => columns.skeleton = Some(word(rest.trim_end(), at)).filter(|one| !one.text.is_empty()),
             other => match CATEGORIES.into_iter().find(|category| *category == other) {
                 Some(category) => columns.worn.extend(wearing(category, rest, at)),
-                None => continue,
+                None => {
+                    displaced(line, start).into_iter().for_each(|one| keep(&mut columns.displaced, one));
+                    continue;
+                }
             },
         }
         columns.has_line = true;
     }
     columns
+}
+
+/// The keyword of a line that only blanks in front of it, or its capitals, keep from being known.
+fn displaced(line: &str, start: usize) -> Option<Word> {
+    let plain = line.trim_start();
+    let keyword = plain.split_ascii_whitespace().next()?;
+    let is_known = ["name", "modifier", "skinMaterial", "skeleton"].iter().chain(&CATEGORIES);
+    let is_known = is_known.clone().any(|known| known.eq_ignore_ascii_case(keyword));
+    (is_known && plain.len() > keyword.len()).then(|| word(keyword, start + line.len() - plain.len()))
 }
 
 /// The pattern ends at the first blank, so that the rest of one with a blank in it should be a number.
@@ -114,6 +130,8 @@ mod tests {
         assert!(found.has_name && found.has_line && found.bare.len() == 1);
         let worn: Vec<_> = found.worn.iter().map(|one| (one.category, &*one.name.text, &*one.uuid)).collect();
         assert_eq!(worn, [("clothes", "red_cape", "12-3"), ("eyes", "high", "")]);
+        let displaced: Vec<_> = found.displaced.iter().map(|one| &*one.text).collect();
+        assert_eq!(displaced, ["clothes"]);
         assert_eq!(found.skin.as_ref().map(|skin| &*skin.text), Some("skins/a/b.mhmat"));
         let words = found.modifiers.iter().map(|one| &one.pattern).chain(&found.skin);
         assert!(words.clone().all(|word| TEXT.get(word.span.clone()) == Some(&*word.text)));

@@ -1,7 +1,7 @@
 //! The data of one application as it sees them.
 
 use super::{
-    Body, FileFacts, Landmarks, Layers, PictureFolders, Reference, References, Shown, Surface, Target, Worn,
+    Body, FileFacts, Landmarks, Layers, MisnamedFolder, PictureFolders, Reference, References, Shown, Surface, Target, Worn,
     makehuman1, makehuman2, mpfb,
 };
 use crate::diag::Application;
@@ -114,6 +114,15 @@ impl<'a> View<'a> {
     /// Folders of the checked layer in which that of a base mesh is left out, each with a file that shows it.
     pub(crate) fn unsorted(&self) -> Vec<(&'static str, &'a FileFacts)> {
         self.makehuman2().map(|view| view.unsorted().collect()).unwrap_or_default()
+    }
+
+    /// Folders of the checked layer that are not read because of their capitals.
+    pub(crate) fn misnamed_folders(&self) -> Vec<MisnamedFolder> {
+        match self {
+            Self::Makehuman2(view) => view.misnamed_folders(),
+            Self::Mpfb(view) => view.misnamed_folders(),
+            Self::Makehuman1(_) => Vec::new(),
+        }
     }
 
     /// Where on a body the vertices of a mesh are: the mesh of a body, or any other with its groups alone. `None` where its

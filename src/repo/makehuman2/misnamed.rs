@@ -3,19 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{OWN, View};
-use crate::discover::{Kind, Layout};
+use crate::discover::Layout;
+use crate::repo::misnamed_folder::{MisnamedFolder, misnamed_folders, top_in_other_case};
 use crate::repo::{FileFacts, Layer, Layers, fold};
-
-/// A folder of the checked layer with other capitals.
-#[derive(Debug)]
-pub(crate) struct MisnamedFolder {
-    /// Its path below the data root.
-    pub rel: String,
-    /// The path that is looked for.
-    pub right: String,
-    /// How many files in it are not found.
-    pub files: usize,
-}
 
 /// The files that stand in the folder of a base mesh and in no other place.
 const OF_BASE: [&str; 3] = ["macro.json", "modelling.json", "target_cat.json"];
@@ -63,23 +53,15 @@ impl<'a> View<'a> {
     /// The folders of the checked layer whose name differs in its capitals from the one that is looked for.
     pub(crate) fn misnamed_folders(&self) -> Vec<MisnamedFolder> {
         let layout = Layout::of(OWN);
-        let mut found: BTreeMap<(String, String), usize> = BTreeMap::new();
-        for rel in self.layers.checked.files.keys() {
-            let Some((top, rest)) = rel.split_once('/') else { continue };
-            let renamed = match layout.folder_in_other_case(top) {
-                Some(right) => Some((top.to_owned(), right.to_owned(), rest)),
-                None => rest.split_once('/').and_then(|(name, rest)| {
-                    let base = self.base_in_other_case(name)?;
-                    Some((format!("{top}/{name}"), format!("{top}/{base}"), rest))
-                }),
+        misnamed_folders(self.layers.checked, layout, |rel| {
+            let of_base = || {
+                let (top, rest) = rel.split_once('/')?;
+                let (name, rest) = rest.split_once('/')?;
+                let base = self.base_in_other_case(name)?;
+                Some((format!("{top}/{name}"), format!("{top}/{base}"), rest))
             };
-            if let Some((folder, right, rest)) = renamed
-                && is_read(layout, &format!("{right}/{rest}"))
-            {
-                *found.entry((folder, right)).or_default() += 1;
-            }
-        }
-        found.into_iter().map(|((rel, right), files)| MisnamedFolder { rel, right, files }).collect()
+            top_in_other_case(layout, rel).or_else(of_base)
+        })
     }
 
     /// The base mesh that a name means but for its capitals.
@@ -87,9 +69,4 @@ impl<'a> View<'a> {
         let is_other = |base: &&super::Base<'a>| base.name != name && base.name.eq_ignore_ascii_case(name);
         self.bases.iter().filter(is_other).find(|base| has_base(self.layers, base.name)).map(|base| base.name)
     }
-}
-
-/// Whether the file at a path has a reader.
-fn is_read(layout: &Layout, rel: &str) -> bool {
-    (layout.opens)(rel) && !matches!(layout.use_of(rel).kind, Kind::Other | Kind::Image | Kind::Json)
 }

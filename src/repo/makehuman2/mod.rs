@@ -31,7 +31,6 @@ pub(crate) use foreign::{ForeignMesh, ForeignSign};
 pub(crate) use library::{Asset, Library};
 pub(crate) use macro_folders::is_beneath;
 pub(crate) use meshes::{Lies, MeshFiles, UnreadMesh};
-pub(crate) use misnamed::MisnamedFolder;
 pub(crate) use models::SavedModel;
 pub(crate) use overlay::{Candidate, Overlaid};
 pub(crate) use slider::{BoundSlider, Pattern};

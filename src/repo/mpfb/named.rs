@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::sliders::is_custom;
+use super::view::OWN;
 use crate::diag::grouped;
+use crate::discover::Layout;
 use crate::repo::{FileFacts, Layers};
 
 /// Targets that are found by their names, each under its file name in small letters.
@@ -32,13 +34,13 @@ impl<'a> NamedTargets<'a> {
         let mut found = Self::default();
         for layer in layers.strongest_first().chain(layers.beside) {
             let is_system = layers.system.is_some_and(|system| std::ptr::eq(system, layer));
-            for file in ["custom", "targets"].iter().flat_map(|folder| layer.below(folder)) {
+            for file in layer.files.values().filter(|file| matches!(section_of(file), "custom" | "targets")) {
                 let name = file.file_name();
                 if !SUFFIXES.iter().any(|suffix| name.ends_with(suffix)) {
                     continue;
                 }
                 let is_first = is_system && file.rel.starts_with("targets/") && name.ends_with(".gz");
-                let own = [is_first, is_custom(&file.rel), file.rel.starts_with("targets/")];
+                let own = [is_first, is_custom(&file.rel) || section_of(file) == "custom", section_of(file) == "targets"];
                 for (phase, _) in found.phases.iter_mut().zip(own).filter(|(_, is_in)| *is_in) {
                     phase.entry(name.to_lowercase()).or_insert(file);
                 }
@@ -108,5 +110,11 @@ impl<'a> NamedFiles<'a> {
 
 /// The folder at the top decides.
 fn is_in(file: &FileFacts, section: &str) -> bool {
-    file.rel.split_once('/').is_some_and(|(folder, _)| folder == section)
+    section_of(file) == section
+}
+
+/// The folder at the top, as it should be called: that it has other capitals is told of the folder.
+fn section_of(file: &FileFacts) -> &str {
+    let top = file.rel.split_once('/').map_or("", |(folder, _)| folder);
+    Layout::of(OWN).folder_in_other_case(top).unwrap_or(top)
 }

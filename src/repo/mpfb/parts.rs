@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::loops::{LOOPS, Name, are_too_many, is_reachable};
+use super::loops::{Axis, LOOPS, Name, are_too_many, is_reachable};
 use crate::formats::macro_parts::MacroParts;
 use crate::repo::{FileFacts, Layer};
 use crate::source::normalized;
@@ -56,6 +56,32 @@ impl<'a> Parts<'a> {
     /// Whether one of the loops asks for a file.
     pub(crate) fn asks_for(&self, file: &FileFacts) -> bool {
         self.found.contains(file.path.as_str())
+    }
+
+    /// The word in the name of a target that keeps the loops from asking for it, and the place of the setting that lacks
+    /// this name. `None` for a name that is not like those of a loop.
+    pub(crate) fn unknown_word<'r>(&self, rel: &'r str) -> Option<(usize, &'r str)> {
+        let name = rel.strip_prefix(self.folder())?.strip_prefix('/')?.strip_suffix(".target.gz")?;
+        LOOPS.iter().find_map(|own| {
+            let lists = own.names(self.settings);
+            let words: Vec<&str> = name.strip_prefix(own.prefix)?.split('-').collect();
+            let is_known = |(word, list): (&&str, &Vec<Name<'_>>)| list.iter().any(|one| one.text == *word);
+            let at = words.iter().zip(&lists).position(|pair| !is_known(pair))?;
+            let is_last = words.iter().zip(&lists).skip(at + 1).all(is_known);
+            match own.axes.get(at) {
+                Some(Axis::Setting(place)) if is_last && words.len() == lists.len() => {
+                    words.get(at).map(|word| (*place, *word))
+                }
+                _ => None,
+            }
+        })
+    }
+
+    /// Whether a loop misses a target in the folder of this one, which may be the one that it is meant to be.
+    pub(crate) fn may_be_meant(&self, rel: &str) -> bool {
+        let folder = crate::repo::parent(rel);
+        let mut missing = self.requests.iter().filter(|request| request.is_reachable && request.file.is_none());
+        missing.any(|request| crate::repo::parent(&request.rel) == folder)
     }
 
     /// The folder of all targets: the one above that of the file.

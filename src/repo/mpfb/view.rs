@@ -7,9 +7,10 @@ use super::named::{NamedFiles, NamedTargets};
 use super::parts::Parts;
 use super::references::collect;
 use crate::diag::{Application, Place};
-use crate::discover::Kind;
+use crate::discover::{Kind, Layout};
 use crate::formats::obj::Mesh;
 use crate::formats::target_catalog::{Category, TargetCatalog};
+use crate::repo::misnamed_folder::{MisnamedFolder, misnamed_folders, top_in_other_case};
 use crate::repo::{Body, FileFacts, Layer, Layers, Reference, ReferenceKind, References, Target, Worn, parent};
 
 /// Whose uses of a file count here.
@@ -90,6 +91,16 @@ impl<'a> View<'a> {
     pub(crate) fn has_user(&self) -> bool {
         let holds = |layer: &Layer| !["targets", "custom", "expressions"].iter().any(|name| layer.file(name).is_some());
         self.layers.user.or(self.layers.beside).is_some_and(holds)
+    }
+
+    /// The folders of a user that differ in their capitals from those that are listed. In the data of MPFB files are looked
+    /// for by their names.
+    pub(crate) fn misnamed_folders(&self) -> Vec<MisnamedFolder> {
+        let layout = Layout::of(OWN);
+        if self.layers.checks_system() {
+            return Vec::new();
+        }
+        misnamed_folders(self.layers.checked, layout, |rel| top_in_other_case(layout, rel))
     }
 
     /// What the body can wear, of all layers.

@@ -40,6 +40,13 @@ impl<'v, 'a> Neighbours<'v, 'a> {
         }
     }
 
+    /// Path of the target that a missing one is likely to be, as `help` says.
+    pub(super) fn meant(&self, reference: &Reference<'_>) -> Option<String> {
+        let folder = parent(&reference.rel);
+        let near = || self.nearest(reference).map(|near| format!("{folder}/{near}.target.gz"));
+        self.elsewhere(reference).map(|file| file.rel.clone()).or_else(near)
+    }
+
     /// The target of this name in another section.
     fn elsewhere(&self, reference: &Reference<'_>) -> Option<&'a FileFacts> {
         let stem = stem(reference.rel.rsplit('/').next()?);

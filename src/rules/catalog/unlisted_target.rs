@@ -3,21 +3,25 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, counted};
+use super::neighbours::Neighbours;
 use super::{checked, forgotten_ends, sliders};
-use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, RuleInfo, grouped};
+use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::repo::mpfb::{View, is_custom};
-use crate::repo::{FileFacts, parent};
+use crate::repo::{FileFacts, Resolution, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "shows no slider for it")],
     docs: "A target lies in the folder of a section of `target.json`, no slot of the section names it, and the macro system \
         never asks for it. MPFB shows no slider for it; saved characters still find it by its name.\n\n\
+        Targets of the macro system may lack their name in `macro.json`: then there is no value of a setting at which \
+        they apply.\n\n\
         Targets in other folders are meant to be found by name, such as those of the face: they are an info.\n\n\
         Add a slider, or remove the target.",
     counts: "targets",
     ..RuleInfo::new("catalog-unlisted-target", Level::Warning, "a target that no slider uses")
 });
 
+const NO_NAME: Case = &[(Mpfb, Level::Warning, "has no value of the setting at which it applies them")];
 const BY_NAME: Case = &[(Mpfb, Level::Info, "shows no slider for them; saved characters find them by name")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -41,6 +45,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let may_be_of_macros = |file: &FileFacts| {
         lacks_parts && (file.rel.starts_with("targets/macrodetails/") || file.rel.starts_with("targets/breast/"))
     };
+    let neighbours = Neighbours::of(view, &catalog);
+    let missing = view.references.iter().filter(|one| matches!(one.resolution, Resolution::Missing));
+    let meant: BTreeSet<String> = missing.filter_map(|one| neighbours.meant(one)).collect();
     let is_free = |file: &&FileFacts| {
         let is_target = file.rel.ends_with(".target.gz") || file.rel.ends_with(".target");
         is_target
@@ -48,11 +55,16 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             && view.references.to_file(file).next().is_none()
             && !view.asks_for(file)
             && !may_be_of_macros(file)
+            && !view.parts.as_ref().is_some_and(|parts| parts.may_be_meant(&file.rel))
             && !forgotten.contains(&file.rel)
+            && !meant.contains(&file.rel)
             && !listed.contains(file.rel.trim_end_matches(".gz"))
     };
-    let free = catalog.layer.below("targets").filter(is_free);
-    for (folder, files) in grouped(free.map(|file| (parent(&file.rel), file))) {
+    let free: Vec<&FileFacts> = catalog.layer.below("targets").filter(is_free).collect();
+    let by_word = grouped(free.iter().filter_map(|file| Some((view.parts.as_ref()?.unknown_word(&file.rel)?, *file))));
+    out.extend(by_word.iter().filter_map(|(word, files)| without_name(view, *word, files)));
+    let unnamed = free.iter().copied().filter(|file| view.parts.as_ref().and_then(|parts| parts.unknown_word(&file.rel)).is_none());
+    for (folder, files) in grouped(unnamed.map(|file| (parent(&file.rel), file))) {
         let Some(first) = files.first() else { continue };
         let section = catalog.sliders.sections.iter().find(|section| catalog.folder(&section.name) == folder);
         // Whether a slider that cannot be read has them is not known.
@@ -68,6 +80,22 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let help = "add sliders for them to `target.json`, or remove them";
         out.push(if is_section { finding.help(help) } else { finding.case(BY_NAME) });
     }
+}
+
+/// Targets of the macro system whose names hold a word that `macro.json` does not have for a setting.
+fn without_name(view: &View<'_>, (place, word): (usize, &str), files: &[&FileFacts]) -> Option<Finding> {
+    let parts = view.parts.as_ref()?;
+    let setting = parts.settings.settings.iter().find(|setting| setting.place == place)?;
+    let message = format!("no part of `{}` has the name `{word}`, which {} for", setting.name(), targets_are(files.len()));
+    let place = Place::pointer(["macrotargets", setting.name(), "parts"]);
+    let finding = RULE.at(parts.file, place, message).key(format!("{} {word}", setting.name())).case(NO_NAME);
+    let finding = finding.parts_in(files.iter().map(|file| (file.file_name(), &file.path)));
+    let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.file_name())));
+    Some(finding.help(format!("write `{word}` as `low` or `high` of the part that they are made for")))
+}
+
+fn targets_are(count: usize) -> String {
+    if count == 1 { "a target is".to_owned() } else { format!("{count} targets are") }
 }
 
 const fn has(count: usize) -> &'static str {

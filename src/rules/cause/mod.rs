@@ -3,6 +3,7 @@
 //! Predicates are named after facts, not after rules. What only one rule asks stands in its file.
 
 pub(super) mod archived;
+mod capitals;
 pub(super) mod component;
 pub(super) mod consequence;
 pub(super) mod copies;
@@ -15,5 +16,6 @@ pub(super) mod schema;
 pub(super) mod weights;
 pub(super) mod worn;
 
+pub(super) use capitals::differing;
 pub(super) use file::{counts_as_missing, is_ignored_override, is_override, is_unmet};
 pub(super) use generated::is_generated_for;

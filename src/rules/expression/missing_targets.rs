@@ -12,12 +12,18 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     docs: "A face unit of an expression moves the target of its name, such as `jawOpen.target.gz`, wherever below `targets` or \
         `custom` that lies. MPFB itself comes without these targets; they are in an asset pack.\n\n\
         Without the target MPFB lists and stores the expression, but the unit moves nothing.\n\n\
+        By the target of `cheekPuff` MPFB sees that the targets of face units are installed. Without it no expression moves \
+        anything, also where the targets of all its units exist.\n\n\
         Where no unit has a target, the pack is not at hand: all expressions are one finding. Check them together with the \
         pack, or add the targets.",
     of_library: true,
     counts: "units",
     ..RuleInfo::new("expression-missing-targets", Level::Warning, "a face unit without a target")
 });
+
+/// The unit whose target shows MPFB that the pack of face units is installed (formats/mpfb.md §6).
+const SIGN: &str = "cheekPuff";
+const NOT_INSTALLED: &str = "stores the expressions, but moves no face with them, also where the targets of their units exist";
 
 /// A file with its units that have no target.
 type Still<'v> = (&'v FileFacts, Vec<&'v (String, String)>, usize);
@@ -38,9 +44,27 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let still: Vec<Still<'_>> = view.own(Kind::FaceExpression).filter_map(of_file).collect();
     if UNITS.into_iter().all(is_still) {
         out.extend(all_still(&still));
-    } else {
-        out.extend(still.iter().filter_map(some_still));
+        return;
     }
+    if is_still(SIGN) {
+        out.extend(not_taken_for_installed(view));
+    }
+    out.extend(still.iter().filter_map(some_still));
+}
+
+/// The targets of all units go unused without this one.
+fn not_taken_for_installed(view: &View<'_>) -> Option<Finding> {
+    let moving = |file: &&FileFacts| file.face_expression().is_some_and(|expression| !expression.units.is_empty());
+    let files: Vec<&FileFacts> = view.own(Kind::FaceExpression).filter(moving).collect();
+    let first = files.first()?;
+    let message = format!(
+        "target `{SIGN}` does not exist, by which MPFB sees that face units are installed; {} no face",
+        if files.len() == 1 { "the expression moves".to_owned() } else { format!("{} expressions move", files.len()) }
+    );
+    let finding = RULE.at(first, Place::File, message).key("sign").effect(NOT_INSTALLED);
+    let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
+    let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
+    Some(finding.help(format!("add `{SIGN}.target.gz` below `targets`; the pack of face units has it")))
 }
 
 fn some_still((file, units, count): &Still<'_>) -> Option<Finding> {

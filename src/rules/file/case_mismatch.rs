@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::named::{Cause, causes, differs_in_form, written};
-use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain, respelled, without_common_folders};
+use super::super::cause::differing;
+use super::spelling::{as_on_disk, folder_on_disk, found, plain, respelled, without_common_folders};
 use super::{fixed_names, folders};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},

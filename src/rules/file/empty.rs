@@ -9,6 +9,7 @@ use crate::diag::{
     Finding, Level, Place, RuleInfo,
 };
 use crate::discover::Kind;
+use crate::formats::target::TargetFacts;
 use crate::repo::{FileFacts, Reference, ReferenceKind, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
@@ -71,10 +72,17 @@ fn is_target_of_macros(view: &View<'_>, file: &FileFacts) -> bool {
         || view.references().to_file(file).any(|reference| is_macro(reference) && reference.found().is_some())
 }
 
+/// Whether a packed target can be unpacked and has only comments, or nothing.
+fn has_no_line(file: &FileFacts) -> bool {
+    let is_empty = |target: &TargetFacts| target.rows == 0 && target.field_count.count == 0;
+    file.gzip_fault.is_none() && !file.failed && file.target().is_some_and(is_empty)
+}
+
 fn emptiness(file: &FileFacts) -> Option<&'static str> {
     let encoding = &file.encoding;
     match file.kind {
         _ if file.size == 0 => Some(" (0 bytes)"),
+        Kind::PackedTarget if has_no_line(file) => Some(" (unpacked, it has no row)"),
         kind if !kind.is_text() => None,
         _ if encoding.blank && encoding.byte_order_mark => Some(" (only a byte order mark)"),
         _ if encoding.blank => Some(" (only whitespace)"),

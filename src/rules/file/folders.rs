@@ -4,14 +4,12 @@ use std::collections::BTreeSet;
 
 use super::super::{Rule, and_more, counted};
 use crate::diag::{Evidence, Finding, grouped};
-use crate::repo::View;
-use crate::repo::makehuman2::MisnamedFolder;
+use crate::repo::{MisnamedFolder, View};
 
 /// One finding for each name, but for folders that a finding on a name in a file names already.
 pub(super) fn findings(rule: &Rule, view: &View<'_>, told: &BTreeSet<String>) -> Vec<Finding> {
-    let View::Makehuman2(own) = view else { return Vec::new() };
     let name = |folder: &MisnamedFolder| folder.rel.rsplit('/').next().unwrap_or_default().to_owned();
-    let by_name = grouped(own.misnamed_folders().into_iter().map(|folder| (name(&folder), folder)));
+    let by_name = grouped(view.misnamed_folders().into_iter().map(|folder| (name(&folder), folder)));
     let is_new = |folders: &&Vec<MisnamedFolder>| !folders.iter().any(|folder| told.contains(&folder.rel));
     by_name.values().filter(is_new).filter_map(|folders| finding(rule, view, folders)).collect()
 }

@@ -85,22 +85,6 @@ fn spelled(rel: &str, found: &str, start: usize, text: &str) -> Option<String> {
     Some(right)
 }
 
-/// The shortest beginnings of both paths that hold the whole difference: a folder, where one differs.
-pub(super) fn differing(written: &str, real: &str) -> (String, String) {
-    let (mut a, mut b) = (Vec::new(), Vec::new());
-    let mut differ = 0;
-    for (index, (left, right)) in written.split('/').zip(real.split('/')).enumerate() {
-        a.push(left);
-        b.push(right);
-        if left != right {
-            differ = index + 1;
-        }
-    }
-    a.truncate(differ);
-    b.truncate(differ);
-    (a.join("/"), b.join("/"))
-}
-
 /// Two paths without the folders in front that they have in common.
 pub(super) fn without_common_folders<'p>(mut one: &'p str, mut other: &'p str) -> (&'p str, &'p str) {
     while let (Some((above, rest)), Some((same, other_rest))) = (one.split_once('/'), other.split_once('/'))
@@ -122,13 +106,6 @@ mod tests {
         assert_eq!(common("a/B/c", "a/b/c"), ("B/c", "b/c"));
         assert_eq!(common("a/B", "a/b"), ("B", "b"));
         assert_eq!(common("A", "a"), ("A", "a"));
-    }
-
-    #[test]
-    fn a_folder_is_named_without_what_is_in_it() {
-        let both = |a: &str, b: &str| (a.to_owned(), b.to_owned());
-        assert_eq!(differing("t/Head/a.target", "t/head/a.target"), both("t/Head", "t/head"));
-        assert_eq!(differing("t/Head/A.target", "t/head/a.target"), both("t/Head/A.target", "t/head/a.target"));
     }
 
     #[test]

@@ -8,6 +8,7 @@ pub(in crate::rules) mod modifier;
 mod modifier_repeated;
 mod modifier_value;
 mod mpfb_asset;
+mod mpfb_lines;
 mod mpfb_modifier;
 pub(in crate::rules) mod syntax;
 pub(in crate::rules) mod tags;

@@ -1,7 +1,7 @@
 //! A model has lines of models.
 
 use super::super::{Check, Rule, RuleCx};
-use super::own;
+use super::{mpfb_lines, own};
 use crate::diag::{
     Application::{Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
@@ -21,6 +21,8 @@ pub(in crate::rules) static RULE: Rule = Check::Models(run, of_mpfb).rule(RuleIn
         `skinMaterial`. The file is something else, such as a web page that was saved in place of a download, or a \
         character of another program.\n\n\
         MakeHuman 2 passes over all its lines and shows the default figure without clothes.\n\n\
+        MPFB knows a keyword at the first column alone, and in its own capitals: of other lines it sees nothing. It knows a \
+        rig by a part of the name of the skeleton, such as `game`; any other name means `default`.\n\n\
         Restore the model, or remove the file.",
     ..RuleInfo::new("model-syntax", Level::Error, "a model without any line of models")
 });
@@ -48,10 +50,14 @@ fn has_lost_name(encoding: &Encoding) -> bool {
 fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in view.own(Kind::Model).filter(|file| has_text(&file.encoding)) {
         let Some(columns) = file.model().map(|model| &model.columns) else { continue };
+        out.extend(mpfb_lines::rig(&RULE, file, columns));
+        if columns.has_line {
+            out.extend(mpfb_lines::displaced(&RULE, file, columns));
+        }
         if !columns.has_line {
             let finding = RULE.at(file, Place::File, "no line begins with a keyword of models at its first column");
             out.push(finding.help("restore the model, or remove the blanks before its keywords"));
-        } else if !columns.has_name && !has_lost_name(&file.encoding) {
+        } else if !columns.has_name && columns.displaced.is_empty() && !has_lost_name(&file.encoding) {
             let finding = RULE.at(file, Place::File, "the model has no line `name`").key("name").case(NO_NAME);
             out.push(finding.help("add a line `name` with the name of the character"));
         }

@@ -7,6 +7,7 @@ use super::wanted::{lost_names, missing};
 use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::mpfb::loops::{LOOPS, Loop, Name, names};
 use crate::repo::mpfb::{Parts, Request, View};
+use crate::repo::{FileFacts, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(
@@ -44,8 +45,22 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     };
     let evidence = Evidence::of_groups(patterns, missing.len() as u64).naming(missing.iter().map(|one| &one.target));
     let all = parts.requests.iter().filter(|one| one.is_reachable).count();
-    let finding = RULE.at(parts.file, Place::pointer(["macrotargets"]), message).key("targets");
+    let finding = RULE.at(parts.file, Place::Pointer(place(parts)), message).key("targets");
     out.push(finding.evidence(evidence.out_of(all)).help(help(parts, first, cx)));
+}
+
+/// Where the only name is written of which no target is there; else the settings as a whole.
+fn place(parts: &Parts<'_>) -> String {
+    let lost = lost_names(parts);
+    let only = lost.first().filter(|_| lost.len() == 1).and_then(|(place, name)| {
+        let setting = parts.settings.settings.iter().find(|setting| setting.place == *place)?;
+        setting.parts.iter().find_map(|part| {
+            let is_name = |own: &Option<String>| own.as_deref() == Some(*name);
+            let member = if is_name(&part.low) { "low" } else { Some("high").filter(|_| is_name(&part.high))? };
+            Some(setting.pointer(part, member))
+        })
+    });
+    only.unwrap_or_else(|| "/macrotargets".to_owned())
 }
 
 fn file_of(request: &Request<'_>) -> String {
@@ -79,6 +94,14 @@ fn patterns_of(own: &Loop, lists: &[Vec<Name<'_>>], missing: &[&Request<'_>]) ->
     patterns.collect()
 }
 
+/// The target beside a missing one that nobody asks for and whose name is nearly that of it.
+fn renamed<'p>(parts: &'p Parts<'_>, missing: &Request<'_>, cx: &RuleCx<'_>) -> Option<&'p FileFacts> {
+    let folder = parent(&missing.rel);
+    let beside = || parts.layer.below(folder).filter(|file| parent(&file.rel) == folder && !parts.asks_for(file));
+    let near = cx.suggestions.nearest_file(&missing.rel, beside().map(|file| file.rel.as_str()))?;
+    beside().find(|file| file.rel == near)
+}
+
 fn help(parts: &Parts<'_>, first: &Request<'_>, cx: &RuleCx<'_>) -> String {
     let lost = lost_names(parts);
     if let Some((place, name)) = lost.first().copied().filter(|_| lost.len() == 1) {
@@ -93,6 +116,10 @@ fn help(parts: &Parts<'_>, first: &Request<'_>, cx: &RuleCx<'_>) -> String {
     }
     if let Some(plain) = first.rel.strip_suffix(".gz").and_then(|plain| parts.layer.file(plain)) {
         return format!("pack `{}` with gzip: MPFB loads only `.target.gz`", plain.rel);
+    }
+    if let Some(other) = renamed(parts, first, cx) {
+        let (is, right) = (other.file_name(), first.rel.rsplit('/').next().unwrap_or(&first.rel));
+        return format!("rename `{is}` to `{right}`, which no other file is as close to");
     }
     let lost: Vec<String> = lost.iter().map(|(_, name)| format!("`{name}`")).collect();
     if lost.is_empty() { "add the targets".to_owned() } else { format!("add the targets of {}", enumerated(&lost)) }

@@ -5,11 +5,12 @@ use super::super::{Rule, RuleCx, did_you_mean, such};
 use super::mpfb_files::{OWN_SKIN_SETTINGS, SKIN_SETTINGS, has_own_skin_settings};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
 use crate::discover::Kind;
-use crate::formats::unfit::NamedAt;
+use crate::formats::unfit::{NamedAt, Why};
 use crate::repo::{FileFacts, View, mpfb};
 
 const STOPPED_IMPORTER: Case = &[(Mpfb, Level::Error, "fails with `TypeError` when the preset is loaded")];
 const IGNORED_PRESET: Case = &[(Mpfb, Level::Warning, "ignores the preset")];
+const UNSET: Case = &[(Mpfb, Level::Warning, "silently ignores the key: the setting keeps its value")];
 const STOPPED_EYES: Case = &[(Mpfb, Level::Error, "fails with an exception when it makes eyes with these settings")];
 const STOPPED_SKIN: Case = &[(
     Mpfb,
@@ -37,7 +38,7 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, file: &FileFacts, cx: &RuleCx
         return;
     }
     let (stopped, passed_over) = match file.kind {
-        Kind::ImporterPreset => (STOPPED_IMPORTER, IGNORED_PRESET),
+        Kind::ImporterPreset => (STOPPED_IMPORTER, UNSET),
         Kind::EyeSettings => (STOPPED_EYES, UNREAD_KEY),
         Kind::SkinSettings => (STOPPED_SKIN, UNREAD_KEY),
         _ => (STOPPED_NODES, NO_LINK),
@@ -45,7 +46,10 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, file: &FileFacts, cx: &RuleCx
     out.extend(findings(rule, file, &faults.stops, cx).map(|(_, finding)| finding.case(stopped)));
     out.extend(absent(rule, file, &faults.absent));
     let ignored = findings(rule, file, &faults.ignored, cx).filter(|(first, _)| is_misspelt(first, cx));
-    out.extend(ignored.map(|(_, finding)| finding.case(passed_over)));
+    out.extend(ignored.map(|(first, finding)| {
+        let is_whole = matches!(first.why, Why::Type { .. });
+        finding.case(if is_whole && file.kind == Kind::ImporterPreset { IGNORED_PRESET } else { passed_over })
+    }));
 }
 
 /// Parts that the settings lack which are read without being asked for; settings of a user are often about a few.

@@ -1,6 +1,9 @@
 //! Files without which MPFB does not work, or not as it should (formats/mpfb.md §1, §28; formats/mpfb-observed.md 1.1, 2.4, 2.6, 2.11).
 
+use std::collections::BTreeSet;
+
 use super::super::Rule;
+use super::super::cause::differing;
 use crate::diag::{Application::Mpfb, Case, Finding, Level};
 use crate::repo::{Layer, View};
 
@@ -53,20 +56,43 @@ pub(super) fn has_own_skin_settings(view: &View<'_>) -> bool {
 /// Findings on what does not exist, and whether the view is that of MPFB.
 pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Vec<Finding>) -> bool {
     let View::Mpfb(_) = view else { return false };
-    for (rel, case) in NEEDED.into_iter().filter(|(rel, _)| !exists(system, rel)) {
-        if rel == SKIN_SETTINGS && has_own_skin_settings(view) {
-            continue;
-        }
-        let finding = rule.in_layer(system, rel, format!("`{rel}` does not exist")).case(case);
-        out.push(finding.help("restore the file from the download of the add-on"));
-    }
-    for (folder, case) in FOLDERS {
-        if !system.has_folder(folder) && !system.has_fault(folder) {
-            let finding = rule.in_layer(system, folder, format!("folder `{folder}` does not exist")).case(case);
-            out.push(finding.help("restore the folder from the download of the add-on"));
-        }
+    let mut renamed = BTreeSet::new();
+    let has_own = has_own_skin_settings(view);
+    let is_missing = |rel: &str| !exists(system, rel) && !(rel == SKIN_SETTINGS && has_own);
+    let files = NEEDED.into_iter().filter(|(rel, _)| is_missing(rel)).map(|(rel, case)| {
+        let other = system.file_ignoring_case(rel).map(|file| file.rel.as_str());
+        (rel, case, "file", other)
+    });
+    let folders = FOLDERS.into_iter().filter(|(folder, _)| !system.has_folder(folder) && !system.has_fault(folder));
+    let folders = folders.map(|(folder, case)| (folder, case, "folder", folder_in_other_case(system, folder)));
+    for (rel, case, what, other) in files.chain(folders) {
+        let finding = match other {
+            Some(other) => {
+                let (is, right) = differing(other, rel);
+                // A folder is told once for all that lies in it.
+                if !renamed.insert(is.clone()) {
+                    continue;
+                }
+                let finding = rule.in_layer(system, &is, format!("`{is}` must be named `{right}`")).key("capitals");
+                finding.help(format!("rename it to `{}`", right.rsplit('/').next().unwrap_or(&right)))
+            }
+            None => {
+                let name = if what == "file" { format!("`{rel}`") } else { format!("folder `{rel}`") };
+                let finding = rule.in_layer(system, rel, format!("{name} does not exist"));
+                finding.help(format!("restore the {what} from the download of the add-on"))
+            }
+        };
+        out.push(finding.case(case));
     }
     true
+}
+
+/// The folder that something lies in and that differs from the name in its capitals alone.
+fn folder_in_other_case<'l>(layer: &'l Layer, folder: &str) -> Option<&'l str> {
+    layer.files.keys().find_map(|rel| {
+        let is = rel.get(..folder.len()).filter(|is| is.eq_ignore_ascii_case(folder))?;
+        rel.get(folder.len()..).filter(|rest| rest.starts_with('/')).map(|_| is)
+    })
 }
 
 fn exists(layer: &Layer, rel: &str) -> bool {

@@ -1,6 +1,7 @@
 //! A data line of a target has four fields.
 
 use super::super::{Check, Rule, RuleCx, counted};
+use super::stopping;
 use crate::diag::{
     Application::{Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
@@ -37,7 +38,7 @@ const BOTH_SIDES: Case = &[(
 )];
 
 /// The same for MPFB: what stops it, else what it takes and others do not.
-fn of_mpfb(file: &FileFacts, out: &mut Vec<Finding>) {
+fn of_mpfb(view: &View<'_>, file: &FileFacts, out: &mut Vec<Finding>) {
     let Some(blanks) = file.target().and_then(|facts| facts.blanks.as_ref()) else { return };
     for (tally, case, help) in [
         (&blanks.few, &[][..], "write rows as `INDEX X Y Z`, and remarks on lines of their own that begin with `#`"),
@@ -53,7 +54,7 @@ fn of_mpfb(file: &FileFacts, out: &mut Vec<Finding>) {
             Evidence::of_unnamed(tally.first.iter().map(|(line, fields)| format!("line {line}: {fields}")));
         evidence.count = tally.count;
         let finding = RULE.at(file, Place::Line(*line), message).case(case).help(help).evidence(evidence);
-        return out.push(finding);
+        return out.push(stopping(finding, case.is_empty() && view.composes_name_of(file)));
     }
 }
 
@@ -61,7 +62,7 @@ const TAKEN: Case = &[(Mpfb, Level::Info, "takes the first four fields; MakeHuma
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if view.is_mpfb() {
-        return of_mpfb(file, out);
+        return of_mpfb(view, file, out);
     }
     // A packed one only MPFB opens.
     let Some(facts) = file.target().filter(|_| file.kind == Kind::Target) else { return };

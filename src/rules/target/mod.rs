@@ -4,7 +4,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::diag::{Element, Place, Tally};
+use super::cause::consequence::MACRO_ROWS;
+use crate::diag::{Element, Finding, Place, Tally};
 use crate::formats::target::TargetFacts;
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{Body, FileFacts, Target, parent};
@@ -39,6 +40,11 @@ pub(super) mod zero_delta;
 /// fault of the first line only; all are checked as they are without it.
 fn targets<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = (&'b Target<'v>, &'v FileFacts, &'v TargetFacts)> {
     body.targets.iter().filter_map(|target| Some((target, target.file, target.file.target()?)))
+}
+
+/// A finding on rows at which MPFB stops, with what becomes of them: of a macro target more than a slider depends.
+fn stopping(finding: Finding, is_of_macros: bool) -> Finding {
+    if is_of_macros { finding.case(MACRO_ROWS) } else { finding }
 }
 
 /// The first row of a tally.

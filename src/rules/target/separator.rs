@@ -1,9 +1,9 @@
 //! The fields of a row are separated by single blanks.
 
 use super::super::{Check, Rule, RuleCx, such};
-use super::targets;
+use super::{stopping, targets};
 use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::Body;
+use crate::repo::{Body, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
@@ -22,13 +22,14 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if !body.is_mpfb() {
         return;
     }
-    for (_, file, facts) in targets(body) {
+    for (target, file, facts) in targets(body) {
         let Some(tally) = facts.blanks.as_ref().map(|blanks| &blanks.separators) else { continue };
         let Some((line, _)) = tally.first.first() else { continue };
         let message = format!("the fields of the row are not separated by one blank{}", such(tally.count, "rows"));
         let mut evidence = Evidence::of_unnamed(tally.first.iter().map(|(line, _)| format!("line {line}")));
         evidence.count = tally.count;
         let finding = RULE.at(file, Place::Line(*line), message).help("write one blank between the fields");
-        out.push(finding.evidence(evidence.out_of(facts.rows)));
+        let is_of_macros = target.used_as == Some(ReferenceKind::MacroTarget);
+        out.push(stopping(finding.evidence(evidence.out_of(facts.rows)), is_of_macros));
     }
 }

@@ -2,14 +2,15 @@
 
 use super::super::cause::archived::weigh;
 use super::super::{Check, Rule, RuleCx};
-use super::targets;
 use super::unreadable_fields::finding;
+use super::{stopping, targets};
 use crate::diag::{
     Application::{Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo,
 };
+use crate::discover::Kind;
 use crate::formats::target::TargetFacts;
-use crate::repo::{Body, FileFacts};
+use crate::repo::{Body, FileFacts, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
@@ -37,7 +38,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body) {
         if body.is_mpfb() {
-            out.extend(of_blanks(file, facts));
+            let is_of_macros = target.used_as == Some(ReferenceKind::MacroTarget);
+            out.extend(of_blanks(file, facts).map(|finding| stopping(finding, is_of_macros)));
         } else if !target.is_unused {
             out.extend(finding(&RULE, file, facts).map(|finding| weigh(target, finding)));
         }
@@ -57,7 +59,11 @@ fn of_blanks(file: &FileFacts, facts: &TargetFacts) -> Option<Finding> {
         1 => format!("`{}` is not a number", first.field),
         count => format!("`{}` is not a number ({count} such lines)", first.field),
     };
-    let place = Place::Span(first.start..first.start + first.field.len());
+    // The bytes of packed text have no place in the file.
+    let place = match file.kind {
+        Kind::PackedTarget => Place::Line(first.line),
+        _ => Place::Span(first.start..first.start + first.field.len()),
+    };
     let help = if first.field.starts_with('\u{feff}') { NO_MARK } else { ROW };
     Some(RULE.at(file, place, message).help(help))
 }

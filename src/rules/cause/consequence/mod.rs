@@ -15,6 +15,7 @@ pub(in crate::rules) use makehuman2::{
 };
 use table::{Row, Spot, Standing, Table};
 
+pub(in crate::rules) use mpfb::MACRO_ROWS;
 use crate::diag::{
     Application::{self, Makehuman1, Makehuman2, Mpfb},
     Finding, Level,
@@ -120,6 +121,11 @@ pub(in crate::rules) fn moment(view: &View<'_>, rel: &str) -> Moment {
 
 /// What a damage of the file at a path comes to; `None` where nothing happens, or nobody needs what is lost.
 pub(in crate::rules) fn consequence(view: &View<'_>, rel: &str, damage: Damage) -> Option<Consequence> {
+    let is_of_macros = |file: &FileFacts| view.composes_name_of(file);
+    let of_macros = view.layers().checked.file(rel).filter(|file| is_of_macros(file));
+    if let Some(own) = of_macros.and_then(|_| mpfb::of_macro_target(damage)) {
+        return Some(own);
+    }
     let (table, row, moment) = asked(view, rel);
     table.consequence(row, moment, damage)
 }

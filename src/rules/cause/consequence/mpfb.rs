@@ -2,6 +2,8 @@
 
 use super::table::{Cell, LOST, Table, anywhere, cell};
 use super::{Consequence, Damage, Moment};
+use crate::diag::Application::Mpfb;
+use crate::diag::Case;
 use crate::diag::Level::{Error, Info, Warning};
 use crate::discover::Kind;
 use crate::json::{Found, SchemaFault};
@@ -65,6 +67,18 @@ const NO_LOOK: &[Cell] = &stopped("fails with an exception when it makes a mater
 const NO_MATERIAL: &[Cell] = &stopped("fails with an exception when it makes a material of this kind");
 
 const NO_BODY: &[Cell] = &stopped("fails with an exception whenever a character is made: none can be made");
+
+/// All macro targets are set to 0 before the first one is loaded (§3.3).
+const MACRO_LOST: &str =
+    "fails where a setting comes near the target: the whole macro shape disappears, and no such character can be made";
+/// What a macro target comes to whose rows cannot be read.
+pub(in crate::rules) const MACRO_ROWS: Case = &[(Mpfb, Error, MACRO_LOST)];
+
+/// What becomes of a macro target; of an empty one nothing.
+pub(super) fn of_macro_target(damage: Damage) -> Option<Consequence> {
+    let is_read = matches!(damage, Damage::Empty | Damage::Absent | Damage::Needless);
+    (!is_read).then_some(Consequence::new(Error, MACRO_LOST))
+}
 
 /// The shape key is made before the rows are read.
 const NOT_A_ROW: &str =
