@@ -128,6 +128,8 @@ pub struct PairMeasure {
     pub difference: MirrorDifference,
     /// The same for the visible body alone.
     pub body: MirrorDifference,
+    /// Whether each of them moves the side that the other one is named after.
+    pub is_exchanged: bool,
 }
 
 /// A skeleton on the default character.

@@ -1,5 +1,6 @@
 //! Shape of single targets: symmetry, which parts of the mesh they move, joint cubes that they tear.
 
+use super::side::Side;
 use super::symmetry::{MirrorComparison, MirrorDifference};
 use super::vector::{Point, length, sub, widen};
 
@@ -117,6 +118,24 @@ impl Parts {
     }
 }
 
+/// Share of the displacement of a target, by length, from which on it is for one side of the body.
+const ONE_SIDED: f64 = 0.9;
+
+/// The side of a mesh on which nearly all of a target lies, if it is one.
+pub fn side_of(rows: &[Row], positions: &[Point]) -> Option<Side> {
+    let (mut left, mut all) = (0.0, 0.0);
+    for (vertex, delta) in rows {
+        let moved = length(widen(*delta));
+        all += moved;
+        match positions.get(*vertex as usize) {
+            Some([x, ..]) if *x > 0.0 => left += moved,
+            _ => {}
+        }
+    }
+    let share = left / all;
+    if share >= ONE_SIDED { Some(Side::Left) } else { (share <= 1.0 - ONE_SIDED).then_some(Side::Right) }
+}
+
 /// Vertices of joint cubes from the groups of a mesh: name of a cube and its vertices.
 pub fn cubes_of<'f>(faces: impl IntoIterator<Item = (&'f str, &'f [u32])>) -> Vec<(String, Vec<u32>)> {
     let mut cubes: std::collections::BTreeMap<&str, Vec<u32>> = std::collections::BTreeMap::new();
@@ -154,6 +173,15 @@ mod tests {
     fn a_cube_moved_in_part_is_torn() {
         let found = measure(&[(0, [0.0, 1.0, 0.0]), (2, [0.0, 0.5, 0.0])]);
         assert_eq!((found.body, found.joints, found.torn.as_slice()), (1, 1, [(0, 0.5)].as_slice()));
+    }
+
+    #[test]
+    fn a_target_lies_on_the_side_of_its_longest_displacements() {
+        let of = |rows: &[Row]| side_of(rows, &POSITIONS);
+        assert_eq!(of(&[(0, [0.0, 1.0, 0.0]), (1, [0.0, 0.1, 0.0])]), Some(Side::Left));
+        assert_eq!(of(&[(0, [0.0, 1.0, 0.0]), (1, [0.0, 0.2, 0.0])]), None);
+        assert_eq!(of(&[(1, [0.0, 1.0, 0.0])]), Some(Side::Right));
+        assert_eq!(of(&[]), None);
     }
 
     #[test]

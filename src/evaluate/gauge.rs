@@ -20,7 +20,7 @@ use crate::eval::skeleton::SceneSkeleton;
 use crate::eval::survey::{Fault, Survey, Trouble, merge};
 use crate::eval::surveyor::Surveyor;
 use crate::eval::symmetry::{MirrorComparison, MirrorMap};
-use crate::eval::target_measure::{Parts, TargetMeasure, cubes_of};
+use crate::eval::target_measure::{Parts, TargetMeasure, cubes_of, side_of};
 use crate::eval::vector::Point;
 use crate::eval::walk::{Stop, in_order};
 
@@ -258,13 +258,17 @@ fn mark<T>(list: &mut [T], at: usize, value: T) {
 fn pair_measures(scene: &Scene, parts: &Parts, mirror: &MirrorMap) -> Vec<PairMeasure> {
     let usable = scene.targets.iter().filter(|target| !target.suspect);
     let by_path: BTreeMap<&str, &MorphTarget> = usable.map(|target| (target.path.as_str(), target)).collect();
+    let is_centred = is_centred(&scene.positions);
+    let is_on = |rows: &[(u32, Point)], side| side_of(rows, &scene.positions) == Some(side);
     let pair = |comparison: &mut MirrorComparison<'_>, left: &MorphTarget| {
         let right = by_path.get(right_of(&left.path)?.as_str())?;
         let (ours, theirs) = (left.rows.as_deref()?, right.rows.as_deref()?);
         let moves = |rows: &[(u32, Point)]| rows.iter().any(|(_, delta)| delta.iter().any(|part| *part != 0.0));
         // A target without effect is a fault of its own.
         let (both, body) = parts.pair(ours, theirs, comparison, DELTA_TOLERANCE);
-        let measure = PairMeasure { left: left.path.clone(), right: right.path.clone(), difference: both, body };
+        let is_exchanged = is_centred && is_on(ours, Side::Right) && is_on(theirs, Side::Left);
+        let (left, right) = (left.path.clone(), right.path.clone());
+        let measure = PairMeasure { left, right, difference: both, body, is_exchanged };
         (moves(ours) && moves(theirs)).then_some(measure)
     };
     let usable = scene.targets.par_iter().filter(|target| !target.suspect);

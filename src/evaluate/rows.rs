@@ -12,7 +12,7 @@ use crate::eval::macros::{MacroFault, MacroWork};
 use crate::eval::proportion::{Lengths, MEDIAN_RATIO, oversize};
 use crate::eval::scene::{Setting, SettingError};
 use crate::eval::vector::Point;
-use crate::formats::target::{self, Row, TargetFacts};
+use crate::formats::target::{self, BlankFacts, Row, Target, TargetFacts};
 use crate::repo::FileFacts;
 use crate::source::{Encoding, gunzip};
 
@@ -82,8 +82,10 @@ impl Evaluation {
         }
         let target = target::parse_file(&bytes, &encoding, Some(self.size));
         let target = target.ok_or_else(|| Error::file(path, "it is not a target"))?;
-        let cause = if self.adds_rows() { unreadable(&target.facts) } else { unusable(&target.facts) };
-        cause.map_or(Ok(target.rows), |cause| Err(Error::file(path, cause)))
+        if self.adds_rows() {
+            return rows_split_at_blanks(&target, &bytes, self.size.vertices).map_err(|cause| Error::file(path, cause));
+        }
+        unusable(&target.facts).map_or(Ok(target.rows), |cause| Err(Error::file(path, cause)))
     }
 
     /// The text of a packed target. One without a byte is an empty target.
@@ -136,13 +138,37 @@ pub(super) fn is_usable(target: &TargetFacts) -> bool {
     target.unreadable_rows == 0 && target.negative.count == 0 && target.out_of_range.count == 0
 }
 
-/// What stops an application that passes over rows for vertices which the mesh lacks. Lines of more or fewer fields are
-/// not among the rows that are kept.
-fn unreadable(target: &TargetFacts) -> Option<String> {
-    let in_range = TargetFacts { out_of_range: Tally::default(), ..target.clone() };
-    let odd = target.field_count.first.first();
-    let odd = odd.map(|(line, fields)| format!("line {line}: {fields} fields; mhlint evaluates rows of four"));
-    unusable(&in_range).or(odd)
+/// The rows as MPFB takes them: four fields split at single blanks, an index below 0 counts from the end, one that is too
+/// large is passed over (formats/mpfb.md §4.1). What stops it otherwise.
+fn rows_split_at_blanks(target: &Target, text: &[u8], vertices: usize) -> Result<Vec<Row>, String> {
+    let facts = &target.facts;
+    if facts.blanks.is_none() && facts.negative.count == 0 {
+        let in_range = TargetFacts { out_of_range: Tally::default(), ..facts.clone() };
+        return unusable(&in_range).map_or(Ok(target.rows.clone()), Err);
+    }
+    facts.blanks.as_ref().and_then(|blanks| at_blanks(blanks)).map_or(Ok(()), Err)?;
+    let count = i64::try_from(vertices).unwrap_or(i64::MAX);
+    let mut rows = Vec::new();
+    for (index, delta) in target::rows_at_blanks(text) {
+        let from_start = if index < 0 { index + count } else { index };
+        match u32::try_from(from_start) {
+            Ok(vertex) if from_start < count => rows.push((vertex, delta)),
+            Ok(_) => {}
+            Err(_) if from_start < 0 => return Err(format!("vertex {index} does not exist")),
+            Err(_) => {}
+        }
+    }
+    Ok(rows)
+}
+
+/// The first line at which a loader stops that splits at single blanks.
+fn at_blanks(blanks: &BlankFacts) -> Option<String> {
+    let of_line = |(line, cause): (u32, String)| format!("line {line}: {cause}");
+    let separator = blanks.separators.first.first();
+    let separator = separator.map(|(line, _)| (*line, "its fields are not separated by single blanks".to_owned()));
+    let few = blanks.few.first.first().map(|(line, fields)| (*line, format!("{fields} fields instead of 4")));
+    let field = blanks.unreadable.as_ref().map(|field| (field.line, format!("`{}` is not a number", field.field)));
+    [separator, few, field].into_iter().flatten().min().map(of_line)
 }
 
 fn unusable(target: &TargetFacts) -> Option<String> {

@@ -9,6 +9,7 @@ use super::faulty_rows::row_name;
 use super::fields::fields;
 use super::inline_ignore::{self, InlineIgnore};
 use super::target_blanks;
+pub use super::target_blanks::rows as rows_at_blanks;
 pub use super::target_facts::{BlankFacts, Largest, TargetFacts, UnreadableField};
 use super::target_repeats::{moves, repeats};
 use super::target_row::fast_row;

@@ -2,7 +2,7 @@
 
 use super::fields::fields;
 use super::target_facts::UnreadableField;
-use super::{python_float, python_int};
+use super::{python_float, python_int, stored};
 use crate::diag::Tally;
 
 /// Lines that such a loader stops at, or reads otherwise. Without any it reads what all others read.
@@ -43,6 +43,24 @@ pub(super) fn read(text: &[u8]) -> BlankFacts {
     facts
 }
 
+/// The rows that such a loader reads: the first four fields of each line. Of a line at which it stops there is none.
+pub fn rows(text: &[u8]) -> Vec<(i64, [f32; 3])> {
+    let text = String::from_utf8_lossy(text);
+    let lines = text.split(is_line_break).map(str::trim).filter(|line| !is_passed_over(line));
+    lines.filter_map(row).collect()
+}
+
+fn row(line: &str) -> Option<(i64, [f32; 3])> {
+    let mut words = line.split(' ').map(str::as_bytes);
+    let index = python_int(words.next()?)?;
+    let mut number = || words.next().and_then(python_float).map(stored);
+    Some((index, [number()?, number()?, number()?]))
+}
+
+fn is_passed_over(line: &str) -> bool {
+    line.is_empty() || line.starts_with(['#', '"'])
+}
+
 /// Python ends lines at more than `\n`.
 const fn is_line_break(letter: char) -> bool {
     matches!(letter, '\n' | '\r' | '\u{b}' | '\u{c}' | '\u{1c}'..='\u{1e}' | '\u{85}' | '\u{2028}' | '\u{2029}')
@@ -51,7 +69,7 @@ const fn is_line_break(letter: char) -> bool {
 impl BlankFacts {
     fn line(&mut self, number: u32, line: &str, offset: usize, raw: &[u8]) {
         let line = line.trim();
-        if line.is_empty() || line.starts_with(['#', '"']) {
+        if is_passed_over(line) {
             return;
         }
         let words: Vec<&str> = line.split(' ').collect();
@@ -98,6 +116,12 @@ mod tests {
         assert_eq!(counts("1 2 3 4 5\n1 2 3 4 # note\n"), (0, 0, 2, 0));
         assert_eq!(counts("3#c 1 2 3\n// no\n0.0 1 2 3\n1 0x1 2 3\n"), (0, 0, 0, 4));
         assert_eq!(counts("1 2 3 4\u{c}1 2\n"), (0, 1, 0, 0));
+    }
+
+    #[test]
+    fn the_first_four_fields_are_a_row() {
+        let rows = rows(b"# x\n 7 1 .5 -2 9 # note\n\n-1 0 0 1\r\n1 2 3\n");
+        assert_eq!(rows, [(7, [1.0, 0.5, -2.0]), (-1, [0.0, 0.0, 1.0])]);
     }
 
     #[test]

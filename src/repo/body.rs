@@ -170,6 +170,11 @@ impl<'a> Rig<'a> {
 }
 
 impl<'v> Body<'v> {
+    /// The targets of each slider that has two.
+    pub(crate) fn slider_ends(&self) -> Vec<[&FileFacts; 2]> {
+        self.view.slider_ends()
+    }
+
     /// A body with nothing but targets.
     pub(super) fn new(name: &'v str, view: &'v View<'v>, targets: Vec<Target<'v>>) -> Self {
         let by_path = targets.iter().enumerate().map(|(at, target)| (target.file.path.as_str(), at)).collect();

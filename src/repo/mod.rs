@@ -17,6 +17,7 @@ mod pack;
 mod path;
 mod reference;
 mod references;
+mod slider_ends;
 mod surface;
 mod view;
 mod worn;

@@ -1,8 +1,8 @@
 //! The data of one application as it sees them.
 
 use super::{
-    Body, FileFacts, Landmarks, Layers, MisnamedFolder, PictureFolders, Reference, References, Shown, Surface, Target, Worn,
-    makehuman1, makehuman2, mpfb,
+    Body, FileFacts, Landmarks, Layers, MisnamedFolder, PictureFolders, Reference, References, Shown, Surface, Target,
+    Worn, makehuman1, makehuman2, mpfb,
 };
 use crate::diag::Application;
 use crate::discover::{Kind, Layout, material_of};

@@ -34,6 +34,12 @@ pub(crate) enum Check {
         fn(&makehuman2::View<'_>, &RuleCx<'_>, &mut Vec<Finding>),
         fn(&makehuman1::View<'_>, &RuleCx<'_>, &mut Vec<Finding>),
     ),
+    /// What the lists of all three show: `MakeHuman` 2, `MakeHuman` 1, MPFB.
+    LibrariesOfAll(
+        fn(&makehuman2::View<'_>, &RuleCx<'_>, &mut Vec<Finding>),
+        fn(&makehuman1::View<'_>, &RuleCx<'_>, &mut Vec<Finding>),
+        fn(&mpfb::View<'_>, &RuleCx<'_>, &mut Vec<Finding>),
+    ),
     /// The data of `MakeHuman` 1.
     Makehuman1(fn(&makehuman1::View<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
     /// The data of MPFB.

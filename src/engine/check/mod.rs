@@ -152,9 +152,14 @@ fn run_rule(rule: &Rule, checked: &Checked<'_>, options: &Config, out: &mut Vec<
             bases.for_each(|base| run(view, base, cx, out));
         }
         (Check::Makehuman2Library(run), View::Makehuman2(view)) => run(view, cx, out),
-        (Check::Libraries(run, _), View::Makehuman2(view)) => run(view, cx, out),
-        (Check::Libraries(_, run) | Check::Makehuman1(run), View::Makehuman1(view)) => run(view, cx, out),
-        (Check::Mpfb(run) | Check::Models(_, run), View::Mpfb(view)) => run(view, cx, out),
+        (Check::Libraries(run, _) | Check::LibrariesOfAll(run, ..), View::Makehuman2(view)) => run(view, cx, out),
+        (
+            Check::Libraries(_, run) | Check::LibrariesOfAll(_, run, _) | Check::Makehuman1(run),
+            View::Makehuman1(view),
+        ) => run(view, cx, out),
+        (Check::Mpfb(run) | Check::Models(_, run) | Check::LibrariesOfAll(.., run), View::Mpfb(view)) => {
+            run(view, cx, out)
+        }
         (Check::Numeric(run), _) => {
             for body in bodies() {
                 if let Some(measures) = checked.measures.and_then(|all| all.get(body.name)) {

@@ -34,13 +34,17 @@ impl<'a> NamedTargets<'a> {
         let mut found = Self::default();
         for layer in layers.strongest_first().chain(layers.beside) {
             let is_system = layers.system.is_some_and(|system| std::ptr::eq(system, layer));
-            for file in layer.files.values().filter(|file| matches!(section_of(file), "custom" | "targets")) {
+            for file in layer.files.values() {
                 let name = file.file_name();
                 if !SUFFIXES.iter().any(|suffix| name.ends_with(suffix)) {
                     continue;
                 }
                 let is_first = is_system && file.rel.starts_with("targets/") && name.ends_with(".gz");
-                let own = [is_first, is_custom(&file.rel) || section_of(file) == "custom", section_of(file) == "targets"];
+                let section = section_of(file);
+                // One of a user where nobody looks for it is told where it lies.
+                let is_elsewhere = !is_system && section != "custom";
+                let is_own = is_custom(&file.rel) || section == "custom";
+                let own = [is_first, is_own, section == "targets" || is_elsewhere];
                 for (phase, _) in found.phases.iter_mut().zip(own).filter(|(_, is_in)| *is_in) {
                     phase.entry(name.to_lowercase()).or_insert(file);
                 }

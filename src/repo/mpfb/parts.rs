@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::loops::{Axis, LOOPS, Name, are_too_many, is_reachable};
-use crate::formats::macro_parts::MacroParts;
+use crate::formats::macro_parts::{MacroParts, RACES};
 use crate::repo::{FileFacts, Layer};
 use crate::source::normalized;
 
@@ -59,22 +59,31 @@ impl<'a> Parts<'a> {
     }
 
     /// The word in the name of a target that keeps the loops from asking for it, and the place of the setting that lacks
-    /// this name. `None` for a name that is not like those of a loop.
+    /// this name. `None` for a name that is not like those of a loop, and for a setting without parts.
     pub(crate) fn unknown_word<'r>(&self, rel: &'r str) -> Option<(usize, &'r str)> {
         let name = rel.strip_prefix(self.folder())?.strip_prefix('/')?.strip_suffix(".target.gz")?;
         LOOPS.iter().find_map(|own| {
-            let lists = own.names(self.settings);
             let words: Vec<&str> = name.strip_prefix(own.prefix)?.split('-').collect();
-            let is_known = |(word, list): (&&str, &Vec<Name<'_>>)| list.iter().any(|one| one.text == *word);
-            let at = words.iter().zip(&lists).position(|pair| !is_known(pair))?;
-            let is_last = words.iter().zip(&lists).skip(at + 1).all(is_known);
-            match own.axes.get(at) {
-                Some(Axis::Setting(place)) if is_last && words.len() == lists.len() => {
-                    words.get(at).map(|word| (*place, *word))
-                }
+            let mut unknown = own.axes.iter().zip(&words).filter(|(axis, word)| !self.has_name(axis, word));
+            match (unknown.next(), unknown.next()) {
+                (Some((Axis::Setting(place), word)), None) if words.len() == own.axes.len() => Some((*place, *word)),
                 _ => None,
             }
         })
+    }
+
+    /// Whether a name is written for an axis, in a part that has values or in another.
+    fn has_name(&self, axis: &Axis, name: &str) -> bool {
+        match axis {
+            Axis::Race => RACES.contains(&name),
+            Axis::Only(_, only) => *only == name,
+            Axis::Setting(place) => {
+                let setting = self.settings.settings.iter().find(|setting| setting.place == *place);
+                let mut parts = setting.iter().flat_map(|setting| &setting.parts).peekable();
+                let is_named = |own: &Option<String>| own.as_deref() == Some(name);
+                parts.peek().is_none() || parts.any(|part| is_named(&part.low) || is_named(&part.high))
+            }
+        }
     }
 
     /// Whether a loop misses a target in the folder of this one, which may be the one that it is meant to be.

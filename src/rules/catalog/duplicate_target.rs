@@ -61,22 +61,33 @@ fn shared(
     told.into_values().collect()
 }
 
-/// Targets in the slots of several sliders.
+/// Targets in the slots of several sliders: one finding for two of these. Of those with one name that is told.
 fn slots(catalog: &Catalog<'_>, out: &mut Vec<Finding>) {
     let named = sliders(catalog).flat_map(|(section, category)| {
         let stems = category.slots_in_use().filter(|slot| !slot.stem.is_empty());
         stems.map(move |slot| ((section.name.as_str(), slot.stem.as_str()), (section, category, slot.key)))
     });
+    let mut by_sliders: BTreeMap<_, Vec<_>> = BTreeMap::new();
     for ((_, stem), all) in grouped(named) {
-        let Some((first, (section, category, slot))) = all.first().zip(all.last()) else { continue };
-        if std::ptr::eq(first.1, *category) {
-            continue;
+        let Some(((section, first, _), (_, last, slot))) = all.first().zip(all.last()) else { continue };
+        if !std::ptr::eq(*first, *last) && first.name != last.name {
+            let sliders = (section.name.as_str(), first.index, last.index);
+            by_sliders.entry(sliders).or_default().push((*section, *first, *last, *slot, stem));
         }
-        let message = format!("`{stem}` is in the slots of `{}` and `{}`", first.1.name, category.name);
-        let finding = RULE.at(catalog.file, place(section, Some(category), &["opposites", slot]), message);
-        let finding = finding.key(format!("{} slot {stem}", section.name)).case(TWO_SLOTS);
-        out.push(finding.help("name the target in one of them only"));
     }
+    out.extend(by_sliders.values().filter_map(|shared| {
+        let (section, one, other, slot, stem) = *shared.first()?;
+        let message = match shared.len() {
+            1 => format!("`{stem}` is in the slots of `{}` and `{}`", one.name, other.name),
+            many => format!("`{}` and `{}` have {many} targets in common, first `{stem}`", one.name, other.name),
+        };
+        let finding = RULE.at(catalog.file, place(section, Some(other), &["opposites", slot]), message);
+        let finding = finding.key(format!("{} slot {stem}", section.name)).case(TWO_SLOTS);
+        let related = place(section, Some(one), &["opposites"]);
+        let finding = finding.related(catalog.file.path.clone(), related, "the other slider");
+        let finding = finding.evidence(Evidence::of_cases(shared.iter().map(|(.., stem)| *stem)));
+        Some(finding.help("name each target in one of them only"))
+    }));
 }
 
 /// Targets of one name in several folders.

@@ -63,7 +63,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let free: Vec<&FileFacts> = catalog.layer.below("targets").filter(is_free).collect();
     let by_word = grouped(free.iter().filter_map(|file| Some((view.parts.as_ref()?.unknown_word(&file.rel)?, *file))));
     out.extend(by_word.iter().filter_map(|(word, files)| without_name(view, *word, files)));
-    let unnamed = free.iter().copied().filter(|file| view.parts.as_ref().and_then(|parts| parts.unknown_word(&file.rel)).is_none());
+    let unnamed = free
+        .iter()
+        .copied()
+        .filter(|file| view.parts.as_ref().and_then(|parts| parts.unknown_word(&file.rel)).is_none());
     for (folder, files) in grouped(unnamed.map(|file| (parent(&file.rel), file))) {
         let Some(first) = files.first() else { continue };
         let section = catalog.sliders.sections.iter().find(|section| catalog.folder(&section.name) == folder);
@@ -86,7 +89,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn without_name(view: &View<'_>, (place, word): (usize, &str), files: &[&FileFacts]) -> Option<Finding> {
     let parts = view.parts.as_ref()?;
     let setting = parts.settings.settings.iter().find(|setting| setting.place == place)?;
-    let message = format!("no part of `{}` has the name `{word}`, which {} for", setting.name(), targets_are(files.len()));
+    let message =
+        format!("no part of `{}` has the name `{word}`, which {} for", setting.name(), targets_are(files.len()));
     let place = Place::pointer(["macrotargets", setting.name(), "parts"]);
     let finding = RULE.at(parts.file, place, message).key(format!("{} {word}", setting.name())).case(NO_NAME);
     let finding = finding.parts_in(files.iter().map(|file| (file.file_name(), &file.path)));

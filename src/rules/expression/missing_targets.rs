@@ -23,12 +23,13 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 
 /// The unit whose target shows MPFB that the pack of face units is installed (formats/mpfb.md §6).
 const SIGN: &str = "cheekPuff";
-const NOT_INSTALLED: &str = "stores the expressions, but moves no face with them, also where the targets of their units exist";
+const NOT_INSTALLED: &str =
+    "stores the expressions, but moves no face with them, also where the targets of their units exist";
 
 /// A file with its units that have no target.
 type Still<'v> = (&'v FileFacts, Vec<&'v (String, String)>, usize);
 
-fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run<'v>(view: &'v View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // The targets are in a user's folder.
     if !view.has_user() {
         return;
@@ -49,7 +50,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if is_still(SIGN) {
         out.extend(not_taken_for_installed(view));
     }
-    out.extend(still.iter().filter_map(some_still));
+    let without_sign = |(file, mut units, count): Still<'v>| {
+        units.retain(|(name, _)| name != SIGN);
+        (file, units, count)
+    };
+    out.extend(still.into_iter().map(without_sign).filter_map(|one| some_still(&one)));
 }
 
 /// The targets of all units go unused without this one.

@@ -5,6 +5,7 @@ use super::super::{Check, Rule, RuleCx, did_you_mean, such};
 use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::face_expression::{FaceExpression, UNITS};
+use crate::formats::unfit::Unfits;
 use crate::repo::FileFacts;
 use crate::repo::mpfb::View;
 
@@ -42,12 +43,23 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.extend(own.map(|finding| finding.level(Level::Warning).effect(effect)));
         }
         let unread = findings(&RULE, file, &expression.unread, cx).filter(|(first, _)| is_misspelt(first, cx));
-        out.extend(
-            unread.map(|(_, one)| one.level(Level::Warning).effect("finds no units: the expression does nothing")),
-        );
+        let misspelt: Vec<Finding> = unread.map(|(_, finding)| finding).collect();
+        let has_fault = |faults: &Unfits| !faults.all().is_empty();
+        if misspelt.is_empty() && !has_fault(&expression.empties) && !has_fault(&expression.refused) {
+            out.extend(without_units(file, expression));
+        }
+        let effect = "finds no units: the expression does nothing";
+        out.extend(misspelt.into_iter().map(|finding| finding.level(Level::Warning).effect(effect)));
         out.extend(unknown(file, expression, cx));
         out.extend(letters(file, expression));
     }
+}
+
+/// Any file in the folder is listed, also one that is something else.
+fn without_units(file: &FileFacts, expression: &FaceExpression) -> Option<Finding> {
+    let finding = expression.units.is_empty().then(|| RULE.at(file, Place::File, "the file has no face unit"))?;
+    let finding = finding.key("none").level(Level::Info).effect("lists an expression that does nothing");
+    Some(finding.help("add face units; if the file is something else, move it out of `expressions`"))
 }
 
 fn unknown(file: &FileFacts, expression: &FaceExpression, cx: &RuleCx<'_>) -> Option<Finding> {

@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::cause::differing;
 use super::super::{Check, Rule, RuleCx};
 use super::named::{Cause, causes, differs_in_form, written};
-use super::super::cause::differing;
 use super::spelling::{as_on_disk, folder_on_disk, found, plain, respelled, without_common_folders};
 use super::{fixed_names, folders};
 use crate::diag::{

@@ -4,7 +4,7 @@ use super::super::cause::copies::CopiedFolders;
 use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{
     Application::{Makehuman2, Mpfb},
-    EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped,
+    Case, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped,
 };
 use crate::discover::Kind;
 use crate::repo::{FileFacts, ReferenceKind, View};
@@ -14,11 +14,17 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     docs: "Several targets have the same displacements, or several pictures or meshes the same bytes. That does \
         no harm, but takes space, and a change to one is easily forgotten in the others.\n\nTargets are compared \
         by their numbers, not their comments. Targets that move nothing and files below 200 bytes are left out. \
+        If the two ends of one slider are equal, it moves the body the same way in both directions (a warning).\n\n\
         Only files of the same base mesh and category are compared, because others cannot be shared.\n\nUse one \
         of the files in all references, and remove the others.",
     counts: "files",
     ..RuleInfo::new("file-duplicate-content", Level::Info, "several files with the same content")
 });
+
+const ONE_END: Case = &[
+    (Makehuman2, Level::Warning, "moves the slider to the same shape in both directions"),
+    (Mpfb, Level::Warning, "moves the slider to the same shape in both directions"),
+];
 
 /// Smaller files (a dot of an icon, a target of a few rows) are equal by chance.
 const SMALLEST: u64 = 200;
@@ -34,7 +40,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     };
     let files = view.files().filter(|file| !is_link(file) && !is_needed(file));
     let twins = grouped(files.filter_map(|file| Some(((category(file), class(file)?, file.content_hash?), file))));
-    let copied = CopiedFolders::of(view);
+    let (copied, ends) = (CopiedFolders::of(view), view.slider_ends());
     for ((_, class, _), files) in twins {
         let [first, others @ ..] = files.as_slice() else { continue };
         // A folder that was copied as a whole is one mistake: `library-identity-clash`.
@@ -53,6 +59,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         for other in others {
             finding = finding.related(other.path.clone(), Place::File, "the same content");
         }
+        let is_there = |end: &FileFacts| files.iter().any(|file| file.path == end.path);
+        let finding =
+            if ends.iter().any(|pair| pair.iter().all(|end| is_there(end))) { finding.case(ONE_END) } else { finding };
         let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
         let finding = finding.between(files.iter().map(|file| &file.path));
         out.push(finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown()))));

@@ -29,7 +29,8 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(what) = emptiness(file).or_else(|| counts_as_missing(view, file)) else { return };
+    let is_of_program = view.layers().checks_system() && view.references().to_file(file).next().is_none();
+    let Some(what) = emptiness(file, is_of_program).or_else(|| counts_as_missing(view, file)) else { return };
     if is_override(file) || is_target_of_macros(view, file) || is_unmet(view, file) {
         return;
     }
@@ -78,11 +79,12 @@ fn has_no_line(file: &FileFacts) -> bool {
     file.gzip_fault.is_none() && !file.failed && file.target().is_some_and(is_empty)
 }
 
-fn emptiness(file: &FileFacts) -> Option<&'static str> {
+/// `is_of_program`: a target that the program brings and no slider has. Those of its macro settings may have no row.
+fn emptiness(file: &FileFacts, is_of_program: bool) -> Option<&'static str> {
     let encoding = &file.encoding;
     match file.kind {
         _ if file.size == 0 => Some(" (0 bytes)"),
-        Kind::PackedTarget if has_no_line(file) => Some(" (unpacked, it has no row)"),
+        Kind::PackedTarget if has_no_line(file) && !is_of_program => Some(" (unpacked, it has no row)"),
         kind if !kind.is_text() => None,
         _ if encoding.blank && encoding.byte_order_mark => Some(" (only a byte order mark)"),
         _ if encoding.blank => Some(" (only whitespace)"),

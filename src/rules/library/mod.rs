@@ -6,6 +6,7 @@ pub(in crate::rules) mod identity_clash;
 pub(in crate::rules) mod linked_folder;
 mod makehuman1;
 pub(in crate::rules) mod missing_thumbnail;
+mod mpfb;
 pub(in crate::rules) mod name_cut;
 pub(in crate::rules) mod scan_crash;
 pub(in crate::rules) mod too_deep;

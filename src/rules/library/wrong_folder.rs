@@ -3,25 +3,33 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
-use super::{makehuman1, suffix};
+use super::{makehuman1, mpfb, suffix};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Evidence, Finding, Level, Place, RuleInfo, nearest,
 };
 use crate::discover::{extension, in_place_of};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::View;
 
-pub(in crate::rules) static RULE: Rule = Check::Libraries(run, |view, _, out| {
-    makehuman1::misplaced(&RULE, view, out);
-    makehuman1::unread(&RULE, view, out);
-}).rule(RuleInfo {
-    breaks: &[(Makehuman2, "does not list it"), (Makehuman1, "does not list it")],
+pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(
+    run,
+    |view, _, out| {
+        makehuman1::misplaced(&RULE, view, out);
+        makehuman1::unread(&RULE, view, out);
+    },
+    |view, _, out| mpfb::misplaced(&RULE, view, out),
+)
+.rule(RuleInfo {
+    breaks: &[(Makehuman2, "does not list it"), (Makehuman1, "does not list it"), (Mpfb, "does not find it")],
     docs: "MakeHuman 2 looks for each kind of asset in folders of its own: `.mhclo` in `clothes`, `hair`, `eyes`, `eyebrows`, \
         `eyelashes`, `teeth` and `tongue`, `.proxy` in `proxy`, `.mhskel` in `rigs`, `.mhpose` in `poses` and \
         `expressions`, `.bvh` in `poses`, `.mhm` in `models`. In each of them is a folder for each base mesh.\n\n\
         An asset in the folder of another kind, or without the folder of the base mesh, is not listed, and models that wear \
         it lose it.\n\nIn MakeHuman 1 topologies (`.proxy`) are in `proxymeshes`, and there is no folder of a base mesh.\n\n\
+        MPFB finds targets in `targets` and `custom` alone, expressions in `expressions`, and assets in the folders of their \
+        kinds, such as `clothes`. Saved characters and other presets are in `config`, which lies beside the folder of data \
+        and not in it.\n\n\
         Move the asset.",
     of_library: true,
     ..RuleInfo::new("library-wrong-folder", Level::Error, "an asset in a folder where its kind is not looked for")

@@ -14,6 +14,7 @@ const SKIPPED: Case = &[(Mpfb, Level::Warning, "skips it with a message in the l
 const ANY: Case = &[(Mpfb, Level::Warning, "takes the first target that the disk lists of those whose names begin so")];
 const LIMITED: Case = &[(Mpfb, Level::Warning, "limits the value: of a target to 0 to 1, one end of a pair to 1")];
 const NO_MACRO: Case = &[(Mpfb, Level::Warning, "does not limit the value: the shape of this macro vanishes")];
+const NO_SHAPE: Case = &[(Mpfb, Level::Error, "makes the character without any shape key: no part has this value")];
 const NOT_FINITE: Case = &[(Mpfb, Level::Warning, "takes the value as it is: the shape vanishes or breaks")];
 const TWICE: Case = &[(Mpfb, Level::Warning, "applies a target once for each line, and a macro as the last line says")];
 
@@ -59,6 +60,11 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Ve
     }
 }
 
+/// Whether all macro targets need a share of the macro. The parts of MPFB reach from -0.01 to 1.01 (§3.2).
+fn is_of_all(name: &str) -> bool {
+    matches!(name, "Age" | "Gender")
+}
+
 fn macro_of(pattern: &str) -> &str {
     PREFIXES.iter().find_map(|prefix| pattern.strip_prefix(prefix)).unwrap_or(pattern)
 }
@@ -99,6 +105,9 @@ fn broken(rule: &Rule, file: &FileFacts, lines: &[Setting]) -> Option<Finding> {
 fn values(rule: &Rule, file: &FileFacts, lines: &[Setting]) -> Vec<Finding> {
     let sort = |(line, value): &(&Setting, f64)| match meant(&line.pattern.text, *value) {
         _ if !value.is_finite() => Some(("non-finite", NOT_FINITE)),
+        Meant::Macro(false) if is_of_all(macro_of(&line.pattern.text)) && !(-0.01..=1.01).contains(value) => {
+            Some(("no-shape", NO_SHAPE))
+        }
         Meant::Macro(false) if !(0.0..=1.0).contains(value) => Some(("macro-range", NO_MACRO)),
         Meant::Pair(_) if value.abs() > 1.0 => Some(("range", LIMITED)),
         // A pair that MPFB does not know is no target at all.

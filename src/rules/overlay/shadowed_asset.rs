@@ -4,17 +4,18 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
 };
 use crate::discover::extension;
 use crate::repo::makehuman2::{Asset, View};
-use crate::repo::{FileFacts, Layer, makehuman1, parent};
+use crate::repo::{FileFacts, Layer, makehuman1, mpfb, parent};
 
-pub(in crate::rules) static RULE: Rule = Check::Libraries(run, shared).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(run, shared, of_mpfb).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "lists the user's asset in place of the system's"),
         (Makehuman1, "takes the user's file wherever it is named, also in materials of the system"),
+        (Mpfb, "takes the user's file in place of its own"),
     ],
     docs: "An asset of the user has the name and uuid of one of the system. MakeHuman 2 lists the user's. Its material and mesh \
         are looked for beside it, so the folder has to be complete.\n\n\
@@ -23,6 +24,9 @@ pub(in crate::rules) static RULE: Rule = Check::Libraries(run, shared).rule(Rule
         model names.\n\n\
         MakeHuman 1 looks for a name such as `litspheres/x.png` in the data of the user first, whoever names it: a file of \
         the user in `litspheres`, `textures`, `shaders` or `uvs` replaces that of the system with the same path.\n\n\
+        MPFB looks for UV layers in the data of the user first: one of the name of a shipped one replaces it for all ink layers. \
+        Once `config/enhanced_settings.default.json` exists, MPFB reads it in place of the shipped settings, also when \
+        these change with a new version.\n\n\
         Nothing has to be done if the asset is meant to be replaced. Otherwise give it a name and a uuid of its own, or copy \
         the whole asset.",
     of_library: true,
@@ -67,6 +71,25 @@ fn shared(view: &makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = RULE.at(file, Place::File, format!("replaces the system's `{}`", file.rel)).key(&file.rel);
         let finding = finding.related(other.path.clone(), Place::File, "the replaced file");
         out.push(finding.help("give it a name of its own if it is not meant to replace that one"));
+    }
+}
+
+/// UV layers, and the settings of skins that were copied once (formats/mpfb.md §1; formats/mpfb-observed.md 2.11, 2.14).
+fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let (checked, Some(system)) = (view.layers.checked, view.layers.system) else { return };
+    if view.layers.checks_system() {
+        return;
+    }
+    let settings = checked.file("config/enhanced_settings.default.json");
+    let shipped = |file: &FileFacts| match file.rel.strip_prefix("config/") {
+        Some(name) => system.file(&format!("settings/{name}")),
+        None => system.file(&file.rel),
+    };
+    for file in checked.below("uv_layers").chain(settings) {
+        let Some(other) = shipped(file).filter(|other| file.content_hash != other.content_hash) else { continue };
+        let finding = RULE.at(file, Place::File, format!("replaces the system's `{}`", other.rel)).key(&file.rel);
+        let finding = finding.related(other.path.clone(), Place::File, "the replaced file");
+        out.push(finding.help("remove it if the one of MPFB is to be used"));
     }
 }
 

@@ -108,7 +108,10 @@ fn help(parts: &Parts<'_>, first: &Request<'_>, cx: &RuleCx<'_>) -> String {
         let setting = parts.settings.settings.iter().find(|setting| setting.place == place);
         let known = setting.map(names).unwrap_or_default();
         let others = known.iter().map(|name| name.text).filter(|other| *other != name);
-        let near = cx.suggestions.nearest(name, others);
+        // Files may be there for a name that is no longer written.
+        let unnamed = parts.layer.below(parent(&first.rel)).filter_map(|file| parts.unknown_word(&file.rel));
+        let unnamed = unnamed.filter(|(own, _)| *own == place).map(|(_, word)| word);
+        let near = cx.suggestions.nearest(name, others.chain(unnamed));
         return did_you_mean(near, format!("correct `{name}`, or add its targets"));
     }
     if let Some(other) = parts.layer.file_ignoring_case(&first.rel) {
@@ -119,7 +122,7 @@ fn help(parts: &Parts<'_>, first: &Request<'_>, cx: &RuleCx<'_>) -> String {
     }
     if let Some(other) = renamed(parts, first, cx) {
         let (is, right) = (other.file_name(), first.rel.rsplit('/').next().unwrap_or(&first.rel));
-        return format!("rename `{is}` to `{right}`, which no other file is as close to");
+        return format!("did you mean `{is}`? Rename it to `{right}`");
     }
     let lost: Vec<String> = lost.iter().map(|(_, name)| format!("`{name}`")).collect();
     if lost.is_empty() { "add the targets".to_owned() } else { format!("add the targets of {}", enumerated(&lost)) }

@@ -3,7 +3,7 @@
 use super::super::unfit::{findings, is_misspelt, top};
 use super::super::{Check, Rule, RuleCx};
 use super::names::{NO_RIG, Named, named};
-use crate::diag::{Application::Mpfb, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Mpfb, Finding, Level, Place, RuleInfo, steps};
 use crate::discover::Kind;
 use crate::formats::human_preset::HumanPreset;
 use crate::formats::unfit::{Unfit, Why};
@@ -44,10 +44,18 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
+/// Whether all macro targets need a share of the setting. The parts of MPFB reach from -0.01 to 1.01 (§3.2).
+fn is_of_all(value: &Unfit) -> bool {
+    matches!(steps(&value.pointer).last().as_deref(), Some("age" | "gender"))
+}
+
 /// What does not stop the loader has a consequence of its own.
 fn passed_over(first: &Unfit, finding: Finding) -> Finding {
     let (level, effect) = match (top(first).as_str(), &first.why) {
         ("clothes", _) => (Level::Error, "reads the string letter by letter: all clothes are missing"),
+        ("phenotype", Why::Range(value)) if is_of_all(first) && !(-0.01..=1.01).contains(value) => {
+            (Level::Error, "makes the character without any shape key: no part of the setting has this value")
+        }
         ("phenotype", Why::Range(_)) => (Level::Warning, "does not limit the value: the shape of this macro vanishes"),
         ("targets", Why::Range(_)) => (Level::Warning, "limits the value to the range from 0 to 1"),
         ("targets", _) => (Level::Warning, "applies the target twice"),

@@ -8,7 +8,7 @@ use crate::diag::{
     Case, Element, Evidence, Finding, Level, Place, RuleInfo,
 };
 use crate::eval::measures::{Measures, PairMeasure};
-use crate::repo::Body;
+use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
@@ -20,11 +20,16 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         mhlint finds from the base mesh which vertices mirror each other. Displacements may differ by 0.025 cm \
         (0.0025) because of rounding. If only helper geometry differs, the body is right and only clothes and hair \
         fitted to those helpers are asymmetric: info.\n\n\
+        If the left one moves the right side of the body and the right one the left side, their names are exchanged.\n\n\
         Mirror one of the two targets and save it over the other.",
     counts: "vertices",
     ..RuleInfo::new("target-asymmetric-pair", Level::Warning, "left and right targets are not mirror images")
 });
 
+const EXCHANGED: Case = &[
+    (Makehuman2, Level::Warning, "moves the other side of the body than the slider says"),
+    (Mpfb, Level::Warning, "moves the other side of the body than the slider says"),
+];
 const ON_HELPERS: Case = &[
     (Makehuman2, Level::Info, "fits clothes and hair asymmetrically at these helpers; the body is symmetric"),
     (Mpfb, Level::Info, "fits clothes and hair asymmetrically at these helpers; the body is symmetric"),
@@ -34,12 +39,24 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     out.extend(measures.pairs.iter().filter_map(|pair| finding(body, pair)));
 }
 
+/// Each moves the side that the other one is for.
+fn exchanged(body: &Body<'_>, left: &FileFacts, right: &FileFacts) -> Finding {
+    let stem = right.stem().trim_end_matches(".target");
+    let message = format!("moves the right side of the body, and `{stem}` moves the left one");
+    let finding = RULE.at(left, Place::File, message).key("exchanged").case(EXCHANGED);
+    let finding = finding.between([&left.path, &right.path]).related(&right.path, Place::File, "its counterpart");
+    with_setting(finding.help("exchange the names of the two files"), body, left)
+}
+
 fn finding(body: &Body<'_>, pair: &PairMeasure) -> Option<Finding> {
     let left = body.target(&pair.left)?.file;
     let right = body.target(&pair.right)?.file;
     // A side that moves nothing at all is a finding of its own.
     if [left, right].iter().any(|file| file.target().is_some_and(|facts| facts.moving == 0)) {
         return None;
+    }
+    if pair.is_exchanged {
+        return Some(exchanged(body, left, right));
     }
     let on_body = !pair.body.different.is_empty();
     let difference = if on_body { &pair.body } else { &pair.difference };

@@ -1,16 +1,19 @@
 //! Displacements out of all proportion: a lost decimal point, a wrong unit.
 
+use std::collections::BTreeSet;
+
 use super::super::units::{centimetres, length};
 use super::super::{Check, Rule, RuleCx};
+use super::beyond_others::{beyond_neighbours, beyond_opposites};
 use super::shown::with_setting;
 use super::targets;
 use crate::diag::{
     Application::{Makehuman2, Mpfb},
-    Confidence, Element, Evidence, Finding, Level, OptionInfo, Place, RuleInfo, grouped,
+    Confidence, Element, Evidence, Finding, Level, OptionInfo, Place, RuleInfo,
 };
-use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, oversize, stands_out_of_folder};
+use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, oversize};
 use crate::formats::target::{Largest, TargetFacts};
-use crate::repo::{Body, FileFacts, ReferenceKind};
+use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
@@ -21,7 +24,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         Reported are a vertex that moves farther than the size of the whole base mesh, and a vertex that stands \
         out from its own target: many times the median of the target, several times as far as all but its longest \
         rows, and a considerable part of the mesh. Also reported is a slider target that as a whole moves more \
-        than five times as far as each of the others in its folder, if there are at least four targets.\n\n\
+        than five times as far as each of the others in its folder, if there are at least four targets, \
+        and one that moves eight times as far as the other end of its slider.\n\n\
         A target that changes everything a lot, or grows steadily towards one place, is not reported. Without the \
         base mesh (`--system`) nothing is checked.\n\n\
         Usually a decimal point is missing (`119` for `.119`), or the shape was exported in other units; MakeHuman \
@@ -39,6 +43,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(size) = body.mesh.and_then(|(_, mesh)| extent(&mesh.positions)) else { return };
     #[expect(clippy::cast_possible_truncation, reason = "a factor set by people")]
     let ratio = cx.option(&RULE, "ratio") as f32;
+    let mut told: BTreeSet<&str> = BTreeSet::new();
     for (_, file, facts) in targets(body) {
         // A vertex that does not exist has a finding of its own.
         let exists = |largest: &Largest| facts.out_of_range.count == 0 || is_vertex(body, largest);
@@ -55,9 +60,13 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             None => continue,
         };
         let message = format!("{}, {what}", moves(body, &largest));
+        told.insert(file.path.as_str());
         out.push(with_setting(finding(file, facts, &largest, message), body, file).confidence(confidence));
     }
-    out.extend(beyond_neighbours(body, size, ratio));
+    let of_folders = beyond_neighbours(body, size, ratio);
+    told.extend(of_folders.iter().map(|(file, _)| file.path.as_str()));
+    out.extend(of_folders.into_iter().map(|(_, finding)| finding));
+    out.extend(beyond_opposites(body, &told));
 }
 
 /// Whether the row that goes farthest moves a vertex of the mesh.
@@ -65,51 +74,11 @@ fn is_vertex(body: &Body<'_>, largest: &Largest) -> bool {
     body.mesh.is_some_and(|(_, mesh)| usize::try_from(largest.index).is_ok_and(|vertex| vertex < mesh.facts.vertices))
 }
 
-/// Details of a folder are of one kind and of one order: one that goes much farther than all others was exported in
-/// other units.
-fn beyond_neighbours(body: &Body<'_>, size: f32, ratio: f32) -> Vec<Finding> {
-    let is_detail = |used_as| {
-        use ReferenceKind::{Decr, Incr, SliderName, Slot};
-        matches!(used_as, Some(Incr | Decr | Slot | SliderName))
-    };
-    let details = body.targets.iter().filter(|target| is_detail(target.used_as));
-    let folders = grouped(details.filter_map(|target| {
-        let facts = target.file.target()?;
-        Some((target.file.folder(), (target.file, facts, facts.largest.as_ref()?)))
-    }));
-    folders.into_values().filter_map(|details| beyond(body, details, size, ratio)).collect()
-}
-
-fn beyond(
-    body: &Body<'_>,
-    mut details: Vec<(&FileFacts, &TargetFacts, &Largest)>,
-    size: f32,
-    ratio: f32,
-) -> Option<Finding> {
-    details.sort_by(|one, other| other.2.length.total_cmp(&one.2.length));
-    let [(file, facts, largest), (_, _, next), others @ ..] = details.as_slice() else { return None };
-    let lengths = |facts: &TargetFacts, largest: &Largest| Lengths {
-        longest: largest.length,
-        median: facts.median_length,
-        tail: facts.tail_length,
-    };
-    let own = lengths(facts, largest);
-    let median = details.iter().skip(1).map(|(_, facts, _)| facts.median_length).fold(0.0, f32::max);
-    // A single row that stands out is told above.
-    let is_told = oversize(own, size, ratio).is_some();
-    if others.len() < 2 || is_told || !stands_out_of_folder(own, Lengths { median, ..lengths(facts, next) }, size) {
-        return None;
-    }
-    let times = largest.length / next.length;
-    let message = format!("{}, {times:.0} times as far as any other slider target in its folder", moves(body, largest));
-    Some(finding(file, facts, largest, message).key("folder").confidence(Confidence::Medium))
-}
-
-fn moves(body: &Body<'_>, largest: &Largest) -> String {
+pub(super) fn moves(body: &Body<'_>, largest: &Largest) -> String {
     format!("{} moves {}", body.vertex(largest.index), length(largest.length))
 }
 
-fn finding(file: &FileFacts, facts: &TargetFacts, largest: &Largest, message: String) -> Finding {
+pub(super) fn finding(file: &FileFacts, facts: &TargetFacts, largest: &Largest, message: String) -> Finding {
     let place = u64::try_from(largest.index)
         .map_or(Place::Line(largest.line), |index| Place::Row(largest.line, Element { kind: "vertex", index }));
     let evidence = Evidence::counted(1);

@@ -15,13 +15,13 @@ pub(in crate::rules) use makehuman2::{
 };
 use table::{Row, Spot, Standing, Table};
 
-pub(in crate::rules) use mpfb::MACRO_ROWS;
 use crate::diag::{
     Application::{self, Makehuman1, Makehuman2, Mpfb},
     Finding, Level,
 };
 use crate::json::{SchemaFault, UnknownKey};
 use crate::repo::{FileFacts, ReferenceKind, View};
+pub(in crate::rules) use mpfb::MACRO_ROWS;
 
 /// When an application opens a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,0 +1,93 @@
+//! Where MPFB looks for a user's files (formats/mpfb.md §1, §2.5, §7).
+
+use super::super::{Rule, counted, did_you_mean};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, grouped, nearest};
+use crate::discover::{Kind, Layout, extension};
+use crate::repo::FileFacts;
+use crate::repo::mpfb::View;
+
+const NOT_LISTED: Case =
+    &[(Application::Mpfb, Level::Error, "does not list them: it looks for them in another folder")];
+const NOT_FOUND: Case =
+    &[(Application::Mpfb, Level::Error, "makes no sliders of them, and saved characters do not find them")];
+
+/// What lies in a folder of the user's data in which nobody looks for it.
+pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    // MPFB looks in its own data by names.
+    if view.layers.checks_system() {
+        return;
+    }
+    let files = || view.layers.checked.files.values().filter(|file| !file.is_loose);
+    let presets = files().filter(|file| is_preset(file.kind_in(Application::Mpfb)));
+    for (folder, files) in grouped(presets.map(|file| (file.folder(), file))) {
+        let message =
+            format!("{} of MPFB in `{}`, where it does not look for them", counted(files.len(), "preset"), folder);
+        let help = "move them to the folder `config` beside the folder of data: `user/config` for `user/data`";
+        out.extend(finding(rule, &files, folder, message, NOT_LISTED, help));
+    }
+    let (own, other) = (Layout::of(Application::Mpfb), Layout::of(Application::Makehuman1));
+    let is_other =
+        |top: &str| own.folder_in_other_case(top).is_some() || matches!(top, "config" | "settings" | "models");
+    let tops = files().filter_map(|file| Some((file.rel.split_once('/')?.0, file)));
+    for (top, files) in grouped(tops.filter(|(top, _)| !is_other(top))) {
+        let of_targets: Vec<&FileFacts> = files.iter().copied().filter(|file| is_target(file)).collect();
+        let is_known = own.has_at_top(top) || other.has_at_top(top);
+        if !of_targets.is_empty() && !matches!(top, "targets" | "custom") {
+            let message =
+                format!("{} in `{top}`, where MPFB does not look for any", counted(of_targets.len(), "target"));
+            let near = nearest(top, ["targets", "custom"]);
+            let help = did_you_mean(near, "move them to `custom`, or to a folder below `targets`");
+            out.extend(finding(rule, &of_targets, top, message, NOT_FOUND, help));
+        } else if !is_known && let Some(near) = nearest(top, FOLDERS) {
+            let files: Vec<&FileFacts> = files.into_iter().filter(|file| is_asset(file)).collect();
+            let message = format!("folder `{top}` is not read ({})", counted(files.len(), "file"));
+            out.extend(finding(rule, &files, top, message, NOT_LISTED, did_you_mean(Some(near), "")));
+        }
+    }
+}
+
+/// Folders of assets, as users mistype them.
+const FOLDERS: [&str; 16] = [
+    "clothes",
+    "hair",
+    "eyes",
+    "eyebrows",
+    "eyelashes",
+    "teeth",
+    "tongue",
+    "proxymeshes",
+    "poses",
+    "rigs",
+    "expressions",
+    "skins",
+    "ink_layers",
+    "uv_layers",
+    "packs",
+    "targets",
+];
+
+fn is_preset(kind: Kind) -> bool {
+    use Kind::{EyeSettings, HumanPreset, ImporterPreset, MakeupPreset, RandomizationPreset, SkinSettings};
+    matches!(kind, HumanPreset | ImporterPreset | MakeupPreset | RandomizationPreset | EyeSettings | SkinSettings)
+}
+
+fn is_target(file: &FileFacts) -> bool {
+    matches!(file.kind, Kind::Target | Kind::PackedTarget)
+}
+
+fn is_asset(file: &FileFacts) -> bool {
+    matches!(extension(&file.rel), "mhclo" | "proxy" | "mhmat" | "bvh" | "json") || file.rel.ends_with(".json.gz")
+}
+
+fn finding(
+    rule: &Rule,
+    files: &[&FileFacts],
+    folder: &str,
+    message: String,
+    case: Case,
+    help: impl Into<String>,
+) -> Option<Finding> {
+    let finding = rule.at(files.first()?, Place::File, message).key(format!("folder {folder}")).case(case);
+    let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
+    Some(finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown()))).help(help))
+}

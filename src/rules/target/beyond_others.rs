@@ -1,0 +1,72 @@
+//! Targets that move much farther than those which they belong to: in the folder, or at the other end of the slider.
+
+use std::collections::BTreeSet;
+
+use super::oversized_delta::{finding, moves};
+use crate::diag::{Confidence, Finding, Place, grouped};
+use crate::eval::proportion::{Lengths, is_out_of_scale, oversize, stands_out_of_folder};
+use crate::formats::target::{Largest, TargetFacts};
+use crate::repo::{Body, FileFacts, ReferenceKind};
+
+fn lengths(facts: &TargetFacts, largest: &Largest) -> Lengths {
+    Lengths { longest: largest.length, median: facts.median_length, tail: facts.tail_length }
+}
+
+/// Details of a folder are of one kind and of one order: one that goes much farther than all others was exported in
+/// other units.
+pub(super) fn beyond_neighbours<'v>(body: &Body<'v>, size: f32, ratio: f32) -> Vec<(&'v FileFacts, Finding)> {
+    let is_detail = |used_as| {
+        use ReferenceKind::{Decr, Incr, SliderName, Slot};
+        matches!(used_as, Some(Incr | Decr | Slot | SliderName))
+    };
+    let details = body.targets.iter().filter(|target| is_detail(target.used_as));
+    let folders = grouped(details.filter_map(|target| {
+        let facts = target.file.target()?;
+        Some((target.file.folder(), (target.file, facts, facts.largest.as_ref()?)))
+    }));
+    folders.into_values().filter_map(|details| beyond(body, details, size, ratio)).collect()
+}
+
+fn beyond<'v>(
+    body: &Body<'v>,
+    mut details: Vec<(&'v FileFacts, &TargetFacts, &Largest)>,
+    size: f32,
+    ratio: f32,
+) -> Option<(&'v FileFacts, Finding)> {
+    details.sort_by(|one, other| other.2.length.total_cmp(&one.2.length));
+    let [(file, facts, largest), (_, _, next), others @ ..] = details.as_slice() else { return None };
+    let own = lengths(facts, largest);
+    let median = details.iter().skip(1).map(|(_, facts, _)| facts.median_length).fold(0.0, f32::max);
+    // A single row that stands out is told above.
+    let is_told = oversize(own, size, ratio).is_some();
+    if others.len() < 2 || is_told || !stands_out_of_folder(own, Lengths { median, ..lengths(facts, next) }, size) {
+        return None;
+    }
+    let times = largest.length / next.length;
+    let message = format!("{}, {times:.0} times as far as any other slider target in its folder", moves(body, largest));
+    Some((file, finding(file, facts, largest, message).key("folder").confidence(Confidence::Medium)))
+}
+
+/// The ends of a slider are made together, in one unit.
+pub(super) fn beyond_opposites(body: &Body<'_>, told: &BTreeSet<&str>) -> Vec<Finding> {
+    let known = |file: &FileFacts| body.target(&file.path).is_some() && !told.contains(file.path.as_str());
+    let pairs = body.slider_ends().into_iter().filter(|ends| ends.iter().all(|file| known(file)));
+    pairs.filter_map(|ends| beyond_opposite(body, ends)).collect()
+}
+
+fn beyond_opposite(body: &Body<'_>, ends: [&FileFacts; 2]) -> Option<Finding> {
+    let [Some(one), Some(other)] = ends.map(|file| Some((file, file.target()?, file.target()?.largest?))) else {
+        return None;
+    };
+    let is_first = one.2.length >= other.2.length;
+    let ((file, facts, largest), (opposite, by, next)) = if is_first { (one, other) } else { (other, one) };
+    if !is_out_of_scale(lengths(facts, &largest), lengths(by, &next)) {
+        return None;
+    }
+    let times = largest.length / next.length;
+    let name = opposite.stem().trim_end_matches(".target");
+    let message =
+        format!("{}, {times:.0} times as far as `{name}`, the other end of its slider", moves(body, &largest));
+    let finding = finding(file, facts, &largest, message).key("opposite").confidence(Confidence::Medium);
+    Some(finding.related(&opposite.path, Place::File, "the other end"))
+}
