@@ -242,6 +242,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &parts::missing_setting::RULE,
     &parts::missing_target::RULE,
     &parts::overlap::RULE,
+    &parts::reversed::RULE,
     &parts::unknown_combination::RULE,
     &pose::licence_spelling::RULE,
     &pose::matrix::RULE,

@@ -90,7 +90,7 @@ impl<'a> Parts<'a> {
     pub(crate) fn may_be_meant(&self, rel: &str) -> bool {
         let folder = crate::repo::parent(rel);
         let mut missing = self.requests.iter().filter(|request| request.is_reachable && request.file.is_none());
-        missing.any(|request| crate::repo::parent(&request.rel) == folder)
+        missing.any(|request| crate::repo::parent(&request.rel).eq_ignore_ascii_case(folder))
     }
 
     /// The folder of all targets: the one above that of the file.

@@ -18,8 +18,9 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 });
 
 const TWICE: Case = &[(Mpfb, Level::Warning, "finds it twice: its section shows the slider twice")];
-const BY_NAME: Case = &[(Mpfb, Level::Warning, "shows no slider for it; saved characters find it by name")];
-const UNSEEN: Case = &[(Mpfb, Level::Warning, "does not see the file on Linux")];
+const BY_NAME: Case = &[(Mpfb, Level::Error, "shows no slider for it; saved characters find it by name")];
+const UNSEEN: Case = &[(Mpfb, Level::Error, "does not see the file on Linux")];
+const OTHER: Case = &[(Mpfb, Level::Error, "does not see the file")];
 const BY_HAND: Case = &[(Mpfb, Level::Warning, "shows no slider for it: such a file is only loaded by hand")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -32,6 +33,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 fn of(file: &FileFacts) -> Option<Finding> {
     let name = file.file_name();
+    if let Some(right) = name.strip_suffix(".txt").filter(|right| suffixes(right).is_some()) {
+        let finding = RULE.at(file, Place::File, format!("`{name}` has a second suffix")).key("place").case(OTHER);
+        return Some(finding.help(format!("rename it to `{right}`")));
+    }
     let stem = suffixes(name)?;
     let suffix = name.get(stem.len()..).unwrap_or_default();
     let is_packed = suffix.len() == ".target.gz".len();

@@ -1,30 +1,42 @@
 //! Folders behind links are not searched.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application::Makehuman1, Evidence, Finding, Level, RuleInfo};
-use crate::discover::library_of;
-use crate::repo::makehuman1::View;
+use crate::diag::{
+    Application::{Makehuman1, Mpfb}, Evidence, Finding, Level, RuleInfo};
+use crate::discover::{Kind, library_of};
+use crate::repo::{FileFacts, View};
 
-pub(in crate::rules) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "does not search the folder: its assets are not listed")],
-    docs: "A folder in a library is a symbolic link. MakeHuman 1 does not follow links to folders when it lists a library, so \
-        that the assets in it are missing. Links to files are fine.\n\n\
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[
+        (Makehuman1, "does not search the folder: its assets are not listed"),
+        (Mpfb, "does not search the folder: its assets are not listed"),
+    ],
+    docs: "A folder in a library is a symbolic link. MakeHuman 1 and MPFB do not follow links to folders when they list a \
+        library, so that the assets in it are missing. Links to files are fine.\n\n\
         Copy the folder, or link its files.",
     of_library: true,
     ..RuleInfo::new("library-linked-folder", Level::Error, "a folder of assets that is a link")
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let layer = view.layers.checked;
+    let layer = view.layers().checked;
     for folder in &layer.linked_folders {
         let assets: Vec<&str> =
-            layer.below(folder).filter(|file| library_of(&file.rel).is_some()).map(|file| file.rel.as_str()).collect();
+            layer.below(folder).filter(|file| is_asset(view, file)).map(|file| file.rel.as_str()).collect();
         if assets.is_empty() {
             continue;
         }
         let message = format!("the folder is a link: {} not listed", are(assets.len()));
         let finding = RULE.in_layer(layer, folder, message).evidence(Evidence::of_cases(assets));
         out.push(finding.help("copy the folder here, or make links to its files"));
+    }
+}
+
+fn is_asset(view: &View<'_>, file: &FileFacts) -> bool {
+    match view {
+        View::Makehuman1(_) => library_of(&file.rel).is_some(),
+        View::Mpfb(_) => !matches!(file.kind_in(Mpfb), Kind::Other | Kind::Image | Kind::Json),
+        View::Makehuman2(_) => false,
     }
 }
 

@@ -8,6 +8,7 @@ pub(super) mod gap;
 pub(super) mod missing_setting;
 pub(super) mod missing_target;
 pub(super) mod overlap;
+pub(super) mod reversed;
 mod stretch;
 pub(super) mod unknown_combination;
 mod wanted;

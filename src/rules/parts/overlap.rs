@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use super::stretch::{checked, ranges, whole};
+use super::stretch::{DEFAULT, checked, ranges, whole};
 use crate::diag::{Application::Mpfb, Finding, Level, Place, RuleInfo};
 use crate::eval::mpfb::cover::overlaps;
 use crate::formats::macro_parts::Part;
@@ -18,6 +18,8 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     ..RuleInfo::new("parts-overlap", Level::Warning, "values that are in two parts of a setting")
 });
 
+const AT_DEFAULT: &str = "adds the targets of both parts up at these values, also in each new character: that has 0.5";
+
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(parts) = checked(view) else { return };
     for setting in whole(parts) {
@@ -31,11 +33,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let (first, second) = (one.index, other.index);
             let message = format!("parts[{first}] and parts[{second}] of `{name}` both cover {from} to {to}{sums}");
             let names = [&one.low, &one.high, &other.low, &other.high].map(|name| name.as_deref().unwrap_or_default());
-            out.push(
-                RULE.at(parts.file, Place::Pointer(setting.pointer(other, "lowest")), message)
-                    .key(format!("{name} {}", names.join("-")))
-                    .help(format!("end parts[{first}] where parts[{second}] begins")),
-            );
+            let finding = RULE.at(parts.file, Place::Pointer(setting.pointer(other, "lowest")), message);
+            let finding = finding.key(format!("{name} {}", names.join("-")));
+            let has_default = (from..=to).contains(&DEFAULT);
+            let finding = if has_default { finding.effect(AT_DEFAULT) } else { finding };
+            out.push(finding.help(format!("end parts[{first}] where parts[{second}] begins")));
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::repo::mpfb::loops::{AGE, GENDER, LOOPS};
 use crate::repo::mpfb::{Parts, View};
 
 /// The value of every setting of a new character.
-const DEFAULT: f64 = 0.5;
+pub(super) const DEFAULT: f64 = 0.5;
 
 /// The macro settings, if they are those of the checked layer.
 pub(super) fn checked<'v, 'a>(view: &'v View<'a>) -> Option<&'v Parts<'a>> {
