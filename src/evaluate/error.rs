@@ -125,7 +125,7 @@ impl fmt::Display for Error {
                 write!(f, "several data folders contain this base mesh; use one of: {}", paths.join(", "))
             }
             Self::BaseNeeded { known, .. } if known.is_empty() => {
-                f.write_str("the data folder has no base mesh (base.obj or base.mhbin)")
+                f.write_str("the data folder has no base mesh (base.obj or base.mhbin); give the data of the program with `--system`")
             }
             Self::BaseNeeded { known, .. } => {
                 write!(f, "the data folder has several base meshes; choose one with `--base`: {}", known.join(", "))

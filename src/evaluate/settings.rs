@@ -7,8 +7,9 @@ use std::path::Path;
 
 use super::error::Error;
 use super::files::{read_document, read_text, shown};
+use super::mpfb;
 use super::opened::Evaluation;
-use crate::diag::nearest;
+use crate::diag::{Application, nearest};
 use crate::eval::scene::Setting;
 use crate::eval::settings::SliderSetting;
 use crate::formats::python_float;
@@ -22,7 +23,12 @@ impl Evaluation {
     pub fn setting(&self, values: &[SliderSetting]) -> Result<Setting, Error> {
         let mut setting = self.scene.defaults();
         for (name, value) in values {
-            self.scene.set(&mut setting, self.slider(name)?, *value);
+            let (slider, sign) = self.slider(name).map(|slider| (slider, 1.0)).or_else(|unknown| {
+                let of_mpfb = self.application() == Application::Mpfb;
+                let meant = if of_mpfb { mpfb::names::slider(&self.scene, name) } else { None };
+                meant.ok_or(unknown)
+            })?;
+            self.scene.set(&mut setting, slider, sign * value);
         }
         Ok(setting)
     }
@@ -91,11 +97,14 @@ pub fn parse_setting(text: &str) -> Result<SliderSetting, Error> {
     let fault = |reason: &str| Error::Setting { text: text.to_owned(), reason: reason.to_owned() };
     let (name, value) = text.rsplit_once('=').ok_or_else(|| fault("expected NAME=VALUE"))?;
     let value = python_float(value.trim().as_bytes()).ok_or_else(|| fault("the value is not a number"))?;
+    if !value.is_finite() {
+        return Err(fault("the value is not a finite number"));
+    }
     Ok((name.trim().to_owned(), value))
 }
 
 /// Settings from a `.mhm` (its `modifier` lines) or a JSON file: an object of names and numbers, a list of
-/// `[name, number]`, or an object that has either as `modifiers`.
+/// `[name, number]`, an object that has either as `modifiers`, or a saved character of MPFB.
 ///
 /// # Errors
 /// A file that cannot be read, a line or member that is no setting.
@@ -104,8 +113,28 @@ pub fn read_settings(path: &Path) -> Result<Vec<SliderSetting>, Error> {
         return model_lines(&read_text(path)?).map_err(|reason| Error::file(shown(path), reason));
     }
     let document = read_document(path)?;
+    if document.root.get("phenotype").is_some() {
+        return character(&document.root).map_err(|reason| Error::file(shown(path), reason));
+    }
     let settings = document.root.get("modifiers").unwrap_or(&document.root);
     modifiers(settings).map_err(|reason| Error::file(shown(path), reason))
+}
+
+/// Macro settings, races and targets of a saved character of MPFB. What it leaves out stands at its default.
+fn character(root: &Node) -> Result<Vec<SliderSetting>, String> {
+    let phenotype = root.get("phenotype").map(Node::effective_members).unwrap_or_default();
+    let number = |name: &str, node: Option<&Node>| {
+        let value = node.and_then(Node::as_f64).ok_or_else(|| format!("the value of `{name}` is not a number"))?;
+        Ok((name.to_owned(), value))
+    };
+    let race =
+        phenotype.iter().filter(|member| &*member.key == "race").flat_map(|member| member.node.effective_members());
+    let settings = phenotype.iter().filter(|member| &*member.key != "race").copied().chain(race);
+    let targets = root.get("targets").map(Node::elements).unwrap_or_default().iter().map(|entry| {
+        let name = entry.get("target").and_then(Node::as_str).ok_or("an entry of `targets` has no `target`")?;
+        number(name, entry.get("value"))
+    });
+    settings.map(|member| number(&member.key, Some(&member.node))).chain(targets).collect()
 }
 
 /// Pairs of name and number from a JSON value.
@@ -163,6 +192,17 @@ mod tests {
         assert_eq!(same_in_short("gendr", &known), Some("macrodetails/Gender"));
         assert_eq!(same_in_short("eyes/l-eye-bag-incr", &known), Some("eyes/l-eye-bag-decr|incr"));
         assert_eq!(same_in_short("nose", &known), None);
+    }
+
+    #[test]
+    fn a_saved_character_has_macros_and_targets() {
+        let of = |text: &str| character(&crate::json::parse(text.as_bytes()).unwrap().root);
+        let text =
+            r#"{"phenotype": {"age": 0.2, "race": {"asian": 1}}, "targets": [{"target": "nose-up", "value": 0.5}]}"#;
+        let expected = [("age", 0.2), ("asian", 1.0), ("nose-up", 0.5)];
+        assert_eq!(of(text), Ok(expected.map(|(name, value)| (name.to_owned(), value)).to_vec()));
+        assert!(of(r#"{"phenotype": {"age": "old"}}"#).is_err());
+        assert!(of(r#"{"phenotype": {}, "targets": [{"value": 1}]}"#).is_err());
     }
 
     #[test]

@@ -72,7 +72,10 @@ impl FaceExpression {
         for member in units.effective_members().into_iter().take(MOST) {
             let pointer = below("/face_units", &member.key);
             match strength(&member.node) {
-                None => self.no_numbers.add_type(&pointer, &member.node, "a number"),
+                None => match member.node.as_str() {
+                    Some(text) => self.no_numbers.add(&pointer, Why::Text(text.to_owned())),
+                    None => self.no_numbers.add_type(&pointer, &member.node, "a number"),
+                },
                 Some(value) if !(0.0..=1.0).contains(&value) => self.out_of_range.add(&pointer, Why::Range(value)),
                 Some(_) => {}
             }

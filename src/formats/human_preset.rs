@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::macro_parts::{RACES, SETTINGS};
+use super::python_float;
 use super::unfit::{NamedAt, Unfits, Why, below, is_number, keep, nth};
 use crate::json::{Document, Node, Value};
 
@@ -61,6 +62,11 @@ const PHENOTYPE: &[&str] =
 const BODY_PARTS: [&str; 7] = ["eyes", "eyebrows", "eyelashes", "tongue", "teeth", "hair", "proxy"];
 /// The kinds of materials that a skin can be made.
 const SKIN_KINDS: &[&str] = &["NONE", "MAKESKIN", "ENHANCED", "ENHANCED_SSS", "LAYERED", "GAMEENGINE"];
+
+/// Whether Python makes a number of a text.
+fn is_python_number(node: &Node) -> bool {
+    node.as_str().is_some_and(|text| python_float(text.as_bytes()).is_some())
+}
 
 /// Takes what the loader would take.
 pub fn read(document: &Document) -> HumanPreset {
@@ -234,11 +240,11 @@ impl HumanPreset {
                 Some(_) => {}
             }
             match row.get("weight") {
-                Some(Node { value: Value::Number(weight, _), .. }) if weight.is_nan() => {
+                Some(Node { value: Value::Number(weight, _), .. }) if !(0.0..=1.0).contains(weight) => {
                     self.ignored.add(&below(&pointer, "weight"), Why::Range(*weight));
                 }
                 // A text may be a number to Python.
-                Some(weight) if !is_number(weight) && weight.as_str().is_none() => {
+                Some(weight) if !is_number(weight) && !is_python_number(weight) => {
                     self.ignored.add_type(&below(&pointer, "weight"), weight, "a number");
                 }
                 _ => {}

@@ -12,6 +12,8 @@ use crate::json::{Document, Node, Value};
 const OF_EACH: [&str; 3] = ["type", "name", "values"];
 /// Keys that nodes of a type need besides.
 const OF_TYPE: [(&str, &str); 2] = [("ShaderNodeTexImage", "filename"), ("ShaderNodeValue", "value")];
+/// Both ends of a link.
+const ENDS: [&str; 4] = ["from_node", "from_socket", "to_node", "to_socket"];
 /// Groups in groups that are followed.
 const DEPTH: usize = 16;
 
@@ -74,7 +76,7 @@ fn node(node: &Node, pointer: &str, groups: &BTreeSet<&str>, faults: &mut Loader
 
 fn links(tree: &Node, pointer: &str, names: &BTreeMap<&str, bool>, faults: &mut LoaderFaults) {
     let pointer = below(pointer, "links");
-    let mut inputs = BTreeSet::new();
+    let (mut inputs, mut all) = (BTreeSet::new(), BTreeSet::new());
     for (at, link) in tree.get("links").map(Node::elements).unwrap_or_default().iter().enumerate() {
         let text = |key| link.get(key).and_then(Node::as_str).filter(|text| !text.contains('$'));
         let ends = [("from_node", text("from_node")), ("to_node", text("to_node"))];
@@ -83,12 +85,19 @@ fn links(tree: &Node, pointer: &str, names: &BTreeMap<&str, bool>, faults: &mut 
                 faults.ignored.add(&below(&nth(&pointer, at), key), Why::Unknown(name.to_owned()));
             }
         }
-        let is_always = link.get("disabled").is_none_or(Node::is_falsy)
-            && ends.iter().all(|(_, name)| name.is_some_and(|name| names.get(name) == Some(&true)));
-        if let Some(input) = text("to_node").zip(text("to_socket")).filter(|_| is_always)
-            && !inputs.insert(input)
+        let is_made = link.get("disabled").is_none_or(Node::is_falsy);
+        // The same link again is made where the first one is, whatever that depends on.
+        let whole = ENDS.map(|key| link.get(key).and_then(Node::as_str));
+        let condition = link.get("disabled").and_then(Node::as_str);
+        let is_copy =
+            (is_made || condition.is_some()) && whole.iter().all(Option::is_some) && !all.insert((whole, condition));
+        let is_always = is_made && ends.iter().all(|(_, name)| name.is_some_and(|name| names.get(name) == Some(&true)));
+        let input = text("to_node").zip(text("to_socket")).filter(|_| is_always);
+        let is_second = input.is_some_and(|input| !inputs.insert(input));
+        if let [.., Some(node), Some(socket)] = whole
+            && (is_copy || is_second)
         {
-            faults.stops.add(&nth(&pointer, at), Why::SecondLink(format!("`{}` of `{}`", input.1, input.0)));
+            faults.stops.add(&nth(&pointer, at), Why::SecondLink(format!("`{socket}` of `{node}`")));
         }
     }
 }
@@ -123,6 +132,9 @@ mod tests {
         for second in [link("b", ""), link("a", r#", "disabled": "$x""#)] {
             assert_eq!(of(&nodes, &format!("{}, {second}", link("a", "")), ""), LoaderFaults::default(), "{second}");
         }
+        let conditional = link("a", r#", "disabled": "$x""#);
+        let copied = of(&nodes, &format!("{conditional}, {conditional}"), "");
+        assert_eq!(pointers(&copied.stops), ["/links/1"]);
         let twice = of(&nodes, &format!("{}, {}", link("a", ""), link("a", "")), "");
         assert_eq!(pointers(&twice.stops), ["/links/1"]);
         assert_eq!(pointers(&of(A, &link("c", ""), "").ignored), ["/links/0/from_node"]);

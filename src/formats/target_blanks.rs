@@ -10,6 +10,8 @@ use crate::diag::Tally;
 pub struct BlankFacts {
     /// Rows with white space between their fields that is not one blank.
     pub separators: Tally,
+    /// Whether there is a tab in the first of these.
+    pub has_tab: bool,
     /// Lines with fewer than four fields, with their number.
     pub few: Tally,
     /// Rows with more than four fields, with their number: it takes the first four.
@@ -84,6 +86,7 @@ impl BlankFacts {
         };
         let loose = fields(line.as_bytes());
         if loose.len() >= READ && loose.iter().enumerate().take(READ).all(|(at, (_, word))| fits(at, word)) {
+            self.has_tab |= self.separators.count == 0 && line.contains('\t');
             return self.separators.add(number, 0);
         }
         self.unreadable_lines += 1;

@@ -28,6 +28,8 @@ pub enum Why {
     },
     /// It is a text that is none of a few.
     Word(String, &'static [&'static str]),
+    /// It is a text of which no number can be made.
+    Text(String),
     /// It is a list of another length.
     Length(usize, usize),
     /// It is a number that has no such value.

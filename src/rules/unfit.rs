@@ -37,7 +37,7 @@ fn cause(one: &Unfit) -> String {
     let sort = match &one.why {
         Why::Lacks(key) => format!("lacks {key}"),
         Why::Key(_) => "key".to_owned(),
-        Why::Type { .. } => "type".to_owned(),
+        Why::Type { .. } | Why::Text(_) => "type".to_owned(),
         Why::Word(..) => "word".to_owned(),
         Why::Length(..) => "length".to_owned(),
         Why::Range(_) => "range".to_owned(),
@@ -59,7 +59,7 @@ const fn things(one: &Unfit) -> &'static str {
     match one.why {
         Why::Lacks(_) => "places",
         Why::Key(_) => "keys",
-        Why::Type { .. } | Why::Word(..) | Why::Length(..) | Why::Range(_) => "values",
+        Why::Type { .. } | Why::Text(_) | Why::Word(..) | Why::Length(..) | Why::Range(_) => "values",
         Why::SecondLink(_) => "links",
         Why::Twice(_) | Why::Unknown(_) => "entries",
     }
@@ -71,6 +71,7 @@ fn sentence(one: &Unfit) -> String {
         Why::Lacks(key) => format!("{subject} has no `{key}`"),
         Why::Key(_) => format!("{subject} is not a known key"),
         Why::Type { found, wanted } => format!("{subject} is {found}, expected {wanted}"),
+        Why::Text(text) => format!("{subject} is `{}`, which is not a number", quoted(text)),
         Why::Word(text, known) => {
             let known: Vec<String> = known.iter().map(|word| format!("`{word}`")).collect();
             format!("{subject} is `{}`, expected {}", quoted(text), either(&known))
@@ -93,6 +94,7 @@ fn help(one: &Unfit, cx: &RuleCx<'_>) -> String {
         }
         Why::Type { wanted, .. } => format!("write {wanted}"),
         Why::Word(text, known) => did_you_mean(nearest(text, known, cx), format!("write {}", either(&few(known)))),
+        Why::Text(_) => "write a number from 0 to 1".to_owned(),
         Why::Length(_, wanted) => format!("write {wanted} numbers"),
         Why::Range(_) => "write a number from 0 to 1".to_owned(),
         Why::Twice(_) | Why::SecondLink(_) => "keep one of them".to_owned(),

@@ -47,7 +47,7 @@ pub(super) struct SettingArgs {
     /// NAME is the name in models (.mhm) or the key in modelling.json. VALUE is not clamped.
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub(super) set: Vec<String>,
-    /// Read slider settings from a model (.mhm) or a JSON file.
+    /// Read slider settings from a model (.mhm), a saved character of MPFB or another JSON file.
     ///
     /// --set overrides them.
     #[arg(long, value_name = "FILE")]

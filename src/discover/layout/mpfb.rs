@@ -10,7 +10,7 @@ pub(super) static LAYOUT: Layout = Layout {
     shape: "targets/target.json",
     depth: 3,
     folders: &[
-        &["targets", "3dobjs", "mesh_metadata", "ink_layers", "uv_layers", "packs", "custom"],
+        &["targets", "3dobjs", "mesh_metadata", "ink_layers", "uv_layers", "packs", "custom", "node_trees", "settings"],
         &LIBRARIES,
         &WORN,
     ],

@@ -143,6 +143,22 @@ fn open_above(path: &Path, place: &Path, here: &str, applications: &[Application
 
 /// The folder above `place` that is a data root of any application, where `layout` has such a one.
 fn root_above(place: &str, layout: &Layout) -> Option<PathBuf> {
+    inside(place, layout).or_else(|| beside(place, layout))
+}
+
+/// The folder that holds both a data root called `data` and one beside it that `place` lies in.
+fn beside(place: &str, layout: &Layout) -> Option<PathBuf> {
+    let parts: Vec<&str> = place.split('/').collect();
+    let named = (0..parts.len()).rev().filter(|at| parts.get(*at).is_some_and(|part| layout.beside.contains(part)));
+    let mut above = named.map(|at| PathBuf::from(parts.get(..at).unwrap_or_default().join("/")));
+    above.find(|above| {
+        let data = above.join("data");
+        let shallow = || Tree::on_disk_to_depth(String::new(), &data, layout.depth, is_read_though_hidden);
+        data.is_dir() && roots_of(&shallow(), &[layout.application], |one| one == layout.application).contains_key("")
+    })
+}
+
+fn inside(place: &str, layout: &Layout) -> Option<PathBuf> {
     let root = PathBuf::from(layout.root_above(place)?);
     let shallow = Tree::on_disk_to_depth(String::new(), &root, layout.depth, is_read_though_hidden);
     roots_of(&shallow, &[], |_| true).contains_key("").then_some(root)

@@ -51,9 +51,14 @@ impl<'t> Roots<'t> {
         outcome: &mut Outcome,
     ) -> Result<Self, Error> {
         let (packs, folders): (Vec<&Input>, Vec<&Input>) = inputs.iter().partition(|input| input.tree.pack().is_some());
-        let mut found: Vec<_> =
-            folders.into_iter().map(|input| (input, roots_of(&input.tree, &options.applications, |_| true))).collect();
         let mut systems = system.map(|system| system_places(system, applications)).transpose()?.unwrap_or_default();
+        // What shares its users' folders with another application has them where its data are given.
+        let mut at_hand = options.applications.clone();
+        if at_hand.is_empty() {
+            at_hand.extend(applications.iter().filter(|one| systems.iter().any(|system| system.is_of(**one))));
+        }
+        let mut found: Vec<_> =
+            folders.into_iter().map(|input| (input, roots_of(&input.tree, &at_hand, |_| true))).collect();
         if options.applications.is_empty() && !systems.is_empty() {
             found = of_systems(found, &systems, applications);
         }
@@ -123,7 +128,17 @@ impl<'t> Roots<'t> {
 
 /// The data roots of `--system`: the first of each application.
 pub(super) fn system_places<'t>(tree: &'t Tree, applications: &[Application]) -> Result<Vec<Place<'t>>, Error> {
-    let mut places = checked_places(tree, applications);
+    let is_system = |path: &str, layout: &'static Layout| {
+        layout.shares_roots_of.is_none() || (layout.role)(&candidates(tree, path, &[layout])) != Role::User
+    };
+    let roots = roots_of(tree, &[], |application| applications.contains(&application)).into_iter();
+    // What MPFB shares with others is a user's: its own data are not.
+    let roots = roots.map(|(path, mut layouts)| {
+        layouts.retain(|layout| is_system(&path, layout));
+        (path, layouts)
+    });
+    let roots = roots.filter(|(_, layouts)| !layouts.is_empty());
+    let mut places: Vec<Place<'t>> = roots.map(|(path, layouts)| Place::new(tree, &path, &layouts)).collect();
     let mut missing = applications.to_vec();
     places.retain(|place| {
         let wanted = missing.len();

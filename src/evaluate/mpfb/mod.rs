@@ -4,6 +4,7 @@ pub(super) mod base;
 pub(super) mod cases;
 mod keys;
 pub(super) mod macros;
+pub(super) mod names;
 
 use super::Error;
 

@@ -105,6 +105,12 @@ impl<'a> NamedFiles<'a> {
         self.0.get(name).into_iter().flatten().any(|file| is_in(file, section))
     }
 
+    /// The folder at the top that holds a file of the name.
+    pub(crate) fn section_of(&self, reference: &str) -> Option<&'a str> {
+        let name = reference.rsplit('/').next().unwrap_or(reference);
+        self.0.get(name).and_then(|files| files.first()).and_then(|file| file.rel.split_once('/')).map(|(top, _)| top)
+    }
+
     /// The names of all in a section, for suggestions.
     pub(crate) fn names(&self, section: &str) -> impl Iterator<Item = &'a str> {
         let is_meant = move |(_, files): &(&&'a str, &Vec<&FileFacts>)| files.iter().any(|file| is_in(file, section));

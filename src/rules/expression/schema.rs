@@ -36,7 +36,8 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             (&expression.no_numbers, NO_UNIT),
             (
                 &expression.out_of_range,
-                "does not limit the strength when it loads the expression: other expressions on the same face are distorted",
+                "does not limit the strength: above 1 the unit is at its full strength and outweighs other expressions, below 0 \
+                 it does nothing",
             ),
         ] {
             let own = findings(&RULE, file, faults, cx).map(|(_, finding)| finding);

@@ -2,7 +2,9 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{
-    Application::{Makehuman1, Mpfb}, Evidence, Finding, Level, RuleInfo};
+    Application::{Makehuman1, Mpfb},
+    Evidence, Finding, Level, RuleInfo,
+};
 use crate::discover::{Kind, library_of};
 use crate::repo::{FileFacts, View};
 

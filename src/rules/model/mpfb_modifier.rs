@@ -13,6 +13,7 @@ const NOTHING_LOADED: Case = &[(Mpfb, Level::Error, "fails with `ValueError` whe
 const SKIPPED: Case = &[(Mpfb, Level::Warning, "skips it with a message in the log")];
 const ANY: Case = &[(Mpfb, Level::Warning, "takes the first target that the disk lists of those whose names begin so")];
 const LIMITED: Case = &[(Mpfb, Level::Warning, "limits the value: of a target to 0 to 1, one end of a pair to 1")];
+const NO_EFFECT: Case = &[(Mpfb, Level::Warning, "does nothing: the value of a target with one direction ends at 0")];
 const NO_MACRO: Case = &[(Mpfb, Level::Warning, "does not limit the value: the shape of this macro vanishes")];
 const NO_SHAPE: Case = &[(Mpfb, Level::Error, "makes the character without any shape key: no part has this value")];
 const NOT_FINITE: Case = &[(Mpfb, Level::Warning, "takes the value as it is: the shape vanishes or breaks")];
@@ -98,7 +99,7 @@ fn broken(rule: &Rule, file: &FileFacts, lines: &[Setting]) -> Option<Finding> {
         text => format!("`{text}` is not a number"),
     };
     let message = format!("{message}{}", such(broken.len(), "lines"));
-    let help = "write the pattern without a blank, one blank, and one number";
+    let help = "write the pattern without a blank, one blank, and one number; a remark needs a line of its own";
     told(rule, file, broken.iter().map(|(line, _)| *line), message, NOTHING_LOADED).map(|one| one.help(help))
 }
 
@@ -112,6 +113,7 @@ fn values(rule: &Rule, file: &FileFacts, lines: &[Setting]) -> Vec<Finding> {
         Meant::Pair(_) if value.abs() > 1.0 => Some(("range", LIMITED)),
         // A pair that MPFB does not know is no target at all.
         Meant::Target(name) if name.contains('|') => None,
+        Meant::Target(_) if *value < 0.0 => Some(("negative", NO_EFFECT)),
         Meant::Target(_) | Meant::Macro(true) if !(0.0..=1.0).contains(value) => Some(("range", LIMITED)),
         _ => None,
     };

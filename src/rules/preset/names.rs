@@ -46,7 +46,7 @@ pub(super) fn named(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> V
             at: first.pointer.clone(),
             message: format!("{what} `{}` does not exist{}", first.name, such(count, "names")),
             key,
-            help: did_you_mean(near, "correct the name, or add the file"),
+            help: elsewhere(view, first).unwrap_or_else(|| did_you_mean(near, "correct the name, or add the file")),
             level,
             effect,
             cases,
@@ -85,7 +85,7 @@ fn ambiguous<'p>(view: &View<'p>, preset: &'p HumanPreset) -> Option<Named> {
     let more = such(ambiguous.len(), "names");
     Some(Named {
         at: first.pointer.clone(),
-        message: format!("no target is named `{}`, but {count} names begin so{more}", first.name),
+        message: format!("no target is named `{}`, but the names of {count} begin with it{more}", first.name),
         key: "ambiguous",
         help: format!("write the whole name, such as `{}`", example.split(".target").next().unwrap_or(example)),
         level: Level::Warning,
@@ -103,6 +103,16 @@ fn section(one: &NamedAt) -> String {
         "makeup" => "ink_layers".to_owned(),
         _ => key,
     }
+}
+
+/// What to do where a file of the name is there: in the folder of another kind, or behind another sign.
+fn elsewhere(view: &View<'_>, one: &NamedAt) -> Option<String> {
+    let section = section(one);
+    if one.name.contains('\\') && view.named.has(&section, &one.name.replace('\\', "/")) {
+        return Some("write `/` in place of the backslash".to_owned());
+    }
+    let other = view.named.section_of(&one.name).filter(|other| *other != section)?;
+    Some(format!("the file is in `{other}`: name it there, or move it to `{section}`"))
 }
 
 /// Files that are looked for by their name alone: the first that does not exist, what it could be, and how many.

@@ -17,6 +17,8 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     docs: "`support_urls` in `makehuman2_version.json` names, for each entry of a menu, a key of the same file with an \
         address. `standardmesh` names a base mesh.\n\n\
         Without the key MakeHuman 2 crashes. A base mesh that does not exist is never chosen (a warning).\n\n\
+        Of MPFB the rule looks at presets of the importer, makeup, settings of eyes and skins and node trees: values that their \
+        loaders do not take, misspelt keys, ink layers that do not exist, and a second link to one input of a node.\n\n\
         Add the key, or correct the name. Missing keys and wrong types are reported by `json-schema`.",
     ..RuleInfo::new("program-file-content", Level::Error, "a file of the program names something that does not exist")
 });

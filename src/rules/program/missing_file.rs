@@ -17,6 +17,10 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     docs: "The data folder of MakeHuman 2 itself needs `makehuman2_version.json` and `shaders/shader.json`. Without the first \
         the program exits at start with code 20, without the second with code 21.\n\n\
         The rule asks for them only where the folder holds other parts of the program: shaders, or one of the two.\n\nOf the data of MakeHuman 1 the rule asks for the default skin, its litspheres, the default eyes and the shaders, each only where other files of its folder are there.\n\n\
+        MPFB opens files of its own data by their names: `target.json` and `macro.json`, `base.obj`, the files of \
+        `mesh_metadata`, settings and node trees, and the folders `targets/_images` and `textures`. Without the catalogue, the \
+        macros, the vertex groups or the icons the add-on cannot be enabled; without the others it fails where it needs them. \
+        Capitals count.\n\n\
         Restore the file from the program.",
     of_library: true,
     ..RuleInfo::new("program-missing-file", Level::Error, "a file of the program does not exist")

@@ -23,9 +23,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     for (target, file, facts) in targets(body) {
-        let Some(tally) = facts.blanks.as_ref().map(|blanks| &blanks.separators) else { continue };
+        let Some(blanks) = &facts.blanks else { continue };
+        let tally = &blanks.separators;
         let Some((line, _)) = tally.first.first() else { continue };
-        let message = format!("the fields of the row are not separated by one blank{}", such(tally.count, "rows"));
+        let what = if blanks.has_tab { "separated by a tab" } else { "not separated by one blank" };
+        let message = format!("the fields of the row are {what}{}", such(tally.count, "rows"));
         let mut evidence = Evidence::of_unnamed(tally.first.iter().map(|(line, _)| format!("line {line}")));
         evidence.count = tally.count;
         let finding = RULE.at(file, Place::Line(*line), message).help("write one blank between the fields");
