@@ -41,11 +41,28 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[
         .into_iter()
         .filter(|one| Layout::of(*one).shares_roots_of.is_none() || is_at_hand(*one))
         .collect();
-    signs.retain(|root, sign| *sign == Sign::Strong || company.contains(&root.application) || confirmed.contains(root));
+    // A folder that a file beside it confirms is of none whose users' folders are not shared.
+    let is_confirmed_of_other = |root: &DataRoot| {
+        let mut others =
+            confirmed.iter().filter(|other| other.path == root.path && other.application != root.application);
+        others.any(|other| Layout::of(other.application).shares_roots_of != Some(root.application))
+    };
+    signs.retain(|root, sign| {
+        let is_own = company.contains(&root.application) || confirmed.contains(root);
+        *sign == Sign::Strong || is_own && !is_confirmed_of_other(root)
+    });
+    // A folder `data` in one that is called so is a copy that went astray.
+    let astray = |root: &DataRoot| {
+        let above = root.path.strip_suffix("/data").filter(|above| is_data(above));
+        above.is_some_and(|above| signs.contains_key(&DataRoot { path: above.to_owned(), ..root.clone() }))
+    };
+    let astray: BTreeSet<DataRoot> =
+        signs.keys().filter(|root| has_beside(root.application) && astray(root)).cloned().collect();
+    signs.retain(|root, _| !astray.contains(root));
     // What lies beside a folder called `data` does not make a root of the one above it.
     let is_above_data = |root: &DataRoot| {
         let below = data_in(&root.path, root.application);
-        !Layout::of(root.application).beside.is_empty() && signs.contains_key(&below)
+        has_beside(root.application) && signs.contains_key(&below)
     };
     let above_data: BTreeSet<DataRoot> = signs.keys().filter(|root| is_above_data(root)).cloned().collect();
     signs.retain(|root, _| !above_data.contains(root));
@@ -68,6 +85,15 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[
     roots.sort();
     roots.dedup();
     roots
+}
+
+/// Whether files beside a folder called `data` belong to it.
+fn has_beside(application: Application) -> bool {
+    !Layout::of(application).beside.is_empty()
+}
+
+fn is_data(path: &str) -> bool {
+    path.rsplit('/').next() == Some("data")
 }
 
 /// The data root that a file lies beside, if it is one of the application by its name.
@@ -161,6 +187,16 @@ mod tests {
         // A folder at the top is as good as one below, and what lies above `data` by mistake is no root.
         let stray = ["config/human.ada.json", "data/targets/a/b.target", "targets/a/b.target"];
         assert_eq!(found(&stray), [("data".to_owned(), Application::Mpfb)]);
+    }
+
+    #[test]
+    fn a_folder_that_went_astray_makes_no_root() {
+        let config = "user/config/human.ada.json";
+        let of_user = vec![("user/data".to_owned(), Application::Mpfb)];
+        assert_eq!(found(&[config, "user/data/packs/a.json", "user/data/data/custom/x.target.gz"]), of_user);
+        assert_eq!(found(&[config, "user/data/packs/a.json", "user/data/target/mine/x.target"]), of_user);
+        let own = ["data/mesh_metadata/hm08.mirror", "data/target/macrodetails/macro.json"];
+        assert_eq!(found(&own), [("data".to_owned(), Application::Mpfb)]);
     }
 
     #[test]

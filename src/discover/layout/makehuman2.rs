@@ -63,9 +63,10 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         [
             ..,
             "target" | "contarget",
-            _,
+            base,
             "macro.json" | "modelling.json" | "target_cat.json" | "compressedtargets.npz",
-        ] => Some((Sign::Strong, 3)),
+            // The folder of macro targets that MPFB has, below a misspelt `targets`.
+        ] if *base != "macrodetails" => Some((Sign::Strong, 3)),
         [.., "rigs", _, name] if extension(name) == "mhskel" => Some((Sign::Weak, 3)),
         // Below one of its own base meshes: in a pack or of a user there may be nothing else.
         [.., category, base, _, _, _] | [.., category, base, _, _] | [.., category, base, _]

@@ -7,6 +7,7 @@ use super::view::OWN;
 use crate::diag::grouped;
 use crate::discover::Layout;
 use crate::repo::{FileFacts, Layers};
+use crate::source::is_below;
 
 /// Targets that are found by their names, each under its file name in small letters.
 #[derive(Debug, Default)]
@@ -34,7 +35,9 @@ impl<'a> NamedTargets<'a> {
         let mut found = Self::default();
         for layer in layers.strongest_first().chain(layers.beside) {
             let is_system = layers.system.is_some_and(|system| std::ptr::eq(system, layer));
-            for file in layer.files.values() {
+            // Links to folders are not followed.
+            let is_linked = |file: &FileFacts| layer.linked_folders.iter().any(|folder| is_below(&file.rel, folder));
+            for file in layer.files.values().filter(|file| !is_linked(file)) {
                 let name = file.file_name();
                 if !SUFFIXES.iter().any(|suffix| name.ends_with(suffix)) {
                     continue;

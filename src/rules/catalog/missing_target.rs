@@ -1,6 +1,6 @@
 //! The catalogue of MPFB must name targets that exist.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::neighbours::Neighbours;
@@ -37,6 +37,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_told = |one: &&Reference<'_>| one.kind == ReferenceKind::SliderName && forgotten.contains(one.owner);
     let missing = view.references.iter().filter(|one| matches!(one.resolution, Resolution::Missing) && !is_told(one));
     let by_cause = grouped(missing.map(|reference| (cause(&catalog, reference), reference)));
+    let by_cause = many_of_folder(by_cause);
     out.extend(by_cause.into_iter().filter_map(|(cause, references)| told(&cause, &references, &neighbours)));
     out.extend(catalog.sliders.sections.iter().filter_map(|section| leftovers(&catalog, section)));
 }
@@ -44,7 +45,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// What several references are missing for: a folder with nothing in it, a slider with empty slots, or one file.
 fn cause(catalog: &Catalog<'_>, reference: &Reference<'_>) -> String {
     let folder = parent(&reference.rel);
-    if catalog.layer.below(folder).next().is_none() {
+    if catalog.layer.below(folder).all(|file| parent(&file.rel) != folder) {
         folder.to_owned()
     } else if reference.text.is_empty() {
         reference.owner.to_owned()
@@ -53,11 +54,37 @@ fn cause(catalog: &Catalog<'_>, reference: &Reference<'_>) -> String {
     }
 }
 
+/// Files of one folder from which on they are missing for one cause.
+const MANY: usize = 4;
+
+/// Many files of one folder are one cause.
+fn many_of_folder<'r, 'a>(
+    by_cause: BTreeMap<String, Vec<&'r Reference<'a>>>,
+) -> BTreeMap<String, Vec<&'r Reference<'a>>> {
+    let folder = |cause: &str, references: &[&Reference<'_>]| {
+        let rel = &references.first()?.rel;
+        (cause == rel).then(|| parent(rel).to_owned())
+    };
+    let by_folder =
+        grouped(by_cause.iter().filter_map(|(cause, references)| Some((folder(cause, references)?, cause))));
+    let many: BTreeSet<String> =
+        by_folder.iter().filter(|(_, causes)| causes.len() >= MANY).map(|(folder, _)| format!("{folder}/")).collect();
+    let mut merged: BTreeMap<String, Vec<&Reference<'_>>> = BTreeMap::new();
+    for (cause, references) in by_cause {
+        let folder = folder(&cause, &references).map(|folder| format!("{folder}/")).filter(|one| many.contains(one));
+        merged.entry(folder.unwrap_or(cause)).or_default().extend(references);
+    }
+    merged
+}
+
 fn told(cause: &str, references: &[&Reference<'_>], neighbours: &Neighbours<'_, '_>) -> Option<Finding> {
     let (first, count) = (references.first()?, references.len());
     let owner = first.owner;
-    let message = if cause == parent(&first.rel) {
-        format!("`{cause}` contains no files, but sliders use {} from it", counted(count, "target"))
+    let message = if let Some(folder) = cause.strip_suffix('/') {
+        let files: BTreeSet<&str> = references.iter().map(|one| one.rel.as_str()).collect();
+        format!("{} targets of `{folder}` that sliders use do not exist, first `{}`", files.len(), first.text)
+    } else if cause == parent(&first.rel) {
+        format!("`{cause}` contains no targets, but sliders use {} from it", counted(count, "target"))
     } else if first.text.is_empty() {
         format!("`{owner}` has {} without a target", counted(count, "slot"))
     } else if count > 1 {

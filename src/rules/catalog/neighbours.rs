@@ -1,9 +1,9 @@
 //! What could be meant by the name of a target that does not exist.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diag::Suggestions;
-use crate::repo::mpfb::{Catalog, View};
+use crate::repo::mpfb::{Catalog, View, is_custom};
 use crate::repo::{FileFacts, Reference, ReferenceKind, parent};
 
 /// Files that a missing one may be meant to be.
@@ -11,13 +11,17 @@ pub(super) struct Neighbours<'v, 'a> {
     catalog: &'v Catalog<'a>,
     /// Paths of the targets that a slider asks for. They are not meant: the other end of a slider has nearly the same name.
     used: BTreeSet<&'a str>,
+    /// The targets by their names.
+    by_name: BTreeMap<&'a str, &'a FileFacts>,
     suggestions: Suggestions,
 }
 
 impl<'v, 'a> Neighbours<'v, 'a> {
     pub(super) fn of(view: &View<'a>, catalog: &'v Catalog<'a>) -> Self {
         let used = view.references.iter().filter_map(Reference::found).map(|file| file.path.as_str()).collect();
-        Self { catalog, used, suggestions: Suggestions::default() }
+        let targets = catalog.layer.below("targets").filter(|file| !is_custom(&file.rel));
+        let by_name = targets.map(|file| (stem(file.file_name()), file)).collect();
+        Self { catalog, used, by_name, suggestions: Suggestions::default() }
     }
 
     /// What to do about a missing one.
@@ -26,7 +30,7 @@ impl<'v, 'a> Neighbours<'v, 'a> {
         let plain = reference.rel.strip_suffix(".gz").and_then(|plain| self.catalog.layer.file(plain));
         let stem = text.strip_suffix(".gz").unwrap_or(text).strip_suffix(".target");
         if text.is_empty() {
-            "name a target in every slot".to_owned()
+            "name the target of each end that the slider has".to_owned()
         } else if let Some(stem) = stem {
             format!("remove the suffix: write `{stem}`")
         } else if let Some(plain) = plain.filter(|_| reference.kind == ReferenceKind::Slot) {
@@ -49,8 +53,7 @@ impl<'v, 'a> Neighbours<'v, 'a> {
 
     /// The target of this name in another section.
     fn elsewhere(&self, reference: &Reference<'_>) -> Option<&'a FileFacts> {
-        let stem = stem(reference.rel.rsplit('/').next()?);
-        self.catalog.sliders.sections.iter().find_map(|section| self.catalog.target(&section.name, stem))
+        self.by_name.get(stem(reference.rel.rsplit('/').next()?)).copied()
     }
 
     /// The target beside it that is most like it.

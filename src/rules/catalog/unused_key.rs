@@ -1,8 +1,9 @@
 //! Keys that nothing reads have no value that somebody may rely on.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, such};
 use super::{checked, place};
-use crate::diag::{Application::Mpfb, Finding, Level, RuleInfo};
+use crate::diag::{Application::Mpfb, Evidence, Finding, Level, RuleInfo};
+use crate::formats::target_catalog::Section;
 use crate::repo::mpfb::View;
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
@@ -16,14 +17,15 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(catalog) = checked(view) else { return };
-    for section in &catalog.sliders.sections {
-        let keys = [
-            (section.has_unsorted, "unsorted", "the targets in `unsorted` get no slider", "give them sliders"),
-            (section.is_excluded, "include_per_default", "`include_per_default` has no effect", "remove the key"),
-        ];
-        for (_, key, message, help) in keys.into_iter().filter(|(is_set, ..)| *is_set) {
-            let finding = RULE.at(catalog.file, place(section, None, &[key]), message);
-            out.push(finding.key(format!("{} {key}", section.name)).help(help));
-        }
+    let has: [(fn(&Section) -> bool, _, _, _); 2] = [
+        (|section| section.has_unsorted, "unsorted", "the targets in `unsorted` get no slider", "give them sliders"),
+        (|section| section.is_excluded, "include_per_default", "`include_per_default` has no effect", "remove the key"),
+    ];
+    for (is_set, key, message, help) in has {
+        let sections: Vec<&Section> = catalog.sliders.sections.iter().filter(|section| is_set(section)).collect();
+        let Some(first) = sections.first() else { continue };
+        let message = format!("{message}{}", such(sections.len(), "sections"));
+        let finding = RULE.at(catalog.file, place(first, None, &[key]), message).key(key).help(help);
+        out.push(finding.evidence(Evidence::of_cases(sections.iter().map(|section| section.name.as_str()))));
     }
 }

@@ -3,6 +3,7 @@
 use super::super::regions::regions;
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
+use super::renumbered::Opposites;
 use super::shown::with_setting;
 use crate::diag::{
     Application::{Makehuman2, Mpfb},
@@ -23,6 +24,8 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         Targets whose names end as listed in `nonsym` under `random` of base.json are intended to be asymmetric \
         and are not reported. If more than the given share of its vertices differs, a target gets a finding of its \
         own. Targets with only a few such vertices are counted in one finding for the base mesh.\n\n\
+        If nearly all vertices of a target differ, while the other end of its slider is symmetric, its vertices have other \
+        numbers than those of the base mesh (a warning).\n\n\
         If it is intended, add a side to the name, or add its ending to `nonsym`, which the randomizer reads as \
         well. Otherwise make the target symmetric.",
     options: &[OptionInfo {
@@ -38,6 +41,7 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
     let share = cx.option(&RULE, "share");
     let mut slight: Vec<(&FileFacts, &TargetMeasure)> = Vec::new();
     let mut checked = 0;
+    let opposites = Opposites::of(body, measures);
     for target in measures.targets.iter().filter(|target| !is_meant(one_sided_endings, &target.name)) {
         let Some(file) = body.target(&target.path).map(|own| own.file) else { continue };
         checked += 1;
@@ -47,7 +51,8 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
             continue;
         }
         if different as f64 > share * mirror.compared as f64 {
-            out.extend(one_sided(body, file, target));
+            let finding = one_sided(body, file, target);
+            out.extend(finding.map(|finding| opposites.weigh(finding, file, target)));
         } else {
             slight.push((file, target));
         }

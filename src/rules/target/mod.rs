@@ -24,6 +24,7 @@ pub(super) mod moves_helpers_only;
 pub(super) mod negative_index;
 pub(super) mod non_finite;
 pub(super) mod oversized_delta;
+mod renumbered;
 pub(super) mod separator;
 mod shown;
 pub(super) mod splits_joint_cube;
