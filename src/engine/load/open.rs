@@ -26,14 +26,16 @@ pub fn open_base(root: &Path, system: Option<&Path>, base: Option<&str>) -> Resu
     let mut trees: Vec<Tree> = inputs.into_iter().map(|input| input.tree).collect();
     trees.extend(system.map(open_system).transpose()?);
     let (given, below) = trees.split_at(judged);
-    let checked = given.iter().flat_map(|tree| checked_places(tree, &applications));
-    let checked: Vec<_> = checked.map(|place| (place, Vec::new())).collect();
     let no_data = |path: &Path| Error::NoData(slashed(path));
+    let systems = below.iter().map(|tree| system_places(tree, &applications)).collect::<Result<Vec<_>, _>>();
+    let systems: Vec<_> = systems.map_err(|_| no_data(system.unwrap_or(root)))?.into_iter().flatten().collect();
+    let at_hand: Vec<Application> =
+        applications.iter().copied().filter(|one| systems.iter().any(|system| system.is_of(*one))).collect();
+    let checked = given.iter().flat_map(|tree| checked_places(tree, &at_hand, &applications));
+    let checked: Vec<_> = checked.map(|place| (place, Vec::new())).collect();
     if checked.is_empty() {
         return Err(no_data(root));
     }
-    let systems = below.iter().map(|tree| system_places(tree, &applications)).collect::<Result<Vec<_>, _>>();
-    let systems = systems.map_err(|_| no_data(system.unwrap_or(root)))?.into_iter().flatten().collect();
     let mut data = Data::load(Roots { checked, systems }, &limits, None);
     for loaded in data.all_mut() {
         list_targets(&loaded.place, &mut loaded.layer);

@@ -55,7 +55,7 @@ pub fn propose(folder: &Path) -> Result<Option<Proposal>, Error> {
 /// applications.
 fn system_near(folder: &Path, reading: &[Application]) -> Option<(String, Vec<Application>)> {
     let tree = Tree::on_disk_to_depth(String::new(), folder.parent()?, LEVELS, is_read_though_hidden);
-    let systems = checked_places(&tree, reading);
+    let systems = checked_places(&tree, &[], reading);
     let system =
         systems.iter().filter(|place| has_base_mesh(place)).min_by_key(|place| place.path().matches('/').count())?;
     let applications = reading.iter().copied().filter(|application| system.is_of(*application)).collect();

@@ -34,9 +34,13 @@ pub(super) fn roots_of(
     grouped(wanted.map(|root| (root.path, Layout::of(root.application))))
 }
 
-/// The data roots in a tree of the applications that are checked.
-pub(super) fn checked_places<'t>(tree: &'t Tree, applications: &[Application]) -> Vec<Place<'t>> {
-    let roots = roots_of(tree, &[], |application| applications.contains(&application));
+/// The data roots in a tree of the applications that are checked; `asked` are those asked for by name, or by their data.
+pub(super) fn checked_places<'t>(
+    tree: &'t Tree,
+    asked: &[Application],
+    applications: &[Application],
+) -> Vec<Place<'t>> {
+    let roots = roots_of(tree, asked, |application| applications.contains(&application));
     roots.into_iter().map(|(path, layouts)| Place::new(tree, &path, &layouts)).collect()
 }
 

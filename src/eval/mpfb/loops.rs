@@ -8,6 +8,8 @@ use super::shares::{Part, shares};
 
 /// A target is applied with a weight above this.
 pub const CUT_OFF: f64 = 0.01;
+/// Value of every macro setting of a new character, and of each race (formats/mpfb.md §3.4).
+pub const DEFAULTS: (f64, f64) = (0.5, 0.33);
 /// A race counts with a share above this.
 const LEAST_RACE: f64 = 0.0001;
 

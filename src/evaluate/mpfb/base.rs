@@ -6,7 +6,7 @@ use super::NO_RIGS;
 use crate::discover::Kind;
 use crate::eval::macros::Macros;
 use crate::eval::mpfb::MacroLoops;
-use crate::eval::mpfb::loops::{Axis, Source, TargetLoop};
+use crate::eval::mpfb::loops::{Axis, DEFAULTS, Source, TargetLoop};
 use crate::eval::mpfb::shares::Part;
 use crate::eval::proportion::extent;
 use crate::eval::scene::{MorphTarget, Scene, SceneSlider, SliderKind};
@@ -27,9 +27,6 @@ use crate::source::Limits;
 
 /// The group of faces that is seen: helpers and joints are masked.
 const SHOWN: &str = "body";
-
-/// Value of every macro setting of a new character, and of each race (formats/mpfb.md §3.4).
-const DEFAULTS: (f64, f64) = (0.5, 0.33);
 
 /// The name of the body, if there is a mesh for it.
 pub(in crate::evaluate) fn with_mesh(layers: Layers<'_>) -> BTreeSet<&str> {

@@ -29,6 +29,9 @@ const ONE_KEY: Case = &[(
 const REPLACES: Case =
     &[(Mpfb, Level::Warning, "loads it by the slider of that name, which then goes from 0 to 1 only")];
 
+const OWN_IN_ITS_PLACE: &str = "gives a saved character its own target of that name; both sliders move one shape key";
+const OTHER_IN_ITS_PLACE: &str = "gives a saved character one of its own targets in its place";
+
 /// Bytes of the name of a shape key: Blender cuts the rest.
 const LONGEST_KEY: usize = 63;
 
@@ -98,5 +101,7 @@ fn of_shipped(view: &View<'_>, target: &UserTarget<'_>, known: &[String]) -> Opt
     } else {
         format!("`{}` is the beginning of a target of MPFB, `{shipped}`", target.name)
     };
-    Some(at(message).help("give the target a longer name of its own"))
+    let finding = at(message);
+    let finding = if shipped == name { finding.effect(OWN_IN_ITS_PLACE) } else { finding.effect(OTHER_IN_ITS_PLACE) };
+    Some(finding.help("give the target a longer name of its own"))
 }

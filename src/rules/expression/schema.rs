@@ -58,7 +58,8 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 /// Any file in the folder is listed, also one that is something else.
 fn without_units(file: &FileFacts, expression: &FaceExpression) -> Option<Finding> {
-    let finding = expression.units.is_empty().then(|| RULE.at(file, Place::File, "the file has no face unit"))?;
+    let is_other = expression.units.is_empty() && !expression.unread.all().is_empty();
+    let finding = is_other.then(|| RULE.at(file, Place::File, "the file has no face unit"))?;
     let finding = finding.key("none").level(Level::Info).effect("lists an expression that does nothing");
     Some(finding.help("add face units; if the file is something else, move it out of `expressions`"))
 }

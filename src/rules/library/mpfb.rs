@@ -25,6 +25,12 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let help = "move them to the folder `config` beside the folder of data: `user/config` for `user/data`";
         out.extend(finding(rule, &files, folder, message, NOT_LISTED, help));
     }
+    let in_capitals = files().filter(|file| file.rel.starts_with("expressions/") && extension(&file.rel) != "json");
+    for file in in_capitals.filter(|file| extension(&file.rel).eq_ignore_ascii_case("json")) {
+        let finding =
+            rule.at(file, Place::File, format!("`{}` must end in `.json`: capitals matter", file.file_name()));
+        out.push(finding.key("suffix").case(NOT_LISTED).help("write the suffix in small letters"));
+    }
     let (own, other) = (Layout::of(Application::Mpfb), Layout::of(Application::Makehuman1));
     let is_other =
         |top: &str| own.folder_in_other_case(top).is_some() || matches!(top, "config" | "settings" | "models");
@@ -72,7 +78,7 @@ fn is_preset(kind: Kind) -> bool {
 }
 
 fn is_target(file: &FileFacts) -> bool {
-    matches!(file.kind, Kind::Target | Kind::PackedTarget)
+    file.rel.ends_with(".target") || file.rel.ends_with(".target.gz")
 }
 
 fn is_asset(file: &FileFacts) -> bool {

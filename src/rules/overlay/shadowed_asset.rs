@@ -86,7 +86,9 @@ fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         None => system.file(&file.rel),
     };
     for file in checked.below("uv_layers").chain(settings) {
-        let Some(other) = shipped(file).filter(|other| file.content_hash != other.content_hash) else { continue };
+        // A copy changes nothing.
+        let is_other = |other: &&FileFacts| file.size != other.size || file.content_hash != other.content_hash;
+        let Some(other) = shipped(file).filter(is_other) else { continue };
         let finding = RULE.at(file, Place::File, format!("replaces the system's `{}`", other.rel)).key(&file.rel);
         let finding = finding.related(other.path.clone(), Place::File, "the replaced file");
         out.push(finding.help("remove it if the one of MPFB is to be used"));

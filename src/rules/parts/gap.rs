@@ -31,6 +31,15 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
+/// A wider gap is a mistyped number: only one of the two has to be corrected.
+const WIDE: f64 = 0.001;
+
+/// A bound itself if no slider has this value, else the nearest number that none has on the side of `sign`.
+fn beyond(bound: f64, sign: f64) -> f64 {
+    const STEPS: f64 = 1e9;
+    if values_in(bound, bound) == 0 { bound } else { (bound * STEPS + sign).round() / STEPS }
+}
+
 /// Nothing for a hole at an end of the slider.
 fn finding(file: &FileFacts, setting: &Setting, gap: &Hole) -> Option<Finding> {
     let (before, after) = (setting.parts.get(gap.before?)?, setting.parts.get(gap.after?)?);
@@ -43,12 +52,16 @@ fn finding(file: &FileFacts, setting: &Setting, gap: &Hole) -> Option<Finding> {
         return None;
     }
     let name = before.high.as_ref().or(after.low.as_ref()).map_or("", String::as_str);
-    let help = format!(
-        "write {} for both `highest` of parts[{}] and `lowest` of parts[{}]: no slider has this value",
-        unreachable_near(gap.from, gap.to),
-        before.index,
-        after.index
-    );
+    let (one, next) = (before.index, after.index);
+    let help = if gap.to - gap.from > WIDE {
+        let (ends, begins) = (beyond(gap.to, 1.0), beyond(gap.from, -1.0));
+        format!("write {ends} for `highest` of parts[{one}], or {begins} for `lowest` of parts[{next}]")
+    } else {
+        let both = unreachable_near(gap.from, gap.to);
+        format!(
+            "write {both} for both `highest` of parts[{one}] and `lowest` of parts[{next}]: no slider has this value"
+        )
+    };
     let evidence = Evidence::counted(usize::try_from(values).unwrap_or(usize::MAX));
     let finding = RULE.at(file, Place::Pointer(setting.pointer(after, "lowest")), message).level(level);
     let finding = finding.key(format!("{} {name}", setting.name())).effect(effect(setting, level, THESE_VALUES));

@@ -1,9 +1,10 @@
 //! Targets that MPFB asks for and that are not there.
 
+use super::super::cause::differing;
 use super::super::macros::combination_patterns::{cover, index, is_walkable};
 use super::super::{Check, Rule, RuleCx, did_you_mean, enumerated};
 use super::stretch::checked;
-use super::wanted::{lost_names, missing};
+use super::wanted::{are_of_default, lost_names, missing};
 use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::mpfb::loops::{LOOPS, Loop, Name, names};
 use crate::repo::mpfb::{Parts, Request, View};
@@ -26,6 +27,8 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     ..RuleInfo::new("parts-missing-target", Level::Error, "a target that the macro settings need does not exist")
 });
 
+const NO_CHARACTER: &str = "fails at every new character: the default one needs a target that is missing";
+
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(parts) = checked(view) else { return };
     let missing: Vec<&Request<'_>> = missing(parts).collect();
@@ -46,6 +49,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let evidence = Evidence::of_groups(patterns, missing.len() as u64).naming(missing.iter().map(|one| &one.target));
     let all = parts.requests.iter().filter(|one| one.is_reachable).count();
     let finding = RULE.at(parts.file, Place::Pointer(place(parts)), message).key("targets");
+    let finding = if are_of_default(parts, &missing) { finding.effect(NO_CHARACTER) } else { finding };
     out.push(finding.evidence(evidence.out_of(all)).help(help(parts, first, cx)));
 }
 
@@ -115,7 +119,8 @@ fn help(parts: &Parts<'_>, first: &Request<'_>, cx: &RuleCx<'_>) -> String {
         return did_you_mean(near, format!("correct `{name}`, or add its targets"));
     }
     if let Some(other) = parts.layer.file_ignoring_case(&first.rel) {
-        return format!("rename `{}` to `{}`: capitals matter", other.rel, first.rel);
+        let (is, right) = differing(&other.rel, &first.rel);
+        return format!("rename `{is}` to `{right}`: capitals matter");
     }
     if let Some(plain) = first.rel.strip_suffix(".gz").and_then(|plain| parts.layer.file(plain)) {
         return format!("pack `{}` with gzip: MPFB loads only `.target.gz`", plain.rel);

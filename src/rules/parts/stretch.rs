@@ -3,12 +3,13 @@
 use super::super::enumerated;
 use crate::diag::Level;
 use crate::eval::mpfb::cover::{Hole, holes, is_live};
+use crate::eval::mpfb::loops::DEFAULTS;
 use crate::formats::macro_parts::{Part, Setting};
 use crate::repo::mpfb::loops::{AGE, GENDER, LOOPS};
 use crate::repo::mpfb::{Parts, View};
 
 /// The value of every setting of a new character.
-pub(super) const DEFAULT: f64 = 0.5;
+pub(super) const DEFAULT: f64 = DEFAULTS.0;
 
 /// The macro settings, if they are those of the checked layer.
 pub(super) fn checked<'v, 'a>(view: &'v View<'a>) -> Option<&'v Parts<'a>> {

@@ -2,6 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::eval::mpfb::loops::{CUT_OFF, DEFAULTS};
+use crate::eval::mpfb::shares::rounded;
+use crate::formats::macro_parts::Setting;
 use crate::repo::mpfb::loops::{Axis, LOOPS};
 use crate::repo::mpfb::{Parts, Request};
 
@@ -9,6 +12,30 @@ use crate::repo::mpfb::{Parts, Request};
 pub(super) fn missing<'v, 'a>(parts: &'v Parts<'a>) -> impl Iterator<Item = &'v Request<'a>> {
     let is_missing = |request: &&Request<'_>| request.is_reachable && request.file.is_none();
     parts.requests.iter().filter(is_missing).filter(|request| !parts.layer.has_fault(&request.rel))
+}
+
+/// Whether a new character needs one of the targets: all its names have a share where every setting is at its default.
+pub(super) fn are_of_default(parts: &Parts<'_>, missing: &[&Request<'_>]) -> bool {
+    let shares: BTreeMap<(usize, &str), f64> = parts.settings.settings.iter().flat_map(default_shares).collect();
+    missing.iter().any(|request| {
+        let Some(own) = LOOPS.get(request.number) else { return false };
+        let named = own.axes.iter().zip(own.names(parts.settings)).zip(&request.names);
+        let weight = named.map(|((axis, list), name)| match (axis, list.get(*name)) {
+            (Axis::Setting(place), Some(name)) => shares.get(&(*place, name.text)).copied().unwrap_or(0.0),
+            (Axis::Race, _) => DEFAULTS.1,
+            _ => 1.0,
+        });
+        weight.product::<f64>() > CUT_OFF
+    })
+}
+
+fn default_shares(setting: &Setting) -> impl Iterator<Item = ((usize, &str), f64)> {
+    let there = setting.parts.iter().filter(|part| part.lowest < DEFAULTS.0 && DEFAULTS.0 < part.highest);
+    there.flat_map(move |part| {
+        let share = rounded((DEFAULTS.0 - part.lowest) / (part.highest - part.lowest));
+        let named = [(part.low.as_deref(), 1.0 - share), (part.high.as_deref(), share)];
+        named.into_iter().filter_map(move |(name, share)| Some(((setting.place, name?), share)))
+    })
 }
 
 /// The names of settings, by place, that no target has although another name at their place has some.

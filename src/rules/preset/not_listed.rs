@@ -1,15 +1,17 @@
 //! A saved character has a name by which MPFB lists it.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Mpfb, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Mpfb, Finding, Level, Place, RuleInfo, nearest};
 use crate::discover::Kind;
 use crate::formats::Content;
 use crate::repo::mpfb::View;
-use crate::repo::parent;
+use crate::repo::{FileFacts, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "does not list the character, and fails when it is loaded by its path")],
     docs: "MPFB lists saved characters by their names: `human.<name>.json` in the folder `config`, in small letters.\n\n\
+        Presets of other kinds begin with `importer_presets.`, `makeup.`, `randomization.`, `eye_settings.` or \
+        `enhanced_settings.`.\n\n\
         A file with a `phenotype`, which only a saved character has, and another name (`joe.json`, `Human.joe.json`, \
         `human.joe.JSON`) is not listed. MPFB fails with an exception when it is loaded by its path.\n\n\
         Rename the file. The character is called like the file.",
@@ -33,6 +35,23 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         out.push(RULE.at(file, Place::File, message).help(help));
     }
+    out.extend(misspelt(view));
+}
+
+/// What the names of presets begin with, up to the first point.
+const PRESETS: [&str; 5] = ["importer_presets", "makeup", "randomization", "eye_settings", "enhanced_settings"];
+
+/// A preset of another kind under a name that is nearly that of its kind.
+fn misspelt(view: &View<'_>) -> Vec<Finding> {
+    let others = view.own(Kind::ConfigJson).filter(|file| !matches!(&*file.content, Content::StrayCharacter));
+    let finding = |file: &FileFacts| {
+        let (beginning, _) = file.file_name().split_once('.').filter(|_| parent(&file.rel) == "config")?;
+        let near = nearest(beginning, PRESETS)?;
+        let message = format!("`{}` is not listed: the name begins with `{beginning}`", file.file_name());
+        let finding = RULE.at(file, Place::File, message).key("kind").effect("does not list it");
+        Some(finding.help(format!("let the name begin with `{near}.`")))
+    };
+    others.filter_map(finding).collect()
 }
 
 const BEGINNING: &str = "human.";

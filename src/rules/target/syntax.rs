@@ -64,6 +64,11 @@ fn of_blanks(file: &FileFacts, facts: &TargetFacts) -> Option<Finding> {
         Kind::PackedTarget => Place::Line(first.line),
         _ => Place::Span(first.start..first.start + first.field.len()),
     };
-    let help = if first.field.starts_with('\u{feff}') { NO_MARK } else { ROW };
+    let help = match first.field.as_str() {
+        field if field.starts_with('\u{feff}') => NO_MARK,
+        field if field.starts_with('<') => "download the file again: this is a web page",
+        _ if file.file_name().starts_with("._") => "delete it: macOS left it when it packed a folder",
+        _ => ROW,
+    };
     Some(RULE.at(file, place, message).help(help))
 }
