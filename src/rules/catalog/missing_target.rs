@@ -2,10 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::{Check, Rule, RuleCx, counted};
+use super::super::{Check, Rule, RuleCx, counted, such};
 use super::neighbours::Neighbours;
 use super::{checked, forgotten_ends, sliders};
-use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo, grouped, pointer};
+use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo, grouped, pointer, steps};
 use crate::formats::target_catalog::Section;
 use crate::repo::mpfb::{Catalog, View};
 use crate::repo::{Reference, ReferenceKind, Resolution, parent};
@@ -86,7 +86,9 @@ fn told(cause: &str, references: &[&Reference<'_>], neighbours: &Neighbours<'_, 
     } else if cause == parent(&first.rel) {
         format!("`{cause}` contains no targets, but sliders use {} from it", counted(count, "target"))
     } else if first.text.is_empty() {
-        format!("`{owner}` has {} without a target", counted(count, "slot"))
+        let slot = slot_of(&first.place);
+        let more = such(count, "slots");
+        format!("`{slot}` of `{owner}` has no target{more}")
     } else if count > 1 {
         format!("`{}` does not exist, but sliders use it {count} times", first.rel)
     } else {
@@ -94,6 +96,12 @@ fn told(cause: &str, references: &[&Reference<'_>], neighbours: &Neighbours<'_, 
     };
     let finding = RULE.at(first.from, first.place.clone(), message).key(cause).help(neighbours.help(first));
     Some(finding.evidence(Evidence::of_cases(references.iter().map(|one| format!("{} {}", one.owner, one.rel)))))
+}
+
+/// The key of a slot.
+fn slot_of(place: &Place) -> String {
+    let Place::Pointer(pointer) = place else { return String::new() };
+    steps(pointer).last().unwrap_or_default()
 }
 
 /// Entries of `targets` that name no file and that no slider asks for.

@@ -1,6 +1,6 @@
 //! `targets` of a slider names what its slots do.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{checked, place, sliders};
@@ -18,11 +18,18 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(catalog) = checked(view) else { return };
+    let mut uses: BTreeMap<(&str, &str), usize> = BTreeMap::new();
+    for (section, category) in sliders(&catalog) {
+        let slots = category.slots_in_use().map(|slot| (section.name.as_str(), slot.stem.as_str()));
+        slots.for_each(|slot| *uses.entry(slot).or_default() += 1);
+    }
     let apart = sliders(&catalog).filter_map(|(section, category)| {
         let is_there = |name: &str| catalog.target(&section.name, name).is_some();
         let is_found = |slot: &Slot| catalog.target(&section.name, &slot.stem).is_some();
+        let is_shared =
+            |slot: &Slot| uses.get(&(section.name.as_str(), slot.stem.as_str())).is_some_and(|uses| *uses > 1);
         // A slider whose slots are at fault has a finding of its own.
-        if !is_sound(category) || !category.slots_in_use().all(is_found) {
+        if !is_sound(category) || category.slots_in_use().any(is_shared) || !category.slots_in_use().all(is_found) {
             return None;
         }
         let first = unlisted(category).find(|name| is_there(name))?;

@@ -1,11 +1,11 @@
 //! A target for the left is the mirror image of the one for the right.
 
 use super::super::units::length;
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, such};
 use super::shown::with_setting;
 use crate::diag::{
     Application::{Makehuman2, Mpfb},
-    Case, Element, Evidence, Finding, Level, Place, RuleInfo,
+    Case, Element, Evidence, Finding, Level, Place, RuleInfo, grouped,
 };
 use crate::eval::measures::{Measures, PairMeasure};
 use crate::repo::{Body, FileFacts};
@@ -36,28 +36,37 @@ const ON_HELPERS: Case = &[
 ];
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    out.extend(measures.pairs.iter().filter_map(|pair| finding(body, pair)));
+    let (exchanged, others): (Vec<_>, Vec<_>) = measures.pairs.iter().partition(|pair| pair.is_exchanged);
+    out.extend(others.into_iter().filter_map(|pair| finding(body, pair)));
+    let files = exchanged.into_iter().filter_map(|pair| files(body, pair));
+    let folder = |[left, _]: [&FileFacts; 2]| left.folder().to_owned();
+    for pairs in grouped(files.map(|pair| (folder(pair), pair))).into_values() {
+        out.extend(self::exchanged(body, &pairs));
+    }
 }
 
-/// Each moves the side that the other one is for.
-fn exchanged(body: &Body<'_>, left: &FileFacts, right: &FileFacts) -> Finding {
+/// The two targets, if neither moves nothing at all: that is a finding of its own.
+fn files<'b>(body: &'b Body<'_>, pair: &PairMeasure) -> Option<[&'b FileFacts; 2]> {
+    let files = [body.target(&pair.left)?.file, body.target(&pair.right)?.file];
+    let is_still = |file: &&FileFacts| file.target().is_some_and(|facts| facts.moving == 0);
+    (!files.iter().any(is_still)).then_some(files)
+}
+
+/// Each moves the side that the other one is for: one finding for those of a folder.
+fn exchanged(body: &Body<'_>, pairs: &[[&FileFacts; 2]]) -> Option<Finding> {
+    let [left, right] = *pairs.first()?;
     let stem = right.stem().trim_end_matches(".target");
-    let message = format!("moves the right side of the body, and `{stem}` moves the left one");
+    let more = such(pairs.len(), "pairs");
+    let message = format!("moves the right side of the body, and `{stem}` moves the left one{more}");
     let finding = RULE.at(left, Place::File, message).key("exchanged").case(EXCHANGED);
-    let finding = finding.between([&left.path, &right.path]).related(&right.path, Place::File, "its counterpart");
-    with_setting(finding.help("exchange the names of the two files"), body, left)
+    let finding = finding.related(&right.path, Place::File, "its counterpart");
+    let finding = finding.evidence(Evidence::of_cases(pairs.iter().map(|[left, _]| left.file_name())));
+    let finding = finding.between(pairs.iter().flatten().map(|file| &file.path));
+    Some(with_setting(finding.help("exchange the names of the two files"), body, left))
 }
 
 fn finding(body: &Body<'_>, pair: &PairMeasure) -> Option<Finding> {
-    let left = body.target(&pair.left)?.file;
-    let right = body.target(&pair.right)?.file;
-    // A side that moves nothing at all is a finding of its own.
-    if [left, right].iter().any(|file| file.target().is_some_and(|facts| facts.moving == 0)) {
-        return None;
-    }
-    if pair.is_exchanged {
-        return Some(exchanged(body, left, right));
-    }
+    let [left, right] = files(body, pair)?;
     let on_body = !pair.body.different.is_empty();
     let difference = if on_body { &pair.body } else { &pair.difference };
     let different = difference.different.len();
