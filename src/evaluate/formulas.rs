@@ -14,6 +14,7 @@ use super::{Error, Evaluation, Rows, Setting, makehuman1, makehuman2, mpfb};
 use crate::config::Config;
 use crate::diag::Application;
 use crate::eval::measures::Measures;
+use crate::eval::scene::Scene;
 use crate::eval::vector::Point;
 use crate::repo::Layers;
 use crate::repo::makehuman2::Base;
@@ -26,6 +27,16 @@ pub(super) enum Formulas {
     Makehuman2,
     /// `mpfb`.
     Mpfb,
+}
+
+impl Formulas {
+    /// The place of the slider that a saved character means by a name which no slider has, and the sign of its value.
+    pub(super) fn slider_of_character(self, scene: &Scene, name: &str) -> Option<(usize, f64)> {
+        match self {
+            Self::Makehuman2 => None,
+            Self::Mpfb => mpfb::names::slider(scene, name),
+        }
+    }
 }
 
 /// A body of layers that can be opened.

@@ -7,9 +7,8 @@ use std::path::Path;
 
 use super::error::Error;
 use super::files::{read_document, read_text, shown};
-use super::mpfb;
 use super::opened::Evaluation;
-use crate::diag::{Application, nearest};
+use crate::diag::nearest;
 use crate::eval::scene::Setting;
 use crate::eval::settings::SliderSetting;
 use crate::formats::python_float;
@@ -23,11 +22,10 @@ impl Evaluation {
     pub fn setting(&self, values: &[SliderSetting]) -> Result<Setting, Error> {
         let mut setting = self.scene.defaults();
         for (name, value) in values {
-            let (slider, sign) = self.slider(name).map(|slider| (slider, 1.0)).or_else(|unknown| {
-                let of_mpfb = self.application() == Application::Mpfb;
-                let meant = if of_mpfb { mpfb::names::slider(&self.scene, name) } else { None };
-                meant.ok_or(unknown)
-            })?;
+            let (slider, sign) = self
+                .slider(name)
+                .map(|slider| (slider, 1.0))
+                .or_else(|unknown| self.formulas.slider_of_character(&self.scene, name).ok_or(unknown))?;
             self.scene.set(&mut setting, slider, sign * value);
         }
         Ok(setting)

@@ -64,13 +64,13 @@ pub fn read(text: &[u8]) -> Columns {
             "skinMaterial" => columns.skin = Some(word(rest.trim_end(), at)).filter(|skin| !skin.text.is_empty()),
             "clothes" if rest.trim().is_empty() => keep(&mut columns.bare, word(keyword, start)),
             "skeleton" => columns.skeleton = Some(word(rest.trim_end(), at)).filter(|one| !one.text.is_empty()),
-            other => match CATEGORIES.into_iter().find(|category| *category == other) {
-                Some(category) => columns.worn.extend(wearing(category, rest, at)),
-                None => {
+            other => {
+                let Some(category) = CATEGORIES.into_iter().find(|category| *category == other) else {
                     displaced(line, start).into_iter().for_each(|one| keep(&mut columns.displaced, one));
                     continue;
-                }
-            },
+                };
+                columns.worn.extend(wearing(category, rest, at));
+            }
         }
         columns.has_line = true;
     }

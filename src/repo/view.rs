@@ -5,7 +5,7 @@ use super::{
     Worn, makehuman1, makehuman2, mpfb,
 };
 use crate::diag::Application;
-use crate::discover::{Kind, Layout, material_of};
+use crate::discover::{Kind, Layout, library_of, material_of};
 
 /// Layers that were connected as an application does it.
 #[derive(Debug)]
@@ -99,6 +99,15 @@ impl<'a> View<'a> {
             Self::Makehuman2(view) => view.bodies(self),
             Self::Makehuman1(view) => vec![view.body(self)],
             Self::Mpfb(view) => view.body(self).into_iter().collect(),
+        }
+    }
+
+    /// Whether a list of the application would show a file, of those that do not follow links to folders.
+    pub(crate) fn lists(&self, file: &FileFacts) -> bool {
+        match self {
+            Self::Makehuman1(_) => library_of(&file.rel).is_some(),
+            Self::Mpfb(_) => !matches!(file.kind_in(Application::Mpfb), Kind::Other | Kind::Image | Kind::Json),
+            Self::Makehuman2(_) => false,
         }
     }
 

@@ -158,7 +158,7 @@ fn run_rule(rule: &Rule, checked: &Checked<'_>, options: &Config, out: &mut Vec<
             View::Makehuman1(view),
         ) => run(view, cx, out),
         (Check::Mpfb(run) | Check::Models(_, run) | Check::LibrariesOfAll(.., run), View::Mpfb(view)) => {
-            run(view, cx, out)
+            run(view, cx, out);
         }
         (Check::Numeric(run), _) => {
             for body in bodies() {

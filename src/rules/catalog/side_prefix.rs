@@ -14,7 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     ..RuleInfo::new("catalog-side-prefix", Level::Warning, "a slot holds the target of another side or end")
 });
 
-const OTHER_SIDE: Case = &[(Mpfb, Level::Warning, "silently moves the other side of the body")];
+const OTHER_SIDE: Case = &[(Mpfb, Level::Warning, "silently moves the left/right counterpart")];
 const ONE_END: Case = &[(Mpfb, Level::Warning, "silently moves the same way in both directions")];
 const OTHER_WAY: Case = &[(Mpfb, Level::Warning, "silently moves the other way: up where it should go down")];
 

@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx, such};
 use super::{checked, place};
 use crate::diag::{Application::Mpfb, Evidence, Finding, Level, RuleInfo};
 use crate::formats::target_catalog::Section;
-use crate::repo::mpfb::View;
+use crate::repo::mpfb::{Catalog, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "never reads the key: the section is shown as any other")],
@@ -17,15 +17,19 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(catalog) = checked(view) else { return };
-    let has: [(fn(&Section) -> bool, _, _, _); 2] = [
-        (|section| section.has_unsorted, "unsorted", "the targets in `unsorted` get no slider", "give them sliders"),
-        (|section| section.is_excluded, "include_per_default", "`include_per_default` has no effect", "remove the key"),
-    ];
-    for (is_set, key, message, help) in has {
-        let sections: Vec<&Section> = catalog.sliders.sections.iter().filter(|section| is_set(section)).collect();
+    let unsorted = sections(&catalog, |section| section.has_unsorted);
+    let excluded = sections(&catalog, |section| section.is_excluded);
+    for (sections, key, message, help) in [
+        (unsorted, "unsorted", "the targets in `unsorted` get no slider", "give them sliders"),
+        (excluded, "include_per_default", "`include_per_default` has no effect", "remove the key"),
+    ] {
         let Some(first) = sections.first() else { continue };
         let message = format!("{message}{}", such(sections.len(), "sections"));
         let finding = RULE.at(catalog.file, place(first, None, &[key]), message).key(key).help(help);
         out.push(finding.evidence(Evidence::of_cases(sections.iter().map(|section| section.name.as_str()))));
     }
+}
+
+fn sections<'a>(catalog: &Catalog<'a>, is_set: fn(&Section) -> bool) -> Vec<&'a Section> {
+    catalog.sliders.sections.iter().filter(|section| is_set(section)).collect()
 }

@@ -5,8 +5,7 @@ use crate::diag::{
     Application::{Makehuman1, Mpfb},
     Evidence, Finding, Level, RuleInfo,
 };
-use crate::discover::{Kind, library_of};
-use crate::repo::{FileFacts, View};
+use crate::repo::View;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
@@ -24,21 +23,13 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     for folder in &layer.linked_folders {
         let assets: Vec<&str> =
-            layer.below(folder).filter(|file| is_asset(view, file)).map(|file| file.rel.as_str()).collect();
+            layer.below(folder).filter(|file| view.lists(file)).map(|file| file.rel.as_str()).collect();
         if assets.is_empty() {
             continue;
         }
         let message = format!("the folder is a link: {} not listed", are(assets.len()));
         let finding = RULE.in_layer(layer, folder, message).evidence(Evidence::of_cases(assets));
         out.push(finding.help("copy the folder here, or make links to its files"));
-    }
-}
-
-fn is_asset(view: &View<'_>, file: &FileFacts) -> bool {
-    match view {
-        View::Makehuman1(_) => library_of(&file.rel).is_some(),
-        View::Mpfb(_) => !matches!(file.kind_in(Mpfb), Kind::Other | Kind::Image | Kind::Json),
-        View::Makehuman2(_) => false,
     }
 }
 

@@ -5,6 +5,7 @@ pub(in crate::rules) mod header_not_ascii;
 pub(in crate::rules) mod identity_clash;
 pub(in crate::rules) mod linked_folder;
 mod makehuman1;
+mod makehuman2;
 pub(in crate::rules) mod missing_thumbnail;
 mod mpfb;
 pub(in crate::rules) mod name_cut;

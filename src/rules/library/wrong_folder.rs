@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
-use super::{makehuman1, mpfb, suffix};
+use super::super::{Check, Rule, RuleCx};
+use super::{makehuman1, makehuman2, mpfb, suffix};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    Evidence, Finding, Level, Place, RuleInfo, nearest,
+    Finding, Level, Place, RuleInfo,
 };
 use crate::discover::{extension, in_place_of};
 use crate::repo::FileFacts;
@@ -35,29 +35,12 @@ pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(
     ..RuleInfo::new("library-wrong-folder", Level::Error, "an asset in a folder where its kind is not looked for")
 });
 
-/// Folders of assets that lists show.
-const CATEGORIES: [&str; 13] = [
-    "clothes",
-    "hair",
-    "eyes",
-    "eyebrows",
-    "eyelashes",
-    "teeth",
-    "tongue",
-    "proxy",
-    "rigs",
-    "poses",
-    "expressions",
-    "models",
-    "skins",
-];
-
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let bases: BTreeSet<&str> = view.bases.iter().map(|base| base.name).collect();
     let layer = view.layers.checked;
     // A folder that several categories have is that of a base mesh elsewhere.
     let is_elsewhere = |category: &str, folder: &str| {
-        let mut others = CATEGORIES.iter().filter(|other| **other != category);
+        let mut others = makehuman2::CATEGORIES.iter().filter(|other| **other != category);
         others.any(|other| layer.below(&format!("{other}/{folder}")).next().is_some())
     };
     // Without the system data it may be one of its base meshes, unless it is the asset's own folder.
@@ -68,7 +51,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut unknown: BTreeMap<&str, Vec<&FileFacts>> = BTreeMap::new();
     for file in layer.files.values().filter(|file| !file.is_loose) {
         match *file.rel.split('/').collect::<Vec<_>>() {
-            [category, FILTER] if CATEGORIES.contains(&category) => out.push(filter(file, category, &bases)),
+            [category, FILTER] if makehuman2::CATEGORIES.contains(&category) => {
+                out.push(filter(file, category, &bases));
+            }
             ["skins", name] if extension(name) == "mhmat" => out.push(without_base(file, "skins", name, &bases)),
             ["skins", folder, name]
                 if extension(name) == "mhmat" && is_no_base(file, folder) && !is_elsewhere("skins", folder) =>
@@ -79,7 +64,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let Some(suffix) = suffix(&file.rel).filter(|suffix| extension(&file.rel) == *suffix) else { continue };
         let parts: Vec<&str> = file.rel.split('/').collect();
-        let Some(category) = parts.first().filter(|first| CATEGORIES.contains(first)) else {
+        let Some(category) = parts.first().filter(|first| makehuman2::CATEGORIES.contains(first)) else {
             // The name of any other folder is its owner's business, unless it is nearly one of these.
             unknown.entry(parts.first().copied().unwrap_or_default()).or_default().push(file);
             continue;
@@ -94,30 +79,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             _ => {}
         }
     }
-    out.extend(unknown.into_iter().filter_map(|(folder, files)| unread(view, folder, &files, &bases)));
-}
-
-/// What lies in a folder that is no category but looks like one: by its name, or because it is sorted by base mesh and has
-/// assets that are nowhere else. A name with other capitals has a finding of its own.
-fn unread(view: &View<'_>, folder: &str, files: &[&FileFacts], bases: &BTreeSet<&str>) -> Option<Finding> {
-    let (first, near) = (files.first()?, nearest(folder, CATEGORIES));
-    let has_base = |file: &&FileFacts| file.rel.split('/').nth(1).is_some_and(|base| bases.contains(base));
-    let is_meant = near.is_some() || files.iter().any(|file| is_lost(view, file));
-    if near.is_some_and(|near| near.eq_ignore_ascii_case(folder)) || !is_meant || !files.iter().all(has_base) {
-        return None;
-    }
-    let message = format!("folder `{folder}` is not read ({})", counted(files.len(), "asset"));
-    let parts = files.iter().map(|file| (file.shown(), &file.path));
-    let finding = RULE.at(first, Place::File, message).key(format!("folder {folder}")).parts_in(parts);
-    let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
-    Some(finding.help(did_you_mean(near, "rename it to the kind of its assets, such as `clothes`, `hair` or `eyes`")))
-}
-
-/// Whether a worn asset is listed nowhere under its name.
-fn is_lost(view: &View<'_>, file: &FileFacts) -> bool {
-    let name = file.clothes().and_then(|clothes| clothes.scanned.name.as_ref());
-    let base = view.library.bases().into_iter().find(|base| file.rel.split('/').nth(1) == Some(base));
-    name.is_some_and(|name| base.is_none_or(|base| view.library.named(base, &name.text).next().is_none()))
+    out.extend(
+        unknown.into_iter().filter_map(|(folder, files)| makehuman2::unread(&RULE, view, folder, &files, &bases)),
+    );
 }
 
 const FILTER: &str = "selection_filter.json";

@@ -58,7 +58,7 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Ve
     let View::Mpfb(_) = view else { return false };
     let mut renamed = BTreeSet::new();
     let has_own = has_own_skin_settings(view);
-    let is_missing = |rel: &str| !exists(system, rel) && !(rel == SKIN_SETTINGS && has_own);
+    let is_missing = |rel: &str| !(exists(system, rel) || rel == SKIN_SETTINGS && has_own);
     let files = NEEDED.into_iter().filter(|(rel, _)| is_missing(rel)).map(|(rel, case)| {
         let other = system.file_ignoring_case(rel).map(|file| file.rel.as_str());
         (rel, case, "file", other)
@@ -66,21 +66,18 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Ve
     let folders = FOLDERS.into_iter().filter(|(folder, _)| !system.has_folder(folder) && !system.has_fault(folder));
     let folders = folders.map(|(folder, case)| (folder, case, "folder", folder_in_other_case(system, folder)));
     for (rel, case, what, other) in files.chain(folders) {
-        let finding = match other {
-            Some(other) => {
-                let (is, right) = differing(other, rel);
-                // A folder is told once for all that lies in it.
-                if !renamed.insert(is.clone()) {
-                    continue;
-                }
-                let finding = rule.in_layer(system, &is, format!("`{is}` must be named `{right}`")).key("capitals");
-                finding.help(format!("rename it to `{}`", right.rsplit('/').next().unwrap_or(&right)))
+        let finding = if let Some(other) = other {
+            let (is, right) = differing(other, rel);
+            // A folder is told once for all that lies in it.
+            if !renamed.insert(is.clone()) {
+                continue;
             }
-            None => {
-                let name = if what == "file" { format!("`{rel}`") } else { format!("folder `{rel}`") };
-                let finding = rule.in_layer(system, rel, format!("{name} does not exist"));
-                finding.help(format!("restore the {what} from the download of the add-on"))
-            }
+            let finding = rule.in_layer(system, &is, format!("`{is}` must be named `{right}`")).key("capitals");
+            finding.help(format!("rename it to `{}`", right.rsplit('/').next().unwrap_or(&right)))
+        } else {
+            let name = if what == "file" { format!("`{rel}`") } else { format!("folder `{rel}`") };
+            let finding = rule.in_layer(system, rel, format!("{name} does not exist"));
+            finding.help(format!("restore the {what} from the download of the add-on"))
         };
         out.push(finding.case(case));
     }

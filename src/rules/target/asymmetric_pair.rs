@@ -27,8 +27,8 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 const EXCHANGED: Case = &[
-    (Makehuman2, Level::Warning, "moves the other side of the body than the slider says"),
-    (Mpfb, Level::Warning, "moves the other side of the body than the slider says"),
+    (Makehuman2, Level::Warning, "moves the left/right counterpart of what the slider says"),
+    (Mpfb, Level::Warning, "moves the left/right counterpart of what the slider says"),
 ];
 const ON_HELPERS: Case = &[
     (Makehuman2, Level::Info, "fits clothes and hair asymmetrically at these helpers; the body is symmetric"),

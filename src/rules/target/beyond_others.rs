@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use super::oversized_delta::{finding, moves};
-use crate::diag::{Confidence, Finding, Place, grouped};
+use super::super::Rule;
+use super::super::units::length;
+use crate::diag::{Confidence, Element, Evidence, Finding, Place, grouped};
 use crate::eval::proportion::{Lengths, is_out_of_scale, oversize, stands_out_of_folder};
 use crate::formats::target::{Largest, TargetFacts};
 use crate::repo::{Body, FileFacts, ReferenceKind};
@@ -14,7 +15,12 @@ fn lengths(facts: &TargetFacts, largest: &Largest) -> Lengths {
 
 /// Details of a folder are of one kind and of one order: one that goes much farther than all others was exported in
 /// other units.
-pub(super) fn beyond_neighbours<'v>(body: &Body<'v>, size: f32, ratio: f32) -> Vec<(&'v FileFacts, Finding)> {
+pub(super) fn beyond_neighbours<'v>(
+    rule: &Rule,
+    body: &Body<'v>,
+    size: f32,
+    ratio: f32,
+) -> Vec<(&'v FileFacts, Finding)> {
     let is_detail = |used_as| {
         use ReferenceKind::{Decr, Incr, SliderName, Slot};
         matches!(used_as, Some(Incr | Decr | Slot | SliderName))
@@ -24,10 +30,11 @@ pub(super) fn beyond_neighbours<'v>(body: &Body<'v>, size: f32, ratio: f32) -> V
         let facts = target.file.target()?;
         Some((target.file.folder(), (target.file, facts, facts.largest.as_ref()?)))
     }));
-    folders.into_values().filter_map(|details| beyond(body, details, size, ratio)).collect()
+    folders.into_values().filter_map(|details| beyond(rule, body, details, size, ratio)).collect()
 }
 
 fn beyond<'v>(
+    rule: &Rule,
     body: &Body<'v>,
     mut details: Vec<(&'v FileFacts, &TargetFacts, &Largest)>,
     size: f32,
@@ -44,17 +51,17 @@ fn beyond<'v>(
     }
     let times = largest.length / next.length;
     let message = format!("{}, {times:.0} times as far as any other slider target in its folder", moves(body, largest));
-    Some((file, finding(file, facts, largest, message).key("folder").confidence(Confidence::Medium)))
+    Some((file, finding(rule, file, facts, largest, message).key("folder").confidence(Confidence::Medium)))
 }
 
 /// The ends of a slider are made together, in one unit.
-pub(super) fn beyond_opposites(body: &Body<'_>, told: &BTreeSet<&str>) -> Vec<Finding> {
+pub(super) fn beyond_opposites(rule: &Rule, body: &Body<'_>, told: &BTreeSet<&str>) -> Vec<Finding> {
     let known = |file: &FileFacts| body.target(&file.path).is_some() && !told.contains(file.path.as_str());
     let pairs = body.slider_ends().into_iter().filter(|ends| ends.iter().all(|file| known(file)));
-    pairs.filter_map(|ends| beyond_opposite(body, ends)).collect()
+    pairs.filter_map(|ends| beyond_opposite(rule, body, ends)).collect()
 }
 
-fn beyond_opposite(body: &Body<'_>, ends: [&FileFacts; 2]) -> Option<Finding> {
+fn beyond_opposite(rule: &Rule, body: &Body<'_>, ends: [&FileFacts; 2]) -> Option<Finding> {
     let [Some(one), Some(other)] = ends.map(|file| Some((file, file.target()?, file.target()?.largest?))) else {
         return None;
     };
@@ -67,6 +74,28 @@ fn beyond_opposite(body: &Body<'_>, ends: [&FileFacts; 2]) -> Option<Finding> {
     let name = opposite.stem().trim_end_matches(".target");
     let message =
         format!("{}, {times:.0} times as far as `{name}`, the other end of its slider", moves(body, &largest));
-    let finding = finding(file, facts, &largest, message).key("opposite").confidence(Confidence::Medium);
+    let finding = finding(rule, file, facts, &largest, message).key("opposite").confidence(Confidence::Medium);
     Some(finding.related(&opposite.path, Place::File, "the other end"))
+}
+
+pub(super) fn moves(body: &Body<'_>, largest: &Largest) -> String {
+    format!("{} moves {}", body.vertex(largest.index), length(largest.length))
+}
+
+pub(super) fn finding(
+    rule: &Rule,
+    file: &FileFacts,
+    facts: &TargetFacts,
+    largest: &Largest,
+    message: String,
+) -> Finding {
+    let place = u64::try_from(largest.index)
+        .map_or(Place::Line(largest.line), |index| Place::Row(largest.line, Element { kind: "vertex", index }));
+    let evidence = Evidence::counted(1);
+    rule.at(file, place, message)
+        .parts([largest.index])
+        .help("correct the numbers; a decimal point may be missing or the unit wrong: lengths are in decimetres")
+        .evidence(
+            evidence.out_of(facts.rows).with_worst(f64::from(largest.length), format!("vertex {}", largest.index)),
+        )
 }

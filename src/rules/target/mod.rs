@@ -13,6 +13,7 @@ use crate::repo::{Body, FileFacts, Target, parent};
 pub(super) mod asymmetric;
 pub(super) mod asymmetric_pair;
 pub(super) mod basemesh_mismatch;
+mod beyond_mesh;
 mod beyond_others;
 pub(super) mod breaks_start;
 pub(super) mod duplicate_vertex;

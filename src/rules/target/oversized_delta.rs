@@ -2,18 +2,18 @@
 
 use std::collections::BTreeSet;
 
-use super::super::units::{centimetres, length};
+use super::super::units::centimetres;
 use super::super::{Check, Rule, RuleCx};
-use super::beyond_others::{beyond_neighbours, beyond_opposites};
+use super::beyond_others::{beyond_neighbours, beyond_opposites, finding, moves};
 use super::shown::with_setting;
 use super::targets;
 use crate::diag::{
     Application::{Makehuman2, Mpfb},
-    Confidence, Element, Evidence, Finding, Level, OptionInfo, Place, RuleInfo,
+    Confidence, Finding, Level, OptionInfo, RuleInfo,
 };
 use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, oversize};
-use crate::formats::target::{Largest, TargetFacts};
-use crate::repo::{Body, FileFacts};
+use crate::formats::target::Largest;
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
@@ -61,31 +61,15 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let message = format!("{}, {what}", moves(body, &largest));
         told.insert(file.path.as_str());
-        out.push(with_setting(finding(file, facts, &largest, message), body, file).confidence(confidence));
+        out.push(with_setting(finding(&RULE, file, facts, &largest, message), body, file).confidence(confidence));
     }
-    let of_folders = beyond_neighbours(body, size, ratio);
+    let of_folders = beyond_neighbours(&RULE, body, size, ratio);
     told.extend(of_folders.iter().map(|(file, _)| file.path.as_str()));
     out.extend(of_folders.into_iter().map(|(_, finding)| finding));
-    out.extend(beyond_opposites(body, &told));
+    out.extend(beyond_opposites(&RULE, body, &told));
 }
 
 /// Whether the row that goes farthest moves a vertex of the mesh.
 fn is_vertex(body: &Body<'_>, largest: &Largest) -> bool {
     body.mesh.is_some_and(|(_, mesh)| usize::try_from(largest.index).is_ok_and(|vertex| vertex < mesh.facts.vertices))
-}
-
-pub(super) fn moves(body: &Body<'_>, largest: &Largest) -> String {
-    format!("{} moves {}", body.vertex(largest.index), length(largest.length))
-}
-
-pub(super) fn finding(file: &FileFacts, facts: &TargetFacts, largest: &Largest, message: String) -> Finding {
-    let place = u64::try_from(largest.index)
-        .map_or(Place::Line(largest.line), |index| Place::Row(largest.line, Element { kind: "vertex", index }));
-    let evidence = Evidence::counted(1);
-    RULE.at(file, place, message)
-        .parts([largest.index])
-        .help("correct the numbers; a decimal point may be missing or the unit wrong: lengths are in decimetres")
-        .evidence(
-            evidence.out_of(facts.rows).with_worst(f64::from(largest.length), format!("vertex {}", largest.index)),
-        )
 }

@@ -2,10 +2,11 @@
 
 use super::super::cause::archived::weigh;
 use super::super::{Check, Rule, RuleCx};
+use super::beyond_mesh::{first, ignored, mesh_has};
 use super::{first_row, targets};
 use crate::diag::{
     Application::{Makehuman2, Mpfb},
-    Case, Evidence, Finding, Level, RuleInfo, Tally,
+    Case, Finding, Level, RuleInfo,
 };
 use crate::formats::target::TargetFacts;
 use crate::repo::{Body, FileFacts, ReferenceKind, Target};
@@ -62,7 +63,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         } else if body.has_foreign_mesh {
             // All targets fit one another: the mesh is at fault (`base-vertex-count`).
         } else if body.is_mpfb() {
-            out.extend(ignored(file, facts, vertices));
+            out.extend(ignored(&RULE, file, facts, vertices));
         } else if facts.out_of_range.count > 0 {
             let finding = beyond(file, facts, vertices);
             out.push(if target.is_outdated() {
@@ -74,27 +75,6 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(seam(file, facts, vertices));
         }
     }
-}
-
-/// MPFB passes over rows for vertices that the mesh lacks, and knows no copies at the seams of the UV map.
-fn ignored(file: &FileFacts, facts: &TargetFacts, vertices: Option<usize>) -> Option<Finding> {
-    let (seam, beyond_all) = (&facts.seam, &facts.out_of_range);
-    let count = seam.count + beyond_all.count;
-    let first_of = if seam.count > 0 { seam } else { beyond_all };
-    let mesh = mesh_has(file, vertices);
-    let message = match count {
-        0 => return None,
-        1 => format!("vertex {} does not exist: {mesh}", first(first_of)),
-        _ => {
-            let largest = facts.max_index.unwrap_or_default();
-            format!("{count} rows name vertices that do not exist (up to {largest}): {mesh}")
-        }
-    };
-    let rows = seam.first.iter().chain(&beyond_all.first);
-    let mut evidence = Evidence::of_unnamed(rows.map(|(line, index)| format!("line {line}: vertex {index}")));
-    evidence.count = count;
-    let help = "export the target again from the base mesh; its other rows may be for another mesh, too";
-    Some(RULE.at(file, first_row(first_of), message).help(help).evidence(evidence.out_of(facts.rows)))
 }
 
 fn overflow(file: &FileFacts, facts: &TargetFacts) -> Finding {
@@ -141,16 +121,4 @@ fn seam(file: &FileFacts, facts: &TargetFacts, vertices: Option<usize>) -> Findi
         .case(SEAM)
         .help("export the target again, or name the original vertices")
         .evidence(tally.evidence(facts.rows))
-}
-
-fn first(tally: &Tally) -> i64 {
-    tally.first.first().map_or(0, |(_, index)| *index)
-}
-
-fn mesh_has(file: &FileFacts, vertices: Option<usize>) -> String {
-    let base = file.base().unwrap_or_default();
-    vertices.map_or_else(
-        || format!("the base mesh `{base}` is smaller"),
-        |vertices| format!("base mesh `{base}` has {vertices} vertices"),
-    )
 }
