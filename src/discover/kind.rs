@@ -37,6 +37,10 @@ pub enum Kind {
     SkinSettings,
     /// Any other JSON in the `config/` of a user of MPFB.
     ConfigJson,
+    /// A JSON in `ink_layers/` of MPFB: a picture over the skin.
+    InkLayer,
+    /// A JSON in `packs/` of MPFB: the assets of a pack.
+    PackMetadata,
     /// A JSON in `node_trees/` of MPFB.
     NodeTree,
     /// `*.target` where targets are loaded from.
@@ -118,6 +122,8 @@ impl Kind {
                 | Self::EyeSettings
                 | Self::SkinSettings
                 | Self::NodeTree
+                | Self::InkLayer
+                | Self::PackMetadata
         )
     }
 

@@ -7,6 +7,7 @@ use super::face_expression::FaceExpression;
 use super::geometry::Geometry;
 use super::human_preset::HumanPreset;
 use super::importer_preset::Makeup;
+use super::ink_layer::InkLayer;
 use super::json_file::JsonFault;
 use super::macro_json::MacroFile;
 use super::macro_parts::MacroParts;
@@ -22,6 +23,7 @@ use super::mhw::Weights;
 use super::modelling::Modelling;
 use super::npz::Archive;
 use super::obj::Mesh;
+use super::pack_metadata::PackMetadata;
 use super::picture::Picture;
 use super::pose_units::PoseUnits;
 use super::program::{Shaders, Version};
@@ -65,6 +67,10 @@ pub enum Content {
     StrayCharacter,
     /// `makeup.*.json`.
     Makeup(Box<Makeup>),
+    /// `ink_layers/*.json`.
+    InkLayer(Box<InkLayer>),
+    /// `packs/*.json`.
+    PackMetadata(Box<PackMetadata>),
     /// A JSON of which nothing matters but what its loader cannot take.
     Loaded(Box<LoaderFaults>),
     /// `.mhskel`.

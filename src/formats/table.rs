@@ -6,9 +6,9 @@ use super::readers::{
     shader_source, target, uv_map, weights, zip,
 };
 use super::{
-    Content, Input, Parsed, base_json, face_expression, geometry, human_preset, importer_preset, look_settings,
-    macro_json, macro_parts, mhskel, modelling, node_tree, pose_units, program, selection_filter, target_cat,
-    target_catalog,
+    Content, Input, Parsed, base_json, face_expression, geometry, human_preset, importer_preset, ink_layer,
+    look_settings, macro_json, macro_parts, mhskel, modelling, node_tree, pack_metadata, pose_units, program,
+    selection_filter, target_cat, target_catalog,
 };
 use crate::discover::Kind;
 use crate::json::Document;
@@ -90,7 +90,7 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 42] = [
+pub(crate) static FORMATS: [Format; 44] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
@@ -124,6 +124,10 @@ pub(crate) static FORMATS: [Format; 42] = [
     tree(Kind::ConfigJson, "JSON", |json| match json.root.get("phenotype") {
         Some(_) => Content::StrayCharacter,
         None => Content::Json,
+    }),
+    json(Kind::InkLayer, "ink layer", "mpfb_ink", |json| Content::InkLayer(Box::new(ink_layer::read(json)))),
+    json(Kind::PackMetadata, "list of a pack", "mpfb_pack", |json| {
+        Content::PackMetadata(Box::new(pack_metadata::read(json)))
     }),
     json(Kind::NodeTree, "node tree", "mpfb_nodes", |json| Content::Loaded(Box::new(node_tree::read(json)))),
     Format { needs: Needs::MeshInTurn, ..read(Kind::Target, "target", Syntax::Text, target) },

@@ -101,7 +101,7 @@ impl Schema {
     }
 }
 
-static SCHEMAS: [Schema; 23] = [
+static SCHEMAS: [Schema; 25] = [
     Schema::new("base", include_str!("../../schemas/base.schema.json")),
     Schema::new("config", include_str!("../../schemas/config.schema.json")),
     Schema::new("geometry", include_str!("../../schemas/geometry.schema.json")),
@@ -115,9 +115,11 @@ static SCHEMAS: [Schema; 23] = [
     Schema::new("mpfb_eyes", include_str!("../../schemas/mpfb_eyes.schema.json")),
     Schema::new("mpfb_human", include_str!("../../schemas/mpfb_human.schema.json")),
     Schema::new("mpfb_importer", include_str!("../../schemas/mpfb_importer.schema.json")),
+    Schema::new("mpfb_ink", include_str!("../../schemas/mpfb_ink.schema.json")),
     Schema::new("mpfb_macro", include_str!("../../schemas/mpfb_macro.schema.json")),
     Schema::new("mpfb_makeup", include_str!("../../schemas/mpfb_makeup.schema.json")),
     Schema::new("mpfb_nodes", include_str!("../../schemas/mpfb_nodes.schema.json")),
+    Schema::new("mpfb_pack", include_str!("../../schemas/mpfb_pack.schema.json")),
     Schema::new("mpfb_skin", include_str!("../../schemas/mpfb_skin.schema.json")),
     Schema::new("pose_units", include_str!("../../schemas/pose_units.schema.json")),
     Schema::new("report", include_str!("../../schemas/report.schema.json")),

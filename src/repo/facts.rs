@@ -9,6 +9,7 @@ use crate::formats::bvh::Motion;
 use crate::formats::face_expression::FaceExpression;
 use crate::formats::human_preset::HumanPreset;
 use crate::formats::importer_preset::Makeup;
+use crate::formats::ink_layer::InkLayer;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
 use crate::formats::macro_parts::MacroParts;
@@ -23,6 +24,7 @@ use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
 use crate::formats::npz::Archive;
 use crate::formats::obj::Mesh;
+use crate::formats::pack_metadata::PackMetadata;
 use crate::formats::picture::Picture;
 use crate::formats::pose_units::PoseUnits;
 use crate::formats::program::{Shaders, Version};
@@ -168,6 +170,16 @@ impl FileFacts {
     }
 
     /// The makeup, if it is one that could be read.
+    pub fn ink_layer(&self) -> Option<&InkLayer> {
+        if let Content::InkLayer(layer) = &*self.content { Some(layer) } else { None }
+    }
+
+    /// The assets of a pack, if it could be read.
+    pub fn pack_metadata(&self) -> Option<&PackMetadata> {
+        if let Content::PackMetadata(pack) = &*self.content { Some(pack) } else { None }
+    }
+
+    /// Makeup, if it could be read.
     pub fn makeup(&self) -> Option<&Makeup> {
         if let Content::Makeup(makeup) = &*self.content { Some(makeup) } else { None }
     }

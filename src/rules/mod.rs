@@ -11,6 +11,7 @@ mod config;
 mod expression;
 mod file;
 mod filter;
+mod ink;
 mod json;
 mod library;
 mod macros;
@@ -101,6 +102,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &filter::conflicting_tags::RULE,
     &filter::dead_entry::RULE,
     &filter::syntax::RULE,
+    &ink::layer::RULE,
     &json::duplicate_key::RULE,
     &json::schema::RULE,
     &json::syntax::RULE,
@@ -234,6 +236,8 @@ pub(crate) static RULES: &[&Rule] = &[
     &overlay::user_key_clash::RULE,
     &overlay::user_target_too_deep::RULE,
     &pack::layout::RULE,
+    &pack::manifest::RULE,
+    &pack::metadata::RULE,
     &parts::coverage::RULE,
     &parts::discontinuity::RULE,
     &parts::empty_range::RULE,

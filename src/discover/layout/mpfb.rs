@@ -72,6 +72,9 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["targets", "target.json"] => Kind::TargetCatalog,
         ["targets", "macrodetails", "macro.json"] => Kind::MacroParts,
         ["expressions", .., file] if extension(file) == "json" => Kind::FaceExpression,
+        ["ink_layers", .., file] if extension(file) == "json" => Kind::InkLayer,
+        // Every name with the suffix in it counts, and folders in it are not looked into (§8).
+        ["packs", file] if file.contains(".json") => Kind::PackMetadata,
         ["node_trees", file] if extension(file) == "json" => Kind::NodeTree,
         ["config", file] if extension(file).eq_ignore_ascii_case("json") => of_config(file).unwrap_or(Kind::ConfigJson),
         ["config", .., file] if extension(file).eq_ignore_ascii_case("json") => Kind::ConfigJson,
@@ -131,6 +134,9 @@ mod tests {
             ("config/x.json", Kind::ConfigJson),
             ("settings/eye_settings.default.json", Kind::EyeSettings),
             ("node_trees/makeskin.json", Kind::NodeTree),
+            ("ink_layers/a/b.json", Kind::InkLayer),
+            ("packs/a.json.bak", Kind::PackMetadata),
+            ("packs/a/b.json", Kind::Json),
         ] {
             let found = LAYOUT.use_of(path);
             assert_eq!((found.kind, found.owner.as_deref()), (kind, Some(HM08)), "{path}");

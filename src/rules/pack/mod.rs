@@ -1,7 +1,9 @@
-//! Rules on packs: zips of assets that an application imports.
+//! Rules on packs: zips of assets that an application imports, and lists of what is in them.
 
 pub(super) mod layout;
 mod lost;
+pub(super) mod manifest;
+pub(super) mod metadata;
 mod moved;
 mod named;
 

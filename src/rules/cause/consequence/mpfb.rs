@@ -26,6 +26,8 @@ pub(super) static TABLE: Table = Table {
         anywhere(Kind::PackedTarget, Moment::Use, NO_SHAPE),
         anywhere(Kind::Model, Moment::Use, MODEL),
         anywhere(Kind::NodeTree, Moment::Use, NO_MATERIAL),
+        anywhere(Kind::InkLayer, Moment::Use, NO_INK),
+        anywhere(Kind::PackMetadata, Moment::Use, NO_PACKS),
     ],
     at_moment: &[],
     in_general: LOST,
@@ -65,6 +67,13 @@ const NO_CHARACTER: &[Cell] = &stopped("lists the character, and fails with an e
 const NO_PRESET: &[Cell] = &stopped("lists the preset, and fails with an exception when it is loaded");
 const NO_LOOK: &[Cell] = &stopped("fails with an exception when it makes a material with these settings");
 const NO_MATERIAL: &[Cell] = &stopped("fails with an exception when it makes a material of this kind");
+
+const NO_INK: &[Cell] = &stopped("fails with an exception when the layer is put on");
+/// The first query raises, later ones know what the disk listed before the file.
+const NO_PACKS: &[Cell] = &stopped(
+    "fails with an exception in the pack filter and in the randomizer, and later knows only the packs that the disk \
+     lists before this one",
+);
 
 const NO_BODY: &[Cell] = &stopped("fails with an exception whenever a character is made: none can be made");
 
