@@ -41,6 +41,12 @@ pub enum Kind {
     InkLayer,
     /// A JSON in `packs/` of MPFB: the assets of a pack.
     PackMetadata,
+    /// `basemesh_vertex_groups.json` of MPFB.
+    VertexGroups,
+    /// `hm08_config.json` of MPFB: between which vertices parts of the body are measured.
+    BodyDimensions,
+    /// `hm08.mirror` of MPFB: the counterpart of each vertex.
+    MirrorTable,
     /// A JSON in `node_trees/` of MPFB.
     NodeTree,
     /// `*.target` where targets are loaded from.
@@ -124,6 +130,8 @@ impl Kind {
                 | Self::NodeTree
                 | Self::InkLayer
                 | Self::PackMetadata
+                | Self::VertexGroups
+                | Self::BodyDimensions
         )
     }
 

@@ -11,6 +11,7 @@ use super::ink_layer::InkLayer;
 use super::json_file::JsonFault;
 use super::macro_json::MacroFile;
 use super::macro_parts::MacroParts;
+use super::mesh_metadata::{MirrorTable, VertexGroups};
 use super::meta::Meta;
 use super::mhbin::MeshFault;
 use super::mhbin_asset::Packed;
@@ -67,6 +68,10 @@ pub enum Content {
     StrayCharacter,
     /// `makeup.*.json`.
     Makeup(Box<Makeup>),
+    /// `basemesh_vertex_groups.json`.
+    VertexGroups(Box<VertexGroups>),
+    /// `hm08.mirror`.
+    MirrorTable(Box<MirrorTable>),
     /// `ink_layers/*.json`.
     InkLayer(Box<InkLayer>),
     /// `packs/*.json`.

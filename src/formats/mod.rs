@@ -24,6 +24,7 @@ pub mod look_settings;
 pub mod macro_json;
 pub mod macro_parts;
 pub mod mesh_difference;
+pub mod mesh_metadata;
 pub mod meta;
 pub mod mhbin;
 pub mod mhbin_asset;

@@ -8,8 +8,8 @@ use super::json_file::{self, JsonFacts, JsonFault};
 use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
 use super::{
-    Content, bvh, meta as metadata, mhbin, mhbin_asset, mhclo, mhm, mhmat, mhpose, mhw, npz, obj, picture,
-    shader_source, uv_map,
+    Content, bvh, mesh_metadata, meta as metadata, mhbin, mhbin_asset, mhclo, mhm, mhmat, mhpose, mhw, npz, obj,
+    picture, shader_source, uv_map,
 };
 use crate::json::{self, Document, SchemaFaults};
 use crate::source::{Encoding, GzipFault, Limits, gunzip_at_most, zip_bomb};
@@ -168,6 +168,11 @@ pub(super) fn asset_mesh(input: &Input<'_>) -> Parsed {
         parsed.content = Content::AssetMesh(Box::new(AssetMesh::of(obj::parse(input.bytes))));
     }
     parsed
+}
+
+/// The mirror table of MPFB.
+pub(super) fn mirror_table(input: &Input<'_>) -> Parsed {
+    Parsed { content: Content::MirrorTable(Box::new(mesh_metadata::mirror(input.bytes))), ..hashed(input) }
 }
 
 /// Source of a shader.

@@ -101,7 +101,7 @@ impl Schema {
     }
 }
 
-static SCHEMAS: [Schema; 25] = [
+static SCHEMAS: [Schema; 27] = [
     Schema::new("base", include_str!("../../schemas/base.schema.json")),
     Schema::new("config", include_str!("../../schemas/config.schema.json")),
     Schema::new("geometry", include_str!("../../schemas/geometry.schema.json")),
@@ -111,8 +111,10 @@ static SCHEMAS: [Schema; 25] = [
     Schema::new("mhw", include_str!("../../schemas/mhw.schema.json")),
     Schema::new("modelling", include_str!("../../schemas/modelling.schema.json")),
     Schema::new("mpfb_catalog", include_str!("../../schemas/mpfb_catalog.schema.json")),
+    Schema::new("mpfb_dimensions", include_str!("../../schemas/mpfb_dimensions.schema.json")),
     Schema::new("mpfb_expression", include_str!("../../schemas/mpfb_expression.schema.json")),
     Schema::new("mpfb_eyes", include_str!("../../schemas/mpfb_eyes.schema.json")),
+    Schema::new("mpfb_groups", include_str!("../../schemas/mpfb_groups.schema.json")),
     Schema::new("mpfb_human", include_str!("../../schemas/mpfb_human.schema.json")),
     Schema::new("mpfb_importer", include_str!("../../schemas/mpfb_importer.schema.json")),
     Schema::new("mpfb_ink", include_str!("../../schemas/mpfb_ink.schema.json")),

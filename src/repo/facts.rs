@@ -13,6 +13,7 @@ use crate::formats::ink_layer::InkLayer;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
 use crate::formats::macro_parts::MacroParts;
+use crate::formats::mesh_metadata::{MirrorTable, VertexGroups};
 use crate::formats::meta::Meta;
 use crate::formats::mhbin::MeshFault;
 use crate::formats::mhbin_asset::Packed;
@@ -172,6 +173,16 @@ impl FileFacts {
     /// The makeup, if it is one that could be read.
     pub fn ink_layer(&self) -> Option<&InkLayer> {
         if let Content::InkLayer(layer) = &*self.content { Some(layer) } else { None }
+    }
+
+    /// The vertex groups of MPFB's base mesh, if they could be read.
+    pub fn vertex_groups(&self) -> Option<&VertexGroups> {
+        if let Content::VertexGroups(groups) = &*self.content { Some(groups) } else { None }
+    }
+
+    /// The mirror table of MPFB's base mesh.
+    pub fn mirror_table(&self) -> Option<&MirrorTable> {
+        if let Content::MirrorTable(table) = &*self.content { Some(table) } else { None }
     }
 
     /// The assets of a pack, if it could be read.

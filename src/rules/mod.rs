@@ -17,6 +17,7 @@ mod library;
 mod macros;
 mod material;
 mod mesh;
+mod metadata;
 mod model;
 mod modelling;
 mod numeric;
@@ -187,6 +188,8 @@ pub(crate) static RULES: &[&Rule] = &[
     &mesh::syntax::RULE,
     &mesh::unused_vertex::RULE,
     &mesh::vertex_order::RULE,
+    &metadata::base_mesh::RULE,
+    &metadata::table::RULE,
     &model::arity::RULE,
     &model::category::RULE,
     &model::material::RULE,

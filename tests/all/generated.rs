@@ -68,6 +68,7 @@ fn about(family: &str) -> &'static str {
         "macro" => "macro targets: `macro.json` and the combinations it names",
         "material" => "materials (`.mhmat`) and the textures they name",
         "mesh" => "base meshes (`base.obj`, packed in `base.mhbin`) and meshes of assets",
+        "metadata" => "what MPFB knows of its base mesh besides the OBJ (`mesh_metadata/`)",
         "model" => "saved characters (`.mhm`)",
         "modelling" => "sliders: `modelling.json` and `target_cat.json`",
         "numeric" => "the evaluated figure: shapes, joints and weights over the range of the sliders",

@@ -25,8 +25,10 @@ pub(crate) struct View<'a> {
     pub catalog: Option<Catalog<'a>>,
     /// The parts of the macro settings, if they can be read.
     pub parts: Option<Parts<'a>>,
-    /// The base mesh, if it can be read.
+    /// The base mesh, if it can be read and its tables are for it.
     pub mesh: Option<(&'a FileFacts, &'a Mesh)>,
+    /// A base mesh whose tables are for another number of vertices, and that number: nothing can be said of its vertices.
+    pub foreign_mesh: Option<(&'a FileFacts, &'a Mesh, usize)>,
     /// Everything that names a file, and what it leads to.
     pub references: References<'a>,
     /// Targets by their names.
@@ -62,11 +64,30 @@ impl<'a> View<'a> {
         let catalog = catalog.and_then(|(layer, file)| Some(Catalog { layer, file, sliders: file.catalog()? }));
         let parts = layers.system.zip(file(Kind::MacroParts)).and_then(|(layer, file)| Parts::of(layer, file));
         let mesh = file(Kind::BaseMesh).and_then(|file| Some((file, file.mesh()?)));
+        let tables =
+            file(Kind::MirrorTable).and_then(FileFacts::mirror_table).filter(|table| table.unreadable.is_none());
+        let known = tables.map(|table| table.rows.len()).filter(|rows| *rows > 0);
+        let is_sound = |(_, mesh): &(&FileFacts, &Mesh)| mesh.facts.unreadable_lines == 0 && mesh.facts.vertices > 0;
+        let foreign_mesh = mesh.filter(is_sound).zip(known).filter(|((_, mesh), rows)| mesh.facts.vertices != *rows);
+        let foreign_mesh = foreign_mesh.map(|((file, mesh), rows)| (file, mesh, rows));
+        let mesh = mesh.filter(|_| foreign_mesh.is_none());
         let references = References::new(catalog.as_ref().map(collect).unwrap_or_default());
         let (targets, named) = (NamedTargets::of(layers), NamedFiles::of(layers));
         let shown = BTreeSet::from(["body".to_owned()]);
         let one_sided = ["-trans-in", "-trans-out"].map(str::to_owned).to_vec();
-        Self { layers, catalog, parts, mesh, references, targets, named, worn: worn(layers), shown, one_sided }
+        Self {
+            layers,
+            catalog,
+            parts,
+            mesh,
+            foreign_mesh,
+            references,
+            targets,
+            named,
+            worn: worn(layers),
+            shown,
+            one_sided,
+        }
     }
 
     /// The files of a kind in the checked layer that were read.
@@ -128,6 +149,7 @@ impl<'a> View<'a> {
         let mut body = Body::new(self.body_name()?, view, targets.map(|file| self.target(file)).collect());
         body.mesh = self.mesh;
         body.obj = self.mesh;
+        body.has_foreign_mesh = self.foreign_mesh.is_some();
         body.visible_groups = self.mesh.map(|_| &self.shown);
         body.one_sided_endings = Some(&self.one_sided);
         body.worn = &self.worn;

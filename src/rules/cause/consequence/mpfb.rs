@@ -26,6 +26,9 @@ pub(super) static TABLE: Table = Table {
         anywhere(Kind::PackedTarget, Moment::Use, NO_SHAPE),
         anywhere(Kind::Model, Moment::Use, MODEL),
         anywhere(Kind::NodeTree, Moment::Use, NO_MATERIAL),
+        anywhere(Kind::VertexGroups, Moment::Start, REFUSED),
+        anywhere(Kind::BodyDimensions, Moment::Use, NO_DIMENSIONS),
+        anywhere(Kind::MirrorTable, Moment::Use, NO_MIRROR),
         anywhere(Kind::InkLayer, Moment::Use, NO_INK),
         anywhere(Kind::PackMetadata, Moment::Use, NO_PACKS),
     ],
@@ -68,6 +71,9 @@ const NO_PRESET: &[Cell] = &stopped("lists the preset, and fails with an excepti
 const NO_LOOK: &[Cell] = &stopped("fails with an exception when it makes a material with these settings");
 const NO_MATERIAL: &[Cell] = &stopped("fails with an exception when it makes a material of this kind");
 
+const NO_DIMENSIONS: &[Cell] =
+    &stopped("fails with an exception after it fits an asset that has a scale: this one is left half-made");
+const NO_MIRROR: &[Cell] = &stopped("fails with an exception when a target is made symmetric");
 const NO_INK: &[Cell] = &stopped("fails with an exception when the layer is put on");
 /// The first query raises, later ones know what the disk listed before the file.
 const NO_PACKS: &[Cell] = &stopped(

@@ -1,0 +1,34 @@
+//! The base mesh of MPFB is the one that its tables are for.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application::Mpfb, Case, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
+use crate::repo::mpfb::View;
+
+pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
+    breaks: &[(Mpfb, "takes other vertices for joints, targets and groups: the whole figure is displaced")],
+    docs: "`base.obj` of MPFB and the tables in `mesh_metadata/` belong together. If the mesh has another number of vertices \
+        than the mirror table has rows, vertices were added or removed: all numbers behind them are those of other \
+        vertices. Joints, targets, weights and clothes are displaced, without a message. Nothing else is said of the vertices \
+        of such a mesh.\n\n\
+        Without texture coordinates (`vt`) MPFB fails with `IndexError` when an ink layer is put on (an error, where there are ink layers).\n\n\
+        Restore the base mesh.",
+    ..RuleInfo::new("metadata-base-mesh", Level::Warning, "a base mesh that its tables are not for")
+});
+
+const NO_UV: Case = &[(Mpfb, Level::Error, "fails with `IndexError` when an ink layer is put on")];
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if let Some((file, mesh, rows)) = view.foreign_mesh.filter(|(file, ..)| view.layers.is_checked(file)) {
+        let message = format!("the mesh has {} vertices, its mirror table {rows}", mesh.facts.vertices);
+        let finding = RULE.at(file, Place::File, message).key("vertices");
+        out.push(finding.help("restore the base mesh, or the table"));
+    }
+    let mesh = view.mesh.filter(|(file, mesh)| view.layers.is_checked(file) && mesh.facts.vertices > 0);
+    let layers = view.layers.strongest_first().chain(view.layers.beside);
+    let has_ink = layers.flat_map(|layer| layer.below("ink_layers")).any(|file| file.kind == Kind::InkLayer);
+    if let Some((file, _)) = mesh.filter(|(_, mesh)| mesh.uvs.is_empty() && has_ink) {
+        let finding = RULE.at(file, Place::File, "the mesh has no texture coordinates").key("uv").case(NO_UV);
+        out.push(finding.help("export the mesh with texture coordinates"));
+    }
+}

@@ -1,0 +1,66 @@
+//! The mirror table of MPFB (formats/mpfb-observed.md 1.3).
+
+use std::collections::BTreeMap;
+
+use super::super::{Rule, such};
+use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
+use crate::formats::mesh_metadata::{MirrorRow, MirrorTable};
+use crate::repo::FileFacts;
+use crate::repo::mpfb::View;
+
+const STOPPED: Case = &[(
+    Mpfb,
+    Level::Error,
+    "fails when a target is first made symmetric, and mirrors only the vertices above this row from then on",
+)];
+const OUT_OF_RANGE: Case = &[(Mpfb, Level::Error, "fails with `IndexError` when a target is made symmetric")];
+const WRONG_HALF: Case = &[(Mpfb, Level::Warning, "mirrors the wrong half when a target is made symmetric")];
+const APART: Case = &[(Mpfb, Level::Warning, "mirrors these vertices to others than their counterparts")];
+
+/// Nearer to the middle than this a vertex has no side, mesh units.
+const MIDDLE: f32 = 1e-3;
+
+/// The worst that is wrong with the table.
+pub(super) fn fault(rule: &Rule, view: &View<'_>, file: &FileFacts, table: &MirrorTable) -> Option<Finding> {
+    if let Some((line, count)) = table.unreadable {
+        let message = format!("the row is not `FROM TO SIDE` with one blank between the fields{}", such(count, "rows"));
+        let finding = rule.at(file, Place::Line(line), message).key("row").case(STOPPED);
+        return Some(
+            finding.evidence(Evidence::counted(count)).help("write two numbers of vertices and `l`, `r` or `m`"),
+        );
+    }
+    let (_, mesh) = view.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0 && mesh.facts.vertices > 0)?;
+    let x = |vertex: u32| mesh.positions.get(vertex as usize).map(|[x, ..]| *x);
+    let of = |is_so: &dyn Fn(&MirrorRow) -> bool| -> Vec<&MirrorRow> {
+        table.rows.iter().filter(|row| is_so(row)).collect()
+    };
+    let lost = of(&|row| x(row.from).is_none() || x(row.to).is_none());
+    if let Some(first) = lost.first() {
+        let vertex = if x(first.from).is_none() { first.from } else { first.to };
+        let message = format!("vertex {vertex} does not exist: the mesh has {} vertices", mesh.positions.len());
+        return Some(told(rule, file, &lost, message, OUT_OF_RANGE)?.help("make the table from this base mesh"));
+    }
+    let other = of(&|row| {
+        let x = x(row.from).unwrap_or_default();
+        x.abs() > MIDDLE && (row.side == b'l' && x < 0.0 || row.side == b'r' && x > 0.0)
+    });
+    if let Some(first) = other.first() {
+        let side = if first.side == b'l' { "left" } else { "right" };
+        let message = format!("vertex {} does not lie on the {side}, as its row says", first.from);
+        return Some(told(rule, file, &other, message, WRONG_HALF)?.help("exchange `l` and `r`"));
+    }
+    let counterpart: BTreeMap<u32, u32> = table.rows.iter().map(|row| (row.from, row.to)).collect();
+    let apart = of(&|row| counterpart.get(&row.to) != Some(&row.from));
+    if let Some(first) = apart.first() {
+        let message = format!("{} is the counterpart of {}, but not the other way round", first.to, first.from);
+        return Some(told(rule, file, &apart, message, APART)?.help("let both rows name one another"));
+    }
+    None
+}
+
+/// A finding on rows, at the first of them.
+fn told(rule: &Rule, file: &FileFacts, rows: &[&MirrorRow], message: String, case: Case) -> Option<Finding> {
+    let message = format!("{message}{}", such(rows.len(), "rows"));
+    let finding = rule.at(file, Place::Line(rows.first()?.line), message).key("rows").case(case);
+    Some(finding.evidence(Evidence::of_cases(rows.iter().map(|row| row.from.to_string()))))
+}

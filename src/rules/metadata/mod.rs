@@ -1,0 +1,6 @@
+//! Rules on what MPFB knows of its base mesh besides the OBJ.
+
+pub(in crate::rules) mod base_mesh;
+mod mirror;
+pub(in crate::rules) mod table;
+mod vertex_groups;

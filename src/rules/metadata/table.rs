@@ -1,0 +1,48 @@
+//! The tables of the base mesh of MPFB can be read, and fit the mesh.
+
+use super::super::unfit::findings;
+use super::super::{Check, Rule, RuleCx};
+use super::{mirror, vertex_groups};
+use crate::diag::{Application::Mpfb, Case, Finding, Level, RuleInfo};
+use crate::discover::Kind;
+use crate::repo::mpfb::View;
+
+pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
+    breaks: &[(Mpfb, "fails with an exception where it needs the table")],
+    docs: "`mesh_metadata/` of MPFB has tables for its base mesh.\n\n\
+        `basemesh_vertex_groups.json` gives each vertex group a list of ranges, `[first, last]`. Anything else stops the \
+        add-on when it is enabled. If `body` is empty, all of the body is hidden (an error); without `body` all helpers are \
+        visible. A range whose first number is above the last is empty, and numbers beyond the mesh do not count. If a joint \
+        of `base.obj` has no group, bones end at another place (warnings).\n\n\
+        `hm08_config.json` needs `dimensions`, and for each part of the body `xmin` and `xmax`: without them each asset \
+        with a scale is left half-made.\n\n\
+        `hm08.mirror` has a row `FROM TO SIDE` for each vertex, with one blank between the fields. At a row that is \
+        written otherwise MPFB fails when a target is first made symmetric; later it mirrors only the vertices above that \
+        row. Sides that are exchanged mirror the wrong half (a warning).\n\n\
+        Restore the file from the download of the add-on, or make it again from the base mesh.",
+    ..RuleInfo::new("metadata-table", Level::Error, "a table of the base mesh that its loader does not take")
+});
+
+const NO_START: Case = &[(Mpfb, Level::Error, "fails while the add-on is imported: MPFB cannot be enabled")];
+const HALF_MADE: Case = &[(
+    Mpfb,
+    Level::Error,
+    "fails with an exception after it fits an asset that has a scale: this one is left half-made",
+)];
+
+fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for file in view.own(Kind::VertexGroups) {
+        let Some(groups) = file.vertex_groups() else { continue };
+        out.extend(findings(&RULE, file, &groups.stops, cx).map(|(_, finding)| finding.case(NO_START)));
+        if groups.stops.all().is_empty() {
+            vertex_groups::faults(&RULE, view, file, groups, out);
+        }
+    }
+    for file in view.own(Kind::BodyDimensions) {
+        let Some(faults) = file.loader_faults() else { continue };
+        out.extend(findings(&RULE, file, &faults.stops, cx).map(|(_, finding)| finding.case(HALF_MADE)));
+    }
+    for file in view.own(Kind::MirrorTable) {
+        out.extend(file.mirror_table().and_then(|table| mirror::fault(&RULE, view, file, table)));
+    }
+}
