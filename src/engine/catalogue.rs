@@ -52,6 +52,7 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                         | Kind::Target
                         | Kind::PackedTarget
                         | Kind::TargetIcon
+                        | Kind::MirrorTable
                         | Kind::Image
                 )
         }

@@ -9,8 +9,8 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "takes other vertices for joints, targets and groups: the whole figure is displaced")],
     docs: "`base.obj` of MPFB and the tables in `mesh_metadata/` belong together. If the mesh has another number of vertices \
         than the mirror table has rows, vertices were added or removed: all numbers behind them are those of other \
-        vertices. Joints, targets, weights and clothes are displaced, without a message. Nothing else is said of the vertices \
-        of such a mesh.\n\n\
+        vertices. Joints, targets, weights and clothes are displaced, without a message. Other rules leave the vertices \
+        of such a mesh out.\n\n\
         Without texture coordinates (`vt`) MPFB fails with `IndexError` when an ink layer is put on (an error, where there are ink layers).\n\n\
         Restore the base mesh.",
     ..RuleInfo::new("metadata-base-mesh", Level::Warning, "a base mesh that its tables are not for")
