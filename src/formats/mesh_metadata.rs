@@ -1,5 +1,6 @@
 //! What MPFB knows of its base mesh besides the OBJ: vertex groups, dimensions, mirror table (formats/mpfb.md §24.2).
 
+use super::python_int;
 use super::unfit::{LoaderFaults, Unfits, Why, below, nth};
 use crate::json::{Document, Node, Value};
 use crate::source::lines;
@@ -20,6 +21,13 @@ pub struct VertexGroup {
     pub name: String,
     /// First and last vertices.
     pub ranges: Vec<(i64, i64)>,
+}
+
+impl VertexGroups {
+    /// How many vertices the mesh has that the groups are for, by the last one of any.
+    pub fn vertices(&self) -> i64 {
+        self.groups.iter().flat_map(|group| &group.ranges).map(|(_, last)| last.saturating_add(1)).max().unwrap_or(0)
+    }
 }
 
 /// Groups, and ranges of one, that are kept. The base mesh has fewer vertices.
@@ -95,6 +103,13 @@ pub struct MirrorTable {
     pub rows: Vec<MirrorRow>,
 }
 
+impl MirrorTable {
+    /// How many vertices the mesh has that the table is for, by the last one of any row.
+    pub fn vertices(&self) -> i64 {
+        self.rows.iter().map(|row| i64::from(row.from.max(row.to)) + 1).max().unwrap_or(0)
+    }
+}
+
 /// A row of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MirrorRow {
@@ -126,7 +141,7 @@ pub fn mirror(text: &[u8]) -> MirrorTable {
 
 fn row(line: u32, text: &[u8]) -> Option<MirrorRow> {
     let mut fields = text.trim_ascii().split(|byte| *byte == b' ');
-    let mut number = || std::str::from_utf8(fields.next()?).ok()?.parse::<u32>().ok();
+    let mut number = || u32::try_from(python_int(fields.next()?)?).ok();
     let (from, to) = (number()?, number()?);
     let side = *fields.next()?.first()?;
     Some(MirrorRow { line, from, to, side })
@@ -149,6 +164,7 @@ mod tests {
         let good = of(r#"{"body": [[0, 7], [9, 8, 3]], "none": []}"#);
         assert_eq!(good.groups[0].ranges, [(0, 7), (9, 8)]);
         assert!(good.stops.all().is_empty());
+        assert_eq!(good.vertices(), 9);
         let bad = of(r#"{"body": [0, 7], "a": [[5]], "b": [[0.5, 1]], "c": 3}"#);
         assert_eq!(pointers(&bad.stops), ["/body/0", "/body/1", "/a/0", "/b/0", "/c"]);
         assert_eq!(pointers(&of("[]").stops), [""]);
@@ -167,6 +183,7 @@ mod tests {
     fn fields_of_the_table_are_separated_by_one_blank() {
         let table = mirror(b"0 1 r\n1 0 l\n2 2 m\n\n3  3 m\n4 4\n5\t5 m\n# x\n");
         assert_eq!((table.rows.len(), table.unreadable), (3, Some((5, 4))));
+        assert_eq!(table.vertices(), 3);
         assert_eq!(table.rows[0], MirrorRow { line: 1, from: 0, to: 1, side: b'r' });
     }
 

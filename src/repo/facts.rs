@@ -170,7 +170,7 @@ impl FileFacts {
         if let Content::HumanPreset(preset) = &*self.content { Some(preset) } else { None }
     }
 
-    /// The makeup, if it is one that could be read.
+    /// The ink layer, if it is one that could be read.
     pub fn ink_layer(&self) -> Option<&InkLayer> {
         if let Content::InkLayer(layer) = &*self.content { Some(layer) } else { None }
     }
@@ -190,7 +190,7 @@ impl FileFacts {
         if let Content::PackMetadata(pack) = &*self.content { Some(pack) } else { None }
     }
 
-    /// Makeup, if it could be read.
+    /// The makeup, if it is one that could be read.
     pub fn makeup(&self) -> Option<&Makeup> {
         if let Content::Makeup(makeup) = &*self.content { Some(makeup) } else { None }
     }

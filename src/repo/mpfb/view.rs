@@ -27,8 +27,8 @@ pub(crate) struct View<'a> {
     pub parts: Option<Parts<'a>>,
     /// The base mesh, if it can be read and its tables are for it.
     pub mesh: Option<(&'a FileFacts, &'a Mesh)>,
-    /// A base mesh whose tables are for another number of vertices, and that number: nothing can be said of its vertices.
-    pub foreign_mesh: Option<(&'a FileFacts, &'a Mesh, usize)>,
+    /// A base mesh with fewer vertices than its tables are for, and both numbers: nothing can be said of its vertices.
+    pub foreign_mesh: Option<(&'a FileFacts, usize, i64)>,
     /// Everything that names a file, and what it leads to.
     pub references: References<'a>,
     /// Targets by their names.
@@ -64,12 +64,9 @@ impl<'a> View<'a> {
         let catalog = catalog.and_then(|(layer, file)| Some(Catalog { layer, file, sliders: file.catalog()? }));
         let parts = layers.system.zip(file(Kind::MacroParts)).and_then(|(layer, file)| Parts::of(layer, file));
         let mesh = file(Kind::BaseMesh).and_then(|file| Some((file, file.mesh()?)));
-        let tables =
-            file(Kind::MirrorTable).and_then(FileFacts::mirror_table).filter(|table| table.unreadable.is_none());
-        let known = tables.map(|table| table.rows.len()).filter(|rows| *rows > 0);
-        let is_sound = |(_, mesh): &(&FileFacts, &Mesh)| mesh.facts.unreadable_lines == 0 && mesh.facts.vertices > 0;
-        let foreign_mesh = mesh.filter(is_sound).zip(known).filter(|((_, mesh), rows)| mesh.facts.vertices != *rows);
-        let foreign_mesh = foreign_mesh.map(|((file, mesh), rows)| (file, mesh, rows));
+        let needed = vertices_of_tables(file(Kind::MirrorTable), file(Kind::VertexGroups));
+        let foreign_mesh = mesh.zip(needed).filter(|((_, mesh), needed)| lacks_vertices(mesh, *needed));
+        let foreign_mesh = foreign_mesh.map(|((file, mesh), needed)| (file, mesh.facts.vertices, needed));
         let mesh = mesh.filter(|_| foreign_mesh.is_none());
         let references = References::new(catalog.as_ref().map(collect).unwrap_or_default());
         let (targets, named) = (NamedTargets::of(layers), NamedFiles::of(layers));
@@ -163,6 +160,19 @@ impl<'a> View<'a> {
         let used_as = if self.asks_for(file) { Some(ReferenceKind::MacroTarget) } else { of_references };
         Target { file, folder: first_folder(&file.rel), used_as, is_unused: false, packed_in: None }
     }
+}
+
+/// How many vertices the tables of the base mesh are for; `None` where they disagree, which is told of the tables.
+fn vertices_of_tables(mirror: Option<&FileFacts>, groups: Option<&FileFacts>) -> Option<i64> {
+    let mirror = mirror?.mirror_table().filter(|table| table.unreadable.is_none())?;
+    let groups = groups?.vertex_groups().filter(|groups| groups.stops.all().is_empty())?;
+    Some(mirror.vertices()).filter(|vertices| *vertices == groups.vertices())
+}
+
+/// Loose vertices behind the others do no harm.
+fn lacks_vertices(mesh: &Mesh, needed: i64) -> bool {
+    let is_sound = mesh.facts.unreadable_lines == 0 && mesh.facts.vertices > 0;
+    is_sound && i64::try_from(mesh.facts.vertices).is_ok_and(|vertices| vertices < needed)
 }
 
 /// The folder at the top that a path leads into: all that is below is for the one base mesh.

@@ -7,10 +7,10 @@ use crate::repo::mpfb::View;
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "takes other vertices for joints, targets and groups: the whole figure is displaced")],
-    docs: "`base.obj` of MPFB and the tables in `mesh_metadata/` belong together. If the mesh has another number of vertices \
-        than the mirror table has rows, vertices were added or removed: all numbers behind them are those of other \
+    docs: "`base.obj` of MPFB and the tables in `mesh_metadata/` belong together. If the mesh has fewer vertices than \
+        the mirror table and the vertex groups name, vertices were removed: all numbers behind them are those of other \
         vertices. Joints, targets, weights and clothes are displaced, without a message. Other rules leave the vertices \
-        of such a mesh out.\n\n\
+        of such a mesh out. Loose vertices behind all others do no harm.\n\n\
         Without texture coordinates (`vt`) MPFB fails with `IndexError` when an ink layer is put on (an error, where there are ink layers).\n\n\
         Restore the base mesh.",
     ..RuleInfo::new("metadata-base-mesh", Level::Warning, "a base mesh that its tables are not for")
@@ -19,10 +19,10 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 const NO_UV: Case = &[(Mpfb, Level::Error, "fails with `IndexError` when an ink layer is put on")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    if let Some((file, mesh, rows)) = view.foreign_mesh.filter(|(file, ..)| view.layers.is_checked(file)) {
-        let message = format!("the mesh has {} vertices, its mirror table {rows}", mesh.facts.vertices);
+    if let Some((file, vertices, needed)) = view.foreign_mesh.filter(|(file, ..)| view.layers.is_checked(file)) {
+        let message = format!("the mesh has {vertices} vertices, and its tables are for {needed}");
         let finding = RULE.at(file, Place::File, message).key("vertices");
-        out.push(finding.help("restore the base mesh, or the table"));
+        out.push(finding.help("restore the base mesh"));
     }
     let mesh = view.mesh.filter(|(file, mesh)| view.layers.is_checked(file) && mesh.facts.vertices > 0);
     let layers = view.layers.strongest_first().chain(view.layers.beside);
