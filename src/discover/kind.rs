@@ -53,6 +53,10 @@ pub enum Kind {
     Target,
     /// `*.target.gz`: only MPFB reads it.
     PackedTarget,
+    /// `*.ptarget` of MPFB: for a proxy or clothes, loaded by hand.
+    PartTarget,
+    /// `*.ptarget.gz` of MPFB.
+    PackedPartTarget,
     /// `compressedtargets.npz` of MakeHuman 2.
     TargetArchive,
     /// A picture of a slider.
@@ -125,6 +129,7 @@ impl Kind {
                 | Self::HumanPreset
                 | Self::ImporterPreset
                 | Self::MakeupPreset
+                | Self::RandomizationPreset
                 | Self::EyeSettings
                 | Self::SkinSettings
                 | Self::NodeTree

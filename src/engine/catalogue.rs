@@ -42,7 +42,8 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                 | Kind::Image
         ),
         Application::Mpfb => {
-            kind.is_judged_by_loader()
+            // What the loader of the randomizer takes is not known.
+            kind.is_judged_by_loader() && !matches!(kind, Kind::RandomizationPreset)
                 || matches!(
                     kind,
                     Kind::BaseMesh
@@ -51,6 +52,8 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                         | Kind::Model
                         | Kind::Target
                         | Kind::PackedTarget
+                        | Kind::PartTarget
+                        | Kind::PackedPartTarget
                         | Kind::TargetIcon
                         | Kind::MirrorTable
                         | Kind::Image

@@ -48,6 +48,39 @@ pub struct Wearing {
     pub uuid: Box<str>,
 }
 
+/// Keywords of lines that put nothing on.
+pub const SETTING: [&str; 4] = ["name", "modifier", "skinMaterial", "skeleton"];
+
+/// Parts of a pattern that say nothing of a macro.
+const FOLDERS: [&str; 5] =
+    ["breast/", "macrodetails/", "macrodetails-height/", "macrodetails-universal/", "macrodetails-proportions/"];
+
+/// What models call the macro settings and the races, and what `macro.json` and saved characters call them.
+pub const MACROS: [(&str, &str); 11] = [
+    ("Age", "age"),
+    ("Gender", "gender"),
+    ("Muscle", "muscle"),
+    ("Weight", "weight"),
+    ("Height", "height"),
+    ("BodyProportions", "proportions"),
+    ("Asian", "asian"),
+    ("African", "african"),
+    ("Caucasian", "caucasian"),
+    ("BreastSize", "cupsize"),
+    ("BreastFirmness", "firmness"),
+];
+
+/// A pattern without the part that says nothing of a macro.
+pub fn without_folder(pattern: &str) -> &str {
+    FOLDERS.iter().find_map(|folder| pattern.strip_prefix(folder)).unwrap_or(pattern)
+}
+
+/// The setting or race that a pattern stands for, if it is a macro.
+pub fn setting_of(pattern: &str) -> Option<&'static str> {
+    let plain = without_folder(pattern);
+    MACROS.iter().find(|(name, _)| *name == plain).map(|(_, setting)| *setting)
+}
+
 /// Lines of a sort that are kept. No character has as many.
 const MOST: usize = 50_000;
 
@@ -81,9 +114,9 @@ pub fn read(text: &[u8]) -> Columns {
 fn displaced(line: &str, start: usize) -> Option<Word> {
     let plain = line.trim_start();
     let keyword = plain.split_ascii_whitespace().next()?;
-    let is_known = ["name", "modifier", "skinMaterial", "skeleton"].iter().chain(&CATEGORIES);
-    let is_known = is_known.clone().any(|known| known.eq_ignore_ascii_case(keyword));
-    (is_known && plain.len() > keyword.len()).then(|| word(keyword, start + line.len() - plain.len()))
+    let mut known = SETTING.iter().chain(&CATEGORIES);
+    let is_known = known.any(|known| known.eq_ignore_ascii_case(keyword)) && plain.len() > keyword.len();
+    is_known.then(|| word(keyword, start + line.len() - plain.len()))
 }
 
 /// The pattern ends at the first blank, so that the rest of one with a blank in it should be a number.

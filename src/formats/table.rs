@@ -90,7 +90,7 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 47] = [
+pub(crate) static FORMATS: [Format; 49] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
@@ -118,7 +118,7 @@ pub(crate) static FORMATS: [Format; 47] = [
     json(Kind::MakeupPreset, "makeup preset", "mpfb_makeup", |json| {
         Content::Makeup(Box::new(importer_preset::makeup(json)))
     }),
-    plain(Kind::RandomizationPreset, "randomization preset", Syntax::Json),
+    json(Kind::RandomizationPreset, "randomization preset", "mpfb_randomization", |_| Content::Json),
     json(Kind::EyeSettings, "eye settings", "mpfb_eyes", |json| Content::Loaded(Box::new(look_settings::eyes(json)))),
     json(Kind::SkinSettings, "skin settings", "mpfb_skin", |json| Content::Loaded(Box::new(look_settings::skin(json)))),
     tree(Kind::ConfigJson, "JSON", |json| match json.root.get("phenotype") {
@@ -139,6 +139,8 @@ pub(crate) static FORMATS: [Format; 47] = [
     json(Kind::NodeTree, "node tree", "mpfb_nodes", |json| Content::Loaded(Box::new(node_tree::read(json)))),
     Format { needs: Needs::MeshInTurn, ..read(Kind::Target, "target", Syntax::Text, target) },
     Format { needs: Needs::MeshInTurn, ..read(Kind::PackedTarget, "packed target", Syntax::Binary, packed) },
+    read(Kind::PartTarget, "target of a part", Syntax::Text, target),
+    read(Kind::PackedPartTarget, "packed target of a part", Syntax::Binary, packed),
     read(Kind::TargetArchive, "target archive", Syntax::Binary, archive),
     plain(Kind::TargetIcon, "icon", Syntax::Binary),
     json(Kind::Skeleton, "skeleton", "mhskel", |json| Content::Skeleton(Box::new(mhskel::read(json)))),

@@ -40,6 +40,8 @@ pub(crate) struct Body<'v> {
     pub has_too_many_macros: bool,
     /// Targets of the checked layer.
     pub targets: Vec<Target<'v>>,
+    /// Targets of the checked layer for what the body wears, which are loaded by hand.
+    pub part_targets: Vec<&'v FileFacts>,
     /// Skeletons with their weights.
     pub rigs: &'v [Rig<'v>],
     /// All weights of the body, and those of the checked layer for what it wears.
@@ -193,6 +195,7 @@ impl<'v> Body<'v> {
             macros,
             has_too_many_macros,
             targets,
+            part_targets: Vec::new(),
             rigs,
             weights,
             worn,

@@ -8,8 +8,7 @@ impl View<'_> {
     pub(crate) fn slider_ends(&self) -> Vec<[&FileFacts; 2]> {
         use ReferenceKind::{Decr, Incr, Slot};
         let ends = self.references().iter().filter(|one| matches!(one.kind, Incr | Decr | Slot));
-        let of_slider = |one: &Reference<'_>| (one.from.path.clone(), one.owner.to_owned(), side(one));
-        let by_slider = grouped(ends.filter_map(|one| Some((of_slider(one), one.found()?))));
+        let by_slider = grouped(ends.filter_map(|one| Some(((&one.from.path, one.owner, side(one)), one.found()?))));
         by_slider.into_values().filter_map(two).collect()
     }
 }
@@ -22,11 +21,9 @@ fn two(mut files: Vec<&FileFacts>) -> Option<[&FileFacts; 2]> {
 }
 
 /// The side of the body that a slot is for, as its key ends.
-fn side(one: &Reference<'_>) -> String {
+fn side<'r>(one: &'r Reference<'_>) -> &'r str {
     match &one.place {
-        Place::Pointer(pointer) if one.kind == ReferenceKind::Slot => {
-            pointer.rsplit('-').next().unwrap_or_default().to_owned()
-        }
-        _ => String::new(),
+        Place::Pointer(pointer) if one.kind == ReferenceKind::Slot => pointer.rsplit('-').next().unwrap_or_default(),
+        _ => "",
     }
 }

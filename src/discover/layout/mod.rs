@@ -227,10 +227,14 @@ impl Layout {
         self.only_base.is_some_and(|only| only != name) && MAKEHUMAN2_BASES.contains(&name)
     }
 
+    /// The folders that a data root can have at its top.
+    pub(crate) fn at_top(&self) -> impl Iterator<Item = &'static str> {
+        self.folders.iter().copied().flatten().copied()
+    }
+
     /// The folder at the top of a data root that differs from this name in its capitals alone.
     pub(crate) fn folder_in_other_case(&self, name: &str) -> Option<&'static str> {
-        let mut known = self.folders.iter().copied().flatten().copied();
-        known.find(|folder| *folder != name && folder.eq_ignore_ascii_case(name))
+        self.at_top().find(|folder| *folder != name && folder.eq_ignore_ascii_case(name))
     }
 
     /// Whether a path below a data root is that of an asset, or would be one outside of any.

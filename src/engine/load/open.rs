@@ -6,7 +6,7 @@ use std::path::Path;
 use super::data::Data;
 use super::input::{open, open_system};
 use super::layer::list_targets;
-use super::roots::{Roots, checked_places, system_places};
+use super::roots::{Roots, checked_places, system_places, with_data};
 use super::stack::Stack;
 use crate::diag::{Application, nearest};
 use crate::discover::Role;
@@ -29,8 +29,7 @@ pub fn open_base(root: &Path, system: Option<&Path>, base: Option<&str>) -> Resu
     let no_data = |path: &Path| Error::NoData(slashed(path));
     let systems = below.iter().map(|tree| system_places(tree, &applications)).collect::<Result<Vec<_>, _>>();
     let systems: Vec<_> = systems.map_err(|_| no_data(system.unwrap_or(root)))?.into_iter().flatten().collect();
-    let at_hand: Vec<Application> =
-        applications.iter().copied().filter(|one| systems.iter().any(|system| system.is_of(*one))).collect();
+    let at_hand = with_data(&applications, &systems);
     let checked = given.iter().flat_map(|tree| checked_places(tree, &at_hand, &applications));
     let checked: Vec<_> = checked.map(|place| (place, Vec::new())).collect();
     if checked.is_empty() {

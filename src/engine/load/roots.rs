@@ -34,13 +34,21 @@ pub(super) fn roots_of(
     grouped(wanted.map(|root| (root.path, Layout::of(root.application))))
 }
 
+/// Those of the applications of which one of the places has data.
+pub(super) fn with_data(applications: &[Application], places: &[Place<'_>]) -> Vec<Application> {
+    applications.iter().copied().filter(|one| places.iter().any(|place| place.is_of(*one))).collect()
+}
+
 /// The data roots in a tree of the applications that are checked; `asked` are those asked for by name, or by their data.
 pub(super) fn checked_places<'t>(
     tree: &'t Tree,
     asked: &[Application],
     applications: &[Application],
 ) -> Vec<Place<'t>> {
-    let roots = roots_of(tree, asked, |application| applications.contains(&application));
+    places(tree, roots_of(tree, asked, |application| applications.contains(&application)))
+}
+
+fn places(tree: &Tree, roots: impl IntoIterator<Item = (String, Vec<&'static Layout>)>) -> Vec<Place<'_>> {
     roots.into_iter().map(|(path, layouts)| Place::new(tree, &path, &layouts)).collect()
 }
 
@@ -59,7 +67,7 @@ impl<'t> Roots<'t> {
         // What shares its users' folders with another application has them where its data are given.
         let mut at_hand = options.applications.clone();
         if at_hand.is_empty() {
-            at_hand.extend(applications.iter().filter(|one| systems.iter().any(|system| system.is_of(**one))));
+            at_hand = with_data(applications, &systems);
         }
         let mut found: Vec<_> =
             folders.into_iter().map(|input| (input, roots_of(&input.tree, &at_hand, |_| true))).collect();
@@ -141,8 +149,7 @@ pub(super) fn system_places<'t>(tree: &'t Tree, applications: &[Application]) ->
         layouts.retain(|layout| is_system(&path, layout));
         (path, layouts)
     });
-    let roots = roots.filter(|(_, layouts)| !layouts.is_empty());
-    let mut places: Vec<Place<'t>> = roots.map(|(path, layouts)| Place::new(tree, &path, &layouts)).collect();
+    let mut places = places(tree, roots.filter(|(_, layouts)| !layouts.is_empty()));
     let mut missing = applications.to_vec();
     places.retain(|place| {
         let wanted = missing.len();
@@ -163,8 +170,7 @@ fn of_systems<'i>(found: Vec<Found<'i>>, systems: &[Place<'_>], applications: &[
     let is_system = |input: &Input, path: &str, layout: &'static Layout| {
         (layout.role)(&candidates(&input.tree, path, &[layout])) != Role::User
     };
-    let mut known: BTreeSet<Application> =
-        applications.iter().copied().filter(|one| systems.iter().any(|system| system.is_of(*one))).collect();
+    let mut known: BTreeSet<Application> = with_data(applications, systems).into_iter().collect();
     for (input, roots) in &found {
         let layouts = roots.iter().flat_map(|(path, layouts)| layouts.iter().map(move |layout| (path, *layout)));
         known.extend(layouts.filter(|(path, one)| is_system(input, path, one)).map(|(_, one)| one.application));

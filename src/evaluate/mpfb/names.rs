@@ -1,30 +1,11 @@
 //! Sliders as saved characters name them: lines of `.mhm`, and targets by their names (formats/mpfb.md §7.1, §7.2).
 
 use crate::eval::scene::{Scene, SliderKind};
-
-/// Parts of a name that say nothing of a macro.
-const FOLDERS: [&str; 5] =
-    ["breast/", "macrodetails/", "macrodetails-height/", "macrodetails-universal/", "macrodetails-proportions/"];
-
-/// What models call the macro settings.
-const MACROS: [(&str, &str); 11] = [
-    ("Age", "age"),
-    ("Gender", "gender"),
-    ("Muscle", "muscle"),
-    ("Weight", "weight"),
-    ("Height", "height"),
-    ("BodyProportions", "proportions"),
-    ("Asian", "asian"),
-    ("African", "african"),
-    ("Caucasian", "caucasian"),
-    ("BreastSize", "cupsize"),
-    ("BreastFirmness", "firmness"),
-];
+use crate::formats::mhm_columns::setting_of;
 
 /// The place of the slider that a name means, and the sign of its value: the target of the negative end lowers it.
 pub(in crate::evaluate) fn slider(scene: &Scene, name: &str) -> Option<(usize, f64)> {
-    let plain = FOLDERS.iter().find_map(|folder| name.strip_prefix(folder)).unwrap_or(name);
-    if let Some((_, setting)) = MACROS.iter().find(|(known, _)| *known == plain) {
+    if let Some(setting) = setting_of(name) {
         return scene.slider(setting).map(|place| (place, 1.0));
     }
     let last = name.split_once('/').map_or(name, |(_, last)| last).replace('|', "-");

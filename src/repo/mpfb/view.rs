@@ -3,11 +3,13 @@
 use std::collections::BTreeSet;
 use std::ops::Bound;
 
+use super::loops::LOOPS;
 use super::named::{NamedFiles, NamedTargets};
 use super::parts::Parts;
 use super::references::collect;
 use crate::diag::{Application, Place};
 use crate::discover::{Kind, Layout};
+use crate::formats::macro_parts::SETTINGS;
 use crate::formats::obj::Mesh;
 use crate::formats::target_catalog::{Category, TargetCatalog};
 use crate::repo::misnamed_folder::{MisnamedFolder, misnamed_folders, top_in_other_case};
@@ -135,6 +137,18 @@ impl<'a> View<'a> {
         of_mesh.or_else(of_user)
     }
 
+    /// Whether a value of a setting leaves a character without any shape: all macro targets need the setting, and no part
+    /// has the value. Without the data of MPFB its parts are taken for those that it brings, from -0.01 to 1.01 (§3.2).
+    pub(crate) fn leaves_no_shape(&self, setting: &str, value: f64) -> bool {
+        let Some(place) = SETTINGS.iter().position(|known| *known == setting) else { return false };
+        let holds = |(lowest, highest): (f64, f64)| lowest < value && value < highest;
+        let settings = self.parts.iter().flat_map(|parts| &parts.settings.settings);
+        let own = settings.filter(|own| own.is_whole).find(|own| own.place == place);
+        let is_covered =
+            own.map_or(holds((-0.01, 1.01)), |own| own.parts.iter().any(|part| holds((part.lowest, part.highest))));
+        LOOPS.iter().all(|own| own.needs(place)) && !is_covered
+    }
+
     /// Whether MPFB composes the name of a target out of those of its macro settings.
     pub(crate) fn asks_for(&self, file: &FileFacts) -> bool {
         self.parts.as_ref().is_some_and(|parts| parts.asks_for(file))
@@ -144,6 +158,8 @@ impl<'a> View<'a> {
     pub(in crate::repo) fn body<'v>(&'v self, view: &'v crate::repo::View<'v>) -> Option<Body<'v>> {
         let targets = view.files().filter(|file| matches!(file.kind, Kind::Target | Kind::PackedTarget));
         let mut body = Body::new(self.body_name()?, view, targets.map(|file| self.target(file)).collect());
+        let is_of_part = |file: &&FileFacts| matches!(file.kind, Kind::PartTarget | Kind::PackedPartTarget);
+        body.part_targets = view.files().filter(is_of_part).collect();
         body.mesh = self.mesh;
         body.obj = self.mesh;
         body.has_foreign_mesh = self.foreign_mesh.is_some();

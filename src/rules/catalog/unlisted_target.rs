@@ -60,14 +60,13 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             && !meant.contains(&file.rel)
             && !listed.contains(file.rel.trim_end_matches(".gz"))
     };
-    let free: Vec<&FileFacts> = catalog.layer.below("targets").filter(is_free).collect();
-    let by_word = grouped(free.iter().filter_map(|file| Some((view.parts.as_ref()?.unknown_word(&file.rel)?, *file))));
-    out.extend(by_word.iter().filter_map(|(word, files)| without_name(view, *word, files)));
-    let unnamed = free
-        .iter()
-        .copied()
-        .filter(|file| view.parts.as_ref().and_then(|parts| parts.unknown_word(&file.rel)).is_none());
-    for (folder, files) in grouped(unnamed.map(|file| (parent(&file.rel), file))) {
+    let word = |file: &'_ FileFacts| {
+        view.parts.as_ref()?.unknown_word(&file.rel).map(|(place, word)| (place, word.to_owned()))
+    };
+    let mut by_word = grouped(catalog.layer.below("targets").filter(is_free).map(|file| (word(file), file)));
+    let others = by_word.remove(&None).unwrap_or_default();
+    out.extend(by_word.iter().filter_map(|(word, files)| without_name(view, word.as_ref()?, files)));
+    for (folder, files) in grouped(others.into_iter().map(|file| (parent(&file.rel), file))) {
         let Some(first) = files.first() else { continue };
         let section = catalog.sliders.sections.iter().find(|section| catalog.folder(&section.name) == folder);
         // Whether a slider that cannot be read has them is not known.
@@ -86,9 +85,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 /// Targets of the macro system whose names hold a word that `macro.json` does not have for a setting.
-fn without_name(view: &View<'_>, (place, word): (usize, &str), files: &[&FileFacts]) -> Option<Finding> {
+fn without_name(view: &View<'_>, (place, word): &(usize, String), files: &[&FileFacts]) -> Option<Finding> {
     let parts = view.parts.as_ref()?;
-    let setting = parts.settings.settings.iter().find(|setting| setting.place == place)?;
+    let setting = parts.settings.settings.iter().find(|setting| setting.place == *place)?;
     let message =
         format!("no part of `{}` has the name `{word}`, which {} for", setting.name(), targets_are(files.len()));
     let place = Place::pointer(["macrotargets", setting.name(), "parts"]);

@@ -18,6 +18,8 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         return;
     }
     let files = || view.layers.checked.files.values().filter(|file| !file.is_loose);
+    let (own, other) = (Layout::of(Application::Mpfb), Layout::of(Application::Makehuman1));
+    let is_preset = |kind| kind == Kind::RandomizationPreset || (own.is_telling)(kind);
     let presets = files().filter(|file| is_preset(file.kind_in(Application::Mpfb)));
     for (folder, files) in grouped(presets.map(|file| (file.folder(), file))) {
         let message =
@@ -31,7 +33,6 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             rule.at(file, Place::File, format!("`{}` must end in `.json`: capitals matter", file.file_name()));
         out.push(finding.key("suffix").case(NOT_LISTED).help("write the suffix in small letters"));
     }
-    let (own, other) = (Layout::of(Application::Mpfb), Layout::of(Application::Makehuman1));
     let is_other =
         |top: &str| own.folder_in_other_case(top).is_some() || matches!(top, "config" | "settings" | "models");
     let tops = files().filter_map(|file| Some((file.rel.split_once('/')?.0, file)));
@@ -44,7 +45,7 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             let near = nearest(top, ["targets", "custom"]);
             let help = did_you_mean(near, "move them to `custom`, or to a folder below `targets`");
             out.extend(finding(rule, &of_targets, top, message, NOT_FOUND, help));
-        } else if !is_known && let Some(near) = nearest(top, FOLDERS) {
+        } else if !is_known && let Some(near) = nearest(top, own.at_top().filter(|one| !OF_PROGRAM.contains(one))) {
             let files: Vec<&FileFacts> = files.into_iter().filter(|file| is_asset(file)).collect();
             let message = format!("folder `{top}` is not read ({})", counted(files.len(), "file"));
             out.extend(finding(rule, &files, top, message, NOT_LISTED, did_you_mean(Some(near), "")));
@@ -52,30 +53,8 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// Folders of assets, as users mistype them.
-const FOLDERS: [&str; 16] = [
-    "clothes",
-    "hair",
-    "eyes",
-    "eyebrows",
-    "eyelashes",
-    "teeth",
-    "tongue",
-    "proxymeshes",
-    "poses",
-    "rigs",
-    "expressions",
-    "skins",
-    "ink_layers",
-    "uv_layers",
-    "packs",
-    "targets",
-];
-
-fn is_preset(kind: Kind) -> bool {
-    use Kind::{EyeSettings, HumanPreset, ImporterPreset, MakeupPreset, RandomizationPreset, SkinSettings};
-    matches!(kind, HumanPreset | ImporterPreset | MakeupPreset | RandomizationPreset | EyeSettings | SkinSettings)
-}
+/// Folders of the add-on: nothing of a user is read there.
+const OF_PROGRAM: [&str; 4] = ["3dobjs", "mesh_metadata", "node_trees", "settings"];
 
 fn is_target(file: &FileFacts) -> bool {
     file.rel.ends_with(".target") || file.rel.ends_with(".target.gz")

@@ -3,7 +3,7 @@
 use super::super::{Rule, such};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
 use crate::formats::mhm::{CATEGORIES, Word};
-use crate::formats::mhm_columns::Columns;
+use crate::formats::mhm_columns::{Columns, SETTING};
 use crate::repo::FileFacts;
 
 const NOT_SET: Case = &[(Mpfb, Level::Warning, "silently passes over the line: what it sets is missing")];
@@ -13,9 +13,6 @@ const OTHER_RIG: Case = &[(Mpfb, Level::Warning, "silently adds the rig `default
 
 /// What the name of a skeleton must hold for MPFB to know its rig.
 const RIGS: [&str; 4] = ["default", "toes", "game", "cmu"];
-
-/// Keywords of lines that put nothing on.
-const SETTING: [&str; 4] = ["name", "modifier", "skinMaterial", "skeleton"];
 
 /// A keyword counts at the first column, in its own capitals.
 pub(super) fn displaced(rule: &Rule, file: &FileFacts, columns: &Columns) -> Option<Finding> {

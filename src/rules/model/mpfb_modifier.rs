@@ -2,10 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::cause::consequence::NO_PART;
 use super::super::{Rule, RuleCx, did_you_mean, such};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
 use crate::discover::Kind;
-use crate::formats::mhm_columns::Setting;
+use crate::formats::macro_parts::RACES;
+use crate::formats::mhm_columns::{MACROS, Setting, setting_of, without_folder};
 use crate::repo::FileFacts;
 use crate::repo::mpfb::{NamedTarget, View, ends};
 
@@ -15,31 +17,13 @@ const ANY: Case = &[(Mpfb, Level::Warning, "takes the first target that the disk
 const LIMITED: Case = &[(Mpfb, Level::Warning, "limits the value: of a target to 0 to 1, one end of a pair to 1")];
 const NO_EFFECT: Case = &[(Mpfb, Level::Warning, "does nothing: the value of a target with one direction ends at 0")];
 const NO_MACRO: Case = &[(Mpfb, Level::Warning, "does not limit the value: the shape of this macro vanishes")];
-const NO_SHAPE: Case = &[(Mpfb, Level::Error, "makes the character without any shape key: no part has this value")];
 const NOT_FINITE: Case = &[(Mpfb, Level::Warning, "takes the value as it is: the shape vanishes or breaks")];
 const TWICE: Case = &[(Mpfb, Level::Warning, "applies a target once for each line, and a macro as the last line says")];
 
-/// Parts of a pattern that belong to macros alone.
-const PREFIXES: [&str; 5] =
-    ["breast/", "macrodetails/", "macrodetails-height/", "macrodetails-universal/", "macrodetails-proportions/"];
-/// Macros, and whether they are shares that are limited.
-const MACROS: [(&str, bool); 11] = [
-    ("Age", false),
-    ("Gender", false),
-    ("Muscle", false),
-    ("Weight", false),
-    ("Height", false),
-    ("BodyProportions", false),
-    ("Asian", true),
-    ("African", true),
-    ("Caucasian", true),
-    ("BreastSize", false),
-    ("BreastFirmness", false),
-];
 /// What a pattern stands for.
 enum Meant<'m> {
-    /// A macro; whether it is a share.
-    Macro(bool),
+    /// A macro: its setting, or the race that it is a share of.
+    Macro(&'static str),
     /// An end of a slider, by the sign of the value.
     Pair(String),
     /// A target.
@@ -52,7 +36,7 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Ve
         let Some(model) = file.model() else { continue };
         let lines = &model.columns.modifiers;
         out.extend(broken(rule, file, lines));
-        out.extend(values(rule, file, lines));
+        out.extend(values(rule, view, file, lines));
         out.extend(repeated(rule, file, lines));
         // Any of them may lie in the system, or in the user's folder.
         if view.is_complete() {
@@ -61,21 +45,12 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Ve
     }
 }
 
-/// Whether all macro targets need a share of the macro. The parts of MPFB reach from -0.01 to 1.01 (§3.2).
-fn is_of_all(name: &str) -> bool {
-    matches!(name, "Age" | "Gender")
-}
-
-fn macro_of(pattern: &str) -> &str {
-    PREFIXES.iter().find_map(|prefix| pattern.strip_prefix(prefix)).unwrap_or(pattern)
-}
-
 /// Lines with their values.
 type Lines<'l> = Vec<(&'l Setting, f64)>;
 
 fn meant(pattern: &str, value: f64) -> Meant<'_> {
-    if let Some((_, is_share)) = MACROS.iter().find(|(name, _)| *name == macro_of(pattern)) {
-        return Meant::Macro(*is_share);
+    if let Some(setting) = setting_of(pattern) {
+        return Meant::Macro(setting);
     }
     let name = pattern.split_once('/').map_or(pattern, |(_, name)| name);
     match ends(name, '|') {
@@ -103,19 +78,18 @@ fn broken(rule: &Rule, file: &FileFacts, lines: &[Setting]) -> Option<Finding> {
     told(rule, file, broken.iter().map(|(line, _)| *line), message, NOTHING_LOADED).map(|one| one.help(help))
 }
 
-fn values(rule: &Rule, file: &FileFacts, lines: &[Setting]) -> Vec<Finding> {
+fn values(rule: &Rule, view: &View<'_>, file: &FileFacts, lines: &[Setting]) -> Vec<Finding> {
     let sort = |(line, value): &(&Setting, f64)| match meant(&line.pattern.text, *value) {
         _ if !value.is_finite() => Some(("non-finite", NOT_FINITE)),
-        Meant::Macro(false) if is_of_all(macro_of(&line.pattern.text)) && !(-0.01..=1.01).contains(value) => {
-            Some(("no-shape", NO_SHAPE))
-        }
-        Meant::Macro(false) if !(0.0..=1.0).contains(value) => Some(("macro-range", NO_MACRO)),
+        _ if (0.0..=1.0).contains(value) => None,
+        Meant::Macro(setting) if view.leaves_no_shape(setting, *value) => Some(("no-shape", NO_PART)),
+        Meant::Macro(setting) if !RACES.contains(&setting) => Some(("macro-range", NO_MACRO)),
         Meant::Pair(_) if value.abs() > 1.0 => Some(("range", LIMITED)),
         // A pair that MPFB does not know is no target at all.
         Meant::Target(name) if name.contains('|') => None,
         Meant::Target(_) if *value < 0.0 => Some(("negative", NO_EFFECT)),
-        Meant::Target(_) | Meant::Macro(true) if !(0.0..=1.0).contains(value) => Some(("range", LIMITED)),
-        _ => None,
+        Meant::Target(_) | Meant::Macro(_) => Some(("range", LIMITED)),
+        Meant::Pair(_) => None,
     };
     let mut by_sort: BTreeMap<&str, (Case, Lines<'_>)> = BTreeMap::new();
     for line in read(lines) {
@@ -176,7 +150,7 @@ fn names(rule: &Rule, view: &View<'_>, file: &FileFacts, lines: &[Setting], cx: 
     if let Some(first) = unknown.first() {
         let pattern = &first.pattern.text;
         let message = format!("`{pattern}` is neither a macro nor a target{}", such(unknown.len(), "lines"));
-        let own = macro_of(pattern);
+        let own = without_folder(pattern);
         let meant = MACROS.iter().find(|(name, _)| name.eq_ignore_ascii_case(own)).map(|(name, _)| *name);
         let near = meant.or_else(|| cx.suggestions.nearest(own, view.targets.names()));
         let help = did_you_mean(near, "write a macro or the name of a target, or remove the line");

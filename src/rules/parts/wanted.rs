@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::eval::mpfb::loops::{CUT_OFF, DEFAULTS};
-use crate::eval::mpfb::shares::rounded;
+use crate::eval::mpfb::shares::Part;
 use crate::formats::macro_parts::Setting;
 use crate::repo::mpfb::loops::{Axis, LOOPS};
 use crate::repo::mpfb::{Parts, Request};
@@ -30,11 +30,12 @@ pub(super) fn are_of_default(parts: &Parts<'_>, missing: &[&Request<'_>]) -> boo
 }
 
 fn default_shares(setting: &Setting) -> impl Iterator<Item = ((usize, &str), f64)> {
-    let there = setting.parts.iter().filter(|part| part.lowest < DEFAULTS.0 && DEFAULTS.0 < part.highest);
-    there.flat_map(move |part| {
-        let share = rounded((DEFAULTS.0 - part.lowest) / (part.highest - part.lowest));
-        let named = [(part.low.as_deref(), 1.0 - share), (part.high.as_deref(), share)];
-        named.into_iter().filter_map(move |(name, share)| Some(((setting.place, name?), share)))
+    setting.parts.iter().flat_map(move |part| {
+        let range = Part { lowest: part.lowest, highest: part.highest, low: None, high: None };
+        let [low, high] = range.shares(DEFAULTS.0);
+        let named = [(part.low.as_deref(), low), (part.high.as_deref(), high)];
+        let there = named.into_iter().filter(move |_| range.holds(DEFAULTS.0));
+        there.filter_map(move |(name, share)| Some(((setting.place, name?), share)))
     })
 }
 

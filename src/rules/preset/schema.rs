@@ -1,5 +1,6 @@
 //! A saved character of MPFB has the keys and values that its loader takes, and names what exists.
 
+use super::super::cause::consequence::NO_PART;
 use super::super::unfit::{findings, is_misspelt, top};
 use super::super::{Check, Rule, RuleCx};
 use super::names::{NO_RIG, Named, named};
@@ -32,7 +33,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let stops = findings(&RULE, file, &preset.stops, cx);
         out.extend(stops.map(|(first, finding)| if top(first) == "rig" { finding.effect(NO_RIG) } else { finding }));
         let ignored = findings(&RULE, file, &preset.ignored, cx);
-        out.extend(ignored.map(|(first, finding)| passed_over(first, finding)));
+        out.extend(ignored.map(|(first, finding)| passed_over(view, first, finding)));
         let unread = findings(&RULE, file, &preset.unread, cx).filter(|(first, _)| is_misspelt(first, cx));
         out.extend(
             unread
@@ -44,18 +45,12 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// Whether all macro targets need a share of the setting. The parts of MPFB reach from -0.01 to 1.01 (§3.2).
-fn is_of_all(value: &Unfit) -> bool {
-    matches!(steps(&value.pointer).last().as_deref(), Some("age" | "gender"))
-}
-
 /// What does not stop the loader has a consequence of its own.
-fn passed_over(first: &Unfit, finding: Finding) -> Finding {
+fn passed_over(view: &View<'_>, first: &Unfit, finding: Finding) -> Finding {
+    let setting = steps(&first.pointer).last().unwrap_or_default();
     let (level, effect) = match (top(first).as_str(), &first.why) {
         ("clothes", _) => (Level::Error, "reads the string letter by letter: all clothes are missing"),
-        ("phenotype", Why::Range(value)) if is_of_all(first) && !(-0.01..=1.01).contains(value) => {
-            (Level::Error, "makes the character without any shape key: no part of the setting has this value")
-        }
+        ("phenotype", Why::Range(value)) if view.leaves_no_shape(&setting, *value) => return finding.case(NO_PART),
         ("phenotype", Why::Range(_)) => (Level::Warning, "does not limit the value: the shape of this macro vanishes"),
         ("targets", Why::Range(_)) => (Level::Warning, "limits the value to the range from 0 to 1"),
         ("targets", _) => (Level::Warning, "applies the target twice"),

@@ -1,7 +1,7 @@
 //! A data line of a target has four fields.
 
+use super::super::cause::consequence::{BY_HAND, MACRO_ROWS};
 use super::super::{Check, Rule, RuleCx, counted};
-use super::stopping;
 use crate::diag::{
     Application::{Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
@@ -54,7 +54,12 @@ fn of_mpfb(view: &View<'_>, file: &FileFacts, out: &mut Vec<Finding>) {
             Evidence::of_unnamed(tally.first.iter().map(|(line, fields)| format!("line {line}: {fields}")));
         evidence.count = tally.count;
         let finding = RULE.at(file, Place::Line(*line), message).case(case).help(help).evidence(evidence);
-        return out.push(stopping(finding, case.is_empty() && view.composes_name_of(file)));
+        let stops = match file.kind {
+            Kind::PartTarget | Kind::PackedPartTarget => BY_HAND,
+            _ if view.composes_name_of(file) => MACRO_ROWS,
+            _ => &[],
+        };
+        return out.push(if case.is_empty() { finding.case(stops) } else { finding });
     }
 }
 

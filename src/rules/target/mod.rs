@@ -4,11 +4,11 @@
 
 use std::collections::BTreeSet;
 
-use super::cause::consequence::MACRO_ROWS;
-use crate::diag::{Element, Finding, Place, Tally};
+use super::cause::consequence::{BY_HAND, MACRO_ROWS};
+use crate::diag::{Case, Element, Place, Tally};
 use crate::formats::target::TargetFacts;
 use crate::repo::makehuman2::{Base, View};
-use crate::repo::{Body, FileFacts, Target, parent};
+use crate::repo::{Body, FileFacts, ReferenceKind, Target, parent};
 
 pub(super) mod asymmetric;
 pub(super) mod asymmetric_pair;
@@ -45,9 +45,15 @@ fn targets<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = (&'b Target<'v>, 
     body.targets.iter().filter_map(|target| Some((target, target.file, target.file.target()?)))
 }
 
-/// A finding on rows at which MPFB stops, with what becomes of them: of a macro target more than a slider depends.
-fn stopping(finding: Finding, is_of_macros: bool) -> Finding {
-    if is_of_macros { finding.case(MACRO_ROWS) } else { finding }
+/// What MPFB splits at single blanks, with what becomes of rows at which it stops: of a slider, of the macros, or of a
+/// target that is loaded by hand.
+fn split_at_blanks<'b, 'v>(
+    body: &'b Body<'v>,
+) -> impl Iterator<Item = (&'v FileFacts, &'v TargetFacts, Case)> + use<'b, 'v> {
+    let case = |used_as| if used_as == Some(ReferenceKind::MacroTarget) { MACRO_ROWS } else { &[] };
+    let own = targets(body).map(move |(target, file, facts)| (file, facts, case(target.used_as)));
+    let of_parts = body.part_targets.iter().filter_map(|file| Some((*file, file.target()?, BY_HAND)));
+    own.chain(of_parts).filter(|_| body.is_mpfb())
 }
 
 /// The first row of a tally.

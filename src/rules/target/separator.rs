@@ -1,9 +1,9 @@
 //! The fields of a row are separated by single blanks.
 
 use super::super::{Check, Rule, RuleCx, such};
-use super::{stopping, targets};
+use super::split_at_blanks;
 use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Body, ReferenceKind};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
@@ -19,10 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    if !body.is_mpfb() {
-        return;
-    }
-    for (target, file, facts) in targets(body) {
+    for (file, facts, case) in split_at_blanks(body) {
         let Some(blanks) = &facts.blanks else { continue };
         let tally = &blanks.separators;
         let Some((line, _)) = tally.first.first() else { continue };
@@ -31,7 +28,6 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let mut evidence = Evidence::of_unnamed(tally.first.iter().map(|(line, _)| format!("line {line}")));
         evidence.count = tally.count;
         let finding = RULE.at(file, Place::Line(*line), message).help("write one blank between the fields");
-        let is_of_macros = target.used_as == Some(ReferenceKind::MacroTarget);
-        out.push(stopping(finding.evidence(evidence.out_of(facts.rows)), is_of_macros));
+        out.push(finding.evidence(evidence.out_of(facts.rows)).case(case));
     }
 }

@@ -3,14 +3,14 @@
 use super::super::cause::archived::weigh;
 use super::super::{Check, Rule, RuleCx};
 use super::unreadable_fields::finding;
-use super::{stopping, targets};
+use super::{split_at_blanks, targets};
 use crate::diag::{
     Application::{Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo,
 };
 use crate::discover::Kind;
 use crate::formats::target::TargetFacts;
-use crate::repo::{Body, FileFacts, ReferenceKind};
+use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
@@ -29,20 +29,20 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         archive in place of the text, the text is not parsed: a warning.\n\n\
         MPFB parses a target when its slider moves. It makes the shape key first, so that an empty one stays behind: the \
         slider fails once and does nothing from then on. It splits rows at single blanks and takes the first four fields; \
-        what is wrong with other white space is `target-separator`.\n\n\
+        what is wrong with other white space is `target-separator`. A `.ptarget` of a proxy or clothes, which is loaded by \
+        hand, is read alike.\n\n\
         Write the field as a number, or remove the row. For a target that nothing uses see `target-breaks-start`.",
     counts: "rows",
     ..RuleInfo::new("target-syntax", Level::Error, "a field of a target row is not a number")
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (target, file, facts) in targets(body) {
-        if body.is_mpfb() {
-            let is_of_macros = target.used_as == Some(ReferenceKind::MacroTarget);
-            out.extend(of_blanks(file, facts).map(|finding| stopping(finding, is_of_macros)));
-        } else if !target.is_unused {
-            out.extend(finding(&RULE, file, facts).map(|finding| weigh(target, finding)));
-        }
+    if body.is_mpfb() {
+        out.extend(split_at_blanks(body).filter_map(|(file, facts, case)| Some(of_blanks(file, facts)?.case(case))));
+        return;
+    }
+    for (target, file, facts) in targets(body).filter(|(target, ..)| !target.is_unused) {
+        out.extend(finding(&RULE, file, facts).map(|finding| weigh(target, finding)));
     }
 }
 
@@ -61,7 +61,7 @@ fn of_blanks(file: &FileFacts, facts: &TargetFacts) -> Option<Finding> {
     };
     // The bytes of packed text have no place in the file.
     let place = match file.kind {
-        Kind::PackedTarget => Place::Line(first.line),
+        Kind::PackedTarget | Kind::PackedPartTarget => Place::Line(first.line),
         _ => Place::Span(first.start..first.start + first.field.len()),
     };
     let help = match first.field.as_str() {

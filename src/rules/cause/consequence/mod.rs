@@ -21,7 +21,7 @@ use crate::diag::{
 };
 use crate::json::{SchemaFault, UnknownKey};
 use crate::repo::{FileFacts, ReferenceKind, View};
-pub(in crate::rules) use mpfb::MACRO_ROWS;
+pub(in crate::rules) use mpfb::{BY_HAND, MACRO_ROWS, NO_PART};
 
 /// When an application opens a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

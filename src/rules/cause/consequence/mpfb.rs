@@ -24,6 +24,8 @@ pub(super) static TABLE: Table = Table {
         anywhere(Kind::BaseMesh, Moment::Use, NO_BODY),
         anywhere(Kind::Target, Moment::Use, NO_SHAPE),
         anywhere(Kind::PackedTarget, Moment::Use, NO_SHAPE),
+        anywhere(Kind::PartTarget, Moment::Use, NOT_LOADED),
+        anywhere(Kind::PackedPartTarget, Moment::Use, NOT_LOADED),
         anywhere(Kind::Model, Moment::Use, MODEL),
         anywhere(Kind::NodeTree, Moment::Use, NO_MATERIAL),
         anywhere(Kind::VertexGroups, Moment::Start, REFUSED),
@@ -89,6 +91,10 @@ const MACRO_LOST: &str =
 /// What a macro target comes to whose rows cannot be read.
 pub(in crate::rules) const MACRO_ROWS: Case = &[(Mpfb, Error, MACRO_LOST)];
 
+/// A value of gender or age that no part has.
+pub(in crate::rules) const NO_PART: Case =
+    &[(Mpfb, Error, "makes the character without any shape key: no part of the setting has this value")];
+
 /// What becomes of a macro target; of an empty one nothing.
 pub(super) fn of_macro_target(damage: Damage) -> Option<Consequence> {
     let is_read = matches!(damage, Damage::Empty | Damage::Absent | Damage::Needless);
@@ -99,6 +105,11 @@ pub(super) fn of_macro_target(damage: Damage) -> Option<Consequence> {
 const NOT_A_ROW: &str =
     "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part";
 const UNDECODABLE: &str = "fails whenever its slider moves; saved characters with it load only in part";
+
+/// What becomes of rows of a target that is loaded by hand (§4.3).
+pub(in crate::rules) const BY_HAND: Case =
+    &[(Mpfb, Error, "fails when it is loaded by hand, and leaves an empty shape key behind")];
+const NOT_LOADED: &[Cell] = &stopped("fails when it is loaded by hand");
 
 const NO_SHAPE: &[Cell] = &[
     cell(Damage::Closed, Error, UNDECODABLE),
