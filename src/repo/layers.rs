@@ -9,7 +9,8 @@ pub(crate) struct Layers<'a> {
     pub system: Option<&'a Layer>,
     /// User data. May be the same root as the system data when one root plays both parts.
     pub user: Option<&'a Layer>,
-    /// User data that is checked in the same run, where the system's alone is checked: what a system names may lie there.
+    /// User data that is checked in the same run: what a system names may lie there where that is checked, and what a
+    /// user names where an application knows a second folder of the user.
     pub beside: Option<&'a Layer>,
     /// The layer that findings are reported for: one of the two.
     pub checked: &'a Layer,

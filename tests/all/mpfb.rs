@@ -60,6 +60,19 @@ fn what_a_character_names_is_looked_for_where_all_of_it_is_at_hand() {
 }
 
 #[test]
+fn what_a_character_names_may_lie_in_another_folder_of_the_user() {
+    let folder = example();
+    let (first, second) = (folder.path().join("user/data"), folder.path().join("second/data"));
+    std::fs::create_dir_all(&second).unwrap();
+    for worn in ["clothes", "custom"] {
+        std::fs::rename(first.join(worn), second.join(worn)).unwrap();
+    }
+    assert_eq!(findings(&report(folder.path(), &["check", "."])), Vec::<String>::new());
+    let alone = findings(&report(folder.path(), &["check", "user", "--system", "data"]));
+    assert!(alone.iter().any(|told| told.ends_with(" preset-schema")), "{alone:?}");
+}
+
+#[test]
 fn what_has_no_rules_yet_is_not_passed_over_in_silence() {
     let folder = example();
     let rigs = folder.path().join("data/rigs/standard");

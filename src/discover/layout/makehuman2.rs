@@ -25,6 +25,7 @@ pub(super) static LAYOUT: Layout = Layout {
     beside: &[],
     is_telling: |_| false,
     shares_roots_of: None,
+    has_second_user: false,
     has_bases: true,
     only_base: None,
     joint: None,

@@ -47,6 +47,8 @@ pub(crate) struct Layout {
     pub beside: &'static [&'static str],
     /// Another application whose users' folders are its own, too, where it is asked for or has data at hand.
     pub shares_roots_of: Option<Application>,
+    /// Whether what is named in one user's folder may lie in another one that is given.
+    pub has_second_user: bool,
     /// The part that the data root with these files plays.
     pub role: fn(&[Candidate<'_>]) -> Role,
     /// Whether a file of this kind in one of those folders is of the application and of no other.
@@ -175,6 +177,7 @@ impl Layout {
         beside: &[],
         is_telling: |_| false,
         shares_roots_of: None,
+        has_second_user: false,
         role: |_| Role::User,
         is_system_of_two: |_| false,
         opens: |_| true,

@@ -23,6 +23,7 @@ pub(super) static LAYOUT: Layout = Layout {
         matches!(kind, HumanPreset | ImporterPreset | MakeupPreset | EyeSettings | SkinSettings)
     },
     shares_roots_of: Some(Application::Makehuman1),
+    has_second_user: true,
     role,
     reads_hidden,
     is_folder: |rel, _| FOLDERS.contains(&rel) || WORN.contains(&rel),

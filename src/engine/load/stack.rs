@@ -133,7 +133,8 @@ impl<'t> Data<'t> {
                 (None, Role::Both) => (Some(below().unwrap_or(&root.layer)), Some(&root.layer)),
                 (None, Role::User) => (below(), Some(&root.layer)),
             };
-            let beside = if role == Role::System && user.is_none() { self.user_of(application) } else { None };
+            let looks_beside = user.is_none() || Layout::of(application).has_second_user;
+            let beside = if looks_beside { self.user_beside(application, root) } else { None };
             (application, Layers { system, user, beside, checked: &root.layer })
         };
         let stack = |root: &'a Loaded<'t>| {
@@ -146,10 +147,11 @@ impl<'t> Data<'t> {
 }
 
 impl Data<'_> {
-    /// The first of the user's roots.
-    fn user_of(&self, application: Application) -> Option<&Layer> {
+    /// The first of the other roots that are users'.
+    fn user_beside(&self, application: Application, own: &Loaded<'_>) -> Option<&Layer> {
         let plays = |root: &&Loaded<'_>| matches!(root.role_in(application), Some(Role::User | Role::Both));
-        self.roots.iter().filter(|root| !root.place.is_loose).find(plays).map(|root| &root.layer)
+        let others = self.roots.iter().filter(|root| !root.place.is_loose && !std::ptr::eq(*root, own));
+        others.into_iter().find(plays).map(|root| &root.layer)
     }
 }
 

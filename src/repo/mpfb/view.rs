@@ -39,6 +39,8 @@ pub(crate) struct View<'a> {
     pub named: NamedFiles<'a>,
     /// What the body can wear.
     worn: Vec<Worn<'a>>,
+    /// The same of another folder of the user: names lead there, too.
+    worn_beside: Vec<Worn<'a>>,
     /// The groups of the base mesh that are seen: helpers and joints are masked.
     shown: BTreeSet<String>,
     /// Endings of targets that move the body sideways.
@@ -83,7 +85,8 @@ impl<'a> View<'a> {
             references,
             targets,
             named,
-            worn: worn(layers),
+            worn: worn(layers.strongest_first()),
+            worn_beside: worn(layers.beside.into_iter()),
             shown,
             one_sided,
         }
@@ -123,9 +126,9 @@ impl<'a> View<'a> {
         misnamed_folders(self.layers.checked, layout, |rel| top_in_other_case(layout, rel))
     }
 
-    /// What the body can wear, of all layers.
-    pub(crate) fn worn(&self) -> &[Worn<'a>] {
-        &self.worn
+    /// What the body can wear, that of another folder of the user included.
+    pub(crate) fn worn_anywhere(&self) -> impl Iterator<Item = &Worn<'a>> {
+        self.worn.iter().chain(&self.worn_beside)
     }
 
     /// The name of the base mesh, if there is anything for it.
@@ -197,7 +200,7 @@ fn first_folder(rel: &str) -> &str {
 }
 
 /// What can be worn (formats/mpfb.md §26).
-fn worn(layers: Layers<'_>) -> Vec<Worn<'_>> {
+fn worn<'a>(layers: impl Iterator<Item = &'a Layer>) -> Vec<Worn<'a>> {
     let of_layer = |layer| {
         Worn::all(layer, OWN).map(|(file, base)| {
             let mut worn = Worn::of(layer, file, base, |name| !name.has_colon, false);
@@ -208,7 +211,7 @@ fn worn(layers: Layers<'_>) -> Vec<Worn<'_>> {
             worn
         })
     };
-    layers.strongest_first().flat_map(of_layer).collect()
+    layers.flat_map(of_layer).collect()
 }
 
 /// The weights of an asset: those beside it that have its name, whatever it names (§26.6).

@@ -40,7 +40,7 @@ fn folder(category: &str) -> &str {
 /// The assets of a category.
 fn assets<'v>(view: &'v View<'_>, category: &str) -> impl Iterator<Item = &'v Worn<'v>> {
     let folder = folder(category).to_owned();
-    view.worn().iter().filter(move |one| one.file.rel.split('/').next() == Some(&*folder))
+    view.worn_anywhere().filter(move |one| one.file.rel.split('/').next() == Some(&*folder))
 }
 
 fn uuid<'v>(worn: &Worn<'v>) -> Option<&'v str> {
