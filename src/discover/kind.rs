@@ -47,6 +47,12 @@ pub enum Kind {
     BodyDimensions,
     /// `hm08.mirror` of MPFB: the counterpart of each vertex.
     MirrorTable,
+    /// `rig.*.json` of MPFB: bones on the base mesh.
+    Rig,
+    /// A JSON in the `rigs/` of a user of MPFB: the same, listed beside those.
+    CustomRig,
+    /// `*.mpfbskel`: bones on an asset, added to the rig of the body.
+    SubRig,
     /// A JSON in `node_trees/` of MPFB.
     NodeTree,
     /// `*.target` where targets are loaded from.
@@ -137,6 +143,9 @@ impl Kind {
                 | Self::PackMetadata
                 | Self::VertexGroups
                 | Self::BodyDimensions
+                | Self::Rig
+                | Self::CustomRig
+                | Self::SubRig
         )
     }
 

@@ -47,6 +47,7 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                 || matches!(
                     kind,
                     Kind::BaseMesh
+                        | Kind::Weights
                         | Kind::TargetCatalog
                         | Kind::MacroParts
                         | Kind::Model

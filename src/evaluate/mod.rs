@@ -25,7 +25,7 @@ mod formulas;
 mod gauge;
 pub mod makehuman1;
 pub mod makehuman2;
-mod mpfb;
+pub mod mpfb;
 mod opened;
 mod outputs;
 mod pose;

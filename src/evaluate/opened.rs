@@ -38,6 +38,8 @@ pub struct Evaluation {
     pub(super) weights_fault: Option<Error>,
     /// The archive that the application reads in place of target files, and the targets in it.
     pub(super) archive: Option<(String, BTreeSet<String>)>,
+    /// Vertex groups that are not those of the mesh file, each with its ranges.
+    pub(super) groups: Vec<(String, Vec<(i64, i64)>)>,
 }
 
 /// What macros are called in their file.

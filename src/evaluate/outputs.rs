@@ -18,11 +18,11 @@ pub(super) fn rounded(value: f64) -> Value {
     Value::from(if short == 0.0 { 0.0 } else { short })
 }
 
-fn vector(v: Vec3) -> Value {
+pub(super) fn vector(v: Vec3) -> Value {
     Value::from(v.map(rounded).to_vec())
 }
 
-fn point(p: Point) -> Value {
+pub(super) fn point(p: Point) -> Value {
     vector(widen(p))
 }
 

@@ -28,6 +28,7 @@ use super::pack_metadata::PackMetadata;
 use super::picture::Picture;
 use super::pose_units::PoseUnits;
 use super::program::{Shaders, Version};
+use super::rig::Rig;
 use super::selection_filter::SelectionFilter;
 use super::shader_source::ShaderSource;
 use super::target::TargetFacts;
@@ -78,6 +79,8 @@ pub enum Content {
     PackMetadata(Box<PackMetadata>),
     /// A JSON of which nothing matters but what its loader cannot take.
     Loaded(Box<LoaderFaults>),
+    /// A rig of MPFB.
+    Rig(Box<Rig>),
     /// `.mhskel`.
     Skeleton(Box<Skeleton>),
     /// `.mhw`.

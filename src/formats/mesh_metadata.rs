@@ -23,6 +23,14 @@ pub struct VertexGroup {
     pub ranges: Vec<(i64, i64)>,
 }
 
+impl VertexGroup {
+    /// Whether it has no vertex of a mesh with so many, if that is known.
+    pub fn is_empty(&self, vertices: Option<i64>) -> bool {
+        let beyond = |first: i64| vertices.is_some_and(|vertices| first >= vertices);
+        self.ranges.iter().all(|(first, last)| first > last || beyond(*first))
+    }
+}
+
 impl VertexGroups {
     /// How many vertices the mesh has that the groups are for, by the last one of any.
     pub fn vertices(&self) -> i64 {

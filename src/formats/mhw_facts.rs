@@ -56,6 +56,8 @@ pub struct WeightsFacts {
     pub out_of_range: PairTally,
     /// How many of them are negative.
     pub negative_index: u64,
+    /// How many of them do not fit into 31 bits.
+    pub huge_index: u64,
     /// Vertices of the mesh; none without one.
     pub vertices: usize,
     /// What the sums over all bones look like, float32 as in the loader. Empty without a mesh.
@@ -163,6 +165,7 @@ impl WeightsFacts {
         if !is_in_mesh {
             self.out_of_range.add(bone, pair);
             self.negative_index += u64::from(pair.vertex < 0);
+            self.huge_index += u64::from(pair.vertex > i64::from(i32::MAX));
         }
     }
 

@@ -55,6 +55,7 @@ pub mod picture;
 pub mod pose_units;
 pub mod program;
 mod readers;
+pub mod rig;
 pub mod selection_filter;
 pub mod shader_source;
 mod table;

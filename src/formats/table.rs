@@ -8,7 +8,7 @@ use super::readers::{
 use super::{
     Content, Input, Parsed, base_json, face_expression, geometry, human_preset, importer_preset, ink_layer,
     look_settings, macro_json, macro_parts, mesh_metadata, mhskel, modelling, node_tree, pack_metadata, pose_units,
-    program, selection_filter, target_cat, target_catalog,
+    program, rig, selection_filter, target_cat, target_catalog,
 };
 use crate::discover::Kind;
 use crate::json::Document;
@@ -84,13 +84,18 @@ const fn read(kind: Kind, title: &'static str, syntax: Syntax, reader: fn(&Input
     Format { reader: Some(Reader::Bytes(reader)), ..plain(kind, title, syntax) }
 }
 
+/// A rig of MPFB, whatever it is added to.
+const fn rig_of(kind: Kind) -> Format {
+    json(kind, "rig", "mpfb_rig", |json| Content::Rig(Box::new(rig::read(json))))
+}
+
 /// Weights, of whatever mesh.
 const fn mhw(kind: Kind, needs: Needs) -> Format {
     Format { schema: Some("mhw"), needs, ..read(kind, "weights", Syntax::Json, weights) }
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 49] = [
+pub(crate) static FORMATS: [Format; 52] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
@@ -136,6 +141,9 @@ pub(crate) static FORMATS: [Format; 49] = [
         Content::Loaded(Box::new(mesh_metadata::dimensions(json)))
     }),
     read(Kind::MirrorTable, "mirror table", Syntax::Text, mirror_table),
+    rig_of(Kind::Rig),
+    rig_of(Kind::CustomRig),
+    rig_of(Kind::SubRig),
     json(Kind::NodeTree, "node tree", "mpfb_nodes", |json| Content::Loaded(Box::new(node_tree::read(json)))),
     Format { needs: Needs::MeshInTurn, ..read(Kind::Target, "target", Syntax::Text, target) },
     Format { needs: Needs::MeshInTurn, ..read(Kind::PackedTarget, "packed target", Syntax::Binary, packed) },

@@ -19,6 +19,8 @@ pub enum Why {
     Lacks(&'static str),
     /// Its key is none of those that are known.
     Key(&'static [&'static str]),
+    /// Its key is no property of what it is set on; those that are, some of them in one text with blanks between them.
+    Property(Vec<&'static str>),
     /// It is of another type.
     Type {
         /// The type.
@@ -69,6 +71,12 @@ impl Unfits {
         if self.0.len() < MOST {
             self.0.push(Unfit { pointer: pointer.to_owned(), why });
         }
+    }
+
+    /// Adds those of another sort.
+    pub(super) fn extend(&mut self, others: Self) {
+        let room = MOST.saturating_sub(self.0.len());
+        self.0.extend(others.0.into_iter().take(room));
     }
 
     /// Adds that a value is of another type.

@@ -101,7 +101,7 @@ impl Schema {
     }
 }
 
-static SCHEMAS: [Schema; 28] = [
+static SCHEMAS: [Schema; 29] = [
     Schema::new("base", include_str!("../../schemas/base.schema.json")),
     Schema::new("config", include_str!("../../schemas/config.schema.json")),
     Schema::new("geometry", include_str!("../../schemas/geometry.schema.json")),
@@ -123,6 +123,7 @@ static SCHEMAS: [Schema; 28] = [
     Schema::new("mpfb_nodes", include_str!("../../schemas/mpfb_nodes.schema.json")),
     Schema::new("mpfb_pack", include_str!("../../schemas/mpfb_pack.schema.json")),
     Schema::new("mpfb_randomization", include_str!("../../schemas/mpfb_randomization.schema.json")),
+    Schema::new("mpfb_rig", include_str!("../../schemas/mpfb_rig.schema.json")),
     Schema::new("mpfb_skin", include_str!("../../schemas/mpfb_skin.schema.json")),
     Schema::new("pose_units", include_str!("../../schemas/pose_units.schema.json")),
     Schema::new("report", include_str!("../../schemas/report.schema.json")),

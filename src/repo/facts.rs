@@ -25,6 +25,7 @@ use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
 use crate::formats::npz::Archive;
 use crate::formats::obj::Mesh;
+use crate::formats::rig::Rig;
 use crate::formats::pack_metadata::PackMetadata;
 use crate::formats::picture::Picture;
 use crate::formats::pose_units::PoseUnits;
@@ -173,6 +174,11 @@ impl FileFacts {
     /// The ink layer, if it is one that could be read.
     pub fn ink_layer(&self) -> Option<&InkLayer> {
         if let Content::InkLayer(layer) = &*self.content { Some(layer) } else { None }
+    }
+
+    /// The rig, if it is one of MPFB that could be read.
+    pub fn rig(&self) -> Option<&Rig> {
+        if let Content::Rig(rig) = &*self.content { Some(rig) } else { None }
     }
 
     /// The vertex groups of MPFB's base mesh, if they could be read.

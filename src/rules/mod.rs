@@ -29,6 +29,7 @@ mod preset;
 mod program;
 mod proxy;
 mod regions;
+mod rig;
 mod rule;
 mod skeleton;
 mod target;
@@ -306,6 +307,39 @@ pub(crate) static RULES: &[&Rule] = &[
     &proxy::weight_table_short::RULE,
     &proxy::weights_sum::RULE,
     &proxy::z_depth::RULE,
+    &rig::asymmetric::RULE,
+    &rig::bendy_bone::RULE,
+    &rig::bone_name::RULE,
+    &rig::custom_scan::RULE,
+    &rig::cycle::RULE,
+    &rig::default_position_drift::RULE,
+    &rig::disconnected::RULE,
+    &rig::empty_joint_group::RULE,
+    &rig::enums::RULE,
+    &rig::identifying_bones::RULE,
+    &rig::ignored_rotation_mode::RULE,
+    &rig::layers::RULE,
+    &rig::missing_key::RULE,
+    &rig::missing_weights::RULE,
+    &rig::name_asymmetry::RULE,
+    &rig::needs_rigify::RULE,
+    &rig::no_bones::RULE,
+    &rig::parent_span::RULE,
+    &rig::renumbered::RULE,
+    &rig::rigify_type::RULE,
+    &rig::roll::RULE,
+    &rig::strategy::RULE,
+    &rig::subrig_unweighted::RULE,
+    &rig::swapped_ends::RULE,
+    &rig::unknown_collection::RULE,
+    &rig::unknown_cube::RULE,
+    &rig::unknown_parent::RULE,
+    &rig::unknown_property::RULE,
+    &rig::unknown_subtarget::RULE,
+    &rig::version::RULE,
+    &rig::vertex_out_of_range::RULE,
+    &rig::wrong_side::RULE,
+    &rig::zero_length_bone::RULE,
     &skeleton::cycle::RULE,
     &skeleton::degenerate_plane::RULE,
     &skeleton::empty_joint::RULE,

@@ -5,6 +5,18 @@ use crate::diag::{EXAMPLES, Evidence, Finding, Place, grouped, steps};
 use crate::formats::unfit::{Unfit, Unfits, Why};
 use crate::repo::FileFacts;
 
+/// How faults of a format are told.
+#[derive(Clone, Copy)]
+pub(super) struct Wording {
+    /// What is the same in faults that one slip makes. Baselines hold it.
+    pub cause: fn(&Unfit) -> String,
+    /// What a pointer leads to, in words.
+    pub subject: fn(&str) -> String,
+}
+
+/// As most formats have it: below one key at the top there is one thing.
+const USUAL: Wording = Wording { cause, subject };
+
 /// Longest text that is quoted, in characters.
 const QUOTED: usize = 60;
 
@@ -15,13 +27,24 @@ pub(super) fn findings<'f>(
     faults: &'f Unfits,
     cx: &'f RuleCx<'_>,
 ) -> impl Iterator<Item = (&'f Unfit, Finding)> + use<'f> {
-    let by_cause = grouped(faults.all().iter().map(|one| (cause(one), one)));
+    findings_in(USUAL, rule, file, faults, cx)
+}
+
+/// The same in other words.
+pub(super) fn findings_in<'f>(
+    wording: Wording,
+    rule: &'f Rule,
+    file: &'f FileFacts,
+    faults: &'f Unfits,
+    cx: &'f RuleCx<'_>,
+) -> impl Iterator<Item = (&'f Unfit, Finding)> + use<'f> {
+    let by_cause = grouped(faults.all().iter().map(|one| ((wording.cause)(one), one)));
     by_cause.into_iter().filter_map(move |(cause, all)| {
         let first = *all.first()?;
-        let message = format!("{}{}", sentence(first), such(all.len(), things(first)));
+        let message = format!("{}{}", sentence(first, wording), such(all.len(), things(first)));
         let mut finding = rule.at(file, place(first), message).key(cause).help(help(first, cx));
         for other in all.iter().skip(1).take(EXAMPLES - 1) {
-            finding = finding.related(file.path.clone(), place(other), sentence(other));
+            finding = finding.related(file.path.clone(), place(other), sentence(other, wording));
         }
         Some((first, finding.evidence(Evidence::of_cases(all.iter().map(|one| one.pointer.as_str())))))
     })
@@ -34,9 +57,14 @@ pub(super) fn top(one: &Unfit) -> String {
 
 /// What is the same in faults that one slip makes: the key at the top and the sort. Baselines hold it.
 fn cause(one: &Unfit) -> String {
-    let sort = match &one.why {
+    format!("{} {}", top(one), sort(one))
+}
+
+/// The sort of a fault.
+pub(super) fn sort(one: &Unfit) -> String {
+    match &one.why {
         Why::Lacks(key) => format!("lacks {key}"),
-        Why::Key(_) => "key".to_owned(),
+        Why::Key(_) | Why::Property(_) => "key".to_owned(),
         Why::Type { .. } | Why::Text(_) => "type".to_owned(),
         Why::Word(..) => "word".to_owned(),
         Why::Length(..) => "length".to_owned(),
@@ -44,13 +72,12 @@ fn cause(one: &Unfit) -> String {
         Why::Twice(_) => "twice".to_owned(),
         Why::SecondLink(_) => "link".to_owned(),
         Why::Unknown(_) => "unknown".to_owned(),
-    };
-    format!("{} {sort}", top(one))
+    }
 }
 
 fn place(one: &Unfit) -> Place {
     match one.why {
-        Why::Key(_) => Place::Key(one.pointer.clone()),
+        Why::Key(_) | Why::Property(_) => Place::Key(one.pointer.clone()),
         _ => Place::Pointer(one.pointer.clone()),
     }
 }
@@ -58,18 +85,18 @@ fn place(one: &Unfit) -> Place {
 const fn things(one: &Unfit) -> &'static str {
     match one.why {
         Why::Lacks(_) => "places",
-        Why::Key(_) => "keys",
+        Why::Key(_) | Why::Property(_) => "keys",
         Why::Type { .. } | Why::Text(_) | Why::Word(..) | Why::Length(..) | Why::Range(_) => "values",
         Why::SecondLink(_) => "links",
         Why::Twice(_) | Why::Unknown(_) => "entries",
     }
 }
 
-fn sentence(one: &Unfit) -> String {
-    let subject = subject(&one.pointer);
+fn sentence(one: &Unfit, wording: Wording) -> String {
+    let subject = (wording.subject)(&one.pointer);
     match &one.why {
         Why::Lacks(key) => format!("{subject} has no `{key}`"),
-        Why::Key(_) => format!("{subject} is not a known key"),
+        Why::Key(_) | Why::Property(_) => format!("{subject} is not a known key"),
         Why::Type { found, wanted } => format!("{subject} is {found}, expected {wanted}"),
         Why::Text(text) => format!("{subject} is `{}`, which is not a number", quoted(text)),
         Why::Word(text, known) => {
@@ -92,6 +119,11 @@ fn help(one: &Unfit, cx: &RuleCx<'_>) -> String {
             let key = steps(&one.pointer).last().unwrap_or_default();
             did_you_mean(nearest(&key, known, cx), format!("write {}, or remove the key", either(&few(known))))
         }
+        Why::Property(known) => {
+            let key = steps(&one.pointer).last().unwrap_or_default();
+            let known = known.iter().flat_map(|names| names.split(' ')).filter(|name| !name.is_empty());
+            did_you_mean(cx.suggestions.nearest(&key, known), "remove the key")
+        }
         Why::Type { wanted, .. } => format!("write {wanted}"),
         Why::Word(text, known) => did_you_mean(nearest(text, known, cx), format!("write {}", either(&few(known)))),
         Why::Text(_) => "write a number from 0 to 1".to_owned(),
@@ -106,6 +138,17 @@ fn help(one: &Unfit, cx: &RuleCx<'_>) -> String {
 fn nearest(text: &str, known: &'static [&'static str], cx: &RuleCx<'_>) -> Option<&'static str> {
     let in_other_case = known.iter().find(|word| word.eq_ignore_ascii_case(text)).copied();
     in_other_case.or_else(|| cx.suggestions.nearest(text, known.iter().copied()))
+}
+
+/// Whether a word or a property that is not known is like one that is; other faults are what they are.
+pub(super) fn has_near(one: &Unfit, cx: &RuleCx<'_>) -> bool {
+    match &one.why {
+        Why::Property(known) => {
+            let key = steps(&one.pointer).last().unwrap_or_default();
+            cx.suggestions.nearest(&key, known.iter().flat_map(|names| names.split(' '))).is_some()
+        }
+        _ => true,
+    }
 }
 
 /// Whether a key that is not known is like one that is; any other is somebody's own.
@@ -126,8 +169,8 @@ fn quoted(text: &str) -> String {
     short
 }
 
-/// `b[1]` of `a` for `/a/b/1`: the value and what it belongs to.
-fn subject(pointer: &str) -> String {
+/// The names that a pointer leads through; numbers of elements belong to the name before.
+pub(super) fn names(pointer: &str) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for step in steps(pointer) {
         match names.last_mut() {
@@ -135,6 +178,12 @@ fn subject(pointer: &str) -> String {
             _ => names.push(quoted(&step)),
         }
     }
+    names
+}
+
+/// `b[1]` of `a` for `/a/b/1`: the value and what it belongs to.
+fn subject(pointer: &str) -> String {
+    let names = names(pointer);
     match names.as_slice() {
         [] => "the file".to_owned(),
         [name] => format!("`{name}`"),

@@ -8,6 +8,12 @@ pub(super) fn centimetres(units: impl Into<f64>) -> f64 {
     units.into() * CM_PER_UNIT
 }
 
+/// `2.5 cm`, of a length in metres.
+pub(super) fn centimetres_of_metres(metres: f64) -> String {
+    let cm = metres * 100.0;
+    if cm.abs() < 0.1 { format!("{cm:.3} cm") } else { format!("{cm:.1} cm") }
+}
+
 /// A number as short as it can be read: `1.25`, `3e38`.
 pub(super) fn short(number: f64) -> String {
     let size = number.abs();

@@ -76,6 +76,8 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["mesh_metadata", "basemesh_vertex_groups.json"] => Kind::VertexGroups,
         ["mesh_metadata", "hm08_config.json"] => Kind::BodyDimensions,
         ["mesh_metadata", "hm08.mirror"] => Kind::MirrorTable,
+        ["rigs", .., file] if extension(file) == "json" => of_rigs(parts.len(), file),
+        [.., file] if extension(file) == "mpfbskel" => Kind::SubRig,
         ["ink_layers", .., file] if extension(file) == "json" => Kind::InkLayer,
         // Every name with the suffix in it counts, and folders in it are not looked into (§8).
         ["packs", file] if file.contains(".json") => Kind::PackMetadata,
@@ -93,6 +95,17 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         [] => Kind::Other,
     };
     (kind, (parts.len() > 1).then_some(HM08))
+}
+
+/// What a JSON is in `rigs/`, or in a folder so many steps below: MPFB has its own in `standard/` and `rigify/`, users
+/// theirs at the top (§20.1, §21.2).
+fn of_rigs(depth: usize, file: &str) -> Kind {
+    match depth {
+        2 | 3 if file.starts_with("weights.") => Kind::Weights,
+        2 => Kind::CustomRig,
+        3 if file.starts_with("rig.") => Kind::Rig,
+        _ => Kind::Json,
+    }
 }
 
 /// What the beginning of the name of a file in `config/` or `settings/` makes of it.
@@ -128,8 +141,12 @@ mod tests {
             ("clothes/hat/hat.ptarget.gz", Kind::PackedPartTarget),
             ("targets/_images/l-ear-up.png", Kind::TargetIcon),
             ("targets/nose/a.TARGET", Kind::Other),
-            ("rigs/standard/rig.default.json", Kind::Json),
-            ("rigs/standard/weights.default.json", Kind::Json),
+            ("rigs/standard/rig.default.json", Kind::Rig),
+            ("rigs/standard/weights.default.json", Kind::Weights),
+            ("rigs/stick.json", Kind::CustomRig),
+            ("rigs/weights.stick.json", Kind::Weights),
+            ("rigs/mine/stick.json", Kind::Json),
+            ("hair/tail/tail.mpfbskel", Kind::SubRig),
             ("mesh_metadata/basemesh_vertex_groups.json", Kind::VertexGroups),
             ("mesh_metadata/hm08.mirror", Kind::MirrorTable),
             ("clothes/a/a.mhclo", Kind::Clothes),

@@ -27,6 +27,20 @@ pub(in crate::evaluate) const FACTORS: Tolerance = Tolerance::Absolute(1e-6);
 pub(in crate::evaluate) const MORPHED: Tolerance = Tolerance::Absolute(2e-5);
 /// Coordinates and boxes of shape keys as Blender mixes them.
 pub(in crate::evaluate) const MIXED: Tolerance = Tolerance::ByScale { metres: 3e-6, decimetres: 2e-5 };
+/// Ends of bones as MPFB computes them.
+pub(in crate::evaluate) const RIG_ENDS: Tolerance = Tolerance::ByScale { metres: 1e-6, decimetres: 1e-5 };
+/// The same as Blender stores them.
+pub(in crate::evaluate) const BONE_ENDS: Tolerance = Tolerance::ByScale { metres: 2e-6, decimetres: 2e-5 };
+/// Axes of bones at rest: those of short ones that nearly point to -y turn at the least difference.
+pub(in crate::evaluate) const REST_AXES: Tolerance = Tolerance::Absolute(1e-3);
+/// Number of entries and sum of the weights of a vertex group.
+pub(in crate::evaluate) const GROUP_SUMS: Tolerance = Tolerance::Relative(1e-6);
+/// The same of an asset that takes its weights from the body.
+pub(in crate::evaluate) const TAKEN_SUMS: Tolerance = Tolerance::Absolute(2e-4);
+/// Assets in Blender.
+pub(in crate::evaluate) const FITTED_IN_BLENDER: Tolerance = Tolerance::ByScale { metres: 2e-6, decimetres: 2e-5 };
+/// Pose matrices and skinned vertices in Blender.
+pub(in crate::evaluate) const POSED_IN_BLENDER: Tolerance = Tolerance::Absolute(5e-6);
 /// Their sums over all vertices of a mesh.
 pub(in crate::evaluate) const MIXED_SUMS: Tolerance = Tolerance::Absolute(0.05);
 /// Sums over all vertices of a mesh, decimetres.

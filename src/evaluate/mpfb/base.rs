@@ -61,7 +61,14 @@ pub(in crate::evaluate) fn open(name: &str, layers: Layers<'_>, limits: Limits) 
         skeleton: Err(NO_RIGS.to_owned()),
         weights_fault: None,
         archive: None,
+        groups: groups(&view),
     })
+}
+
+/// The vertex groups of the base mesh.
+fn groups(view: &View<'_>) -> Vec<(String, Vec<(i64, i64)>)> {
+    let groups = view.groups.iter().flat_map(|groups| &groups.groups);
+    groups.map(|group| (group.name.clone(), group.ranges.clone())).collect()
 }
 
 /// The scene, with the rows of its targets taken out of `rows`. `None` without a mesh.

@@ -4,12 +4,16 @@ use serde_json::{Map, Value};
 
 use super::keys::Keys;
 use super::macros::outputs;
+use super::rig_cases;
 use crate::diag::Application;
 use crate::eval::mpfb::loops::CUT_OFF;
 use crate::eval::mpfb::mix::{feet_on_ground, in_blender, lowest_point};
 use crate::eval::scene::Setting;
 use crate::eval::vector::{Point, round_to_f32};
-use crate::evaluate::cases::tolerance::{FACTORS, MIXED, MIXED_SUMS, Tolerance};
+use crate::evaluate::cases::tolerance::{
+    BONE_ENDS, FACTORS, FITTED_IN_BLENDER, GROUP_SUMS, MIXED, MIXED_SUMS, POSED_IN_BLENDER, REST_AXES, RIG_ENDS,
+    TAKEN_SUMS, Tolerance, WEIGHTS,
+};
 use crate::evaluate::cases::{Compute, Computer, Kind, inputs};
 use crate::evaluate::outputs::{mesh_json, rounded};
 use crate::evaluate::{Error, Evaluation, SliderSetting};
@@ -18,11 +22,25 @@ use crate::json::{Node, Value as Json};
 type Outputs = Map<String, Value>;
 
 /// The kinds that the reference files of MPFB have.
-pub(in crate::evaluate) static KINDS: [Kind; 2] = [
+pub(in crate::evaluate) static KINDS: [Kind; 7] = [
     Kind { tolerances: &[("sum", FACTORS)], ..kind("mpfb_macro", macros, FACTORS) },
     Kind {
         tolerances: &[("shape_keys", FACTORS), ("sum", MIXED_SUMS), ("sum_xyz", MIXED_SUMS)],
         ..kind("mpfb_morph", morph, MIXED)
+    },
+    kind("mpfb_rig", rig_cases::rig, RIG_ENDS),
+    Kind {
+        tolerances: &[("matrix", REST_AXES), ("roll", REST_AXES), ("relative_scale", FACTORS)],
+        ..kind("mpfb_bones", rig_cases::bones, BONE_ENDS)
+    },
+    Kind { tolerances: &[("groups", GROUP_SUMS)], ..kind("mpfb_weights", rig_cases::weights, WEIGHTS) },
+    Kind {
+        tolerances: &[("sum", MIXED_SUMS), ("sum_xyz", MIXED_SUMS), ("groups", TAKEN_SUMS)],
+        ..kind("mpfb_fit", rig_cases::fit, FITTED_IN_BLENDER)
+    },
+    Kind {
+        tolerances: &[("sum", MIXED_SUMS), ("sum_xyz", MIXED_SUMS)],
+        ..kind("mpfb_pose", rig_cases::pose, POSED_IN_BLENDER)
     },
 ];
 
@@ -43,7 +61,7 @@ fn morph(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outp
     let file = of.file;
     let scale = inputs::field(case, "scale_factor").and_then(Node::as_f64).map_or(0.1, round_to_f32);
     let is_lifted = matches!(inputs::field(case, "feet_on_ground").map(|node| &node.value), Some(Json::Bool(true)));
-    let details = details(case)?;
+    let details = details(case, "targets")?;
     let base = of.base(case)?;
     let mut keys = Keys::default();
     let setting = |base: &Evaluation, node: &Node| -> Result<Setting, Error> { base.setting(&settings(node)?) };
@@ -76,7 +94,7 @@ fn morph(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outp
 }
 
 /// Values of settings; those of the races stand in an object of their own.
-fn settings(node: &Node) -> Result<Vec<SliderSetting>, Error> {
+pub(super) fn settings(node: &Node) -> Result<Vec<SliderSetting>, Error> {
     let mut settings = Vec::new();
     for member in node.effective_members() {
         let races = member.node.effective_members();
@@ -91,13 +109,13 @@ fn settings(node: &Node) -> Result<Vec<SliderSetting>, Error> {
     Ok(settings)
 }
 
-/// Target files with their values.
-fn details(case: &Node) -> Result<Vec<SliderSetting>, Error> {
-    let listed = inputs::field(case, "targets").map(Node::elements).unwrap_or_default();
+/// Target files with their values, out of a field of a case.
+pub(super) fn details(case: &Node, key: &str) -> Result<Vec<SliderSetting>, Error> {
+    let listed = inputs::field(case, key).map(Node::elements).unwrap_or_default();
     let pair = |node: &Node| match node.elements() {
         [file, value] => Some((file.as_str()?.to_owned(), value.as_f64()?)),
         _ => None,
     };
-    let wrong = || Error::Input("`targets` of the case is not a list of [file, value]".to_owned());
+    let wrong = || Error::Input(format!("`{key}` of the case is not a list of [file, value]"));
     listed.iter().map(|node| pair(node).ok_or_else(wrong)).collect()
 }

@@ -1,10 +1,22 @@
 //! How files of MPFB become the arrays that are evaluated, and its kinds of cases.
 
+mod asset;
 pub(super) mod base;
 pub(super) mod cases;
+mod figure;
 mod keys;
 pub(super) mod macros;
 pub(super) mod names;
+mod pose;
+mod rig;
+mod rig_cases;
+mod weights;
+
+pub use asset::{Asset, FittedAsset, read_asset};
+pub use figure::USUAL_SCALE;
+pub use pose::{PosedRig, StoredPose, read_stored_pose};
+pub use rig::{RigFile, StandingRig, read_rig};
+pub use weights::{groups_json, read_groups};
 
 use super::Error;
 
@@ -13,4 +25,4 @@ pub(super) fn no_rigs(base: &str) -> Error {
     Error::NoSkeleton { base: base.to_owned(), reason: NO_RIGS.to_owned() }
 }
 
-const NO_RIGS: &str = "mhlint cannot evaluate rigs of MPFB yet";
+const NO_RIGS: &str = "rigs of MPFB are evaluated by `mhlint eval rig`";

@@ -7,6 +7,7 @@
 
 mod faults;
 mod header;
+pub mod in_order;
 mod reader;
 mod rows;
 

@@ -1,15 +1,17 @@
 //! The data of MPFB as it sees them (formats/mpfb.md §1 to §3). Connected so far: the catalogue of sliders and the macros
-//! with their targets, what is worn with its weights, and what is found by its name.
+//! with their targets, rigs and what is worn with their weights, and what is found by its name.
 
 pub(crate) mod loops;
 mod named;
 mod parts;
 mod references;
+mod rigs;
 mod sliders;
 mod view;
 
 pub(crate) use named::NamedTarget;
 pub(crate) use parts::{Parts, Request};
+pub(crate) use rigs::{RigFile, RigPart, is_listed};
 pub(crate) use sliders::{
     LONGEST, LONGEST_SECTION, LONGEST_SECTION_WITH_SLIDERS, UserTarget, ends, identifier, identifiers, is_custom, pair,
 };

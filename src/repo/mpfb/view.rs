@@ -7,13 +7,19 @@ use super::loops::LOOPS;
 use super::named::{NamedFiles, NamedTargets};
 use super::parts::Parts;
 use super::references::collect;
+use super::rigs::{self, RigFile, RigPart};
 use crate::diag::{Application, Place};
 use crate::discover::{Kind, Layout};
 use crate::formats::macro_parts::SETTINGS;
+use crate::formats::mesh_metadata::VertexGroups;
 use crate::formats::obj::Mesh;
+use crate::formats::rig::Rig as Definition;
 use crate::formats::target_catalog::{Category, TargetCatalog};
 use crate::repo::misnamed_folder::{MisnamedFolder, misnamed_folders, top_in_other_case};
-use crate::repo::{Body, FileFacts, Layer, Layers, Reference, ReferenceKind, References, Target, Worn, parent};
+use crate::repo::{
+    Body, BodyWeights, FileFacts, Layer, Layers, Reference, ReferenceKind, References, Rig, Target, WeightsUse, Worn,
+    parent,
+};
 
 /// Whose uses of a file count here.
 pub(super) const OWN: Application = Application::Mpfb;
@@ -37,6 +43,12 @@ pub(crate) struct View<'a> {
     pub targets: NamedTargets<'a>,
     /// Files by their names.
     pub named: NamedFiles<'a>,
+    /// Rigs of all layers.
+    pub rigs: Vec<RigFile<'a>>,
+    /// The vertex groups of the base mesh, if they can be read.
+    pub groups: Option<&'a VertexGroups>,
+    /// The same rigs as every application has them.
+    body_rigs: Vec<Rig<'a>>,
     /// What the body can wear.
     worn: Vec<Worn<'a>>,
     /// The same of another folder of the user: names lead there, too.
@@ -74,6 +86,8 @@ impl<'a> View<'a> {
         let mesh = mesh.filter(|_| foreign_mesh.is_none());
         let references = References::new(catalog.as_ref().map(collect).unwrap_or_default());
         let (targets, named) = (NamedTargets::of(layers), NamedFiles::of(layers));
+        let rigs = rigs::all(layers);
+        let groups = file(Kind::VertexGroups).and_then(FileFacts::vertex_groups);
         let shown = BTreeSet::from(["body".to_owned()]);
         let one_sided = ["-trans-in", "-trans-out"].map(str::to_owned).to_vec();
         Self {
@@ -85,6 +99,9 @@ impl<'a> View<'a> {
             references,
             targets,
             named,
+            body_rigs: rigs.iter().filter(|rig| rig.part != RigPart::Asset).map(body_rig).collect(),
+            rigs,
+            groups,
             worn: worn(layers.strongest_first()),
             worn_beside: worn(layers.beside.into_iter()),
             shown,
@@ -169,8 +186,24 @@ impl<'a> View<'a> {
         body.visible_groups = self.mesh.map(|_| &self.shown);
         body.one_sided_endings = Some(&self.one_sided);
         body.worn = &self.worn;
+        body.rigs = &self.body_rigs;
+        let weights = view.files().filter(|file| file.kind == Kind::Weights);
+        body.weights = weights.map(|file| self.weights(file)).collect();
         body.add_worn_weights(view.files().filter(|file| file.kind == Kind::AssetWeights));
         Some(body)
+    }
+
+    /// Weights of a rig, used or not.
+    fn weights<'v>(&self, file: &'v FileFacts) -> BodyWeights<'v> {
+        let is_used = self.rigs.iter().filter_map(RigFile::weights).any(|own| own.path == file.path);
+        let used = if is_used { WeightsUse::Applied } else { WeightsUse::Unread };
+        BodyWeights { file, name: Some(file.file_name()), used }
+    }
+
+    /// The rigs of the checked layer that could be read.
+    pub(crate) fn own_rigs(&self) -> impl Iterator<Item = (&RigFile<'a>, &'a Definition)> {
+        let own = self.rigs.iter().filter(|rig| self.layers.is_checked(rig.file) && !rig.file.failed);
+        own.filter_map(|rig| Some((rig, rig.definition()?)))
     }
 
     /// What is known of a target of the checked layer.
@@ -179,6 +212,15 @@ impl<'a> View<'a> {
         let used_as = if self.asks_for(file) { Some(ReferenceKind::MacroTarget) } else { of_references };
         Target { file, folder: first_folder(&file.rel), used_as, is_unused: false, packed_in: None }
     }
+}
+
+/// A rig of the body with the weights that are found for it.
+fn body_rig<'a>(rig: &RigFile<'a>) -> Rig<'a> {
+    let to = |file: &'a FileFacts| {
+        let kind = ReferenceKind::WeightsFile;
+        Reference::to(&[rig.layer], kind, Layout::USUAL_BASE, rig.file, Place::File, file.file_name(), file.rel.clone())
+    };
+    Rig { file: rig.file, weights: rig.weights().map(to), is_default: false, is_found: true }
 }
 
 /// How many vertices the tables of the base mesh are for; `None` where they disagree, which is told of the tables.

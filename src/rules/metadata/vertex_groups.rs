@@ -14,16 +14,12 @@ const UNMASKED: Case = &[(Mpfb, Level::Warning, "shows all helpers: their mask h
 const EMPTY: Case = &[(Mpfb, Level::Warning, "silently leaves the range out")];
 const BEYOND: Case = &[(Mpfb, Level::Warning, "silently takes what vertices there are")];
 const NO_JOINT: Case = &[(Mpfb, Level::Warning, "lets bones that end there end elsewhere")];
-const NO_RIG: Case = &[(Mpfb, Level::Error, "fails with an exception when any rig is added")];
 
 /// Findings on groups, each sort once.
 pub(super) fn faults(rule: &Rule, view: &View<'_>, file: &FileFacts, groups: &VertexGroups, out: &mut Vec<Finding>) {
     let sound = view.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0 && mesh.facts.vertices > 0);
     let vertices = sound.and_then(|(_, mesh)| i64::try_from(mesh.facts.vertices).ok());
-    let is_empty = |group: &VertexGroup| {
-        let beyond = |first: i64| vertices.is_some_and(|vertices| first >= vertices);
-        group.ranges.iter().all(|(first, last)| first > last || beyond(*first))
-    };
+    let is_empty = |group: &VertexGroup| group.is_empty(vertices);
     let at = |group: &str, message: String, key: &str, case: Case| {
         rule.at(file, Place::pointer([group]), message).key(format!("{key} {group}")).case(case)
     };
@@ -38,11 +34,6 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, file: &FileFacts, groups: &Ve
             out.push(finding.help("write the first vertex before the last one"));
         }
         Some(_) => {}
-    }
-    let is_joint = |group: &&VertexGroup| group.name.contains("joint");
-    if let Some(joint) = groups.groups.iter().filter(is_joint).find(|group| is_empty(group)) {
-        let message = format!("joint `{}` has no vertex", joint.name);
-        out.push(at(&joint.name, message, "joint", NO_RIG).help("write the vertices of its cube"));
     }
     let reversed = |group: &&VertexGroup| group.ranges.iter().any(|(first, last)| first > last) && !is_empty(group);
     out.extend(told(&groups.groups, reversed).map(|(first, more, evidence)| {

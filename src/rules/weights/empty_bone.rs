@@ -24,7 +24,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Where no bone has an entry, that is the fault (`weights-unweighted-vertex`).
     for (own, weights) in readable(body).filter(|(_, weights)| !is_empty(weights)) {
-        let empty = weights.bones.iter().filter(|bone| bone.listed == 0 && bone.is_list);
+        let is_meant = |name: &str| body.is_mpfb() && is_root(name);
+        let empty = weights.bones.iter().filter(|bone| bone.listed == 0 && bone.is_list && !is_meant(&bone.name));
         let names: Vec<&str> = empty.map(|bone| bone.name.as_str()).collect();
         let Some(first) = names.first() else { continue };
         let message = match names.len() {
@@ -37,4 +38,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 .evidence(Evidence::of_cases(&names).out_of(weights.bones.len())),
         );
     }
+}
+
+/// Whether a bone is called a root, in whatever rig: nothing moves with that alone.
+fn is_root(name: &str) -> bool {
+    name.rsplit(':').next().is_some_and(|name| name.eq_ignore_ascii_case("root"))
 }

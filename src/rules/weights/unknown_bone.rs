@@ -8,6 +8,8 @@ use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
 };
+use crate::eval::mpfb::groups::{MASK, Taker, Takers};
+use crate::formats::rig::Rig as Definition;
 use crate::repo::{Body, BodyWeights, FileFacts, Rig};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -22,6 +24,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         MakeHuman 2 loads such weights, but crashes with `KeyError` as soon as the user enters pose mode. This is \
         about the skeleton that `base.json` names in `pose-skeleton`. Weights that only other skeletons use are \
         never applied; a bone that none of them has is then a warning. A bone with an empty list is harmless.\n\n\
+        In MPFB a group also leads to the bone of its name with or without `DEF-`, a toe (`toe2-1.L`) to a common `toe.L`, and \
+        `mhmask-` groups are kept as they are. Weights for any other bone are dropped without a message.\n\n\
         Correct the name of the bone, here or in the skeleton.",
     counts: "bones",
     ..RuleInfo::new("weights-unknown-bone", Level::Error, "weights for a bone that the skeleton does not have")
@@ -32,8 +36,11 @@ const NEVER_APPLIED: Case =
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (BodyWeights { file, .. }, weights) in readable_own(body) {
-        let Some(Binding { known, is_posed, skeleton }) = binding(body, file) else { continue };
-        let unknown = weights.bones.iter().filter(|bone| bone.listed > 0 && !known.contains(bone.name.as_str()));
+        let Some(Binding { known, takers, is_posed, skeleton }) = binding(body, file) else { continue };
+        let leads = |group: &str| {
+            known.contains(group) || group.starts_with(MASK) || takers.iter().any(|own| own.taker(group).is_some())
+        };
+        let unknown = weights.bones.iter().filter(|bone| bone.listed > 0 && !leads(&bone.name));
         let unknown: Vec<&str> = unknown.map(|bone| bone.name.as_str()).collect();
         let Some(first) = unknown.first() else { continue };
         let message = match unknown.len() {
@@ -58,6 +65,8 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// Bones that the weights may be for, and whether the body is posed with them.
 struct Binding<'a> {
     known: BTreeSet<&'a str>,
+    /// What takes weights for other names than those of its bones.
+    takers: Vec<Takers<'a>>,
     is_posed: bool,
     skeleton: &'a FileFacts,
 }
@@ -71,13 +80,23 @@ fn binding<'v>(body: &Body<'v>, file: &FileFacts) -> Option<Binding<'v>> {
         None => (users, false),
     };
     let skeleton = chosen.first()?.file;
-    let mut known = BTreeSet::new();
+    let (mut known, mut takers) = (BTreeSet::new(), Vec::new());
     for user in chosen {
+        if let Some(rig) = user.file.rig().filter(|rig| !rig.bones.is_empty()) {
+            known.extend(rig.bones.iter().map(|bone| bone.name.as_str()));
+            takers.push(takers_of(rig));
+            continue;
+        }
         // Without the bones of every user nothing can be said.
         let skeleton = user.skeleton().filter(|skeleton| !skeleton.bones.is_empty())?;
         known.extend(skeleton.bones.iter().map(|bone| bone.name.as_str()));
         // A bone that is missing as a parent is reported as such (`skeleton-unknown-parent`).
         known.extend(skeleton.bones.iter().filter_map(|bone| bone.parent.as_deref()));
     }
-    (!known.is_empty()).then_some(Binding { known, is_posed, skeleton })
+    (!known.is_empty()).then_some(Binding { known, takers, is_posed, skeleton })
+}
+
+fn takers_of(rig: &Definition) -> Takers<'_> {
+    let bones = rig.bones.iter().map(|bone| Taker { name: &bone.name, parent: bone.parent.as_deref(), deforms: true });
+    Takers::new(bones, rig.extra_bones.iter().map(String::as_str))
 }

@@ -27,6 +27,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 const NEGATIVE: Case = &[(Makehuman2, Level::Error, "crashes with `OverflowError` while loading the weights")];
 
+/// Blender has 31 bits for it.
+const HUGE: Case = &[(Mpfb, Level::Error, "fails with `SystemError` while loading the weights: later groups are missing")];
+
 const OF_ASSET: Case = &[
     (Makehuman2, Level::Error, STOPS_WITH_INDEX),
     (Makehuman1, Level::Error, "puts the asset on; every pose fails with `ValueError`"),
@@ -63,6 +66,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .evidence(tally.evidence(weights.facts.pairs));
         if weights.facts.negative_index == tally.count {
             finding = finding.case(NEGATIVE);
+        }
+        if weights.facts.huge_index > 0 {
+            finding = finding.case(HUGE);
         }
         out.push(finding);
     }

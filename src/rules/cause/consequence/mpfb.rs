@@ -31,6 +31,10 @@ pub(super) static TABLE: Table = Table {
         anywhere(Kind::VertexGroups, Moment::Start, REFUSED),
         anywhere(Kind::BodyDimensions, Moment::Use, NO_DIMENSIONS),
         anywhere(Kind::MirrorTable, Moment::Use, NO_MIRROR),
+        anywhere(Kind::Rig, Moment::Use, NO_RIG),
+        anywhere(Kind::CustomRig, Moment::Use, NOT_A_LISTED_RIG),
+        anywhere(Kind::SubRig, Moment::Use, NO_SUBRIG),
+        anywhere(Kind::Weights, Moment::Use, NO_WEIGHTS),
         anywhere(Kind::InkLayer, Moment::Use, NO_INK),
         anywhere(Kind::PackMetadata, Moment::Use, NO_PACKS),
     ],
@@ -77,6 +81,10 @@ const NO_DIMENSIONS: &[Cell] =
     &stopped("fails with an exception after it fits an asset that has a scale: this one is left half-made");
 const NO_MIRROR: &[Cell] = &stopped("fails with an exception when a target is made symmetric");
 const NO_INK: &[Cell] = &stopped("fails with an exception when the layer is put on");
+const NO_RIG: &[Cell] = &stopped("fails with an exception when the rig is added");
+const NOT_A_LISTED_RIG: &[Cell] = &stopped("skips the file with a line in the log: the rig is not listed");
+const NO_SUBRIG: &[Cell] = &stopped("fails with an exception when the asset is added: it stays without its own rig");
+const NO_WEIGHTS: &[Cell] = &stopped("fails with an exception after the rig is made: it has no weights at all");
 /// The first query raises, later ones know what the disk listed before the file.
 const NO_PACKS: &[Cell] = &stopped(
     "fails with an exception in the pack filter and in the randomizer, and later knows only the packs that the disk \
@@ -152,6 +160,12 @@ pub(super) fn of_value(file: &FileFacts, fault: &SchemaFault) -> Option<Conseque
             let row = MACRO_PARTS.iter().find(begins);
             Some(row.map_or_else(|| usual_part(fault), |(_, consequence)| *consequence))
         }
+        Kind::Weights => Some(match fault.found() {
+            Some(Found::Null) if fault.pointer.starts_with("/weights/") => {
+                Consequence::new(Warning, "silently makes no group for the bone: it moves nothing")
+            }
+            _ => Consequence::new(Error, "fails with an exception after the rig is made: weights are missing"),
+        }),
         Kind::TargetCatalog => Some(match (CATALOG.iter().find(begins), fault.missing()) {
             (Some((_, consequence)), _) => *consequence,
             (None, Some("targets")) => Consequence::new(Error, NO_PANEL),

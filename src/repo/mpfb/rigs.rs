@@ -1,0 +1,87 @@
+//! Rigs with the weights that MPFB finds for them (formats/mpfb.md §20.1, §21).
+
+use super::view::OWN;
+use crate::discover::Kind;
+use crate::formats::rig::Rig as Definition;
+use crate::repo::{FileFacts, Layer, Layers, parent};
+
+/// A rig, readable or not.
+#[derive(Debug)]
+pub(crate) struct RigFile<'a> {
+    /// Its file.
+    pub file: &'a FileFacts,
+    /// The layer that it lies in.
+    pub layer: &'a Layer,
+    /// What it is added to, and who finds it.
+    pub part: RigPart,
+    /// What MPFB calls it; of one that is added to an asset the name of its file.
+    pub name: &'a str,
+    /// The weights that are looked for, paths below the data root: the first that is there counts.
+    pub wanted_weights: Vec<String>,
+}
+
+/// What a rig is added to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum RigPart {
+    /// The body: one that MPFB brings.
+    Standard,
+    /// The body: one that Rigify makes a larger one of.
+    Rigify,
+    /// The body: one of a user.
+    Custom,
+    /// An asset: it hangs on the rig of the body.
+    Asset,
+}
+
+/// Rigs whose weights stand in for those that others lack.
+const FALLBACKS: [(&str, &str); 3] =
+    [("default_no_toes", "default"), ("human", "human_toes"), ("human_toes", "human")];
+
+impl<'a> RigFile<'a> {
+    /// What is in it, if it could be read.
+    pub(crate) fn definition(&self) -> Option<&'a Definition> {
+        self.file.rig()
+    }
+
+    /// The weights that MPFB loads.
+    pub(crate) fn weights(&self) -> Option<&'a FileFacts> {
+        self.wanted_weights.iter().find_map(|rel| self.layer.file(rel))
+    }
+}
+
+/// All rigs that MPFB finds: its own in its data, those of users in theirs, and those of assets anywhere.
+pub(super) fn all(layers: Layers<'_>) -> Vec<RigFile<'_>> {
+    let users = layers.user.into_iter().chain(layers.beside);
+    let both = layers.strongest_first().chain(layers.beside);
+    let standard = layers.system.into_iter().flat_map(|layer| of_kind(layer, Kind::Rig));
+    let custom = users.flat_map(|layer| of_kind(layer, Kind::CustomRig)).filter(|(_, file)| is_listed(file));
+    let of_assets = both.flat_map(|layer| of_kind(layer, Kind::SubRig));
+    let rig = |(layer, file)| of_file(layer, file);
+    standard.chain(custom).chain(of_assets).map(rig).collect()
+}
+
+fn of_kind(layer: &Layer, kind: Kind) -> impl Iterator<Item = (&Layer, &FileFacts)> {
+    let files = layer.files.values().filter(move |file| file.kind_in(OWN) == kind && file.kind == kind);
+    files.map(move |file| (layer, file))
+}
+
+/// Whether a rig of a user is listed: directly in `rigs/`, with a name of letters, digits and `_`.
+pub(crate) fn is_listed(file: &FileFacts) -> bool {
+    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
+    parent(&file.rel) == "rigs" && !file.stem().is_empty() && file.stem().bytes().all(is_plain)
+}
+
+fn of_file<'a>(layer: &'a Layer, file: &'a FileFacts) -> RigFile<'a> {
+    let part = match file.kind {
+        Kind::Rig if parent(&file.rel).ends_with("/rigify") => RigPart::Rigify,
+        Kind::Rig => RigPart::Standard,
+        Kind::CustomRig => RigPart::Custom,
+        _ => RigPart::Asset,
+    };
+    let name = file.stem().strip_prefix("rig.").unwrap_or(file.stem());
+    let fallbacks = FALLBACKS.iter().filter(|(own, _)| *own == name && part != RigPart::Custom);
+    let names = std::iter::once(name).chain(fallbacks.map(|(_, other)| *other));
+    let wanted = names.map(|name| format!("{}/weights.{name}.json", parent(&file.rel)));
+    let wanted_weights = if part == RigPart::Asset { Vec::new() } else { wanted.collect() };
+    RigFile { file, layer, part, name, wanted_weights }
+}

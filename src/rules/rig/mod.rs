@@ -1,0 +1,119 @@
+//! Rules on rigs of MPFB, and what they share: words for bones, and where these lie on the base mesh.
+
+pub(super) mod asymmetric;
+pub(super) mod bendy_bone;
+pub(super) mod bone_name;
+pub(super) mod custom_scan;
+pub(super) mod cycle;
+pub(super) mod default_position_drift;
+pub(super) mod disconnected;
+pub(super) mod empty_joint_group;
+mod ends;
+pub(super) mod enums;
+pub(super) mod identifying_bones;
+pub(super) mod ignored_rotation_mode;
+pub(super) mod layers;
+mod located;
+pub(super) mod missing_key;
+pub(super) mod missing_weights;
+pub(super) mod name_asymmetry;
+pub(super) mod needs_rigify;
+pub(super) mod no_bones;
+mod pairs;
+pub(super) mod parent_span;
+pub(super) mod renumbered;
+pub(super) mod rigify_type;
+pub(super) mod roll;
+pub(super) mod strategy;
+pub(super) mod subrig_unweighted;
+pub(super) mod swapped_ends;
+pub(super) mod unknown_collection;
+pub(super) mod unknown_cube;
+pub(super) mod unknown_parent;
+pub(super) mod unknown_property;
+pub(super) mod unknown_subtarget;
+pub(super) mod version;
+pub(super) mod vertex_out_of_range;
+pub(super) mod wrong_side;
+pub(super) mod zero_length_bone;
+
+use super::Rule;
+use super::unfit::{Wording, names, sort};
+use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, pointer, steps};
+use crate::formats::rig::Rig;
+use crate::formats::unfit::Unfit;
+use crate::repo::mpfb::{RigFile, RigPart};
+
+/// What becomes of a rig at which the loader stops.
+pub(super) const STOPS: &str =
+    "fails with an exception when the rig is added: half-made objects stay in the scene";
+const OF_ASSET: Case =
+    &[(Mpfb, Level::Error, "fails with an exception when the asset is added: it stays without its own rig")];
+
+/// The words that fit what a rig is added to, for a finding on what stops the loader.
+fn stops(rig: &RigFile<'_>, finding: Finding) -> Finding {
+    if rig.part == RigPart::Asset { finding.case(OF_ASSET) } else { finding }
+}
+
+/// `bone a`; `bones a, b and c`; of many the first three.
+fn bones_in_words(bones: &[&str]) -> String {
+    let quoted: Vec<String> = bones.iter().take(3).map(|bone| format!("`{bone}`")).collect();
+    match (bones.len(), quoted.as_slice()) {
+        (1, _) => format!("bone {}", quoted.concat()),
+        (2 | 3, [first @ .., last]) => format!("bones {} and {last}", first.join(", ")),
+        (count, _) => format!("bones {} and {} more", quoted.join(", "), count.saturating_sub(3)),
+    }
+}
+
+/// A finding on some bones of a rig, at the key of the first one.
+fn at_bones(rule: &Rule, file: &RigFile<'_>, rig: &Rig, bones: &[&str], key: &str, message: String) -> Option<Finding> {
+    let first = bones.first()?;
+    let steps = if key.is_empty() { rig.steps_to(first) } else { rig.steps_below(first, key) };
+    let place = if key.is_empty() { Place::Key(pointer(&steps)) } else { Place::Pointer(pointer(&steps)) };
+    let evidence = Evidence::of_cases(bones).out_of(rig.bones.len());
+    Some(rule.at(file.file, place, message).evidence(evidence))
+}
+
+/// Faults of one sort in one key are one cause, in however many bones.
+const IN_BONES: Wording = Wording { cause, subject };
+
+fn cause(one: &Unfit) -> String {
+    let is_name = |step: &String| !step.bytes().all(|byte| byte.is_ascii_digit());
+    let key = steps(&one.pointer).filter(is_name).last().unwrap_or_default();
+    // What a bone lacks stands at the bone: its name is no part of the cause.
+    let key = if is_of_bone(&one.pointer) { String::new() } else { key };
+    format!("{key} {}", sort(one))
+}
+
+/// Keys at the top of a rig that are no bones.
+const HEADER: [&str; 6] = ["version", "scale_factor", "collections", "extra_bones", "rigify_ui", "identifying_bones"];
+
+/// Whether a pointer leads to a bone as a whole.
+fn is_of_bone(pointer: &str) -> bool {
+    match steps(pointer).collect::<Vec<_>>().as_slice() {
+        [bones, _] => bones == "bones",
+        [bone] => bone != "bones" && !HEADER.contains(&bone.as_str()),
+        _ => false,
+    }
+}
+
+/// The bone that a pointer leads into, and the way from there.
+fn split(pointer: &str) -> (Option<String>, &str) {
+    let below = pointer.strip_prefix("/bones").filter(|rest| rest.starts_with('/'));
+    let first = steps(pointer).next().unwrap_or_default();
+    if below.is_none() && HEADER.contains(&first.as_str()) {
+        return (None, pointer);
+    }
+    let rest = below.unwrap_or(pointer);
+    let Some(rest) = rest.strip_prefix('/') else { return (None, pointer) };
+    let end = rest.find('/').unwrap_or(rest.len());
+    (steps(&format!("/{}", rest.get(..end).unwrap_or_default())).next(), rest.get(end..).unwrap_or_default())
+}
+
+/// `roll` of bone `hand_l`, `strategy` of `head` of bone `hand_l`.
+fn subject(pointer: &str) -> String {
+    let (bone, rest) = split(pointer);
+    let mut words: Vec<String> = names(rest).iter().rev().take(2).map(|name| format!("`{name}`")).collect();
+    words.extend(bone.map(|bone| format!("bone `{bone}`")));
+    if words.is_empty() { "the file".to_owned() } else { words.join(" of ") }
+}
