@@ -220,7 +220,7 @@ impl Asked<'_> {
         for (view, measures) in &with_measures {
             coverage.add_measured(checked, view, *measures);
         }
-        check(RULES, &with_measures, &self.selection, self.options, outcome)
+        check(&RULES, &with_measures, &self.selection, self.options, outcome)
     }
 
     /// Hides what the baseline knows, and adds what is to be said of ignores and baseline.

@@ -100,8 +100,10 @@ fn sentence(one: &Unfit, wording: Wording) -> String {
         Why::Type { found, wanted } => format!("{subject} is {found}, expected {wanted}"),
         Why::Text(text) => format!("{subject} is `{}`, which is not a number", quoted(text)),
         Why::Word(text, known) => {
-            let known: Vec<String> = known.iter().map(|word| format!("`{word}`")).collect();
-            format!("{subject} is `{}`, expected {}", quoted(text), either(&known))
+            let expected =
+                if known.len() > MANY { String::new() } else { format!(", expected {}", either(&few(known))) };
+            let unknown = if expected.is_empty() { ", which does not exist" } else { "" };
+            format!("{subject} is `{}`{unknown}{expected}", quoted(text))
         }
         Why::Length(found, wanted) => format!("{subject} has {found} numbers, expected {wanted}"),
         Why::Range(value) if value.is_finite() => format!("{subject} is {value}, outside 0 to 1"),
@@ -125,7 +127,7 @@ fn help(one: &Unfit, cx: &RuleCx<'_>) -> String {
             did_you_mean(cx.suggestions.nearest(&key, known), "remove the key")
         }
         Why::Type { wanted, .. } => format!("write {wanted}"),
-        Why::Word(text, known) => did_you_mean(nearest(text, known, cx), format!("write {}", either(&few(known)))),
+        Why::Word(text, known) => did_you_mean(nearest(text, known, cx), write_one(known)),
         Why::Text(_) => "write a number from 0 to 1".to_owned(),
         Why::Length(_, wanted) => format!("write {wanted} numbers"),
         Why::Range(_) => "write a number from 0 to 1".to_owned(),
@@ -155,6 +157,13 @@ pub(super) fn has_near(one: &Unfit, cx: &RuleCx<'_>) -> bool {
 pub(super) fn is_misspelt(one: &Unfit, cx: &RuleCx<'_>) -> bool {
     let key = steps(&one.pointer).last().unwrap_or_default();
     if let Why::Key(known) = one.why { nearest(&key, known, cx).is_some() } else { true }
+}
+
+/// So many words are named one by one.
+const MANY: usize = 10;
+
+fn write_one(known: &[&str]) -> String {
+    if known.len() > MANY { "write one that exists".to_owned() } else { format!("write {}", either(&few(known))) }
 }
 
 fn few(known: &[&str]) -> Vec<String> {

@@ -298,7 +298,9 @@ fn nothing_imports_a_rule() {
     let all = Crate::of(&sources);
     let rules: BTreeSet<&str> =
         sources.iter().filter(|source| source.is_rule()).map(|source| source.path.as_str()).collect();
-    let others = sources.iter().filter(|source| source.path != "rules/mod.rs");
+    // The table of a family lists them.
+    let is_table = |path: &str| path.ends_with("/mod.rs");
+    let others = sources.iter().filter(|source| !is_table(&source.path));
     let imports = |source| all.imports(source).into_iter().map(move |other: &str| (source.path.as_str(), other));
     let faults: Vec<_> = others.flat_map(imports).filter(|(_, other)| rules.contains(other)).collect();
     assert_eq!(faults, []);

@@ -296,8 +296,8 @@ fn cases_that_cannot_be_computed_say_why() {
         let output = eval(&[&["cases", text(&file)], more].concat());
         (output.status.code(), stderr(&output))
     };
-    let (code, message) = run(r#"{"kind": "mpfb_rig", "cases": []}"#, &[]);
-    assert!(code == Some(2) && message.contains("`mpfb_rig` are not supported"), "{message}");
+    let (code, message) = run(r#"{"kind": "mpfb_hair", "cases": []}"#, &[]);
+    assert!(code == Some(2) && message.contains("`mpfb_hair` are not supported"), "{message}");
     let (code, message) = run(r#"{"kind": "mh2_fit", "cases": []}"#, &["--compare"]);
     assert!(code == Some(2) && message.contains("`cases` list is empty"), "{message}");
     let no_fields = r#"{"kind": "mh2_fit", "cases": [{}, 7, {"name": "x", "inputs": {"modifiers": [[1]]}}]}"#;
@@ -342,12 +342,12 @@ fn reference_files_agree_within_their_tolerances() {
     for entry in fs::read_dir(&reference).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();
-        let is_computed = ["mh2_", "mpfb_macro", "mpfb_morph"].iter().any(|kind| name.starts_with(kind));
+        let is_computed = ["mh2_", "mpfb_"].iter().any(|kind| name.starts_with(kind));
         if is_computed && path.extension().is_some_and(|ending| ending == "json") {
             files.insert(name, path);
         }
     }
-    assert!(!files.is_empty(), "no mh2_*.json, mpfb_macro.json or mpfb_morph.json in {}", reference.display());
+    assert!(!files.is_empty(), "no mh2_*.json or mpfb_*.json in {}", reference.display());
     let root = |name: &str| format!("{name}={}", corpus(name).display());
     for (name, path) in files {
         let roots = ["makehuman2", "makehuman-assets", "mpfb"].map(root);
@@ -422,7 +422,7 @@ fn targets_of_mpfb_are_read_as_it_reads_them() {
     assert!(error_of(&["macros", root]).contains("lacks a setting"));
     fs::remove_file(&macros).unwrap();
     assert!(error_of(&["macros", root]).contains("macro.json is missing or cannot be used"));
-    assert!(error_of(&["skeleton", root]).contains("rigs of MPFB"));
+    assert!(error_of(&["skeleton", root]).contains("--rig FILE"));
 }
 
 /// Cases of MPFB have the axes and the unit of Blender.
@@ -453,4 +453,103 @@ fn cases_of_mpfb_are_computed_in_blender() {
     ] {
         assert_eq!(cases(wrong).status.code(), Some(2), "{wrong}");
     }
+}
+
+const CUBE: &str = "fixtures/mpfb/data/rigs/standard/rig.cube.json";
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(|one| one.as_f64().unwrap()).collect()
+}
+
+/// Bones lie where joints and vertices are, with all sliders of the macros at their defaults.
+#[test]
+fn bones_of_mpfb_lie_on_the_figure() {
+    let rig = |more: &[&str]| json_of(&eval(&[&["rig", MPFB, "--rig", CUBE][..], more].concat()))["outputs"].clone();
+    let outputs = rig(&[]);
+    let bones = &outputs["bones"];
+    assert_eq!((&bones["top"]["parent"], &bones["top"]["use_connect"]), (&json!("root"), &json!(true)));
+    assert_eq!((&outputs["identified"], &outputs["default_position_used"]), (&json!("unknown"), &json!([])));
+    // The axis of a bone is its second column; left and right mirror each other.
+    let [left, right] = ["ear.L", "ear.R"].map(|bone| numbers(&bones[bone]["tail"]));
+    assert!((left[0] + right[0]).abs() < 1e-6 && (left[2] - right[2]).abs() < 1e-6);
+    let large = rig(&["--scale", "1"]);
+    let [small, large] = [&outputs, &large].map(|one| numbers(&one["bones"]["ear.L"]["tail"]));
+    assert!(small.iter().zip(&large).all(|(small, large)| (small * 10.0 - large).abs() < 1e-5));
+    // A slider moves the joints.
+    let moved = rig(&["--set", "chin/chin-triangle=1"]);
+    assert_ne!(moved["bones"], *bones);
+    for wrong in [&["--scale", "0"][..], &["--scale", "nan"]] {
+        assert!(error_of(&[&["rig", MPFB, "--rig", CUBE][..], wrong].concat()).contains("--scale"));
+    }
+    assert!(error_of(&["rig", MPFB]).contains("--rig FILE"));
+}
+
+/// Weights go to the bones of a rig, and what leads to none is dropped.
+#[test]
+fn weights_of_mpfb_become_groups_of_bones() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("weights.json");
+    let text_of = r#"{"weights": {"DEF-top": [[0, 0.5], [0, 0.75]], "no": [[1, 1]], "mhmask-x": [[2, -1], [9, 1]]}}"#;
+    fs::write(&file, text_of).unwrap();
+    let outputs = json_of(&eval(&["weights", text(&file), "--rig", CUBE, "--vertices", "8"]))["outputs"].clone();
+    assert_eq!(outputs["groups"], json!({"top": [1, 1.0], "mhmask-x": [1, 0.0]}));
+    assert_eq!(outputs["weighted_vertices"], json!(2));
+    fs::write(&file, r#"{"weights": {"top": [[0.5, 1]]}}"#).unwrap();
+    assert!(error_of(&["weights", text(&file), "--rig", CUBE]).contains("TypeError"));
+    assert!(error_of(&["weights", text(&file), "--rig", CUBE, "--max-influences", "4"]).contains("--rig"));
+}
+
+/// A pose turns what hangs on a bone, and a pose without anything leaves the figure as it is.
+#[test]
+fn poses_of_mpfb_move_the_figure() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, weights) = (folder.path().join("pose.json"), "fixtures/mpfb/data/rigs/standard/weights.cube.json");
+    let skin = |pose: &str| {
+        fs::write(&file, pose).unwrap();
+        let args = ["skin", MPFB, "--rig", CUBE, "--weights", weights, "--pose", text(&file), "--vertices", "6,7"];
+        eval(&args)
+    };
+    let pose = |bones: &str| {
+        format!(r#"{{"skeleton_type": "cube", "bone_rotations": {{{bones}}}, "bone_translations": {{}}}}"#)
+    };
+    let plain = json_of(&skin(&pose("")))["outputs"].clone();
+    let turned = json_of(&skin(&pose(r#""root": [0, 0, 3.14159265358979], "none": [1, 1, 1]"#)))["outputs"].clone();
+    // The root points up: the figure turns about it.
+    let [before, after] = [&plain, &turned].map(|one| numbers(&one["vertices"][0]));
+    assert!((before[0] + after[0]).abs() < 1e-5 || (before[2] - after[2]).abs() > 0.1, "{before:?} {after:?}");
+    assert_ne!(plain["vertices"], turned["vertices"]);
+    for (wrong, why) in [
+        ("{}", "KeyError"),
+        (r#"{"skeleton_type": "default", "bone_rotations": {}, "bone_translations": {}}"#, "AttributeError"),
+        (r#"{"skeleton_type": "x", "bone_rotations": {"top": [1, 2]}, "bone_translations": {}}"#, "ValueError"),
+    ] {
+        let output = skin(wrong);
+        assert!(output.status.code() == Some(2) && stderr(&output).contains(why), "{wrong}: {}", stderr(&output));
+    }
+}
+
+/// What is fitted has the axes and units of its OBJ when it is written, and those of Blender as numbers.
+#[test]
+fn assets_of_mpfb_are_fitted() {
+    let folder = tempfile::tempdir().unwrap();
+    let asset = folder.path().join("hat.mhclo");
+    fs::write(&asset, "obj_file hat.obj\nverts 0\n6\n7\n3\n\ndelete_verts\n0 - 7\n").unwrap();
+    fs::write(folder.path().join("hat.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nf 1 2 3\n").unwrap();
+    let fit = |more: &[&str]| eval(&[&["fit", text(&asset), "--app", "mpfb", "--base-mesh", MPFB][..], more].concat());
+    let outputs = json_of(&fit(&["--vertices", "0"]))["outputs"].clone();
+    assert_eq!(
+        (&outputs["vertex_count"], &outputs["delete_lines"], &outputs["delete_verts"]),
+        (&json!(3), &json!(9), &json!(8))
+    );
+    let written = folder.path().join("out.obj");
+    assert_eq!(fit(&["-o", text(&written)]).status.code(), Some(0));
+    let mesh = mhlint::evaluate::read_positions(&written).unwrap();
+    let place = numbers(&outputs["vertices"][0]);
+    assert!(
+        (f64::from(mesh[0][1]) * 0.1 - place[2]).abs() < 1e-5 && (f64::from(mesh[0][2]) * 0.1 + place[1]).abs() < 1e-5
+    );
+    assert_eq!(mesh[3], [9.0, 9.0, 9.0]);
+    fs::write(&asset, "obj_file hat.obj\nverts 0\n6\n").unwrap();
+    let output = fit(&[]);
+    assert!(output.status.code() == Some(2) && stderr(&output).contains("KeyError"), "{}", stderr(&output));
 }

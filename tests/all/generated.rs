@@ -79,6 +79,7 @@ fn about(family: &str) -> &'static str {
         "preset" => "saved characters of MPFB (`human.*.json`)",
         "program" => "files of the programs themselves",
         "proxy" => "clothes, hair, eyes and topologies (`.mhclo`, `.proxy`) with what they name",
+        "rig" => "rigs of MPFB: bones on the base mesh, those of users, and those of assets (`.mpfbskel`)",
         "skeleton" => "skeletons (`.mhskel`)",
         "target" => "targets (`.target`)",
         "weights" => "weights (`.mhw`)",

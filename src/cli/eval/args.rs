@@ -13,6 +13,8 @@ pub(in crate::cli) enum EvalCommand {
     Mesh(MeshArgs),
     /// Compute joints and rest matrices for slider settings.
     Skeleton(SkeletonArgs),
+    /// Compute the bones of a rig of MPFB for slider settings.
+    Rig(RigArgs),
     /// Load a weights file as the application does.
     Weights(WeightsArgs),
     /// Compute the posed base mesh for slider settings.
@@ -104,6 +106,26 @@ pub(in crate::cli) struct SkeletonArgs {
     pub(super) skeleton: Option<PathBuf>,
 }
 
+/// A rig of MPFB, and how large its figure is.
+#[derive(Debug, Args)]
+pub(super) struct RigChoice {
+    /// Rig of MPFB (rig.*.json).
+    #[arg(long, value_name = "FILE")]
+    pub(super) rig: Option<PathBuf>,
+    /// MPFB: so many metres are one unit of base.obj.
+    #[arg(long, value_name = "N", default_value_t = 0.1)]
+    pub(super) scale: f64,
+}
+
+/// Arguments of `eval rig`.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct RigArgs {
+    #[command(flatten)]
+    pub(super) base: BaseArgs,
+    #[command(flatten)]
+    pub(super) choice: RigChoice,
+}
+
 /// Arguments of `eval weights`.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct WeightsArgs {
@@ -115,6 +137,9 @@ pub(in crate::cli) struct WeightsArgs {
     /// Vertices without weights go to its root bone, or to `root` if no skeleton is used.
     #[arg(long, value_name = "FILE")]
     pub(super) skeleton: Option<PathBuf>,
+    /// Rig of MPFB (rig.*.json): load the weights as MPFB does, into vertex groups of its bones.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["skeleton", "max_influences", "remap_to", "output"])]
+    pub(super) rig: Option<PathBuf>,
     /// Number of vertices of the mesh.
     ///
     /// By default, up to the highest vertex in the file.
@@ -136,9 +161,14 @@ pub(in crate::cli) struct WeightsArgs {
 pub(in crate::cli) struct SkinArgs {
     #[command(flatten)]
     pub(super) base: BaseArgs,
-    /// Pose file (JSON): bones with rotation matrices.
+    /// Pose file (JSON): bones with rotation matrices; for MPFB one of its poses.
     #[arg(long, value_name = "FILE")]
     pub(super) pose: PathBuf,
+    #[command(flatten)]
+    pub(super) choice: RigChoice,
+    /// Weights of the rig of MPFB.
+    #[arg(long, value_name = "FILE", requires = "rig")]
+    pub(super) weights: Option<PathBuf>,
     #[command(flatten)]
     pub(super) output: MeshOutput,
 }
@@ -162,6 +192,9 @@ pub(in crate::cli) struct FitArgs {
     /// The scales of the asset are measured on the mesh of that moment.
     #[arg(long, value_name = "WHEN", default_value = "after")]
     pub(super) attached: Attached,
+    /// MPFB: so many metres are one unit of base.obj.
+    #[arg(long, value_name = "N", default_value_t = 0.1)]
+    pub(super) scale: f64,
     #[command(flatten)]
     pub(super) output: MeshOutput,
 }
@@ -173,6 +206,8 @@ pub(super) enum FittedBy {
     Makehuman2,
     /// MakeHuman 1; its sliders cannot be set yet.
     Makehuman1,
+    /// MPFB.
+    Mpfb,
 }
 
 /// When an asset was attached.

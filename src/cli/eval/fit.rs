@@ -6,16 +6,19 @@ use std::path::{Path, PathBuf};
 use serde_json::{Map, Value};
 
 use super::args::{Attached, FitArgs, FittedBy, SettingArgs};
-use super::{document, open_root, write};
+use super::{document, mpfb, open_root, write};
 use crate::cli::exit::Failure;
 use crate::evaluate::{
     Error, Fitted, Point, fit_json, makehuman1, makehuman2, object, read_positions, read_text, with_positions,
 };
 
 pub(super) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    if args.app == FittedBy::Mpfb {
+        return mpfb::fit(args, out);
+    }
     let Done { fitted, path, obj_path, inputs } = match args.app {
-        FittedBy::Makehuman2 => by_makehuman2(args)?,
         FittedBy::Makehuman1 => by_makehuman1(args)?,
+        FittedBy::Makehuman2 | FittedBy::Mpfb => by_makehuman2(args)?,
     };
     let obj = || Ok(with_positions(&read_text(&obj_path)?, &fitted.positions));
     let json = || {

@@ -4,6 +4,7 @@ mod args;
 mod base;
 mod cases;
 mod fit;
+mod mpfb;
 mod weights;
 mod write;
 
@@ -24,7 +25,9 @@ pub(super) fn run(command: &EvalCommand, out: &mut dyn Write, err: &mut dyn Writ
         EvalCommand::Macros(args) => base::macros(args, out),
         EvalCommand::Mesh(args) => base::mesh(args, out),
         EvalCommand::Skeleton(args) => base::skeleton(args, out),
+        EvalCommand::Rig(args) => mpfb::rig(args, out),
         EvalCommand::Weights(args) => weights::run(args, out),
+        EvalCommand::Skin(args) if args.choice.rig.is_some() => mpfb::skin(args, out),
         EvalCommand::Skin(args) => base::skin(args, out),
         EvalCommand::Fit(args) => fit::run(args, out),
         EvalCommand::Cases(args) => return cases::run(args, out, err),

@@ -6,7 +6,7 @@ use std::io::Write;
 use serde_json::Value;
 
 use super::args::WeightsArgs;
-use super::{document, write};
+use super::{document, mpfb, write};
 use crate::cli::exit::Failure;
 use crate::evaluate::makehuman2::{read_skeleton, read_weights, to_mhw, transferred};
 use crate::evaluate::{load_json, object, reduction_json, weights_json};
@@ -15,6 +15,9 @@ use crate::evaluate::{load_json, object, reduction_json, weights_json};
 const ROOT: &str = "root";
 
 pub(super) fn run(args: &WeightsArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    if let Some(rig) = &args.rig {
+        return mpfb::weights(&args.file, rig, args.vertices, out);
+    }
     let lists = read_weights(&args.file)?;
     let skeleton = args.skeleton.as_deref().map(read_skeleton).transpose()?;
     let root = skeleton.as_ref().map_or(Ok(ROOT), |skeleton| skeleton.root())?;

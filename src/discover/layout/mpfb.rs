@@ -76,7 +76,7 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["mesh_metadata", "basemesh_vertex_groups.json"] => Kind::VertexGroups,
         ["mesh_metadata", "hm08_config.json"] => Kind::BodyDimensions,
         ["mesh_metadata", "hm08.mirror"] => Kind::MirrorTable,
-        ["rigs", .., file] if extension(file) == "json" => of_rigs(parts.len(), file),
+        ["rigs", folders @ .., file] if extension(file) == "json" => of_rigs(folders, file),
         [.., file] if extension(file) == "mpfbskel" => Kind::SubRig,
         ["ink_layers", .., file] if extension(file) == "json" => Kind::InkLayer,
         // Every name with the suffix in it counts, and folders in it are not looked into (§8).
@@ -97,14 +97,14 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
     (kind, (parts.len() > 1).then_some(HM08))
 }
 
-/// What a JSON is in `rigs/`, or in a folder so many steps below: MPFB has its own in `standard/` and `rigify/`, users
-/// theirs at the top (§20.1, §21.2).
-fn of_rigs(depth: usize, file: &str) -> Kind {
-    match depth {
-        2 | 3 if file.starts_with("weights.") => Kind::Weights,
-        2 => Kind::CustomRig,
-        3 if file.starts_with("rig.") => Kind::Rig,
-        _ => Kind::Json,
+/// What a JSON is in folders below `rigs/`: MPFB has its own in `standard/` and `rigify/`, users theirs at the top (§20.1,
+/// §21.2). In any other folder it is one of a user where nobody looks.
+fn of_rigs(folders: &[&str], file: &str) -> Kind {
+    match folders {
+        [] | [_] if file.starts_with("weights.") => Kind::Weights,
+        ["standard" | "rigify"] if file.starts_with("rig.") => Kind::Rig,
+        ["standard" | "rigify", ..] => Kind::Json,
+        _ => Kind::CustomRig,
     }
 }
 
@@ -145,7 +145,7 @@ mod tests {
             ("rigs/standard/weights.default.json", Kind::Weights),
             ("rigs/stick.json", Kind::CustomRig),
             ("rigs/weights.stick.json", Kind::Weights),
-            ("rigs/mine/stick.json", Kind::Json),
+            ("rigs/mine/stick.json", Kind::CustomRig),
             ("hair/tail/tail.mpfbskel", Kind::SubRig),
             ("mesh_metadata/basemesh_vertex_groups.json", Kind::VertexGroups),
             ("mesh_metadata/hm08.mirror", Kind::MirrorTable),

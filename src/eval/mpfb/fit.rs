@@ -123,8 +123,9 @@ pub fn interpolated(rows: &[Row], body: &[VertexGroup]) -> Vec<VertexGroup> {
             let sum: f64 = shares.map(|(vertex, share)| share * of(vertex).unwrap_or(0.0)).sum();
             sum / row.weights.iter().sum::<f64>()
         };
-        let weights: BTreeMap<usize, f64> =
-            rows.iter().enumerate().map(|(at, row)| (at, weight(row))).filter(|(_, weight)| *weight > LEAST).collect();
+        let weights = rows.iter().enumerate().map(|(at, row)| (at, weight(row))).filter(|(_, weight)| *weight > LEAST);
+        // Blender keeps no weight above 1, as negative shares make it.
+        let weights: BTreeMap<usize, f64> = weights.map(|(at, weight)| (at, weight.min(1.0))).collect();
         (name.clone(), weights)
     };
     body.iter().map(of_group).filter(|(_, weights)| !weights.is_empty()).collect()
@@ -174,5 +175,7 @@ mod tests {
         let body = vec![("a".to_owned(), BTreeMap::from([(0, 1.0)])), ("b".to_owned(), BTreeMap::from([(2, 0.001)]))];
         let row = Row { vertices: [0, 1, 2], weights: [1.0, 0.5, 0.5], offset: [0.0; 3] };
         assert_eq!(interpolated(&[row], &body), [("a".to_owned(), BTreeMap::from([(0, 0.5)]))]);
+        let beyond = Row { weights: [1.5, -0.5, 0.0], ..row };
+        assert_eq!(interpolated(&[beyond], &body), [("a".to_owned(), BTreeMap::from([(0, 1.0)]))]);
     }
 }

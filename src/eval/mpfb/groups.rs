@@ -47,7 +47,8 @@ impl<'a> Takers<'a> {
         let toggled = toggled(group);
         let own = [group, &toggled].into_iter().find_map(|name| self.bone(name));
         let found = own.or_else(|| self.common_toe(group));
-        let extra = || [group, &toggled].into_iter().find(|name| self.extra.contains(name)).map(|name| (name.to_owned(), None));
+        let extra =
+            || [group, &toggled].into_iter().find(|name| self.extra.contains(name)).map(|name| (name.to_owned(), None));
         found.or_else(extra)
     }
 
@@ -105,7 +106,9 @@ pub fn load(
     for (order, (group, pairs)) in file.iter().enumerate() {
         match takers.taker(group) {
             Some((bone, at)) => plan.push((at.unwrap_or(usize::MAX - 1), order, bone, pairs)),
-            None if loading.all || group.starts_with(MASK) => plan.push((usize::MAX, order, (*group).to_owned(), pairs)),
+            None if loading.all || group.starts_with(MASK) => {
+                plan.push((usize::MAX, order, (*group).to_owned(), pairs))
+            }
             None => {}
         }
     }
@@ -177,7 +180,9 @@ mod tests {
     fn groups_lead_to_bones() {
         let takers = takers();
         let name = |group: &str| takers.taker(group).map(|(name, _)| name);
-        for (group, bone) in [("a", "a"), ("DEF-a", "a"), ("b", "DEF-b"), ("toe3-2.L", "toe.L"), ("y", "DEF-y"), ("x", "x")] {
+        for (group, bone) in
+            [("a", "a"), ("DEF-a", "a"), ("b", "DEF-b"), ("toe3-2.L", "toe.L"), ("y", "DEF-y"), ("x", "x")]
+        {
             assert_eq!(name(group).as_deref(), Some(bone), "{group}");
         }
         for group in ["A", "no", "toe3-2.R", "toe3-22.L", "toe3-2.LL", "mhmask-x", ""] {
@@ -188,8 +193,11 @@ mod tests {
     #[test]
     fn entries_add_up_to_one_at_most() {
         let loading = Loading { vertices: 3, ..Loading::default() };
-        let file: [FileGroup<'_>; 3] =
-            [("mhmask-m", &[(0, 0.5)]), ("b", &[(0, 0.7), (0, 0.6), (9, 1.0), (-1, 1.0)]), ("a", &[(1, -2.0), (2, 0.25)])];
+        let file: [FileGroup<'_>; 3] = [
+            ("mhmask-m", &[(0, 0.5)]),
+            ("b", &[(0, 0.7), (0, 0.6), (9, 1.0), (-1, 1.0)]),
+            ("a", &[(1, -2.0), (2, 0.25)]),
+        ];
         let groups = load(Vec::new(), &file, &takers(), loading);
         let expected: Vec<VertexGroup> = vec![
             ("a".to_owned(), BTreeMap::from([(1, 0.0), (2, 0.25)])),

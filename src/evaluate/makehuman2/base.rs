@@ -56,9 +56,9 @@ pub(in crate::evaluate) fn open(base: &Base<'_>, limits: Limits) -> Result<Evalu
         archive: base.targets.and_then(|folder| folder.archive()).and_then(|file| {
             let members = file.archive()?.members.iter().map(|member| member.name.clone());
             Some((file.path.clone(), members.collect()))
-            groups: Vec::new(),
-    }),
+        }),
         scene,
+        groups: Vec::new(),
     })
 }
 

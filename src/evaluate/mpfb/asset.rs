@@ -109,15 +109,16 @@ impl Asset {
         Ok(FittedAsset { positions, scales, hidden: hidden(&self.read.deleted, mesh.len(), faces) })
     }
 
-    /// Positions for all vertices of the OBJ: those that Blender leaves out stay where they are drawn.
+    /// Positions for all vertices of the OBJ, in its axes as `to_obj` has them: those that Blender leaves out stay where
+    /// they are drawn.
     ///
     /// # Errors
     /// An OBJ that cannot be read any more.
-    pub fn on_obj(&self, fitted: &FittedAsset) -> Result<Vec<Point>, Error> {
+    pub fn on_obj(&self, fitted: &FittedAsset, to_obj: impl Fn(Point) -> Point) -> Result<Vec<Point>, Error> {
         let mut positions = obj::parse(&read_text(&self.obj_path)?).positions;
         for (at, place) in self.used.iter().zip(&fitted.positions) {
             if let Some(slot) = positions.get_mut(*at) {
-                *slot = *place;
+                *slot = to_obj(*place);
             }
         }
         Ok(positions)

@@ -25,4 +25,4 @@ pub(super) fn no_rigs(base: &str) -> Error {
     Error::NoSkeleton { base: base.to_owned(), reason: NO_RIGS.to_owned() }
 }
 
-const NO_RIGS: &str = "rigs of MPFB are evaluated by `mhlint eval rig`";
+const NO_RIGS: &str = "a rig of MPFB is chosen with `--rig FILE`";

@@ -63,7 +63,10 @@ pub(super) fn stored_pose(node: &Node) -> Result<StoredPose, Error> {
     }
     for member in node.get("bone_translations").ok_or_else(|| lacks("bone_translations"))?.effective_members() {
         let [x, y, z, ..] = *numbers(&member.key, &member.node)? else {
-            return Err(stops("IndexError", format!("the translation of bone `{}` has fewer than 3 numbers", member.key)));
+            return Err(stops(
+                "IndexError",
+                format!("the translation of bone `{}` has fewer than 3 numbers", member.key),
+            ));
         };
         pose.moves.push((member.key.clone(), [x, y, z]));
     }

@@ -143,7 +143,8 @@ fn synthetic_weights(case: &Node) -> Result<Outputs, Error> {
         Some((node.get("name")?.as_str()?.to_owned(), parent, deforms))
     };
     let bones: Vec<(String, Option<String>, bool)> = bones.iter().filter_map(taker).collect();
-    let bones = bones.iter().map(|(name, parent, deforms)| Taker { name, parent: parent.as_deref(), deforms: *deforms });
+    let bones =
+        bones.iter().map(|(name, parent, deforms)| Taker { name, parent: parent.as_deref(), deforms: *deforms });
     let extra = inputs::field(case, "extra_bones").map(Node::elements).unwrap_or_default();
     let takers = Takers::new(bones, extra.iter().filter_map(Node::as_str));
     let lists = inline(inputs::wanted(case, "weights")?)?;

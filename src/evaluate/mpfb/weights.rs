@@ -88,13 +88,17 @@ pub fn groups_json(groups: &[VertexGroup], chosen: &[i64]) -> Map<String, Value>
         ("groups", Value::Object(sums.collect())),
         ("vertices", chosen.iter().map(of_vertex).collect()),
         ("weighted_vertices", Value::from(totals.len())),
-        ("vertex_sum_range", least.zip(most).map_or(Value::Null, |(least, most)| json!([rounded(least), rounded(most)]))),
+        (
+            "vertex_sum_range",
+            least.zip(most).map_or(Value::Null, |(least, most)| json!([rounded(least), rounded(most)])),
+        ),
     ])
 }
 
 /// All entries of all groups.
 pub(super) fn lists_json(groups: &[VertexGroup]) -> Map<String, Value> {
-    let list = |own: &BTreeMap<usize, f64>| own.iter().map(|(vertex, weight)| json!([vertex, rounded(*weight)])).collect();
+    let list =
+        |own: &BTreeMap<usize, f64>| own.iter().map(|(vertex, weight)| json!([vertex, rounded(*weight)])).collect();
     let groups = groups.iter().map(|(name, own)| (name.clone(), Value::Array(list(own))));
     object([("weights", Value::Object(groups.collect()))])
 }

@@ -49,7 +49,9 @@ impl InOrder {
         };
         match *first {
             // These stand between the rows without ending them.
-            b"#" | b"material" => return if rest.is_empty() && *first == b"material" { Err("IndexError") } else { Ok(()) },
+            b"#" | b"material" => {
+                return if rest.is_empty() && *first == b"material" { Err("IndexError") } else { Ok(()) };
+            }
             word if word.starts_with(b"vertexboneweights") => return Ok(()),
             _ => {}
         }
@@ -100,11 +102,18 @@ impl InOrder {
     fn row(&mut self, words: &[&[u8]]) -> Step {
         let row = match words {
             [only] => ([whole(only)?; 3], [1.0, 0.0, 0.0], [0.0; 3]),
-            [a, b, c, u, v, w, x, y, z, ..] => (
-                [whole(a)?, whole(b)?, whole(c)?],
-                [number(u)?, number(v)?, number(w)?],
-                [number(x)?, number(y)?, number(z)?],
-            ),
+            _ if words.len() >= 9 => {
+                let mut numbers = [0.0; 6];
+                for (number_of, word) in numbers.iter_mut().zip(words.iter().skip(3)) {
+                    *number_of = number(word)?;
+                }
+                let mut wholes = [0; 3];
+                for (whole_of, word) in wholes.iter_mut().zip(words) {
+                    *whole_of = whole(word)?;
+                }
+                let [u, v, w, rest @ ..] = numbers;
+                (wholes, [u, v, w], rest)
+            }
             _ => return Err("IndexError"),
         };
         self.rows.push(row);
@@ -161,7 +170,8 @@ mod tests {
 
     #[test]
     fn a_line_ends_what_came_before_it() {
-        let text = b"obj_file a.obj\nx_scale 1 2 3\nverts 0\n5\n# note\nmaterial m.mhmat\n1 2 3 1 0 0 0 0 0\nname x\n7\n";
+        let text =
+            b"obj_file a.obj\nx_scale 1 2 3\nverts 0\n5\n# note\nmaterial m.mhmat\n1 2 3 1 0 0 0 0 0\nname x\n7\n";
         let found = read(text);
         assert_eq!((found.rows.len(), found.stop), (2, None));
         assert_eq!(found.scales[0], Some(([1, 2], 3.0)));

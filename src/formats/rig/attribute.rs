@@ -42,9 +42,28 @@ pub(super) const BENDY_BONE: Properties = &[
 
 /// All keys of `bendy_bone`.
 pub const BENDY: &[&str] = &[
-    "segments", "mapping_mode", "handle_type_start", "handle_type_end", "custom_handle_start", "custom_handle_end",
-    "handle_use_ease_start", "handle_use_ease_end", "handle_use_scale_start", "handle_use_scale_end", "easein",
-    "easeout", "rollin", "rollout", "curveinx", "curveinz", "curveoutx", "curveoutz", "x", "z", "scalein", "scaleout",
+    "segments",
+    "mapping_mode",
+    "handle_type_start",
+    "handle_type_end",
+    "custom_handle_start",
+    "custom_handle_end",
+    "handle_use_ease_start",
+    "handle_use_ease_end",
+    "handle_use_scale_start",
+    "handle_use_scale_end",
+    "easein",
+    "easeout",
+    "rollin",
+    "rollout",
+    "curveinx",
+    "curveinz",
+    "curveoutx",
+    "curveoutz",
+    "x",
+    "z",
+    "scalein",
+    "scaleout",
 ];
 
 /// What a property takes; `None` if there is no such one.

@@ -59,7 +59,7 @@ pub(super) fn read(name: &str, pointer: &str, node: &Node, whole: &Whole, faults
     bone.roll = node.get("roll").and_then(Node::as_python_number).unwrap_or(0.0);
     bone.roll_strategy = text("roll_strategy");
     bone.roll_reference_z = node.get("roll_reference_z").and_then(triple);
-    bone.parent = text("parent");
+    bone.parent = text("parent").filter(|parent| !parent.is_empty());
     bone.use_connect = node.get("use_connect").is_some_and(|value| !value.is_falsy());
     bone.inherit_scale = text("inherit_scale").unwrap_or_default();
     bone.rotation_mode = text("rotation_mode");

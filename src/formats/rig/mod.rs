@@ -6,6 +6,7 @@
 mod attribute;
 mod bone;
 mod constraint;
+mod constraint_types;
 mod end;
 mod layers;
 mod reader;
@@ -76,7 +77,7 @@ pub struct RigBone {
     pub roll_strategy: Option<String>,
     /// Where its z axis is to point.
     pub roll_reference_z: Option<[f64; 3]>,
-    /// Name of the bone that it hangs on; an empty one is none.
+    /// Name of the bone that it hangs on.
     pub parent: Option<String>,
     /// Whether its head is moved to the tail of its parent.
     pub use_connect: bool,
@@ -160,4 +161,152 @@ impl Rig {
 }
 
 #[cfg(test)]
-mod tests;
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::formats::unfit::Why;
+    use crate::json::parse;
+
+    fn of(text: &str) -> Rig {
+        read(&parse(text.as_bytes()).unwrap())
+    }
+
+    /// A rig of one bone in which a key has this value.
+    fn with(key: &str, value: &str) -> Rig {
+        let keys = [
+            ("head", r#"{"strategy": "VERTEX", "vertex_index": 1}"#),
+            ("tail", r#"{"strategy": "MEAN", "vertex_indices": [1, 2]}"#),
+            ("roll", "0"),
+            ("parent", r#""""#),
+            ("use_connect", "false"),
+            ("use_inherit_rotation", "true"),
+            ("use_local_location", "true"),
+            ("inherit_scale", r#""FULL""#),
+            ("rigify", "{}"),
+        ];
+        let mut members: Vec<String> = keys.iter().map(|(own, usual)| format!("\"{own}\": {usual}")).collect();
+        members.push(format!("\"{key}\": {value}"));
+        of(&format!("{{\"version\": 110, \"bones\": {{\"a\": {{{}}}}}}}", members.join(", ")))
+    }
+
+    fn faults(rig: &Rig) -> usize {
+        let RigFaults { keys, words, properties, ends, rigify, .. } = &rig.faults;
+        [keys, words, properties, ends, rigify].iter().map(|own| own.all().len()).sum()
+    }
+
+    #[test]
+    fn what_blender_takes_is_no_fault() {
+        for (key, value) in [
+            ("roll", "7.5"),
+            ("roll", "true"),
+            ("parent", "null"),
+            ("use_connect", "1"),
+            ("inherit_scale", "\"NONE_LEGACY\""),
+            ("rotation_mode", "\"AXIS_ANGLE\""),
+            ("collections", "null"),
+            ("bendy_bone", r#"{"segments": 4, "handle_use_scale_start": [true, 0, 1], "x": 1}"#),
+            ("rigify", r#"{"rigify_type": "", "rigify_parameters": {}}"#),
+            ("constraints", r#"[{"type": "IK", "name": "i", "target": true, "subtarget": "b", "chain_count": 2}]"#),
+            ("anything", "[]"),
+        ] {
+            assert_eq!(faults(&with(key, value)), 0, "{key}: {value}");
+        }
+    }
+
+    #[test]
+    fn what_it_refuses_is_one_fault() {
+        for (key, value) in [
+            ("head", "[0, 0, 0]"),
+            ("head", r#"{"vertex_index": 1}"#),
+            ("head", r#"{"strategy": "VERTEX", "vertex_index": 1.0}"#),
+            ("head", r#"{"strategy": "XYZ", "vertex_indices": 1}"#),
+            ("head", r#"{"strategy": "CUBE"}"#),
+            ("head", r#"{"strategy": "VERTEX", "vertex_index": 1, "offset": [0, 0]}"#),
+            ("roll", "\"0\""),
+            ("roll", "null"),
+            ("parent", "5"),
+            ("use_connect", "null"),
+            ("use_connect", "2"),
+            ("inherit_scale", "\"Full\""),
+            ("inherit_scale", "1"),
+            ("rotation_mode", "null"),
+            ("rigify", "null"),
+            ("rigify", r#"{"rigify_type": 1}"#),
+            ("rigify", r#"{"rigify_parameters": null}"#),
+            ("rigify", r#"{"rigify_parameters": {"bbones": 1.5}}"#),
+            ("rigify", r#"{"rigify_parameters": {"skin_chain_falloff": [1, 2]}}"#),
+            ("bendy_bone", "null"),
+            ("bendy_bone", r#"{"segments": 1.0}"#),
+            ("bendy_bone", r#"{"scalein": [1, 1]}"#),
+            ("bendy_bone", r#"{"custom_handle_end": null}"#),
+            ("bendy_bone", r#"{"scaleinx": 1}"#),
+            ("constraints", "null"),
+            ("constraints", "[1]"),
+            ("constraints", r#"[{"type": "IK"}]"#),
+            ("constraints", r#"[{"type": "IKK", "name": "i"}]"#),
+            ("constraints", r#"[{"type": "IK", "name": "i", "target": "b"}]"#),
+            ("constraints", r#"[{"type": "IK", "name": "i", "chain_count": 2.5}]"#),
+            ("constraints", r#"[{"type": "IK", "name": "i", "pole_target": true}]"#),
+            ("constraints", r#"[{"type": "LIMIT_SCALE", "name": "i", "target": true}]"#),
+            ("constraints", r#"[{"type": "ARMATURE", "name": "i"}]"#),
+            ("constraints", r#"[{"type": "ARMATURE", "name": "i", "targets": [{"subtarget": "b"}]}]"#),
+        ] {
+            assert_eq!(faults(&with(key, value)), 1, "{key}: {value}");
+        }
+        assert!(of(r#"{"a": {}}"#).faults.keys.all().iter().all(|one| matches!(one.why, Why::Lacks(_))));
+    }
+
+    #[test]
+    fn layouts_are_told_apart() {
+        let layout = |text: &str| of(text).faults.layout;
+        assert_eq!(layout("[]"), [LayoutFault::NotObject("a list")]);
+        assert_eq!(layout(r#"{"bones": {}}"#), [LayoutFault::WithoutVersion]);
+        assert_eq!(layout(r#"{"version": 110}"#), [LayoutFault::HeaderWithoutBones("version".to_owned())]);
+        assert_eq!(layout(r#"{"version": "1", "bones": {}}"#), [LayoutFault::VersionType("a string")]);
+        assert_eq!(layout(r#"{"version": 110.5, "bones": {}}"#), [LayoutFault::TooNew(110.5)]);
+        assert_eq!(layout(r#"{"version": 90, "bones": null, "joints": 1}"#), [LayoutFault::Skeleton]);
+        assert_eq!(layout("{}"), []);
+    }
+
+    #[test]
+    fn the_schema_fits_what_the_loader_takes() {
+        let check = |text: &str| crate::json::check("mpfb_rig", &parse(text.as_bytes()).unwrap()).faults.len();
+        for sound in [
+            include_str!("../../../fixtures/mpfb/data/rigs/standard/rig.cube.json"),
+            include_str!("../../../fixtures/mpfb/data/rigs/rigify/rig.cube_control.json"),
+            include_str!("../../../fixtures/mpfb/user/data/rigs/stick.json"),
+        ] {
+            assert_eq!(check(sound), 0);
+            assert_eq!(faults(&of(sound)), 0);
+            assert!(check(&sound.replacen("\"roll\": 0.0", "\"roll\": null", 1)) > 0);
+        }
+    }
+
+    #[test]
+    fn a_hundred_thousand_bones_are_read() {
+        let bones: Vec<String> = (0..100_000).map(|at| format!("\"b{at}\": {{\"roll\": null}}")).collect();
+        let rig = of(&format!("{{{}}}", bones.join(",")));
+        assert_eq!(rig.bones.len(), 100_000);
+        // Faults are kept for those that a report can name.
+        assert!(rig.faults.keys.all().len() <= 20_000);
+    }
+
+    proptest! {
+        #[test]
+        fn no_json_stops_the_reader(text in r#"[\[\]{},:"0-9a-c ]{0,30}"#, key in 0usize..14) {
+            let keys = ["head", "tail", "roll", "parent", "use_connect", "inherit_scale", "rigify", "rotation_mode",
+                "collections", "layers", "roll_strategy", "bendy_bone", "constraints", "roll_reference_z"];
+            let own = keys.get(key).copied().unwrap_or_default();
+            for text in [
+                format!("{{\"version\": 110, \"rigify_ui\": {text}, \"bones\": {{\"a\": {{\"{own}\": {text}}}}}}}"),
+                format!("{{\"a\": {{\"{own}\": {text}}}, \"b\": {text}}}"),
+                text,
+            ] {
+                if let Ok(document) = parse(text.as_bytes()) {
+                    read(&document);
+                }
+            }
+        }
+    }
+}

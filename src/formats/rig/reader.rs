@@ -6,16 +6,8 @@ use crate::formats::unfit::{below, is_number};
 use crate::json::{Document, Node, Value};
 
 /// Keys of the header.
-const HEADER: [&str; 8] = [
-    "version",
-    "is_subrig",
-    "scale_factor",
-    "collections",
-    "extra_bones",
-    "rigify_ui",
-    "identifying_bones",
-    "joints",
-];
+const HEADER: [&str; 8] =
+    ["version", "is_subrig", "scale_factor", "collections", "extra_bones", "rigify_ui", "identifying_bones", "joints"];
 /// The version of a file without `bones`.
 const PLAIN: f64 = 100.0;
 /// Bones that are kept; no rig that anybody made has as many.
@@ -72,7 +64,10 @@ fn with_header(root: &Node, bones: &Node, rig: &mut Rig) {
         rig.scale_factor = scale.as_python_number().unwrap_or(0.0);
     }
     let list = |key: &str, faults: &mut RigFaults| {
-        root.get(key).filter(|list| !list.is_falsy()).map(|list| names(&below("", key), list, faults)).unwrap_or_default()
+        root.get(key)
+            .filter(|list| !list.is_falsy())
+            .map(|list| names(&below("", key), list, faults))
+            .unwrap_or_default()
     };
     rig.collections = list("collections", &mut faults);
     rig.extra_bones = list("extra_bones", &mut faults);

@@ -2,7 +2,7 @@
 
 use super::view::OWN;
 use crate::discover::Kind;
-use crate::formats::rig::Rig as Definition;
+use crate::formats::rig::{Identifying, Rig as Definition};
 use crate::repo::{FileFacts, Layer, Layers, parent};
 
 /// A rig, readable or not.
@@ -34,8 +34,7 @@ pub(crate) enum RigPart {
 }
 
 /// Rigs whose weights stand in for those that others lack.
-const FALLBACKS: [(&str, &str); 3] =
-    [("default_no_toes", "default"), ("human", "human_toes"), ("human_toes", "human")];
+const FALLBACKS: [(&str, &str); 3] = [("default_no_toes", "default"), ("human", "human_toes"), ("human_toes", "human")];
 
 impl<'a> RigFile<'a> {
     /// What is in it, if it could be read.
@@ -54,7 +53,9 @@ pub(super) fn all(layers: Layers<'_>) -> Vec<RigFile<'_>> {
     let users = layers.user.into_iter().chain(layers.beside);
     let both = layers.strongest_first().chain(layers.beside);
     let standard = layers.system.into_iter().flat_map(|layer| of_kind(layer, Kind::Rig));
-    let custom = users.flat_map(|layer| of_kind(layer, Kind::CustomRig)).filter(|(_, file)| is_listed(file));
+    let custom = users
+        .flat_map(|layer| of_kind(layer, Kind::CustomRig))
+        .filter(|(_, file)| is_listed(file) && says_its_bones(file));
     let of_assets = both.flat_map(|layer| of_kind(layer, Kind::SubRig));
     let rig = |(layer, file)| of_file(layer, file);
     standard.chain(custom).chain(of_assets).map(rig).collect()
@@ -69,6 +70,11 @@ fn of_kind(layer: &Layer, kind: Kind) -> impl Iterator<Item = (&Layer, &FileFact
 pub(crate) fn is_listed(file: &FileFacts) -> bool {
     let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
     parent(&file.rel) == "rigs" && !file.stem().is_empty() && file.stem().bytes().all(is_plain)
+}
+
+/// Whether a file says by which bones it is recognised: others are passed over.
+fn says_its_bones(file: &FileFacts) -> bool {
+    file.rig().is_some_and(|rig| rig.identifying != Identifying::Absent)
 }
 
 fn of_file<'a>(layer: &'a Layer, file: &'a FileFacts) -> RigFile<'a> {

@@ -196,6 +196,9 @@ impl<'a> View<'a> {
     /// Weights of a rig, used or not.
     fn weights<'v>(&self, file: &'v FileFacts) -> BodyWeights<'v> {
         let is_used = self.rigs.iter().filter_map(RigFile::weights).any(|own| own.path == file.path);
+        // Those of a rig that is not found are told there.
+        let rig = file.file_name().strip_prefix("weights.").map(|name| format!("{}/{name}", parent(&file.rel)));
+        let is_used = is_used || rig.is_some_and(|rel| self.layers.checked.file(&rel).is_some());
         let used = if is_used { WeightsUse::Applied } else { WeightsUse::Unread };
         BodyWeights { file, name: Some(file.file_name()), used }
     }

@@ -1,17 +1,22 @@
 //! Rules on binary archives: of targets, of base meshes and of assets. What is wrong with one is found in one place, and
 //! each rule reports its sort of it.
 
-pub(super) mod malformed;
-pub(super) mod missing_member;
-pub(super) mod object_array;
+mod malformed;
+mod missing_member;
+mod object_array;
 mod pack;
-pub(super) mod path_escape;
+mod path_escape;
 mod report;
 mod words;
 mod worn;
-pub(super) mod wrong_dtype;
+mod wrong_dtype;
 
+use super::Rule;
 use crate::formats::npz::NpyFault;
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] =
+    &[&malformed::RULE, &missing_member::RULE, &object_array::RULE, &path_escape::RULE, &wrong_dtype::RULE];
 
 /// What is wrong with an archive, each a rule.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

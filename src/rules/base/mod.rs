@@ -1,17 +1,31 @@
 //! Rules on `base.json` and `geometry.json` of a base mesh of MakeHuman 2.
 
 mod absent_keys;
-pub(super) mod barycentric_presets;
-pub(super) mod geometry_range;
-pub(super) mod missing_file;
+mod barycentric_presets;
+mod geometry_range;
+mod missing_file;
 mod names;
 mod other_base;
-pub(super) mod rule_without_effect;
+mod rule_without_effect;
 mod sliders;
-pub(super) mod unknown_equipment;
-pub(super) mod unknown_preset;
-pub(super) mod unsafe_rule;
-pub(super) mod vertex_count;
+mod unknown_equipment;
+mod unknown_preset;
+mod unsafe_rule;
+mod vertex_count;
+
+use super::Rule;
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &barycentric_presets::RULE,
+    &geometry_range::RULE,
+    &missing_file::RULE,
+    &rule_without_effect::RULE,
+    &unknown_equipment::RULE,
+    &unknown_preset::RULE,
+    &unsafe_rule::RULE,
+    &vertex_count::RULE,
+];
 
 /// The way to leave a measure out.
 const NO_MEASURE: &str = "none";

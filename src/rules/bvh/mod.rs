@@ -5,7 +5,11 @@ pub(in crate::rules) mod duplicate_joint;
 pub(in crate::rules) mod frames;
 pub(in crate::rules) mod syntax;
 
+use super::Rule;
 use crate::diag::{Application::Makehuman2, Case, Level};
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[&channels::RULE, &duplicate_joint::RULE, &frames::RULE, &syntax::RULE];
 
 /// What becomes of a file that is rejected inside its hierarchy or later.
 const REJECTED: Case = &[(

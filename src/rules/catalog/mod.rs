@@ -1,22 +1,39 @@
 //! Rules on the sliders of MPFB: `target.json`, the catalogue, and the targets of users.
 
-pub(super) mod breaks_start;
-pub(super) mod duplicate_target;
-pub(super) mod empty_section;
-pub(super) mod missing_opposites;
-pub(super) mod missing_target;
+mod breaks_start;
+mod duplicate_target;
+mod empty_section;
+mod missing_opposites;
+mod missing_target;
 mod neighbours;
-pub(super) mod no_slider;
-pub(super) mod opposite_unlisted;
-pub(super) mod opposites_sides;
-pub(super) mod side_prefix;
-pub(super) mod unlisted_target;
-pub(super) mod unreachable_user_target;
-pub(super) mod unused_key;
+mod no_slider;
+mod opposite_unlisted;
+mod opposites_sides;
+mod side_prefix;
+mod unlisted_target;
+mod unreachable_user_target;
+mod unused_key;
 
+use super::Rule;
 use crate::diag::{Place, pointer};
 use crate::formats::target_catalog::{Category, Section};
 use crate::repo::mpfb::{Catalog, View, pair};
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &breaks_start::RULE,
+    &duplicate_target::RULE,
+    &empty_section::RULE,
+    &missing_opposites::RULE,
+    &missing_target::RULE,
+    &no_slider::RULE,
+    &opposite_unlisted::RULE,
+    &opposites_sides::RULE,
+    &side_prefix::RULE,
+    &unlisted_target::RULE,
+    &unreachable_user_target::RULE,
+    &unused_key::RULE,
+];
 
 /// The catalogue, where it is checked.
 fn checked<'a>(view: &View<'a>) -> Option<Catalog<'a>> {

@@ -1,14 +1,24 @@
 //! The tool's own inputs: ignores and settings that do not do what they were written for.
 
-pub(super) mod baseline_stale;
-pub(super) mod expired_ignore;
-pub(super) mod missing_reason;
-pub(super) mod unknown_rule;
-pub(super) mod unused_glob;
-pub(super) mod unused_ignore;
+mod baseline_stale;
+mod expired_ignore;
+mod missing_reason;
+mod unknown_rule;
+mod unused_glob;
+mod unused_ignore;
 
 use super::Rule;
 use crate::diag::{Finding, IgnoreUse};
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &baseline_stale::RULE,
+    &expired_ignore::RULE,
+    &missing_reason::RULE,
+    &unknown_rule::RULE,
+    &unused_glob::RULE,
+    &unused_ignore::RULE,
+];
 
 /// What to do about something that is not found any more, while there are errors.
 const FIX_FIRST: &str = "fix the errors first: they may hide what is not found";

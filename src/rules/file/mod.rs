@@ -1,26 +1,50 @@
 //! Rules on any file, whatever is in it: whether it can be read at all, its name, its links, its twins.
 
-pub(super) mod absolute_path;
-pub(super) mod backslash_path;
-pub(super) mod byte_order_mark;
-pub(super) mod case_conflict;
-pub(super) mod case_mismatch;
-pub(super) mod decompression_bomb;
-pub(super) mod duplicate_content;
-pub(super) mod empty;
-pub(super) mod gzip_corrupt;
-pub(super) mod in_place_of_folder;
-pub(super) mod lfs_pointer;
-pub(super) mod link_loop;
-pub(super) mod not_utf8;
-pub(super) mod path_escape;
-pub(super) mod too_large;
-pub(super) mod unportable_name;
-pub(super) mod unreadable;
-pub(super) mod unreferenced;
+mod absolute_path;
+mod backslash_path;
+mod byte_order_mark;
+mod case_conflict;
+mod case_mismatch;
+mod decompression_bomb;
+mod duplicate_content;
+mod empty;
+mod gzip_corrupt;
+mod in_place_of_folder;
+mod lfs_pointer;
+mod link_loop;
+mod not_utf8;
+mod path_escape;
+mod too_large;
+mod unportable_name;
+mod unreadable;
+mod unreferenced;
 
 mod fixed_names;
 mod folders;
 mod icons;
 mod named;
 mod spelling;
+
+use super::Rule;
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &absolute_path::RULE,
+    &backslash_path::RULE,
+    &byte_order_mark::RULE,
+    &case_conflict::RULE,
+    &case_mismatch::RULE,
+    &decompression_bomb::RULE,
+    &duplicate_content::RULE,
+    &empty::RULE,
+    &gzip_corrupt::RULE,
+    &in_place_of_folder::RULE,
+    &lfs_pointer::RULE,
+    &link_loop::RULE,
+    &not_utf8::RULE,
+    &path_escape::RULE,
+    &too_large::RULE,
+    &unportable_name::RULE,
+    &unreadable::RULE,
+    &unreferenced::RULE,
+];

@@ -1,17 +1,21 @@
 //! Rules on the text and the shape of any JSON.
 
-pub(super) mod duplicate_key;
-pub(super) mod schema;
+mod duplicate_key;
+mod schema;
 mod schema_help;
 mod schema_words;
-pub(super) mod syntax;
+mod syntax;
 mod told_keys;
-pub(super) mod too_deep;
-pub(super) mod unknown_key;
+mod too_deep;
+mod unknown_key;
 
 use super::{Rule, counted};
 use crate::diag::{Evidence, Finding, Place};
 use crate::repo::FileFacts;
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] =
+    &[&duplicate_key::RULE, &schema::RULE, &syntax::RULE, &too_deep::RULE, &unknown_key::RULE];
 
 /// Says of a file with more faults than are kept how many of them the other findings do not list; `what` names one.
 fn left_out(rule: &Rule, file: &FileFacts, count: usize, what: &str) -> Option<Finding> {

@@ -14,7 +14,24 @@ pub(in crate::rules) mod too_deep;
 pub(in crate::rules) mod unreadable_thumbnail;
 pub(in crate::rules) mod wrong_folder;
 
+use super::Rule;
 use crate::discover::extension;
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &duplicate_name::RULE,
+    &duplicate_name::OF_UUID,
+    &duplicate_name::OF_WORN,
+    &header_not_ascii::RULE,
+    &identity_clash::RULE,
+    &linked_folder::RULE,
+    &missing_thumbnail::RULE,
+    &name_cut::RULE,
+    &scan_crash::RULE,
+    &too_deep::RULE,
+    &unreadable_thumbnail::RULE,
+    &wrong_folder::RULE,
+];
 
 /// Suffixes of assets that lists show.
 const SUFFIXES: [&str; 6] = ["mhclo", "proxy", "mhskel", "mhpose", "bvh", "mhm"];

@@ -17,28 +17,59 @@ mod survey;
 mod suspects;
 mod titles;
 
-pub(super) mod alias_suspect;
-pub(super) mod ambiguous_value;
-pub(super) mod barycentric_mismatch;
-pub(super) mod duplicate_combination;
-pub(super) mod duplicate_value;
-pub(super) mod empty_target;
-pub(super) mod folder_missing;
-pub(super) mod influence_mismatch;
-pub(super) mod influence_range;
-pub(super) mod missing_combination;
-pub(super) mod missing_target;
-pub(super) mod name_collision;
-pub(super) mod repeated_component;
-pub(super) mod steps_and_sum;
-pub(super) mod steps_length;
-pub(super) mod steps_order;
-pub(super) mod steps_range;
-pub(super) mod sum_arity;
-pub(super) mod target_extension;
-pub(super) mod too_many_active;
-pub(super) mod unexpected_combination;
-pub(super) mod unknown_component;
-pub(super) mod unknown_pattern;
-pub(super) mod unreferenced_target;
-pub(super) mod unused_component;
+mod alias_suspect;
+mod ambiguous_value;
+mod barycentric_mismatch;
+mod duplicate_combination;
+mod duplicate_value;
+mod empty_target;
+mod folder_missing;
+mod influence_mismatch;
+mod influence_range;
+mod missing_combination;
+mod missing_target;
+mod name_collision;
+mod repeated_component;
+mod steps_and_sum;
+mod steps_length;
+mod steps_order;
+mod steps_range;
+mod sum_arity;
+mod target_extension;
+mod too_many_active;
+mod unexpected_combination;
+mod unknown_component;
+mod unknown_pattern;
+mod unreferenced_target;
+mod unused_component;
+
+use super::Rule;
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &alias_suspect::RULE,
+    &ambiguous_value::RULE,
+    &barycentric_mismatch::RULE,
+    &duplicate_combination::RULE,
+    &duplicate_value::RULE,
+    &empty_target::RULE,
+    &folder_missing::RULE,
+    &influence_mismatch::RULE,
+    &influence_range::RULE,
+    &missing_combination::RULE,
+    &missing_target::RULE,
+    &name_collision::RULE,
+    &repeated_component::RULE,
+    &steps_and_sum::RULE,
+    &steps_length::RULE,
+    &steps_order::RULE,
+    &steps_range::RULE,
+    &sum_arity::RULE,
+    &target_extension::RULE,
+    &too_many_active::RULE,
+    &unexpected_combination::RULE,
+    &unknown_component::RULE,
+    &unknown_pattern::RULE,
+    &unreferenced_target::RULE,
+    &unused_component::RULE,
+];

@@ -30,3 +30,34 @@ pub(in crate::rules) mod unreadable_texture;
 pub(in crate::rules) mod unused_texture;
 pub(in crate::rules) mod uvmap_mismatch;
 pub(in crate::rules) mod value_type;
+
+use super::Rule;
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &alternatives_lost::RULE,
+    &arity::RULE,
+    &boolean_spelling::RULE,
+    &coloration_texture::RULE,
+    &duplicate_keyword::RULE,
+    &embedding::RULE,
+    &ignored_key::RULE,
+    &missing_litsphere::RULE,
+    &missing_shader::RULE,
+    &missing_texture::RULE,
+    &missing_uvmap::RULE,
+    &opacity::RULE,
+    &path_quote::RULE,
+    &protected_name::RULE,
+    &range::RULE,
+    &texture_format::RULE,
+    &tinted_texture::RULE,
+    &value_type::RULE,
+    &uniform_type::RULE,
+    &unknown_define::RULE,
+    &unknown_keyword::RULE,
+    &unknown_uniform::RULE,
+    &unreadable_texture::RULE,
+    &unused_texture::RULE,
+    &uvmap_mismatch::RULE,
+];

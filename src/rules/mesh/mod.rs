@@ -1,31 +1,55 @@
 //! Rules on meshes: of a base, as OBJ or packed, and of assets.
 
-pub(super) mod degenerate_face;
-pub(super) mod duplicate_face;
-pub(super) mod face_out_of_range;
-pub(super) mod group_name;
-pub(super) mod inside_out;
-pub(super) mod missing_groups;
-pub(super) mod name_clash;
-pub(super) mod ngon;
-pub(super) mod no_faces;
-pub(super) mod no_uv;
-pub(super) mod non_finite;
-pub(super) mod not_manifold;
-pub(super) mod partial_uv;
-pub(super) mod pole;
-pub(super) mod reopened_group;
-pub(super) mod stale_binary;
-pub(super) mod syntax;
-pub(super) mod unused_vertex;
-pub(super) mod vertex_order;
+mod degenerate_face;
+mod duplicate_face;
+mod face_out_of_range;
+mod group_name;
+mod inside_out;
+mod missing_groups;
+mod name_clash;
+mod ngon;
+mod no_faces;
+mod no_uv;
+mod non_finite;
+mod not_manifold;
+mod partial_uv;
+mod pole;
+mod reopened_group;
+mod stale_binary;
+mod syntax;
+mod unused_vertex;
+mod vertex_order;
 
+use super::Rule;
 use super::cause::mesh::weigh;
 use super::proxy::{STOPS_WITH_INDEX, STOPS_WITH_OVERFLOW};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level};
 use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::obj::MeshFacts;
 use crate::repo::{FileFacts, ReferenceKind, View};
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &degenerate_face::RULE,
+    &duplicate_face::RULE,
+    &face_out_of_range::RULE,
+    &group_name::RULE,
+    &inside_out::RULE,
+    &missing_groups::RULE,
+    &name_clash::RULE,
+    &ngon::RULE,
+    &no_faces::RULE,
+    &no_uv::RULE,
+    &non_finite::RULE,
+    &not_manifold::RULE,
+    &partial_uv::RULE,
+    &pole::RULE,
+    &reopened_group::RULE,
+    &stale_binary::RULE,
+    &syntax::RULE,
+    &unused_vertex::RULE,
+    &vertex_order::RULE,
+];
 
 /// A mesh that is read: of a base, or of an asset.
 #[derive(Clone, Copy)]

@@ -4,3 +4,8 @@ pub(in crate::rules) mod base_mesh;
 mod mirror;
 pub(in crate::rules) mod table;
 mod vertex_groups;
+
+use super::Rule;
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[&base_mesh::RULE, &table::RULE];

@@ -14,7 +14,19 @@ pub(in crate::rules) mod syntax;
 pub(in crate::rules) mod tags;
 pub(in crate::rules) mod unknown_asset;
 
+use super::Rule;
 use crate::repo::makehuman2::{Base, SavedModel, View};
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &arity::RULE,
+    &category::RULE,
+    &material::RULE,
+    &modifier::RULE,
+    &syntax::RULE,
+    &tags::RULE,
+    &unknown_asset::RULE,
+];
 
 /// The characters of a base that are checked.
 fn own<'v>(view: &'v View<'_>, base: &Base<'_>) -> impl Iterator<Item = &'v SavedModel<'v>> {

@@ -3,37 +3,62 @@
 //! What they share: which of the files can be checked at all when another one is damaged, and the groups and
 //! patterns that exist.
 
-pub(super) mod barycentric_arity;
-pub(super) mod blank_in_name;
-pub(super) mod decr_only;
-pub(super) mod default_range;
-pub(super) mod display_text;
-pub(super) mod duplicate_pattern;
-pub(super) mod empty_category;
+mod barycentric_arity;
+mod blank_in_name;
+mod decr_only;
+mod default_range;
+mod display_text;
+mod duplicate_pattern;
+mod empty_category;
 mod foreign;
 mod generated;
 mod groups;
-pub(super) mod macro_without_influence;
+mod macro_without_influence;
 mod marks;
-pub(super) mod measure;
+mod measure;
 mod missing;
-pub(super) mod missing_icon;
-pub(super) mod missing_target;
-pub(super) mod no_effect;
-pub(super) mod one_sided_symmetry;
-pub(super) mod opposites;
-pub(super) mod text_slot;
-pub(super) mod unknown_group;
-pub(super) mod unknown_symmetry;
-pub(super) mod unsafe_formula;
-pub(super) mod user_key_collision;
-pub(super) mod user_pair_at_top;
+mod missing_icon;
+mod missing_target;
+mod no_effect;
+mod one_sided_symmetry;
+mod opposites;
+mod text_slot;
+mod unknown_group;
+mod unknown_symmetry;
+mod unsafe_formula;
+mod user_key_collision;
+mod user_pair_at_top;
 
+use super::Rule;
 use super::cause::overlay::is_damaged;
 use super::did_you_mean;
 use crate::diag::Suggestions;
 use crate::formats::modelling::Slider;
 use crate::repo::makehuman2::{Base, BoundSlider};
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &barycentric_arity::RULE,
+    &blank_in_name::RULE,
+    &decr_only::RULE,
+    &default_range::RULE,
+    &display_text::RULE,
+    &duplicate_pattern::RULE,
+    &empty_category::RULE,
+    &macro_without_influence::RULE,
+    &measure::RULE,
+    &missing_icon::RULE,
+    &missing_target::RULE,
+    &no_effect::RULE,
+    &one_sided_symmetry::RULE,
+    &opposites::RULE,
+    &text_slot::RULE,
+    &unknown_group::RULE,
+    &unknown_symmetry::RULE,
+    &unsafe_formula::RULE,
+    &user_key_collision::RULE,
+    &user_pair_at_top::RULE,
+];
 
 /// The sliders, if their patterns can be told: `base.json` declares which pairs of targets make one slider.
 fn with_patterns<'b, 'a>(base: &'b Base<'a>) -> Option<&'b [BoundSlider<'a>]> {

@@ -16,18 +16,34 @@ use crate::repo::Body;
 use super::cause::component::has_sound_steps;
 use super::{Rule, counted, percent};
 
-pub(super) mod collapsed_faces;
-pub(super) mod dead_range;
-pub(super) mod discontinuity;
-pub(super) mod exploded_vertex;
-pub(super) mod implausible_size;
-pub(super) mod joint_drift;
-pub(super) mod non_finite;
-pub(super) mod proxy_detached;
-pub(super) mod rest_skinning;
-pub(super) mod threshold_loss;
-pub(super) mod weights_sum;
-pub(super) mod zero_length_bone;
+mod collapsed_faces;
+mod dead_range;
+mod discontinuity;
+mod exploded_vertex;
+mod implausible_size;
+mod joint_drift;
+mod non_finite;
+mod proxy_detached;
+mod rest_skinning;
+mod threshold_loss;
+mod weights_sum;
+mod zero_length_bone;
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &collapsed_faces::RULE,
+    &dead_range::RULE,
+    &discontinuity::RULE,
+    &exploded_vertex::RULE,
+    &implausible_size::RULE,
+    &joint_drift::RULE,
+    &non_finite::RULE,
+    &proxy_detached::RULE,
+    &rest_skinning::RULE,
+    &threshold_loss::RULE,
+    &weights_sum::RULE,
+    &zero_length_bone::RULE,
+];
 
 /// `message` at the target that moves the thing most, or without one at the mesh; beside it the setting that shows it.
 fn at_setting(rule: &Rule, body: &Body<'_>, seen: &Seen, message: &str) -> Finding {

@@ -1,20 +1,34 @@
 //! Rules on overrides: contarget over target, user over system (formats/makehuman2.md §1.2).
 
-pub(super) mod base_folder_missing;
-pub(super) mod broken_override;
-pub(super) mod empty_target_folder;
-pub(super) mod partial_override;
-pub(super) mod shadowed;
-pub(super) mod shadowed_asset;
-pub(super) mod targets_not_in_layer;
-pub(super) mod user_key_clash;
-pub(super) mod user_target_too_deep;
+mod base_folder_missing;
+mod broken_override;
+mod empty_target_folder;
+mod partial_override;
+mod shadowed;
+mod shadowed_asset;
+mod targets_not_in_layer;
+mod user_key_clash;
+mod user_target_too_deep;
 
+use super::Rule;
 use super::cause::overlay::{
     SystemFolder, has_broken_override, has_misnamed_override, is_active, lacks_folder, system_folder,
 };
 use crate::repo::makehuman2::{Base, Overlaid, View};
 use crate::repo::{FileFacts, Reference, Resolution};
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &base_folder_missing::RULE,
+    &broken_override::RULE,
+    &empty_target_folder::RULE,
+    &partial_override::RULE,
+    &shadowed::RULE,
+    &shadowed_asset::RULE,
+    &targets_not_in_layer::RULE,
+    &user_key_clash::RULE,
+    &user_target_too_deep::RULE,
+];
 
 /// One of the three files that contarget can override, whatever is in it.
 struct Override<'a> {

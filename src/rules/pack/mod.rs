@@ -1,15 +1,18 @@
 //! Rules on packs: zips of assets that an application imports, and lists of what is in them.
 
-pub(super) mod layout;
+mod layout;
 mod lost;
-pub(super) mod manifest;
-pub(super) mod metadata;
+mod manifest;
+mod metadata;
 mod moved;
 mod named;
 
 use super::Rule;
 use crate::diag::{Finding, Place};
 use crate::repo::{FileFacts, Import, Layer};
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[&layout::RULE, &manifest::RULE, &metadata::RULE];
 
 /// A pack that is imported.
 struct Packed<'v> {

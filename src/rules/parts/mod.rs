@@ -1,14 +1,30 @@
 //! Rules on the macro settings of MPFB: `macro.json`, its parts, and the targets that their names are composed to.
 
-pub(super) mod coverage;
-pub(super) mod discontinuity;
-pub(super) mod empty_range;
-pub(super) mod end_share;
-pub(super) mod gap;
-pub(super) mod missing_setting;
-pub(super) mod missing_target;
-pub(super) mod overlap;
-pub(super) mod reversed;
+mod coverage;
+mod discontinuity;
+mod empty_range;
+mod end_share;
+mod gap;
+mod missing_setting;
+mod missing_target;
+mod overlap;
+mod reversed;
 mod stretch;
-pub(super) mod unknown_combination;
+mod unknown_combination;
 mod wanted;
+
+use super::Rule;
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &coverage::RULE,
+    &discontinuity::RULE,
+    &empty_range::RULE,
+    &end_share::RULE,
+    &gap::RULE,
+    &missing_setting::RULE,
+    &missing_target::RULE,
+    &overlap::RULE,
+    &reversed::RULE,
+    &unknown_combination::RULE,
+];

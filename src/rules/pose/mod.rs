@@ -12,7 +12,21 @@ pub(in crate::rules) mod unknown_bone;
 pub(in crate::rules) mod unknown_unit;
 pub(in crate::rules) mod value_range;
 
+use super::Rule;
 use std::collections::BTreeSet;
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &licence_spelling::RULE,
+    &matrix::RULE,
+    &meta::RULE,
+    &missing_units::RULE,
+    &no_units::RULE,
+    &non_finite::RULE,
+    &unknown_bone::RULE,
+    &unknown_unit::RULE,
+    &value_range::RULE,
+];
 
 use crate::diag::pointer;
 use crate::formats::pose_units::{PoseUnits, Turn, Unit};

@@ -3,3 +3,8 @@
 mod names;
 pub(in crate::rules) mod not_listed;
 pub(in crate::rules) mod schema;
+
+use super::Rule;
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[&not_listed::RULE, &schema::RULE];

@@ -5,3 +5,8 @@ pub(in crate::rules) mod missing_file;
 mod mpfb_content;
 mod mpfb_files;
 pub(in crate::rules) mod skybox;
+
+use super::Rule;
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[&file_content::RULE, &missing_file::RULE, &skybox::RULE];

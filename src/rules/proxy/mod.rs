@@ -1,55 +1,99 @@
 //! Assets that are worn: `.mhclo` and `.proxy` with what they name, as MakeHuman 2 loads them (formats/makehuman2.md §15).
 
 mod archives;
-pub(super) mod custom_weights;
-pub(super) mod degenerate_triple;
-pub(super) mod delete_range;
-pub(super) mod deprecated_keyword;
-pub(super) mod extension_case;
-pub(super) mod fit_drift;
+mod custom_weights;
+mod degenerate_triple;
+mod delete_range;
+mod deprecated_keyword;
+mod extension_case;
+mod fit_drift;
 mod foreign;
-pub(super) mod hides_body;
-pub(super) mod keyword_after_verts;
-pub(super) mod keyword_spelling;
+mod hides_body;
+mod keyword_after_verts;
+mod keyword_spelling;
 mod keywords;
-pub(super) mod licence_keyword;
-pub(super) mod licence_lost;
-pub(super) mod mask_length;
-pub(super) mod mask_uncovered;
-pub(super) mod metadata;
+mod licence_keyword;
+mod licence_lost;
+mod mask_length;
+mod mask_uncovered;
+mod metadata;
 mod missing;
-pub(super) mod missing_material;
-pub(super) mod missing_mesh;
-pub(super) mod missing_name;
-pub(super) mod missing_uuid;
-pub(super) mod missing_weights;
-pub(super) mod non_finite;
-pub(super) mod offsets_lost;
+mod missing_material;
+mod missing_mesh;
+mod missing_name;
+mod missing_uuid;
+mod missing_weights;
+mod non_finite;
+mod offsets_lost;
 mod older;
-pub(super) mod rows_reordered;
-pub(super) mod scale;
+mod rows_reordered;
+mod scale;
 mod scale_lines;
-pub(super) mod section_keyword;
+mod section_keyword;
 mod sections;
 mod shear;
-pub(super) mod shifted_rows;
-pub(super) mod special_pose;
-pub(super) mod stale_binary;
-pub(super) mod syntax;
-pub(super) mod tag;
-pub(super) mod topology;
-pub(super) mod unknown_basemesh;
-pub(super) mod unknown_keyword;
-pub(super) mod uvlayer;
-pub(super) mod version;
-pub(super) mod vertex_count;
-pub(super) mod vertex_out_of_range;
-pub(super) mod weight_table_short;
-pub(super) mod weights_sum;
-pub(super) mod z_depth;
+mod shifted_rows;
+mod special_pose;
+mod stale_binary;
+mod syntax;
+mod tag;
+mod topology;
+mod unknown_basemesh;
+mod unknown_keyword;
+mod uvlayer;
+mod version;
+mod vertex_count;
+mod vertex_out_of_range;
+mod weight_table_short;
+mod weights_sum;
+mod z_depth;
 
+use super::Rule;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &custom_weights::RULE,
+    &degenerate_triple::RULE,
+    &delete_range::RULE,
+    &deprecated_keyword::RULE,
+    &extension_case::RULE,
+    &fit_drift::RULE,
+    &hides_body::RULE,
+    &keyword_after_verts::RULE,
+    &keyword_spelling::RULE,
+    &licence_keyword::RULE,
+    &licence_lost::RULE,
+    &mask_length::RULE,
+    &mask_uncovered::RULE,
+    &metadata::RULE,
+    &missing_material::RULE,
+    &missing_mesh::RULE,
+    &missing_name::RULE,
+    &missing_uuid::RULE,
+    &missing_weights::RULE,
+    &non_finite::RULE,
+    &offsets_lost::RULE,
+    &rows_reordered::RULE,
+    &scale::RULE,
+    &section_keyword::RULE,
+    &shifted_rows::RULE,
+    &special_pose::RULE,
+    &stale_binary::RULE,
+    &syntax::RULE,
+    &tag::RULE,
+    &topology::RULE,
+    &unknown_basemesh::RULE,
+    &unknown_keyword::RULE,
+    &uvlayer::RULE,
+    &version::RULE,
+    &vertex_count::RULE,
+    &vertex_out_of_range::RULE,
+    &weight_table_short::RULE,
+    &weights_sum::RULE,
+    &z_depth::RULE,
+];
 
 use archives::{Archive, archives, lone_archives, rebuild};
 use older::needs_value;

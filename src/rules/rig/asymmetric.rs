@@ -42,10 +42,13 @@ fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Findin
         let (side, partner) = pairs::of(&placed.bone.name)?;
         Some((*known.get(partner.as_str())?).filter_side(side)?)
     };
+    // What lies otherwise than it should has findings of its own.
+    let swapped = pairs::swapped(bones);
+    let is_told = |one: &Placed<'_>| pairs::is_across(one) || swapped.contains(&one.bone.name.as_str());
     let unlike: Vec<(&str, &str, Unlike)> = bones
         .iter()
         .filter_map(|left| {
-            let right = pair(left)?;
+            let right = pair(left).filter(|right| !is_told(left) && !is_told(right))?;
             Some((left.bone.name.as_str(), right.bone.name.as_str(), unlike(left, right)?))
         })
         .collect();

@@ -42,8 +42,10 @@ fn listed(file: &FileFacts, rig: &Rig) -> Option<Finding> {
     }
     if !is_listed(file) {
         let message = format!("`{}` has other characters than letters, digits and `_` in its name", file.file_name());
-        let plain: String = file.stem().chars().map(|one| if one.is_ascii_alphanumeric() { one } else { '_' }).collect();
-        let finding = RULE.at(file, Place::File, message).help(format!("rename it to `{plain}.json`, and its weights alike"));
+        let plain: String =
+            file.stem().chars().map(|one| if one.is_ascii_alphanumeric() { one } else { '_' }).collect();
+        let finding =
+            RULE.at(file, Place::File, message).help(format!("rename it to `{plain}.json`, and its weights alike"));
         return Some(finding);
     }
     let lacks = rig.identifying == Identifying::Absent;

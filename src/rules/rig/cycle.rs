@@ -26,7 +26,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn finding(file: &RigFile<'_>, rig: &Rig) -> Option<Finding> {
-    let numbers: BTreeMap<&str, usize> = rig.bones.iter().enumerate().map(|(at, bone)| (bone.name.as_str(), at)).collect();
+    let numbers: BTreeMap<&str, usize> =
+        rig.bones.iter().enumerate().map(|(at, bone)| (bone.name.as_str(), at)).collect();
     let parents: Vec<Option<usize>> =
         rig.bones.iter().map(|bone| numbers.get(bone.parent.as_deref()?).copied()).collect();
     let of = |parent: &Option<usize>| Defined {

@@ -1,8 +1,8 @@
 //! Default positions are where the ends of bones are found.
 
 use super::super::{Check, Rule, RuleCx, such};
+use super::at_bones;
 use super::located::{Placed, apart, of_body, place_in_words};
-use super::{at_bones};
 use crate::diag::{Application::Mpfb, Finding, Level, RuleInfo};
 use crate::eval::mpfb::joints::Located;
 use crate::eval::vector::{Vec3, sub};
@@ -16,7 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
         somewhere else than on others. Usually the rig was recorded on another figure.\n\n\
         Rigs are recorded with the feet or the hips at the origin: what all ends have in common is taken off first. The base \
         mesh is not the figure with the usual settings, either: up to 0.1 m nothing is reported.\n\n\
-        Save the rig again in MPFB, which writes these positions anew.",
+        Save the rig again in MPFB, which computes these positions again.",
     counts: "bones",
     ..RuleInfo::new("rig-default-position-drift", Level::Info, "a default position is far from where the end is found")
 });
@@ -40,7 +40,8 @@ struct Known<'r> {
 
 fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Finding> {
     let known = known(bones);
-    let shift: Vec<f64> = (0..3).map(|axis| median(known.iter().map(|one| one.written[axis] - one.found[axis]))).collect();
+    let shift: Vec<f64> =
+        (0..3).map(|axis| median(known.iter().map(|one| one.written[axis] - one.found[axis]))).collect();
     let [x, y, z] = shift.as_slice() else { return None };
     let off = |one: &Known<'_>| apart(sub(one.written, one.found), [*x, *y, *z]);
     let far: Vec<&Known<'_>> = known.iter().filter(|one| off(one) > FAR).collect();

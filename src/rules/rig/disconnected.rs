@@ -5,6 +5,7 @@ use super::super::{Check, Rule, RuleCx, such};
 use super::at_bones;
 use super::located::{Placed, apart, by_name, of_body};
 use crate::diag::{Application::Mpfb, Finding, Level, RuleInfo};
+use crate::eval::mpfb::rest::NO_LENGTH;
 use crate::formats::rig::Rig;
 use crate::repo::mpfb::{RigFile, View};
 
@@ -31,10 +32,14 @@ fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Findin
     let known = by_name(bones);
     let gap = |placed: &Placed<'_>| {
         let parent = known.get(placed.bone.parent.as_deref().filter(|_| placed.bone.use_connect)?)?;
-        Some(apart(placed.found()?.0, parent.found()?.1))
+        let ((head, tail), (_, end)) = (placed.found()?, parent.found()?);
+        // A bone that comes to nothing has a finding of its own (`rig-zero-length-bone`).
+        Some(apart(head, end)).filter(|_| apart(tail, end) >= NO_LENGTH)
     };
-    let found: Vec<(&str, f64)> =
-        bones.iter().filter_map(|placed| Some((placed.bone.name.as_str(), gap(placed).filter(|gap| *gap > GAP)?))).collect();
+    let found: Vec<(&str, f64)> = bones
+        .iter()
+        .filter_map(|placed| Some((placed.bone.name.as_str(), gap(placed).filter(|gap| *gap > GAP)?)))
+        .collect();
     let (worst, gap) = found.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
     let message = format!(
         "bone `{worst}` is connected and begins {} away from where its parent ends{}",

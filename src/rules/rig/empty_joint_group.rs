@@ -22,7 +22,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in view.own(Kind::VertexGroups) {
         let Some(groups) = file.vertex_groups().filter(|groups| groups.stops.all().is_empty()) else { continue };
         let joints = groups.groups.iter().filter(|group| group.name.contains("joint"));
-        let empty: Vec<&str> = joints.filter(|joint| joint.is_empty(vertices)).map(|joint| joint.name.as_str()).collect();
+        let empty: Vec<&str> =
+            joints.filter(|joint| joint.is_empty(vertices)).map(|joint| joint.name.as_str()).collect();
         let Some(first) = empty.first() else { continue };
         let message = format!("joint `{first}` has no vertex{}", such(empty.len(), "joints"));
         let finding = RULE.at(file, Place::pointer([first]), message).help("write the vertices of its cube");

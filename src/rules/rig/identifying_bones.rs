@@ -11,7 +11,7 @@ use crate::repo::mpfb::{RigFile, RigPart, View};
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "adds the rig, and does not recognise it: refitting it fails, also after a slider moves")],
     docs: "`identifying_bones` of a rig of a user is a list of bones. A rig that has all of them is recognised as this one.\n\n\
-        If one of them is no bone of the rig, or if the list is empty, or a text (which is taken letter by letter), MPFB adds the rig and \
+        If the rig lacks one of them, or if the list is empty, or a text (which is taken letter by letter), MPFB adds the rig and \
         cannot tell later what it is. Fitting it to the body again, which sliders do on their own, fails with an exception, and \
         a character with it cannot be saved.\n\n\
         If the rig has the bones by which MPFB recognises one of its own, it is taken for that (a warning).\n\n\
@@ -54,7 +54,8 @@ fn unknown(file: &RigFile<'_>, rig: &Rig, bones: &BTreeSet<&str>, cx: &RuleCx<'_
     }
     let unknown: Vec<&str> = names.iter().map(String::as_str).filter(|name| !bones.contains(name)).collect();
     let first = unknown.first()?;
-    let message = format!("`identifying_bones` names `{first}`, which is no bone of the rig{}", such(unknown.len(), "names"));
+    let message =
+        format!("`identifying_bones` names `{first}`, which the rig does not have{}", such(unknown.len(), "names"));
     let near = cx.suggestions.nearest(first, bones.iter().copied());
     Some(at(message).help(did_you_mean(near, "name bones of this rig")).evidence(Evidence::of_cases(&unknown)))
 }

@@ -41,7 +41,7 @@ fn finding(file: &RigFile<'_>, all: Vec<&LayersFault>, case: Option<Case>) -> Op
         }
         LayersFault::Length(pointer, count) => {
             let (subject, more) = more(pointer);
-            (pointer, "length", format!("{subject} has {count} entries, usually 32{more}"), "write 32 entries")
+            (pointer, "length", format!("{subject} is a list of {count}, usually of 32{more}"), "write 32 entries")
         }
         LayersFault::Dead(pointer, _) => {
             let (subject, more) = more(pointer);

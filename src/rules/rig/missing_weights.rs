@@ -47,10 +47,15 @@ fn finding(rel: &str, rigs: &[&RigFile<'_>], cx: &RuleCx<'_>) -> Option<Finding>
     // Weights of another rig have similar names.
     let near = in_other_case.or(misnamed).or_else(|| {
         let unused = others().filter(|other| other.starts_with("weight"));
-        let taken = |other: &str| first.layer.file(&format!("{folder}/rig.{}", other.trim_start_matches("weights."))).is_some();
+        let taken =
+            |other: &str| first.layer.file(&format!("{folder}/rig.{}", other.trim_start_matches("weights."))).is_some();
         cx.suggestions.nearest(&name, unused.filter(|other| !taken(other))).map(str::to_owned)
     });
     let help = near.map_or_else(|| "add the weights".to_owned(), |near| format!("rename `{near}` to `{name}`"));
     let finding = RULE.at(first.file, Place::File, message).key(rel).help(help);
-    Some(finding.parts_in(rigs.iter().map(|rig| (rig.name, rig.file.path.as_str()))).evidence(Evidence::counted(rigs.len())))
+    Some(
+        finding
+            .parts_in(rigs.iter().map(|rig| (rig.name, rig.file.path.as_str())))
+            .evidence(Evidence::counted(rigs.len())),
+    )
 }

@@ -1,41 +1,41 @@
 //! Rules on rigs of MPFB, and what they share: words for bones, and where these lie on the base mesh.
 
-pub(super) mod asymmetric;
-pub(super) mod bendy_bone;
-pub(super) mod bone_name;
-pub(super) mod custom_scan;
-pub(super) mod cycle;
-pub(super) mod default_position_drift;
-pub(super) mod disconnected;
-pub(super) mod empty_joint_group;
+mod asymmetric;
+mod bendy_bone;
+mod bone_name;
+mod custom_scan;
+mod cycle;
+mod default_position_drift;
+mod disconnected;
+mod empty_joint_group;
 mod ends;
-pub(super) mod enums;
-pub(super) mod identifying_bones;
-pub(super) mod ignored_rotation_mode;
-pub(super) mod layers;
+mod enums;
+mod identifying_bones;
+mod ignored_rotation_mode;
+mod layers;
 mod located;
-pub(super) mod missing_key;
-pub(super) mod missing_weights;
-pub(super) mod name_asymmetry;
-pub(super) mod needs_rigify;
-pub(super) mod no_bones;
+mod missing_key;
+mod missing_weights;
+mod name_asymmetry;
+mod needs_rigify;
+mod no_bones;
 mod pairs;
-pub(super) mod parent_span;
-pub(super) mod renumbered;
-pub(super) mod rigify_type;
-pub(super) mod roll;
-pub(super) mod strategy;
-pub(super) mod subrig_unweighted;
-pub(super) mod swapped_ends;
-pub(super) mod unknown_collection;
-pub(super) mod unknown_cube;
-pub(super) mod unknown_parent;
-pub(super) mod unknown_property;
-pub(super) mod unknown_subtarget;
-pub(super) mod version;
-pub(super) mod vertex_out_of_range;
-pub(super) mod wrong_side;
-pub(super) mod zero_length_bone;
+mod parent_span;
+mod renumbered;
+mod rigify_type;
+mod roll;
+mod strategy;
+mod subrig_unweighted;
+mod swapped_ends;
+mod unknown_collection;
+mod unknown_cube;
+mod unknown_parent;
+mod unknown_property;
+mod unknown_subtarget;
+mod version;
+mod vertex_out_of_range;
+mod wrong_side;
+mod zero_length_bone;
 
 use super::Rule;
 use super::unfit::{Wording, names, sort};
@@ -44,9 +44,45 @@ use crate::formats::rig::Rig;
 use crate::formats::unfit::Unfit;
 use crate::repo::mpfb::{RigFile, RigPart};
 
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &asymmetric::RULE,
+    &bendy_bone::RULE,
+    &bone_name::RULE,
+    &custom_scan::RULE,
+    &cycle::RULE,
+    &default_position_drift::RULE,
+    &disconnected::RULE,
+    &empty_joint_group::RULE,
+    &enums::RULE,
+    &identifying_bones::RULE,
+    &ignored_rotation_mode::RULE,
+    &layers::RULE,
+    &missing_key::RULE,
+    &missing_weights::RULE,
+    &name_asymmetry::RULE,
+    &needs_rigify::RULE,
+    &no_bones::RULE,
+    &parent_span::RULE,
+    &renumbered::RULE,
+    &rigify_type::RULE,
+    &roll::RULE,
+    &strategy::RULE,
+    &subrig_unweighted::RULE,
+    &swapped_ends::RULE,
+    &unknown_collection::RULE,
+    &unknown_cube::RULE,
+    &unknown_parent::RULE,
+    &unknown_property::RULE,
+    &unknown_subtarget::RULE,
+    &version::RULE,
+    &vertex_out_of_range::RULE,
+    &wrong_side::RULE,
+    &zero_length_bone::RULE,
+];
+
 /// What becomes of a rig at which the loader stops.
-pub(super) const STOPS: &str =
-    "fails with an exception when the rig is added: half-made objects stay in the scene";
+pub(super) const STOPS: &str = "fails with an exception when the rig is added: half-made objects stay in the scene";
 const OF_ASSET: Case =
     &[(Mpfb, Level::Error, "fails with an exception when the asset is added: it stays without its own rig")];
 
@@ -101,7 +137,7 @@ fn is_of_bone(pointer: &str) -> bool {
 fn split(pointer: &str) -> (Option<String>, &str) {
     let below = pointer.strip_prefix("/bones").filter(|rest| rest.starts_with('/'));
     let first = steps(pointer).next().unwrap_or_default();
-    if below.is_none() && HEADER.contains(&first.as_str()) {
+    if below.is_none() && (HEADER.contains(&first.as_str()) || pointer == "/bones") {
         return (None, pointer);
     }
     let rest = below.unwrap_or(pointer);

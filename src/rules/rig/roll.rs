@@ -63,9 +63,11 @@ fn finding(
         Some(_) => "write the direction that z is to have, or the roll itself",
     };
     let finding = finding.key(if case.is_some_and(|case| std::ptr::eq(case, NOT_A_NUMBER)) { "nan" } else { key });
-    Some(match case {
-        Some(case) => finding.case(case),
-        None => finding,
-    }
-    .help(help))
+    Some(
+        match case {
+            Some(case) => finding.case(case),
+            None => finding,
+        }
+        .help(help),
+    )
 }

@@ -58,7 +58,8 @@ fn in_panel(file: &RigFile<'_>, rig: &Rig, cx: &RuleCx<'_>) -> Option<Finding> {
 
 fn reference(file: &RigFile<'_>, rig: &Rig, lost: &[&(String, String)], cx: &RuleCx<'_>) -> Option<Finding> {
     let (pointer, name) = lost.first()?;
-    let message = format!("collection `{name}` in {} is not declared{}", subject(pointer), such(lost.len(), "references"));
+    let message =
+        format!("collection `{name}` in {} is not declared{}", subject(pointer), such(lost.len(), "references"));
     let finding = RULE.at(file.file, Place::Pointer(pointer.clone()), message).key("reference").case(EMPTY);
     Some(finding.help(help(rig, name, cx)).evidence(Evidence::of_cases(lost.iter().map(|(pointer, _)| pointer))))
 }

@@ -32,9 +32,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     for (file, rig) in view.own_rigs() {
-        let is_unknown = |end: &End| {
-            matches!(&end.strategy, Strategy::Cube(name) if !joints.contains(&**name) && !lost.contains(&**name))
-        };
+        let is_unknown = |end: &End| matches!(&end.strategy, Strategy::Cube(name) if !joints.contains(&**name) && !lost.contains(&**name));
         for has_default in [false, true] {
             let found = ends(rig).filter(|(.., end)| is_unknown(end) && has_place(end) == has_default);
             let found: Vec<(&RigBone, &'static str, &End)> = found.collect();

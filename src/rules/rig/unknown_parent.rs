@@ -20,14 +20,15 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs() {
         let known: BTreeSet<&str> = rig.bones.iter().map(|bone| bone.name.as_str()).collect();
-        let named = rig.bones.iter().filter_map(|bone| Some((bone.name.as_str(), bone.parent.as_deref()?)));
-        let loose: Vec<(&str, &str)> = named.filter(|(_, parent)| !parent.is_empty() && !known.contains(parent)).collect();
+        let with_parent = rig.bones.iter().filter_map(|bone| Some((bone.name.as_str(), bone.parent.as_deref()?)));
+        let loose: Vec<(&str, &str)> = with_parent.filter(|(_, parent)| !known.contains(parent)).collect();
         let Some((bone, parent)) = loose.first() else { continue };
-        let message =
-            format!("parent `{parent}` of bone `{bone}` does not exist{}", such(loose.len(), "bones"));
+        let message = format!("parent `{parent}` of bone `{bone}` does not exist{}", such(loose.len(), "bones"));
         let near = cx.suggestions.nearest(parent, known.iter().copied().filter(|other| other != bone));
         let names: Vec<&str> = loose.iter().map(|(bone, _)| *bone).collect();
         let finding = at_bones(&RULE, file, rig, &names, "parent", message);
-        out.extend(finding.map(|finding| finding.help(did_you_mean(near, "name a bone of the rig, or write \"\" for a root"))));
+        out.extend(
+            finding.map(|finding| finding.help(did_you_mean(near, "name a bone of the rig, or write \"\" for a root"))),
+        );
     }
 }

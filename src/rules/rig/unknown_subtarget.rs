@@ -34,10 +34,10 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let known: BTreeSet<&str> = bones.chain(rig.extra_bones.iter().map(String::as_str)).collect();
         let of_bone = |bone: &'_ RigBone| bone.constraints.len();
         let bound = rig.bones.iter().filter(|bone| of_bone(bone) > 0);
-        let found: Vec<(&RigBone, &Constraint, Lack<'_>)> =
-            bound.flat_map(|bone| bone.constraints.iter().map(move |one| (bone, one)))
-                .filter_map(|(bone, one)| Some((bone, one, lack(bone, one, &known)?)))
-                .collect();
+        let found: Vec<(&RigBone, &Constraint, Lack<'_>)> = bound
+            .flat_map(|bone| bone.constraints.iter().map(move |one| (bone, one)))
+            .filter_map(|(bone, one)| Some((bone, one, lack(bone, one, &known)?)))
+            .collect();
         out.extend(finding(file, rig, &found, &known, cx));
     }
 }
@@ -69,7 +69,10 @@ fn finding(
         Lack::Subtarget => (format!("{subject} has no `subtarget`{more}"), "name a bone of the rig".to_owned()),
         Lack::Unknown(name) => {
             let near = cx.suggestions.nearest(name, known.iter().copied());
-            (format!("{subject} is bound to bone `{name}`, which does not exist{more}"), did_you_mean(near, "name a bone of the rig"))
+            (
+                format!("{subject} is bound to bone `{name}`, which does not exist{more}"),
+                did_you_mean(near, "name a bone of the rig"),
+            )
         }
         Lack::Itself => (format!("{subject} is bound to the bone itself{more}"), "name another bone".to_owned()),
     };

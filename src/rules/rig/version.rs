@@ -21,9 +21,8 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs() {
         // A rig of a user that is no object stops the list (`rig-custom-scan`).
         let faults = rig.faults.layout.iter();
-        let faults = faults.filter(|fault| {
-            !(file.part == RigPart::Custom && matches!(fault, LayoutFault::NotObject(_)))
-        });
+        let faults =
+            faults.filter(|fault| !(file.part == RigPart::Custom && matches!(fault, LayoutFault::NotObject(_))));
         out.extend(faults.map(|fault| stops(file, finding(file, fault, cx))));
     }
 }
@@ -31,14 +30,13 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn finding(file: &RigFile<'_>, fault: &LayoutFault, cx: &RuleCx<'_>) -> Finding {
     let at = |key: &str, message: String| RULE.at(file.file, Place::key([key]), message).key(key.to_owned());
     match fault {
-        LayoutFault::NotObject(found) => {
-            RULE.at(file.file, Place::File, format!("the file is {found}, expected an object of bones"))
-                .help("export the rig again from MPFB")
-        }
+        LayoutFault::NotObject(found) => RULE
+            .at(file.file, Place::File, format!("the file is {found}, expected an object of bones"))
+            .help("export the rig again from MPFB"),
         LayoutFault::HeaderWithoutBones(key) => {
-            let near = file.definition().and_then(|rig| {
-                rig.top_keys.iter().find(|key| cx.suggestions.nearest(key, ["bones"]).is_some())
-            });
+            let near = file
+                .definition()
+                .and_then(|rig| rig.top_keys.iter().find(|key| cx.suggestions.nearest(key, ["bones"]).is_some()));
             let help = match near {
                 Some(near) => format!("did you mean `bones` instead of `{near}`?"),
                 None => "put the bones into `bones`, or remove the keys of the header".to_owned(),

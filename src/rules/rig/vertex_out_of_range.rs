@@ -71,7 +71,8 @@ fn finding(
 ) -> Option<Finding> {
     let (bone, which, end) = found.first()?;
     let is_negative = key == "negative";
-    let vertex = listed(end).find(|vertex| if is_negative { *vertex < 0 } else { *vertex >= count || *vertex < -count })?;
+    let vertex =
+        listed(end).find(|vertex| if is_negative { *vertex < 0 } else { *vertex >= count || *vertex < -count })?;
     let (more, last) = (such(found.len(), "ends"), count.saturating_sub(1));
     let whose = if file.part == RigPart::Asset { "the asset" } else { "the base mesh" };
     let message = if is_negative {

@@ -3,9 +3,9 @@
 use super::super::units::centimetres_of_metres;
 use super::super::{Check, Rule, RuleCx};
 use super::located::{Placed, of_body};
-use super::{at_bones, bones_in_words, pairs};
+use super::pairs::is_across;
+use super::{at_bones, bones_in_words};
 use crate::diag::{Application::Mpfb, Finding, Level, RuleInfo};
-use crate::eval::side::Side;
 use crate::formats::rig::Rig;
 use crate::repo::mpfb::{RigFile, View};
 
@@ -20,9 +20,6 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     ..RuleInfo::new("rig-wrong-side", Level::Warning, "a bone is not on the side its name says")
 });
 
-/// Nearer to the middle than this nothing lies on a side, metres.
-const MIDDLE: f64 = 0.01;
-
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig, bones) in of_body(view) {
         out.extend(finding(file, rig, &bones));
@@ -30,13 +27,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Finding> {
-    let is_across = |placed: &&Placed<'_>| {
-        let Some((side, (head, tail))) = pairs::of(&placed.bone.name).map(|(side, _)| side).zip(placed.found()) else {
-            return false;
-        };
-        [head, tail].iter().all(|end| if side == Side::Left { end[0] < -MIDDLE } else { end[0] > MIDDLE })
-    };
-    let across: Vec<&Placed<'_>> = bones.iter().filter(is_across).collect();
+    let across: Vec<&Placed<'_>> = bones.iter().filter(|placed| is_across(placed)).collect();
     let (head, _) = across.first()?.found()?;
     let names: Vec<&str> = across.iter().map(|placed| placed.bone.name.as_str()).collect();
     let is_not =

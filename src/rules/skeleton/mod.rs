@@ -1,34 +1,63 @@
 //! Rules on `.mhskel`, and what they share: which skeletons count, and what becomes of a user of them.
 
-pub(super) mod cycle;
-pub(super) mod degenerate_plane;
-pub(super) mod empty_joint;
+mod cycle;
+mod degenerate_plane;
+mod empty_joint;
 mod hierarchy;
-pub(super) mod joint_off_cube;
-pub(super) mod joint_out_of_range;
+mod joint_off_cube;
+mod joint_out_of_range;
 mod lost;
-pub(super) mod malformed_plane;
+mod malformed_plane;
 mod measured;
-pub(super) mod missing_section;
-pub(super) mod missing_weights;
-pub(super) mod multiple_roots;
-pub(super) mod name_asymmetry;
-pub(super) mod name_clash;
-pub(super) mod no_root;
-pub(super) mod noisy_roll;
-pub(super) mod swapped_ends;
-pub(super) mod unclaimed_bones;
-pub(super) mod unknown_joint;
-pub(super) mod unknown_parent;
-pub(super) mod unknown_plane;
-pub(super) mod unknown_reference;
-pub(super) mod unreachable_bone;
-pub(super) mod unused_joint;
-pub(super) mod unweighted_bone;
-pub(super) mod wrong_side;
-pub(super) mod zero_length_bone;
+mod missing_section;
+mod missing_weights;
+mod multiple_roots;
+mod name_asymmetry;
+mod name_clash;
+mod no_root;
+mod noisy_roll;
+mod swapped_ends;
+mod unclaimed_bones;
+mod unknown_joint;
+mod unknown_parent;
+mod unknown_plane;
+mod unknown_reference;
+mod unreachable_bone;
+mod unused_joint;
+mod unweighted_bone;
+mod wrong_side;
+mod zero_length_bone;
 
+use super::Rule;
 use std::collections::BTreeSet;
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &cycle::RULE,
+    &degenerate_plane::RULE,
+    &empty_joint::RULE,
+    &joint_off_cube::RULE,
+    &joint_out_of_range::RULE,
+    &malformed_plane::RULE,
+    &missing_section::RULE,
+    &missing_weights::RULE,
+    &multiple_roots::RULE,
+    &name_asymmetry::RULE,
+    &name_clash::RULE,
+    &no_root::RULE,
+    &noisy_roll::RULE,
+    &swapped_ends::RULE,
+    &unclaimed_bones::RULE,
+    &unknown_joint::RULE,
+    &unknown_parent::RULE,
+    &unknown_plane::RULE,
+    &unknown_reference::RULE,
+    &unreachable_bone::RULE,
+    &unused_joint::RULE,
+    &unweighted_bone::RULE,
+    &wrong_side::RULE,
+    &zero_length_bone::RULE,
+];
 
 use crate::diag::{Case, Finding};
 use crate::formats::mhskel::Skeleton;

@@ -10,34 +10,61 @@ use crate::formats::target::TargetFacts;
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{Body, FileFacts, ReferenceKind, Target, parent};
 
-pub(super) mod asymmetric;
-pub(super) mod asymmetric_pair;
-pub(super) mod basemesh_mismatch;
+mod asymmetric;
+mod asymmetric_pair;
+mod basemesh_mismatch;
 mod beyond_mesh;
 mod beyond_others;
-pub(super) mod breaks_start;
-pub(super) mod duplicate_vertex;
-pub(super) mod field_count;
+mod breaks_start;
+mod duplicate_vertex;
+mod field_count;
 mod meant;
-pub(super) mod missing_opposite;
-pub(super) mod missing_side;
-pub(super) mod moves_helpers_only;
-pub(super) mod negative_index;
-pub(super) mod non_finite;
-pub(super) mod oversized_delta;
+mod missing_opposite;
+mod missing_side;
+mod moves_helpers_only;
+mod negative_index;
+mod non_finite;
+mod oversized_delta;
 mod renumbered;
-pub(super) mod separator;
+mod separator;
 mod shown;
-pub(super) mod splits_joint_cube;
-pub(super) mod stale_binary;
-pub(super) mod syntax;
-pub(super) mod token_conflict;
+mod splits_joint_cube;
+mod stale_binary;
+mod syntax;
+mod token_conflict;
 mod unreadable_fields;
-pub(super) mod unreferenced;
+mod unreferenced;
 mod user_pairs;
-pub(super) mod vertex_out_of_range;
-pub(super) mod without_effect;
-pub(super) mod zero_delta;
+mod vertex_out_of_range;
+mod without_effect;
+mod zero_delta;
+
+use super::Rule;
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &asymmetric::RULE,
+    &asymmetric_pair::RULE,
+    &basemesh_mismatch::RULE,
+    &breaks_start::RULE,
+    &duplicate_vertex::RULE,
+    &field_count::RULE,
+    &missing_opposite::RULE,
+    &missing_side::RULE,
+    &moves_helpers_only::RULE,
+    &negative_index::RULE,
+    &non_finite::RULE,
+    &oversized_delta::RULE,
+    &separator::RULE,
+    &splits_joint_cube::RULE,
+    &stale_binary::RULE,
+    &syntax::RULE,
+    &token_conflict::RULE,
+    &unreferenced::RULE,
+    &vertex_out_of_range::RULE,
+    &without_effect::RULE,
+    &zero_delta::RULE,
+];
 
 /// The targets of a body that can be decoded. For others the encoding is the one fault to name. A byte order mark is a
 /// fault of the first line only; all are checked as they are without it.

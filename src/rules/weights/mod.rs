@@ -1,29 +1,52 @@
 //! Rules on `.mhw`, and what they share: which files count, and where a pair stands.
 
-pub(super) mod above_one;
-pub(super) mod asymmetric;
-pub(super) mod below_threshold;
-pub(super) mod duplicate_vertex;
-pub(super) mod empty_bone;
+mod above_one;
+mod asymmetric;
+mod below_threshold;
+mod duplicate_vertex;
+mod empty_bone;
+mod groups;
 mod loss;
-pub(super) mod lost_after_threshold;
-pub(super) mod malformed_pair;
-pub(super) mod metadata;
-pub(super) mod negative;
-pub(super) mod non_finite;
-pub(super) mod not_normalized;
+mod lost_after_threshold;
+mod malformed_pair;
+mod metadata;
+mod negative;
+mod non_finite;
+mod not_normalized;
 mod places;
-pub(super) mod too_many_influences;
-pub(super) mod unbound;
-pub(super) mod unknown_bone;
-pub(super) mod unweighted_vertex;
-pub(super) mod vertex_out_of_range;
-pub(super) mod wrong_side;
+mod too_many_influences;
+mod unbound;
+mod unknown_bone;
+mod unweighted_vertex;
+mod vertex_out_of_range;
+mod wrong_side;
 
+use super::Rule;
 use super::cause::weights::{has_unusable_entries, unusable_entries};
 use crate::diag::{Application::Makehuman2, Case, Cases, Finding, Level, Place};
 use crate::formats::mhw::{PairTally, Weights, WeightsFacts};
 use crate::repo::{Body, BodyWeights, WeightsUse};
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &above_one::RULE,
+    &asymmetric::RULE,
+    &below_threshold::RULE,
+    &duplicate_vertex::RULE,
+    &empty_bone::RULE,
+    &lost_after_threshold::RULE,
+    &malformed_pair::RULE,
+    &metadata::RULE,
+    &negative::RULE,
+    &non_finite::RULE,
+    &not_normalized::RULE,
+    &too_many_influences::RULE,
+    &unbound::RULE,
+    &unknown_bone::RULE,
+    &unweighted_vertex::RULE,
+    &vertex_out_of_range::RULE,
+    &wrong_side::RULE,
+];
 
 /// The weights of a body, and of what it wears, that are read and are an object of bones.
 fn readable<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = (&'b BodyWeights<'v>, &'v Weights)> {

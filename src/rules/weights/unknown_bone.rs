@@ -3,13 +3,12 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::groups::{self, Groups};
 use super::readable_own;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
 };
-use crate::eval::mpfb::groups::{MASK, Taker, Takers};
-use crate::formats::rig::Rig as Definition;
 use crate::repo::{Body, BodyWeights, FileFacts, Rig};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -37,21 +36,20 @@ const NEVER_APPLIED: Case =
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (BodyWeights { file, .. }, weights) in readable_own(body) {
         let Some(Binding { known, takers, is_posed, skeleton }) = binding(body, file) else { continue };
-        let leads = |group: &str| {
-            known.contains(group) || group.starts_with(MASK) || takers.iter().any(|own| own.taker(group).is_some())
-        };
+        let leads = |group: &str| known.contains(group) || takers.iter().any(|own| own.take(group));
         let unknown = weights.bones.iter().filter(|bone| bone.listed > 0 && !leads(&bone.name));
         let unknown: Vec<&str> = unknown.map(|bone| bone.name.as_str()).collect();
         let Some(first) = unknown.first() else { continue };
+        let of = if body.is_mpfb() { "rig" } else { "skeleton" };
         let message = match unknown.len() {
-            1 => format!("bone `{first}` does not exist in the skeleton"),
+            1 => format!("bone `{first}` does not exist in the {of}"),
             count => {
-                format!("{count} of {} bones do not exist in the skeleton, first `{first}`", weights.bones.len())
+                format!("{count} of {} bones do not exist in the {of}, first `{first}`", weights.bones.len())
             }
         };
         let help = did_you_mean(
             cx.suggestions.nearest(first, known.iter().copied()),
-            "name a bone of the skeleton that uses these weights",
+            format!("name a bone of the {of} that uses these weights"),
         );
         let finding = RULE
             .at(file, Place::key(["weights", first]), message)
@@ -66,7 +64,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 struct Binding<'a> {
     known: BTreeSet<&'a str>,
     /// What takes weights for other names than those of its bones.
-    takers: Vec<Takers<'a>>,
+    takers: Vec<Groups<'a>>,
     is_posed: bool,
     skeleton: &'a FileFacts,
 }
@@ -82,9 +80,9 @@ fn binding<'v>(body: &Body<'v>, file: &FileFacts) -> Option<Binding<'v>> {
     let skeleton = chosen.first()?.file;
     let (mut known, mut takers) = (BTreeSet::new(), Vec::new());
     for user in chosen {
-        if let Some(rig) = user.file.rig().filter(|rig| !rig.bones.is_empty()) {
-            known.extend(rig.bones.iter().map(|bone| bone.name.as_str()));
-            takers.push(takers_of(rig));
+        if let Some(rig) = groups::of(user.file) {
+            known.extend(rig.names());
+            takers.push(rig);
             continue;
         }
         // Without the bones of every user nothing can be said.
@@ -94,9 +92,4 @@ fn binding<'v>(body: &Body<'v>, file: &FileFacts) -> Option<Binding<'v>> {
         known.extend(skeleton.bones.iter().filter_map(|bone| bone.parent.as_deref()));
     }
     (!known.is_empty()).then_some(Binding { known, takers, is_posed, skeleton })
-}
-
-fn takers_of(rig: &Definition) -> Takers<'_> {
-    let bones = rig.bones.iter().map(|bone| Taker { name: &bone.name, parent: bone.parent.as_deref(), deforms: true });
-    Takers::new(bones, rig.extra_bones.iter().map(String::as_str))
 }

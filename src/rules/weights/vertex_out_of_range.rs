@@ -28,7 +28,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 const NEGATIVE: Case = &[(Makehuman2, Level::Error, "crashes with `OverflowError` while loading the weights")];
 
 /// Blender has 31 bits for it.
-const HUGE: Case = &[(Mpfb, Level::Error, "fails with `SystemError` while loading the weights: later groups are missing")];
+const HUGE: Case =
+    &[(Mpfb, Level::Error, "fails with `SystemError` while loading the weights: later groups are missing")];
 
 const OF_ASSET: Case = &[
     (Makehuman2, Level::Error, STOPS_WITH_INDEX),
