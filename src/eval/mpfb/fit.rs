@@ -137,18 +137,18 @@ mod tests {
 
     const MESH: [Point; 3] = [[0.0, 0.0, 0.0], [2.0, 4.0, 8.0], [1.0, 0.0, 0.0]];
 
-    fn line(distance: f64) -> Option<ScaleLine> {
-        Some(ScaleLine { vertices: [0, 1], distance })
+    const fn line(distance: f64) -> ScaleLine {
+        ScaleLine { vertices: [0, 1], distance }
     }
 
     #[test]
     fn scales_are_those_of_blender_s_axes() {
-        assert_eq!(scales(&MESH, [line(1.0), line(2.0), line(4.0)], 0.1), Ok([2.0, 1.0, 4.0]));
-        assert_eq!(scales(&MESH, [None, line(2.0), line(4.0)], 0.1), Ok([0.1; 3]));
-        assert_eq!(scales(&MESH, [line(1.0), line(2.0), None], 0.1), Err(Stop::ScaleMissing));
-        assert_eq!(scales(&MESH, [line(0.0), line(2.0), line(1.0)], 0.1), Err(Stop::NoDistance));
+        assert_eq!(scales(&MESH, [Some(line(1.0)), Some(line(2.0)), Some(line(4.0))], 0.1), Ok([2.0, 1.0, 4.0]));
+        assert_eq!(scales(&MESH, [None, Some(line(2.0)), Some(line(4.0))], 0.1), Ok([0.1; 3]));
+        assert_eq!(scales(&MESH, [Some(line(1.0)), Some(line(2.0)), None], 0.1), Err(Stop::ScaleMissing));
+        assert_eq!(scales(&MESH, [Some(line(0.0)), Some(line(2.0)), Some(line(1.0))], 0.1), Err(Stop::NoDistance));
         let beyond = Some(ScaleLine { vertices: [0, 3], distance: 1.0 });
-        assert_eq!(scales(&MESH, [beyond, line(2.0), line(1.0)], 0.1), Err(Stop::ScaleVertex));
+        assert_eq!(scales(&MESH, [beyond, Some(line(2.0)), Some(line(1.0))], 0.1), Err(Stop::ScaleVertex));
     }
 
     #[test]

@@ -83,6 +83,9 @@ pub type FileGroup<'a> = (&'a str, &'a [(i64, f64)]);
 /// A vertex group: each vertex once.
 pub type VertexGroup = (String, BTreeMap<usize, f64>);
 
+/// A group with its place among the bones, and that in its file.
+type Planned<'a> = (usize, usize, String, &'a [(i64, f64)]);
+
 /// How weights are loaded.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Loading {
@@ -102,12 +105,12 @@ pub fn load(
     takers: &Takers<'_>,
     loading: Loading,
 ) -> Vec<VertexGroup> {
-    let mut plan: Vec<(usize, usize, String, &[(i64, f64)])> = Vec::new();
+    let mut plan: Vec<Planned<'_>> = Vec::new();
     for (order, (group, pairs)) in file.iter().enumerate() {
         match takers.taker(group) {
             Some((bone, at)) => plan.push((at.unwrap_or(usize::MAX - 1), order, bone, pairs)),
             None if loading.all || group.starts_with(MASK) => {
-                plan.push((usize::MAX, order, (*group).to_owned(), pairs))
+                plan.push((usize::MAX, order, (*group).to_owned(), pairs));
             }
             None => {}
         }

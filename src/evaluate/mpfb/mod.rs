@@ -16,7 +16,7 @@ pub use asset::{Asset, FittedAsset, read_asset};
 pub use figure::USUAL_SCALE;
 pub use pose::{PosedRig, StoredPose, read_stored_pose};
 pub use rig::{RigFile, StandingRig, read_rig};
-pub use weights::{groups_json, read_groups};
+pub use weights::{Lists, groups_json, read_groups};
 
 use super::Error;
 

@@ -14,14 +14,14 @@ use crate::formats::mhw::{self, Weights};
 use crate::json::Node;
 use crate::source::Encoding;
 
-/// Groups of a weights file.
-pub(super) type Lists = Vec<(String, Vec<(i64, f64)>)>;
+/// Groups of a weights file: names, and vertices with weights.
+pub type Lists = Vec<(String, Vec<(i64, f64)>)>;
 
 /// Reads weights of a rig or of an asset.
 ///
 /// # Errors
 /// A file that cannot be read, and one that stops MPFB.
-pub fn read_groups(path: &Path) -> Result<Vec<(String, Vec<(i64, f64)>)>, Error> {
+pub fn read_groups(path: &Path) -> Result<Lists, Error> {
     let bytes = read_text(path)?;
     let weights = mhw::parse(&bytes, &Encoding::of(&bytes), None);
     let weights = weights.map_err(|fault| Error::file(shown(path), json_cause(&fault, &bytes)))?;

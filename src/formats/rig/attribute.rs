@@ -99,7 +99,7 @@ pub(super) fn check(pointer: &str, node: &Node, wants: Wants, types: &mut Unfits
 pub(super) fn is_bool(node: &Node) -> bool {
     match node.value {
         Value::Bool(_) => true,
-        Value::Number(number, is_whole) => is_whole && (number == 0.0 || number == 1.0),
+        Value::Number(_, true) => matches!(node.as_i64(), Some(0 | 1)),
         _ => false,
     }
 }

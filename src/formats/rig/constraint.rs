@@ -62,7 +62,7 @@ fn one(pointer: String, node: &Node, faults: &mut RigFaults) -> Option<Constrain
     }
     let kind = node.get("type").and_then(Node::as_str)?;
     let Some((_, has_target, properties)) = TYPES.iter().find(|(name, ..)| *name == kind) else {
-        faults.words.add(&below(&pointer, "type"), Why::Word(kind.to_owned(), &NAMES));
+        faults.words.add(&below(&pointer, "type"), Why::Word(kind.to_owned(), NAMES));
         return None;
     };
     for member in node.effective_members().into_iter().filter(|member| !OWN_KEYS.contains(&&*member.key)) {

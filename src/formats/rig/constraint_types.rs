@@ -332,14 +332,43 @@ const TRANSFORM: Properties = &[
 ];
 
 /// The names of all types.
-pub(super) const NAMES: [&str; 28] = names();
+pub(super) const NAMES: &[&str] = &[
+    "ACTION",
+    "ARMATURE",
+    "CAMERA_SOLVER",
+    "CHILD_OF",
+    "CLAMP_TO",
+    "COPY_LOCATION",
+    "COPY_ROTATION",
+    "COPY_SCALE",
+    "COPY_TRANSFORMS",
+    "DAMPED_TRACK",
+    "FLOOR",
+    "FOLLOW_PATH",
+    "FOLLOW_TRACK",
+    "IK",
+    "LIMIT_DISTANCE",
+    "LIMIT_LOCATION",
+    "LIMIT_ROTATION",
+    "LIMIT_SCALE",
+    "LOCKED_TRACK",
+    "MAINTAIN_VOLUME",
+    "OBJECT_SOLVER",
+    "PIVOT",
+    "SHRINKWRAP",
+    "SPLINE_IK",
+    "STRETCH_TO",
+    "TRACK_TO",
+    "TRANSFORM",
+    "TRANSFORM_CACHE",
+];
 
-const fn names() -> [&'static str; 28] {
-    let mut names = [""; 28];
-    let mut at = 0;
-    while at < names.len() {
-        names[at] = TYPES[at].0;
-        at += 1;
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_type_is_named() {
+        assert!(TYPES.iter().map(|(name, ..)| name).eq(NAMES));
     }
-    names
 }

@@ -39,8 +39,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Finding> {
     let known = by_name(bones);
     let pair = |placed: &Placed<'_>| {
-        let (side, partner) = pairs::of(&placed.bone.name)?;
-        Some((*known.get(partner.as_str())?).filter_side(side)?)
+        // Each pair is looked at once.
+        let (_, partner) = pairs::of(&placed.bone.name).filter(|(side, _)| *side == Side::Left)?;
+        known.get(partner.as_str()).copied()
     };
     // What lies otherwise than it should has findings of its own.
     let swapped = pairs::swapped(bones);
@@ -62,13 +63,6 @@ fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Findin
     let names: Vec<&str> = unlike.iter().map(|(left, ..)| *left).collect();
     let finding = at_bones(&RULE, file, rig, &names, "", message)?;
     Some(finding.help("give both bones the same keys, and joints or vertices that mirror each other"))
-}
-
-impl<'r> Placed<'r> {
-    /// The partner of a left bone; each pair is looked at once.
-    fn filter_side(&self, side: Side) -> Option<&Self> {
-        Some(self).filter(|_| side == Side::Left)
-    }
 }
 
 fn unlike(left: &Placed<'_>, right: &Placed<'_>) -> Option<Unlike> {

@@ -35,8 +35,10 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
+type IsSo = fn(&Strategy) -> bool;
+
 /// Sorts of strategies that give no place, whatever the mesh.
-const SORTS: [(fn(&Strategy) -> bool, &str); 3] = [
+const SORTS: [(IsSo, &str); 3] = [
     (|strategy| matches!(strategy, Strategy::Unknown(_)), "unknown"),
     (|strategy| matches!(strategy, Strategy::Mean(vertices) if vertices.is_empty()), "empty"),
     (|strategy| matches!(strategy, Strategy::Xyz(vertices) if vertices.len() < 3), "three"),
@@ -45,7 +47,7 @@ const SORTS: [(fn(&Strategy) -> bool, &str); 3] = [
 fn finding(
     file: &RigFile<'_>,
     rig: &Rig,
-    is_so: fn(&Strategy) -> bool,
+    is_so: IsSo,
     key: &'static str,
     has_default: bool,
     cx: &RuleCx<'_>,

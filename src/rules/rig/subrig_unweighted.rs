@@ -26,7 +26,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let bones = weights.weights().map(|weights| weights.bones.as_slice()).unwrap_or_default();
             bones.iter().any(|bone| bone.name == MASK && bone.listed > 0)
         };
-        if is_unread || rig.bones.is_empty() || weights.iter().any(|weights| has_mask(&weights)) {
+        if is_unread || rig.bones.is_empty() || weights.iter().any(has_mask) {
             continue;
         }
         let message = match weights.first() {

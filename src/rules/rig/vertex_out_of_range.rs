@@ -26,15 +26,20 @@ const FROM_THE_END: Case =
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs() {
         let Some(count) = vertices(view, file).and_then(|count| i64::try_from(count).ok()) else { continue };
-        let sorts: [(&'static str, &dyn Fn(&End) -> bool); 3] = [
-            ("without default", &|end| is_beyond(end, count) && !has_place(end)),
-            ("default", &|end| is_beyond(end, count) && has_place(end)),
-            ("negative", &|end| !is_beyond(end, count) && listed(end).any(|vertex| vertex < 0)),
-        ];
-        for (key, is_so) in sorts {
-            let found: Vec<(&RigBone, &'static str, &End)> = ends(rig).filter(|(.., end)| is_so(end)).collect();
+        for key in ["without default", "default", "negative"] {
+            let found = ends(rig).filter(|(.., end)| sort(end, count) == Some(key));
+            let found: Vec<(&RigBone, &'static str, &End)> = found.collect();
             out.extend(finding(file, rig, &found, key, count));
         }
+    }
+}
+
+/// What is wrong with the vertices of an end.
+fn sort(end: &End, count: i64) -> Option<&'static str> {
+    match (is_beyond(end, count), has_place(end)) {
+        (true, false) => Some("without default"),
+        (true, true) => Some("default"),
+        (false, _) => listed(end).any(|vertex| vertex < 0).then_some("negative"),
     }
 }
 
