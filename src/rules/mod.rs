@@ -35,6 +35,7 @@ mod target;
 mod unfit;
 mod units;
 mod unpacking;
+mod uv;
 mod wearers;
 mod weights;
 
@@ -251,10 +252,12 @@ pub(crate) static RULES: &[&Rule] = &[
     &parts::overlap::RULE,
     &parts::reversed::RULE,
     &parts::unknown_combination::RULE,
+    &pose::folder::RULE,
     &pose::licence_spelling::RULE,
     &pose::matrix::RULE,
     &pose::meta::RULE,
     &pose::missing_units::RULE,
+    &pose::mpfb::RULE,
     &pose::no_units::RULE,
     &pose::non_finite::RULE,
     &pose::unknown_bone::RULE,
@@ -351,6 +354,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &target::vertex_out_of_range::RULE,
     &target::without_effect::RULE,
     &target::zero_delta::RULE,
+    &uv::layer::RULE,
     &weights::above_one::RULE,
     &weights::asymmetric::RULE,
     &weights::below_threshold::RULE,

@@ -169,6 +169,8 @@ impl<'a> View<'a> {
         body.visible_groups = self.mesh.map(|_| &self.shown);
         body.one_sided_endings = Some(&self.one_sided);
         body.worn = &self.worn;
+        let motions = view.files().filter(|file| file.kind == Kind::Motion && file.rel.starts_with("poses/"));
+        body.imported_motions = motions.filter_map(|file| Some((file, &file.motion()?.imported))).collect();
         body.add_worn_weights(view.files().filter(|file| file.kind == Kind::AssetWeights));
         Some(body)
     }

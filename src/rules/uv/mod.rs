@@ -1,0 +1,3 @@
+//! Rules on texture coordinates for ink layers of MPFB.
+
+pub(in crate::rules) mod layer;
