@@ -60,6 +60,14 @@ impl IndexTable {
         self.numbers.iter().copied().max()
     }
 
+    /// Whether it has the rows of `other` in which each of its own numbers is, and that has no other numbers.
+    pub fn is_inverse_of(&self, other: &Self) -> bool {
+        let rows: Vec<Vec<u32>> = (0..other.rows()).map(|at| sorted(other.row(at))).collect();
+        let is_inside = other.largest().is_none_or(|largest| (largest as usize) < self.rows());
+        let found = inverse(&rows, self.rows());
+        is_inside && found.iter().enumerate().all(|(at, own)| sorted(self.row(at)) == *own)
+    }
+
     fn rows_of(&mut self, reader: &mut Reader<'_>) -> Step<()> {
         self.is_list = reader.peek() == Some(b'[');
         if !self.is_list {
@@ -107,6 +115,26 @@ impl IndexTable {
     }
 }
 
+/// The numbers of a row in ascending order: how they are ordered does not matter to the loader.
+pub fn sorted(row: &[u32]) -> Vec<u32> {
+    let mut row = row.to_vec();
+    row.sort_unstable();
+    row
+}
+
+/// For each number below `count`, the rows that it is in.
+pub fn inverse(rows: &[Vec<u32>], count: usize) -> Vec<Vec<u32>> {
+    let mut found = vec![Vec::new(); count];
+    for (at, row) in (0..).zip(rows) {
+        for number in row {
+            if let Some(own) = found.get_mut(*number as usize) {
+                own.push(at);
+            }
+        }
+    }
+    found
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
@@ -127,6 +155,14 @@ mod tests {
         assert!(!of("{}").is_list);
         assert!(matches!(of("[[0]").fault, Some(JsonFault::Syntax(_))));
         assert_eq!(of("").fault, Some(JsonFault::Empty));
+    }
+
+    #[test]
+    fn tables_may_be_inverse() {
+        let faces = of("[[0, 1], [2, 1]]");
+        assert!(of("[[0], [1, 0], [1]]").is_inverse_of(&faces));
+        assert!(!of("[[0], [0], [1]]").is_inverse_of(&faces));
+        assert!(!of("[[0], [0, 1]]").is_inverse_of(&faces));
     }
 
     proptest! {

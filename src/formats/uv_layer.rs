@@ -3,7 +3,6 @@
 use super::json_file::JsonFault;
 use super::packed_json::{skip, text_fault};
 use super::python_int;
-use super::unfit::{NamedAt, Unfits, Why, below};
 use crate::json::{Reader, SyntaxFault};
 use crate::source::Encoding;
 
@@ -12,15 +11,15 @@ use crate::source::Encoding;
 pub struct UvLayer {
     /// Why it is no JSON.
     pub fault: Option<JsonFault>,
-    /// What stops the loader.
-    pub stops: Unfits,
+    /// The first that stops the loader, and how much does.
+    pub stop: Option<(Stop, usize)>,
     /// How many faces it has.
     pub faces: usize,
     /// All loops, in ascending order.
     pub loops: Vec<i64>,
-    /// The highest loop, and where it stands.
+    /// The highest loop, and its face.
     pub highest: Option<(i64, String)>,
-    /// The lowest one.
+    /// The lowest one, and its face.
     pub lowest: Option<(i64, String)>,
     /// Faces with loops of several faces of four corners.
     pub mixed: Found,
@@ -32,13 +31,39 @@ pub struct UvLayer {
     pub non_finite: Found,
 }
 
-/// What has a fault in common: how much there is, and the first of it.
+/// What stops the loader.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Stop {
+    /// The face, if it is not the whole.
+    pub face: Option<String>,
+    /// The loop, if it is not the face.
+    pub corner: Option<String>,
+    /// What is wrong with it.
+    pub why: StopWhy,
+}
+
+/// What is wrong where the loader stops.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StopWhy {
+    /// It is of this type and not an object.
+    NotObject(&'static str),
+    /// The name of a loop is not a whole number.
+    Name,
+    /// It is of this type and not a list.
+    NotList(&'static str),
+    /// It is a list of another length than two.
+    Length(usize),
+    /// It is a list with something that is not a number.
+    NotNumbers,
+}
+
+/// What has a fault in common: how much there is, and the face of the first.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Found {
     /// How many.
     pub count: usize,
-    /// The first one.
-    pub first: Option<NamedAt>,
+    /// The face of the first one.
+    pub first: Option<String>,
 }
 
 /// Loops that are kept. The base mesh has a hundredth of it.
@@ -81,7 +106,8 @@ impl UvLayer {
     }
 
     fn file(&mut self, reader: &mut Reader<'_>) -> Step<()> {
-        if self.is_other(reader, "", b'{', "an object")? {
+        if let Some(found) = other(reader, b'{')? {
+            self.stop(None, None, StopWhy::NotObject(found));
             return reader.finish();
         }
         reader.open()?;
@@ -92,121 +118,113 @@ impl UvLayer {
         reader.finish()
     }
 
-    /// Reads past a value that does not begin so, and notes it.
-    fn is_other(&mut self, reader: &mut Reader<'_>, pointer: &str, begin: u8, wanted: &'static str) -> Step<bool> {
-        let found = match reader.peek() {
-            Some(byte) if byte == begin => return Ok(false),
-            Some(b'{') => "an object",
-            Some(b'[') => "a list",
-            Some(b'"') => "a string",
-            Some(b'n') => "null",
-            Some(b't' | b'f') => "true or false",
-            _ => "a number",
-        };
-        skip(reader)?;
-        self.stops.add(pointer, Why::Type { found, wanted });
-        Ok(true)
+    fn stop(&mut self, face: Option<&str>, corner: Option<&str>, why: StopWhy) {
+        let stop = || Stop { face: face.map(str::to_owned), corner: corner.map(str::to_owned), why };
+        self.stop.get_or_insert_with(|| (stop(), 0)).1 += 1;
     }
 
     fn face(&mut self, reader: &mut Reader<'_>, face: &str) -> Step<()> {
         self.faces += 1;
-        let pointer = below("", face);
-        if self.is_other(reader, &pointer, b'{', "an object of loops")? {
+        if let Some(found) = other(reader, b'{')? {
+            self.stop(Some(face), None, StopWhy::NotObject(found));
             return Ok(());
         }
         let mut own: Option<(i64, i64)> = None;
         reader.open()?;
         while reader.more(b'}')? {
-            let (key, _) = reader.key()?;
-            let number = python_int(key.trim().as_bytes());
-            self.corner(reader, &pointer, face, &key, number)?;
-            own = number.map(|one| own.map_or((one, one), |(low, high)| (low.min(one), high.max(one)))).or(own);
+            let (name, _) = reader.key()?;
+            if let Some(number) = python_int(name.trim().as_bytes()) {
+                own = Some(own.map_or((number, number), |(low, high)| (low.min(number), high.max(number))));
+                self.take(face, number);
+            } else {
+                self.stop(Some(face), Some(&name), StopWhy::Name);
+            }
+            self.coordinates(reader, face, &name)?;
         }
         let Some((low, high)) = own else { return Ok(()) };
         let quad = low.div_euclid(CORNERS);
         if quad != high.div_euclid(CORNERS) {
-            self.mixed.add(&pointer, face);
+            self.mixed.add(face);
         } else if python_int(face.trim().as_bytes()) != Some(quad) {
-            self.elsewhere.add(&pointer, face);
+            self.elsewhere.add(face);
         }
         Ok(())
     }
 
-    fn corner(
-        &mut self,
-        reader: &mut Reader<'_>,
-        face_at: &str,
-        face: &str,
-        key: &str,
-        number: Option<i64>,
-    ) -> Step<()> {
-        match number {
-            Some(number) => self.take(face_at, key, number),
-            None => self.stops.add(&below(face_at, key), Why::Unknown(key.to_owned())),
-        }
-        let Some(uv) = self.pair(reader, face_at, key)? else { return Ok(()) };
-        if !uv.iter().all(|one| one.is_finite()) {
-            self.non_finite.add(&below(face_at, key), face);
-        } else if !uv.iter().all(|one| (0.0..=1.0).contains(one)) {
-            self.outside.add(&below(face_at, key), face);
-        }
-        Ok(())
-    }
-
-    fn take(&mut self, face_at: &str, key: &str, number: i64) {
+    fn take(&mut self, face: &str, number: i64) {
         if self.loops.len() < MOST {
             self.loops.push(number);
         }
-        let at = || (number, below(face_at, key));
         if self.highest.as_ref().is_none_or(|(highest, _)| number > *highest) {
-            self.highest = Some(at());
+            self.highest = Some((number, face.to_owned()));
         }
         if self.lowest.as_ref().is_none_or(|(lowest, _)| number < *lowest) {
-            self.lowest = Some(at());
+            self.lowest = Some((number, face.to_owned()));
         }
     }
 
-    /// Two numbers; anything else is noted.
-    fn pair(&mut self, reader: &mut Reader<'_>, face_at: &str, key: &str) -> Step<Option<[f64; 2]>> {
-        if reader.peek() != Some(b'[') {
-            let pointer = below(face_at, key);
-            self.is_other(reader, &pointer, b'[', "a list of two numbers")?;
-            return Ok(None);
+    /// Two numbers; anything else stops the loader.
+    fn coordinates(&mut self, reader: &mut Reader<'_>, face: &str, name: &str) -> Step<()> {
+        if let Some(found) = other(reader, b'[')? {
+            self.stop(Some(face), Some(name), StopWhy::NotList(found));
+            return Ok(());
         }
         reader.open()?;
         let (mut numbers, mut length, mut is_number) = ([0.0; 2], 0, true);
         while reader.more(b']')? {
-            let number = match reader.peek() {
-                Some(b'-' | b'0'..=b'9' | b'N' | b'I') => reader.number()?,
-                _ if reader.literal("true") => Some((1.0, false)),
-                _ if reader.literal("false") => Some((0.0, false)),
-                _ => {
-                    skip(reader)?;
-                    None
-                }
-            };
+            let number = number(reader)?;
             is_number &= number.is_some();
-            if let Some((slot, (number, _))) = numbers.get_mut(length).zip(number) {
+            if let Some((slot, number)) = numbers.get_mut(length).zip(number) {
                 *slot = number;
             }
             length += 1;
         }
-        if is_number && length == 2 {
-            return Ok(Some(numbers));
+        match (length, is_number) {
+            (2, true) if numbers.iter().all(|one| (0.0..=1.0).contains(one)) => {}
+            (2, true) if numbers.iter().all(|one| one.is_finite()) => self.outside.add(face),
+            (2, true) => self.non_finite.add(face),
+            (2, false) => self.stop(Some(face), Some(name), StopWhy::NotNumbers),
+            (length, _) => self.stop(Some(face), Some(name), StopWhy::Length(length)),
         }
-        let why = match length {
-            2 => Why::Type { found: "a list with something else", wanted: "a list of two numbers" },
-            length => Why::Length(length, 2),
-        };
-        self.stops.add(&below(face_at, key), why);
-        Ok(None)
+        Ok(())
     }
 }
 
+/// Reads past a value that does not begin so, and says what it is.
+fn other(reader: &mut Reader<'_>, begin: u8) -> Step<Option<&'static str>> {
+    let found = match reader.peek() {
+        Some(byte) if byte == begin => return Ok(None),
+        Some(b'{') => "an object",
+        Some(b'[') => "a list",
+        Some(b'"') => "a string",
+        Some(b'n') => "null",
+        Some(b't' | b'f') => "true or false",
+        _ => "a number",
+    };
+    skip(reader)?;
+    Ok(Some(found))
+}
+
+/// A number, or nothing for any other value.
+fn number(reader: &mut Reader<'_>) -> Step<Option<f64>> {
+    if matches!(reader.peek(), Some(b'-' | b'0'..=b'9' | b'N' | b'I')) {
+        return Ok(reader.number()?.map(|(number, _)| number));
+    }
+    // Blender takes these for numbers.
+    if reader.literal("true") {
+        return Ok(Some(1.0));
+    }
+    if reader.literal("false") {
+        return Ok(Some(0.0));
+    }
+    skip(reader)?;
+    Ok(None)
+}
+
 impl Found {
-    fn add(&mut self, pointer: &str, name: &str) {
+    fn add(&mut self, face: &str) {
         self.count += 1;
-        self.first.get_or_insert_with(|| NamedAt::new(pointer, name));
+        self.first.get_or_insert_with(|| face.to_owned());
     }
 }
 
@@ -226,18 +244,25 @@ mod tests {
         assert_eq!((layer.faces, layer.loops.as_slice(), layer.fault.as_ref()), (3, [0, 1, 8, 11].as_slice(), None));
         assert_eq!((layer.highest.as_ref().unwrap().0, layer.outside.count), (11, 1));
         assert_eq!((layer.beyond(11), layer.beyond(12), layer.negative(), layer.repeated()), (1, 0, 0, None));
-        assert_eq!((layer.mixed.count, layer.elsewhere.count, layer.stops.all().len()), (0, 0, 0));
+        assert_eq!((layer.mixed.count, layer.elsewhere.count, layer.stop), (0, 0, None));
     }
 
     #[test]
     fn what_stops_the_loader_is_noted() {
-        let pointers = |text: &str| of(text).stops.all().iter().map(|one| one.pointer.clone()).collect::<Vec<_>>();
-        assert_eq!(pointers("[]"), [""]);
-        assert_eq!(pointers(r#"{"0": [1], "1": null}"#), ["/0", "/1"]);
-        assert_eq!(
-            pointers(r#"{"0": {"a": [0, 0], "0": [0], "1": [0, "1"], "2": 5, "3": [0, 0, 0]}}"#),
-            ["/0/a", "/0/0", "/0/1", "/0/2", "/0/3"]
-        );
+        let stop = |text: &str| of(text).stop.map(|(stop, count)| (stop.why, count));
+        assert_eq!(stop("[]"), Some((StopWhy::NotObject("a list"), 1)));
+        assert_eq!(stop(r#"{"0": [1], "1": null}"#), Some((StopWhy::NotObject("a list"), 2)));
+        for (value, why) in [
+            ("[0]", Some(StopWhy::Length(1))),
+            ("[0, \"1\"]", Some(StopWhy::NotNumbers)),
+            ("[0, 0, \"1\"]", Some(StopWhy::Length(3))),
+            ("5", Some(StopWhy::NotList("a number"))),
+            ("[true, NaN]", None),
+        ] {
+            let found = of(&format!(r#"{{"0": {{"3": {value}}}}}"#)).stop;
+            assert_eq!(found.map(|(stop, _)| (stop.corner, stop.why)), why.map(|why| (Some("3".to_owned()), why)));
+        }
+        assert_eq!(stop(r#"{"0": {"a": [0, 0]}}"#), Some((StopWhy::Name, 1)));
         assert!(of("{\"0\": ").fault.is_some());
         assert!(of("\u{feff}{}").fault.is_some());
     }

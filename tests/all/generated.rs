@@ -81,6 +81,7 @@ fn about(family: &str) -> &'static str {
         "proxy" => "clothes, hair, eyes and topologies (`.mhclo`, `.proxy`) with what they name",
         "skeleton" => "skeletons (`.mhskel`)",
         "target" => "targets (`.target`)",
+        "uv" => "UV layers of MPFB (`uv_layers/*.json.gz`)",
         "weights" => "weights (`.mhw`)",
         _ => panic!("say in tests/all/generated.rs what the rules of the family `{family}` check"),
     }

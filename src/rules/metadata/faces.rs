@@ -3,7 +3,7 @@
 use super::super::{Rule, counted, such};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
 use crate::discover::Kind;
-use crate::formats::index_table::IndexTable;
+use crate::formats::index_table::{IndexTable, inverse, sorted};
 use crate::formats::obj::Mesh;
 use crate::repo::FileFacts;
 use crate::repo::mpfb::View;
@@ -52,7 +52,7 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     if of_faces
         .as_ref()
         .zip(of_vertices.as_ref())
-        .is_some_and(|(faces, vertices)| are_inverse(faces.rows, vertices.rows))
+        .is_some_and(|(faces, vertices)| vertices.rows.is_inverse_of(faces.rows))
     {
         return;
     }
@@ -68,7 +68,7 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 /// A finding on a mesh that both tables are not for, though they agree with one another.
 pub(super) fn of_mesh(rule: &Rule, view: &View<'_>, file: &FileFacts, mesh: &Mesh) -> Option<Finding> {
     let (faces, vertices) = table(view, Kind::FaceTable).zip(table(view, Kind::VertexTable))?;
-    let are_sound = faces.rows.is_sound() && vertices.rows.is_sound() && are_inverse(faces.rows, vertices.rows);
+    let are_sound = faces.rows.is_sound() && vertices.rows.is_sound() && vertices.rows.is_inverse_of(faces.rows);
     if !are_sound || sound(view).is_none() {
         return None;
     }
@@ -135,31 +135,4 @@ fn differing(rule: &Rule, table: &Table<'_>, wanted: &[Vec<u32>], what: &str, th
     }
     let message = format!("the table has {rows} rows, and the mesh has {} {things}", wanted.len());
     (rows > wanted.len()).then(|| finding(message, "more", UNUSED))
-}
-
-fn sorted(row: &[u32]) -> Vec<u32> {
-    let mut row = row.to_vec();
-    row.sort_unstable();
-    row
-}
-
-/// The faces of each vertex, from the vertices of each face.
-fn inverse(faces: &[Vec<u32>], vertices: usize) -> Vec<Vec<u32>> {
-    let mut found = vec![Vec::new(); vertices];
-    for (number, face) in (0..).zip(faces) {
-        for vertex in face {
-            if let Some(own) = found.get_mut(*vertex as usize) {
-                own.push(number);
-            }
-        }
-    }
-    found
-}
-
-/// Whether each table says the same as the other.
-fn are_inverse(faces: &IndexTable, vertices: &IndexTable) -> bool {
-    let rows: Vec<Vec<u32>> = (0..faces.rows()).map(|at| sorted(faces.row(at))).collect();
-    let found = inverse(&rows, vertices.rows());
-    let is_inside = faces.largest().is_none_or(|largest| (largest as usize) < vertices.rows());
-    is_inside && found.iter().enumerate().all(|(at, own)| sorted(vertices.row(at)) == *own)
 }

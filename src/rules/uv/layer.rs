@@ -1,10 +1,9 @@
 //! A UV layer of MPFB gives loops of the base mesh their texture coordinates.
 
-use super::super::unfit::findings;
 use super::super::{Check, Rule, RuleCx, such};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::formats::uv_layer::{Found, UvLayer};
+use crate::formats::uv_layer::{Found, Stop, StopWhy, UvLayer};
 use crate::repo::FileFacts;
 use crate::repo::mpfb::View;
 
@@ -32,7 +31,7 @@ const NOTHING: Case = &[(Mpfb, Level::Warning, "paints nothing with this UV laye
 /// Loops of the base mesh (formats/mpfb.md §24.3).
 const LOOPS: usize = 73_944;
 
-fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mesh = view.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0 && !mesh.faces.is_empty());
     let (loops, is_of_quads) = match mesh {
         Some((_, mesh)) => (Some(mesh.corners.len()), mesh.faces.iter().all(|face| face.len == 4)),
@@ -47,13 +46,34 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(finding.help("save the UV layer again"));
             continue;
         }
-        out.extend(findings(&RULE, file, &layer.stops, cx).map(|(_, finding)| finding));
-        out.extend(loops.and_then(|loops| beyond(file, layer, loops)));
-        if layer.stops.all().is_empty() {
-            out.extend(places(file, layer, is_of_quads));
+        // Of what follows from one slip the first is told.
+        let worst = layer.stop.as_ref().map(|(stop, count)| stopped(file, stop, *count));
+        let worst = worst.or_else(|| loops.and_then(|loops| beyond(file, layer, loops)));
+        let worst = worst.or_else(|| places(file, layer, is_of_quads));
+        out.extend(worst);
+        if layer.stop.is_none() {
             out.extend(values(file, layer));
         }
     }
+}
+
+/// A place at which the loader stops.
+fn stopped(file: &FileFacts, stop: &Stop, count: usize) -> Finding {
+    let subject = match (&stop.face, &stop.corner) {
+        (None, _) => "the file".to_owned(),
+        (Some(face), None) => format!("face `{face}`"),
+        (Some(face), Some(corner)) => format!("loop `{corner}` of face `{face}`"),
+    };
+    let (message, help) = match stop.why {
+        StopWhy::NotObject(found) => (format!("{subject} is {found}, expected an object"), "write an object"),
+        StopWhy::Name => (format!("{subject} is not a whole number"), "write the number of the loop"),
+        StopWhy::NotList(found) => (format!("{subject} is {found}, expected two numbers"), "write two numbers"),
+        StopWhy::Length(1) => (format!("{subject} has 1 number, expected 2"), "write two numbers"),
+        StopWhy::Length(found) => (format!("{subject} has {found} numbers, expected 2"), "write two numbers"),
+        StopWhy::NotNumbers => (format!("{subject} has a value that is not a number"), "write two numbers"),
+    };
+    let finding = RULE.at(file, Place::File, format!("{message}{}", such(count, "values"))).key("stop");
+    finding.evidence(Evidence::counted(count)).help(help)
 }
 
 /// Loops that the mesh does not have, or that count from its end.
@@ -61,17 +81,16 @@ fn beyond(file: &FileFacts, layer: &UvLayer, loops: i64) -> Option<Finding> {
     let (negative, beyond) = (layer.negative(), layer.beyond(loops));
     let is_low = layer.lowest.as_ref().is_some_and(|(lowest, _)| *lowest < -loops);
     let end = if is_low || beyond == 0 { &layer.lowest } else { &layer.highest };
-    let (number, pointer) = end.as_ref().filter(|_| negative + beyond > 0)?;
+    let (number, face) = end.as_ref().filter(|_| negative + beyond > 0)?;
     let finding = |message: String, count: usize| {
         let message = format!("{message}{}", such(count, "loops"));
         RULE.at(file, Place::File, message).key("loops").evidence(Evidence::counted(count))
     };
-    let place = pointer.rsplit_once('/').map_or("", |(face, _)| face.trim_start_matches('/'));
     if beyond > 0 {
-        let message = format!("loop {number} of face `{place}` does not exist: the mesh has {loops}");
+        let message = format!("loop {number} of face `{face}` does not exist: the mesh has {loops} loops");
         return Some(finding(message, beyond).help("save the UV layer again on the base mesh of MPFB"));
     }
-    let message = format!("loop {number} of face `{place}` is negative");
+    let message = format!("loop {number} of face `{face}` is negative");
     Some(finding(message, negative).case(FROM_END).help("save the UV layer again on the base mesh of MPFB"))
 }
 
@@ -91,7 +110,7 @@ fn places(file: &FileFacts, layer: &UvLayer, is_of_quads: bool) -> Option<Findin
     }
     let of_faces = |found: &Found, what: &str| {
         let first = found.first.as_ref().filter(|_| is_of_quads)?;
-        Some(format!("face `{}` {what}{}", first.name, such(found.count, "faces")))
+        Some(format!("face `{}` {what}{}", first, such(found.count, "faces")))
     };
     let mixed = of_faces(&layer.mixed, "has loops of several faces");
     let mixed = mixed.map(|message| counted(message, layer.mixed.count, "mixed", MIXED));
@@ -105,7 +124,7 @@ fn places(file: &FileFacts, layer: &UvLayer, is_of_quads: bool) -> Option<Findin
 fn values(file: &FileFacts, layer: &UvLayer) -> Vec<Finding> {
     let of = |found: &Found, what: &str, key: &str| {
         let first = found.first.as_ref()?;
-        let message = format!("a loop of face `{}` {what}{}", first.name, such(found.count, "loops"));
+        let message = format!("a loop of face `{}` {what}{}", first, such(found.count, "loops"));
         let finding = RULE.at(file, Place::File, message).key(key).case(OUTSIDE);
         Some(finding.evidence(Evidence::counted(found.count)).help("write two numbers from 0 to 1"))
     };
