@@ -25,10 +25,13 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let has_own_rigs = layers.any(|layer| layer.below("rigs").any(|file| file.rel.matches('/').count() == 1));
     for (folder, files) in grouped(poses.map(|file| (crate::repo::parent(&file.rel), file))) {
         let right = match rig_of(files.first().map_or("", |file| &file.rel)) {
-            Some(rig) => other_rig(rig, has_own_rigs).and_then(|right| renamed(folder, rig, right)),
-            None => Some(meant(folder)),
+            Some(rig) => match other_rig(rig, has_own_rigs) {
+                Some(right) => renamed(folder, rig, right),
+                None => continue,
+            },
+            None => meant(folder),
         };
-        out.extend(right.and_then(|right| finding(folder, &files, right)));
+        out.extend(finding(folder, &files, right.as_deref()));
     }
 }
 
@@ -43,9 +46,9 @@ fn other_rig(rig: &str, has_own_rigs: bool) -> Option<&'static str> {
     in_other_case.or(shared).or_else(|| nearest(rig, known()).filter(|_| !has_own_rigs))
 }
 
-fn renamed(folder: &str, rig: &str, right: &str) -> Option<Option<String>> {
-    let name = folder.split('/').rev().find(|name| name.starts_with(rig))?;
-    Some(Some(format!("{right}{}", name.strip_prefix(rig)?)))
+fn renamed(folder: &str, rig: &str, right: &str) -> Option<String> {
+    let ending = folder.split('/').rev().find_map(|name| name.strip_prefix(rig))?;
+    Some(format!("{right}{ending}"))
 }
 
 /// The name that a folder without the ending of a rig is meant to have.
@@ -58,7 +61,7 @@ fn meant(folder: &str) -> Option<String> {
     in_other_case.cloned().or_else(alone)
 }
 
-fn finding(folder: &str, files: &[&FileFacts], right: Option<String>) -> Option<Finding> {
+fn finding(folder: &str, files: &[&FileFacts], right: Option<&str>) -> Option<Finding> {
     let name = folder.rsplit('/').next().unwrap_or(folder);
     let count = counted(files.len(), "pose");
     let (message, otherwise) = if folder == "poses" {
@@ -70,5 +73,5 @@ fn finding(folder: &str, files: &[&FileFacts], right: Option<String>) -> Option<
     let finding = RULE.at(files.first()?, Place::File, message).key(format!("folder {folder}"));
     let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
     let evidence = Evidence::of_cases(files.iter().map(|file| file.shown()));
-    Some(finding.evidence(evidence).help(did_you_mean(right.as_deref(), otherwise)))
+    Some(finding.evidence(evidence).help(did_you_mean(right, otherwise)))
 }
