@@ -41,12 +41,20 @@ pub enum Kind {
     InkLayer,
     /// A JSON in `packs/` of MPFB: the assets of a pack.
     PackMetadata,
+    /// A JSON in `poses/` of MPFB: rotations of bones.
+    StoredPose,
+    /// `uv_layers/*.json.gz` of MPFB: texture coordinates for ink layers.
+    UvLayer,
     /// `basemesh_vertex_groups.json` of MPFB.
     VertexGroups,
     /// `hm08_config.json` of MPFB: between which vertices parts of the body are measured.
     BodyDimensions,
     /// `hm08.mirror` of MPFB: the counterpart of each vertex.
     MirrorTable,
+    /// `basemesh_face_to_vertex_table.json.gz` of MPFB: the vertices of each face.
+    FaceTable,
+    /// `basemesh_vertex_to_face_table.json.gz` of MPFB: the faces of each vertex.
+    VertexTable,
     /// `rig.*.json` of MPFB: bones on the base mesh.
     Rig,
     /// A JSON in the `rigs/` of a user of MPFB: the same, listed beside those.
@@ -141,6 +149,7 @@ impl Kind {
                 | Self::NodeTree
                 | Self::InkLayer
                 | Self::PackMetadata
+                | Self::StoredPose
                 | Self::VertexGroups
                 | Self::BodyDimensions
                 | Self::Rig

@@ -57,6 +57,10 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                         | Kind::PackedPartTarget
                         | Kind::TargetIcon
                         | Kind::MirrorTable
+                        | Kind::FaceTable
+                        | Kind::VertexTable
+                        | Kind::UvLayer
+                        | Kind::Motion
                         | Kind::Image
                 )
         }

@@ -6,6 +6,7 @@
 
 use std::ops::Range;
 
+use super::bvh_blender::{self, ImportedMotion};
 use super::fields::fields;
 use super::number::{python_float, python_int};
 use crate::diag::{EXAMPLES, Evidence};
@@ -36,6 +37,8 @@ pub struct Motion {
     pub surplus_numbers: Lines,
     /// Frames with NaN or infinity.
     pub non_finite: Lines,
+    /// The same as an importer reads it that is less strict.
+    pub imported: ImportedMotion,
 }
 
 /// A joint.
@@ -135,7 +138,7 @@ pub fn read(text: &[u8]) -> Motion {
         reader.motion.fault =
             Some(Fault { line: reader.line.saturating_sub(u32::from(is_end)).max(1), is_inside, kind });
     }
-    reader.motion
+    Motion { imported: bvh_blender::read(text), ..reader.motion }
 }
 
 impl<'t, L: Iterator<Item = (Range<usize>, &'t [u8])>> Reader<'t, L> {

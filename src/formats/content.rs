@@ -7,11 +7,12 @@ use super::face_expression::FaceExpression;
 use super::geometry::Geometry;
 use super::human_preset::HumanPreset;
 use super::importer_preset::Makeup;
+use super::index_table::IndexTable;
 use super::ink_layer::InkLayer;
 use super::json_file::JsonFault;
 use super::macro_json::MacroFile;
 use super::macro_parts::MacroParts;
-use super::mesh_metadata::{MirrorTable, VertexGroups};
+use super::mesh_metadata::{BodyDimensions, MirrorTable, VertexGroups};
 use super::meta::Meta;
 use super::mhbin::MeshFault;
 use super::mhbin_asset::Packed;
@@ -31,10 +32,12 @@ use super::program::{Shaders, Version};
 use super::rig::Rig;
 use super::selection_filter::SelectionFilter;
 use super::shader_source::ShaderSource;
+use super::stored_pose::StoredPose;
 use super::target::TargetFacts;
 use super::target_cat::TargetCategories;
 use super::target_catalog::TargetCatalog;
 use super::unfit::LoaderFaults;
+use super::uv_layer::UvLayer;
 use super::uv_map::UvMap;
 
 /// Content of a file as rules need it.
@@ -71,8 +74,16 @@ pub enum Content {
     Makeup(Box<Makeup>),
     /// `basemesh_vertex_groups.json`.
     VertexGroups(Box<VertexGroups>),
+    /// `hm08_config.json`.
+    BodyDimensions(Box<BodyDimensions>),
     /// `hm08.mirror`.
     MirrorTable(Box<MirrorTable>),
+    /// A table of faces or vertices of MPFB's base mesh.
+    IndexTable(Box<IndexTable>),
+    /// `poses/*/*.json` of MPFB.
+    StoredPose(Box<StoredPose>),
+    /// `uv_layers/*.json.gz`.
+    UvLayer(Box<UvLayer>),
     /// `ink_layers/*.json`.
     InkLayer(Box<InkLayer>),
     /// `packs/*.json`.

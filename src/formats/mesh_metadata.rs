@@ -1,7 +1,7 @@
 //! What MPFB knows of its base mesh besides the OBJ: vertex groups, dimensions, mirror table (formats/mpfb.md §24.2).
 
 use super::python_int;
-use super::unfit::{LoaderFaults, Unfits, Why, below, nth};
+use super::unfit::{NamedAt, Unfits, Why, below, keep, nth};
 use crate::json::{Document, Node, Value};
 use crate::source::lines;
 
@@ -78,28 +78,58 @@ fn whole(range: &Node) -> Option<(i64, i64)> {
     }
 }
 
-/// `hm08_config.json`: of each part of the body both ends along x are looked up.
-pub fn dimensions(document: &Document) -> LoaderFaults {
+/// `hm08_config.json`.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct BodyDimensions {
+    /// What stops the loader.
+    pub stops: Unfits,
+    /// Vertex groups that it names, though nobody reads them.
+    pub groups: Vec<NamedAt>,
+    /// Those that are selected and have no range, where there are ranges.
+    pub without_range: Vec<NamedAt>,
+}
+
+/// Of each part of the body both ends along x are looked up.
+pub fn dimensions(document: &Document) -> BodyDimensions {
     let root = &document.root;
-    let mut faults = LoaderFaults::default();
+    let mut found = BodyDimensions::default();
+    named_groups(root, &mut found);
     let Some(dimensions) = root.get("dimensions") else {
         if root.is_object() {
-            faults.stops.add("", Why::Lacks("dimensions"));
+            found.stops.add("", Why::Lacks("dimensions"));
         } else {
-            faults.stops.add_type("", root, "an object");
+            found.stops.add_type("", root, "an object");
         }
-        return faults;
+        return found;
     };
     if !dimensions.is_object() {
-        faults.stops.add_type("/dimensions", dimensions, "an object");
+        found.stops.add_type("/dimensions", dimensions, "an object");
     }
     for member in dimensions.effective_members() {
         let pointer = below("/dimensions", &member.key);
         for key in ["xmin", "xmax"].into_iter().filter(|key| member.node.get(key).is_none()) {
-            faults.stops.add(&pointer, Why::Lacks(key));
+            found.stops.add(&pointer, Why::Lacks(key));
         }
     }
-    faults
+    found
+}
+
+fn named_groups(root: &Node, found: &mut BodyDimensions) {
+    let ranges = root.get("groups_by_range");
+    let select = root.get("select_groups").map(Node::effective_members).unwrap_or_default();
+    for member in select {
+        let pointer = below("/select_groups", &member.key);
+        for (at, name) in member.node.elements().iter().enumerate() {
+            let Some(name) = name.as_str() else { continue };
+            keep(&mut found.groups, &nth(&pointer, at), name);
+            if ranges.is_some_and(|ranges| ranges.is_object() && ranges.get(name).is_none()) {
+                keep(&mut found.without_range, &nth(&pointer, at), name);
+            }
+        }
+    }
+    for member in ranges.map(Node::effective_members).unwrap_or_default() {
+        keep(&mut found.groups, &below("/groups_by_range", &member.key), &member.key);
+    }
 }
 
 /// `hm08.mirror`: rows `FROM TO SIDE`.
@@ -185,6 +215,9 @@ mod tests {
         assert_eq!(pointers(&of(r#"{"dimensions": {"Body": {"xmax": 2}}}"#).stops), ["/dimensions/Body"]);
         assert_eq!(pointers(&of("{}").stops), [""]);
         assert_eq!(pointers(&of("[]").stops), [""]);
+        let named = of(r#"{"dimensions": {}, "select_groups": {"A": ["a", "b"]}, "groups_by_range": {"a": [0, 1]}}"#);
+        assert_eq!(named.groups.iter().map(|one| &*one.name).collect::<Vec<_>>(), ["a", "b", "a"]);
+        assert_eq!(named.without_range.iter().map(|one| &*one.pointer).collect::<Vec<_>>(), ["/select_groups/A/1"]);
     }
 
     #[test]

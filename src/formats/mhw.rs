@@ -177,7 +177,8 @@ fn read_pair(reader: &mut Reader<'_>) -> Step<Option<(i64, f32)>> {
     }
 }
 
-fn skip(reader: &mut Reader<'_>) -> Step<()> {
+/// Reads past a value.
+pub(super) fn skip(reader: &mut Reader<'_>) -> Step<()> {
     match reader.peek() {
         Some(b'{') => {
             reader.open()?;

@@ -8,8 +8,8 @@ use super::json_file::{self, JsonFacts, JsonFault};
 use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
 use super::{
-    Content, bvh, mesh_metadata, meta as metadata, mhbin, mhbin_asset, mhclo, mhm, mhmat, mhpose, mhw, npz, obj,
-    picture, shader_source, uv_map,
+    Content, bvh, index_table as table, mesh_metadata, meta as metadata, mhbin, mhbin_asset, mhclo, mhm, mhmat, mhpose,
+    mhw, npz, obj, picture, shader_source, stored_pose as stored, uv_layer as layer, uv_map,
 };
 use crate::json::{self, Document, SchemaFaults};
 use crate::source::{Encoding, GzipFault, Limits, gunzip_at_most, zip_bomb};
@@ -150,6 +150,37 @@ pub(super) fn meta(input: &Input<'_>) -> Parsed {
 pub(super) fn pose(input: &Input<'_>) -> Parsed {
     let parsed = tree(input, Some("mhpose"), |json| Content::Pose(Box::new(mhpose::read(json))));
     Parsed { content_hash: Some(xxh3_64(input.bytes)), ..parsed }
+}
+
+/// A pose of MPFB. Copies of one another are told by their bytes.
+pub(super) fn stored_pose(input: &Input<'_>) -> Parsed {
+    let parsed = tree(input, Some("mpfb_pose"), |json| Content::StoredPose(Box::new(stored::read(json))));
+    Parsed { content_hash: Some(xxh3_64(input.bytes)), ..parsed }
+}
+
+/// Bytes of a packed JSON at most; those of MPFB come to a fortieth of it. What is larger is not looked into.
+const LARGEST_JSON: usize = 64 << 20;
+
+/// A packed JSON. One without a byte is empty, and nothing more.
+fn packed_json(input: &Input<'_>, read: fn(&[u8], &Encoding) -> Content) -> Parsed {
+    if input.bytes.is_empty() {
+        return Parsed::default();
+    }
+    match gunzip_at_most(input.bytes, input.limits, LARGEST_JSON) {
+        Err(fault) => Parsed { gzip_fault: Some(fault), ..hashed(input) },
+        Ok(None) => hashed(input),
+        Ok(Some(bytes)) => Parsed { content: read(&bytes, &Encoding::of(&bytes)), ..hashed(input) },
+    }
+}
+
+/// A UV layer of MPFB.
+pub(super) fn uv_layer(input: &Input<'_>) -> Parsed {
+    packed_json(input, |text, encoding| Content::UvLayer(Box::new(layer::read(text, encoding))))
+}
+
+/// A table of faces or vertices of MPFB's base mesh.
+pub(super) fn index_table(input: &Input<'_>) -> Parsed {
+    packed_json(input, |text, encoding| Content::IndexTable(Box::new(table::read(text, encoding))))
 }
 
 /// A file without anything in it gives no mesh: everything measured against none would be out of range.

@@ -2,8 +2,8 @@
 
 use super::picture::{HEAD, TAIL};
 use super::readers::{
-    archive, asset_mesh, clothes, material, mesh, mesh_archive, meta, mirror_table, model, motion, packed, picture,
-    pose, shader_source, target, uv_map, weights, zip,
+    archive, asset_mesh, clothes, index_table, material, mesh, mesh_archive, meta, mirror_table, model, motion, packed,
+    picture, pose, shader_source, stored_pose, target, uv_layer, uv_map, weights, zip,
 };
 use super::{
     Content, Input, Parsed, base_json, face_expression, geometry, human_preset, importer_preset, ink_layer,
@@ -95,7 +95,7 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 52] = [
+pub(crate) static FORMATS: [Format; 56] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
@@ -134,13 +134,17 @@ pub(crate) static FORMATS: [Format; 52] = [
     json(Kind::PackMetadata, "list of a pack", "mpfb_pack", |json| {
         Content::PackMetadata(Box::new(pack_metadata::read(json)))
     }),
+    Format { schema: Some("mpfb_pose"), ..read(Kind::StoredPose, "pose", Syntax::Json, stored_pose) },
+    Format { schema: Some("mpfb_uv_layer"), ..read(Kind::UvLayer, "UV layer", Syntax::Binary, uv_layer) },
     json(Kind::VertexGroups, "vertex groups", "mpfb_groups", |json| {
         Content::VertexGroups(Box::new(mesh_metadata::groups(json)))
     }),
     json(Kind::BodyDimensions, "dimensions of the body", "mpfb_dimensions", |json| {
-        Content::Loaded(Box::new(mesh_metadata::dimensions(json)))
+        Content::BodyDimensions(Box::new(mesh_metadata::dimensions(json)))
     }),
     read(Kind::MirrorTable, "mirror table", Syntax::Text, mirror_table),
+    Format { schema: Some("mpfb_table"), ..read(Kind::FaceTable, "table of faces", Syntax::Binary, index_table) },
+    Format { schema: Some("mpfb_table"), ..read(Kind::VertexTable, "table of vertices", Syntax::Binary, index_table) },
     rig_of(Kind::Rig),
     rig_of(Kind::CustomRig),
     rig_of(Kind::SubRig),

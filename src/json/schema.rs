@@ -101,7 +101,7 @@ impl Schema {
     }
 }
 
-static SCHEMAS: [Schema; 29] = [
+static SCHEMAS: [Schema; 32] = [
     Schema::new("base", include_str!("../../schemas/base.schema.json")),
     Schema::new("config", include_str!("../../schemas/config.schema.json")),
     Schema::new("geometry", include_str!("../../schemas/geometry.schema.json")),
@@ -122,9 +122,12 @@ static SCHEMAS: [Schema; 29] = [
     Schema::new("mpfb_makeup", include_str!("../../schemas/mpfb_makeup.schema.json")),
     Schema::new("mpfb_nodes", include_str!("../../schemas/mpfb_nodes.schema.json")),
     Schema::new("mpfb_pack", include_str!("../../schemas/mpfb_pack.schema.json")),
+    Schema::new("mpfb_pose", include_str!("../../schemas/mpfb_pose.schema.json")),
     Schema::new("mpfb_randomization", include_str!("../../schemas/mpfb_randomization.schema.json")),
     Schema::new("mpfb_rig", include_str!("../../schemas/mpfb_rig.schema.json")),
     Schema::new("mpfb_skin", include_str!("../../schemas/mpfb_skin.schema.json")),
+    Schema::new("mpfb_table", include_str!("../../schemas/mpfb_table.schema.json")),
+    Schema::new("mpfb_uv_layer", include_str!("../../schemas/mpfb_uv_layer.schema.json")),
     Schema::new("pose_units", include_str!("../../schemas/pose_units.schema.json")),
     Schema::new("report", include_str!("../../schemas/report.schema.json")),
     Schema::new("selection_filter", include_str!("../../schemas/selection_filter.schema.json")),

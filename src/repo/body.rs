@@ -9,6 +9,7 @@ use super::{FileFacts, Layers, Reference, ReferenceKind, View, Worn, parent};
 use crate::diag::Application;
 use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::bvh::Motion;
+use crate::formats::bvh_blender::ImportedMotion;
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhpose::Pose;
 use crate::formats::mhskel::Skeleton;
@@ -50,6 +51,8 @@ pub(crate) struct Body<'v> {
     pub worn: &'v [Worn<'v>],
     /// Motions that the application lists for the body, those of the checked layer.
     pub motions: Vec<(&'v FileFacts, &'v Motion)>,
+    /// Motions that the application imports by a less strict reader, those of the checked layer.
+    pub imported_motions: Vec<(&'v FileFacts, &'v ImportedMotion)>,
     /// Whether system data that is not at hand could have what the body lacks.
     pub is_open: bool,
     /// Poses and expressions that the application lists for the body, those of the checked layer.
@@ -200,6 +203,7 @@ impl<'v> Body<'v> {
             weights,
             worn,
             motions: Vec::new(),
+            imported_motions: Vec::new(),
             is_open: false,
             poses: Vec::new(),
             pose_units: Vec::new(),

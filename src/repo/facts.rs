@@ -9,11 +9,12 @@ use crate::formats::bvh::Motion;
 use crate::formats::face_expression::FaceExpression;
 use crate::formats::human_preset::HumanPreset;
 use crate::formats::importer_preset::Makeup;
+use crate::formats::index_table::IndexTable;
 use crate::formats::ink_layer::InkLayer;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
 use crate::formats::macro_parts::MacroParts;
-use crate::formats::mesh_metadata::{MirrorTable, VertexGroups};
+use crate::formats::mesh_metadata::{BodyDimensions, MirrorTable, VertexGroups};
 use crate::formats::meta::Meta;
 use crate::formats::mhbin::MeshFault;
 use crate::formats::mhbin_asset::Packed;
@@ -32,9 +33,11 @@ use crate::formats::program::{Shaders, Version};
 use crate::formats::rig::Rig;
 use crate::formats::selection_filter::SelectionFilter;
 use crate::formats::shader_source::ShaderSource;
+use crate::formats::stored_pose::StoredPose;
 use crate::formats::target::TargetFacts;
 use crate::formats::target_catalog::TargetCatalog;
 use crate::formats::unfit::LoaderFaults;
+use crate::formats::uv_layer::UvLayer;
 use crate::formats::uv_map::UvMap;
 use crate::formats::{Content, Needs};
 use crate::json::SchemaFaults;
@@ -186,9 +189,29 @@ impl FileFacts {
         if let Content::VertexGroups(groups) = &*self.content { Some(groups) } else { None }
     }
 
+    /// The dimensions of MPFB's body, if they could be read.
+    pub fn body_dimensions(&self) -> Option<&BodyDimensions> {
+        if let Content::BodyDimensions(dimensions) = &*self.content { Some(dimensions) } else { None }
+    }
+
     /// The mirror table of MPFB's base mesh.
     pub fn mirror_table(&self) -> Option<&MirrorTable> {
         if let Content::MirrorTable(table) = &*self.content { Some(table) } else { None }
+    }
+
+    /// A table of faces or vertices of MPFB's base mesh.
+    pub fn index_table(&self) -> Option<&IndexTable> {
+        if let Content::IndexTable(table) = &*self.content { Some(table) } else { None }
+    }
+
+    /// The pose of MPFB, if it is one that could be read.
+    pub fn stored_pose(&self) -> Option<&StoredPose> {
+        if let Content::StoredPose(pose) = &*self.content { Some(pose) } else { None }
+    }
+
+    /// The UV layer of MPFB.
+    pub fn uv_layer(&self) -> Option<&UvLayer> {
+        if let Content::UvLayer(layer) = &*self.content { Some(layer) } else { None }
     }
 
     /// The assets of a pack, if it could be read.

@@ -38,6 +38,7 @@ mod target;
 mod unfit;
 mod units;
 mod unpacking;
+mod uv;
 mod wearers;
 mod weights;
 
@@ -75,6 +76,7 @@ static FAMILIES: &[&[&Rule]] = &[
     rig::RULES,
     skeleton::RULES,
     target::RULES,
+    uv::RULES,
     weights::RULES,
 ];
 

@@ -82,6 +82,7 @@ fn about(family: &str) -> &'static str {
         "rig" => "rigs of MPFB: bones on the base mesh, those of users, and those of assets (`.mpfbskel`)",
         "skeleton" => "skeletons (`.mhskel`)",
         "target" => "targets (`.target`)",
+        "uv" => "UV layers of MPFB (`uv_layers/*.json.gz`)",
         "weights" => "weights (`.mhw`)",
         _ => panic!("say in tests/all/generated.rs what the rules of the family `{family}` check"),
     }

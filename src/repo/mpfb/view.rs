@@ -189,6 +189,8 @@ impl<'a> View<'a> {
         body.rigs = &self.body_rigs;
         let weights = view.files().filter(|file| file.kind == Kind::Weights);
         body.weights = weights.map(|file| self.weights(file)).collect();
+        let motions = view.files().filter(|file| file.kind == Kind::Motion && file.rel.starts_with("poses/"));
+        body.imported_motions = motions.filter_map(|file| Some((file, &file.motion()?.imported))).collect();
         body.add_worn_weights(view.files().filter(|file| file.kind == Kind::AssetWeights));
         Some(body)
     }

@@ -1,26 +1,35 @@
 //! The channels of a joint must be as many as announced, and have known names.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::{REJECTED, VALUE};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use super::{REJECTED, VALUE, imported};
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    Case, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::bvh::{Fault, FaultKind, Motion};
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "rejects the file with a message")],
+    breaks: &[
+        (Makehuman2, "rejects the file with a message"),
+        (Mpfb, "ignores the numbers of these channels: the joints do not turn"),
+    ],
+    levels: &[(Mpfb, Level::Warning)],
     docs: "A line `CHANNELS n …` lists another number of channels than `n`, lists none, or names one that does not exist. \
         The names are `Xposition`, `Yposition`, `Zposition`, `Xrotation`, `Yrotation` and `Zrotation`, with exactly these \
         capitals.\n\n\
         MakeHuman 2 rejects a file with a wrong number, and one with a joint without channels. The numbers of a channel \
         with another name are read and not used: the joint does not turn (warning).\n\n\
         The order of the channels does not matter: MakeHuman 2 picks the angles by name and always applies them in the \
-        same order.",
+        same order.\n\nTo MPFB neither the number behind `CHANNELS` nor capitals matter. It does not use the numbers of a \
+        channel with another name (warning).",
     ..RuleInfo::new("bvh-channels", Level::Error, "the channels of a BVH joint do not fit")
 });
 
 const UNUSED: Case = &[(Makehuman2, Level::Warning, "ignores the numbers of these channels: the joints do not turn")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    imported::unknown_channels(&RULE, body, out);
     for (file, motion) in &body.motions {
         out.extend(motion.fault.as_ref().and_then(|fault| miscounted(file, fault)));
         out.extend(unknown(file, motion));

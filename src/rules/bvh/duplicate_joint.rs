@@ -3,20 +3,29 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use super::imported;
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::bvh::Joint;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "uses only the angles of the last joint of that name")],
+    breaks: &[
+        (Makehuman2, "uses only the angles of the last joint of that name"),
+        (Mpfb, "uses only the angles of the last joint of that name"),
+    ],
     docs: "Two joints of a BVH file have the same name. A name ends at the first space, so `upper arm` and `upper leg` are \
         both `upper`.\n\n\
-        MakeHuman 2 keeps the angles of the last one; those of the others are lost.\n\n\
+        MakeHuman 2 keeps the angles of the last one; those of the others are lost. So does MPFB, to which all words of a \
+        line are the name: `upper arm` and `upper leg` are two.\n\n\
         Give every joint the name of the bone that it turns.",
     ..RuleInfo::new("bvh-duplicate-joint", Level::Warning, "two joints of a BVH file have the same name")
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    imported::repeated_joints(&RULE, body, out);
     for (file, motion) in &body.motions {
         let mut first: BTreeMap<&str, &Joint> = BTreeMap::new();
         let mut again: Vec<(&Joint, &Joint)> = Vec::new();

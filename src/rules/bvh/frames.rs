@@ -1,21 +1,23 @@
 //! There must be as many frames as announced, each with a number for every channel.
 
 use super::super::{Check, Rule, RuleCx, counted};
+use super::imported::{self, About};
 use super::{INDEX, VALUE};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
 };
 use crate::formats::bvh::{Fault, FaultKind, Motion};
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `IndexError` when the pose is chosen"), (Makehuman1, "does not show the pose: `RuntimeError` when it reads the file")],
+    breaks: &[(Makehuman2, "crashes with `IndexError` when the pose is chosen"), (Makehuman1, "does not show the pose: `RuntimeError` when it reads the file"), (Mpfb, "lists the pose, and rejects the file with a message when it is chosen")],
     docs: "The frames of a BVH file are not what `Frames:` and `CHANNELS` announce: there are fewer lines, a blank line \
         between them, a line with too few numbers, or a word that is not a number. `Frames:` is a whole number above 0, \
         `Frame Time:` a number with a decimal point.\n\n\
         MakeHuman 2 crashes when the pose is chosen. Only the first such line is reported. More frames or numbers than \
-        announced are ignored (warning).\n\nMakeHuman 1 lists the pose and does not show it.\n\n\
+        announced are ignored (warning).\n\nMakeHuman 1 lists the pose and does not show it.\n\nMPFB takes blank lines, any number \
+        behind `Frames:` and more numbers than channels, but no frame with fewer and no word in one.\n\n\
         Correct the number, or export the motion again.",
     ..RuleInfo::new("bvh-frames", Level::Error, "the frames of a BVH file do not fit its header")
 });
@@ -35,6 +37,7 @@ const NUMBERS_IGNORED: Case = &[
 ];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    imported::faults(&RULE, About::Frames, body, out);
     for (file, motion) in &body.motions {
         out.extend(motion.fault.as_ref().and_then(|fault| at_fault(file, motion, fault)));
         out.extend(timeless(body, file, motion));

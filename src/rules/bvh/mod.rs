@@ -3,6 +3,7 @@
 pub(in crate::rules) mod channels;
 pub(in crate::rules) mod duplicate_joint;
 pub(in crate::rules) mod frames;
+mod imported;
 pub(in crate::rules) mod syntax;
 
 use super::Rule;

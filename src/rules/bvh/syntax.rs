@@ -1,23 +1,26 @@
 //! Every line of a motion must be the one that is expected there.
 
 use super::super::{Check, Rule, RuleCx};
+use super::imported::{self, About};
 use super::{INDEX, REJECTED, VALUE};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
 };
 use crate::formats::bvh::{Fault, FaultKind};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "rejects the file or crashes when the pose is chosen"), (Makehuman1, "does not show the pose: it rejects the file")],
+    breaks: &[(Makehuman2, "rejects the file or crashes when the pose is chosen"), (Makehuman1, "does not show the pose: it rejects the file"), (Mpfb, "lists the pose, and rejects the file with a message when it is chosen")],
     docs: "A line of a BVH file is not what the format has in this place. Each of `HIERARCHY`, `ROOT name`, `{`, `OFFSET`, \
         `CHANNELS`, `JOINT name`, `End Site`, `}`, `MOTION`, `Frames:` and `Frame Time:` has a line of its own, written \
         exactly so.\n\n\
         MakeHuman 2 rejects a file with another word in such a place. The rejected motion stays chosen, so playing or \
         exporting it crashes with `TypeError` until another one is chosen. A blank line above the frames, or the end of \
         the file, crashes with `IndexError`; a number that cannot be read with `ValueError`. The first such line ends the \
-        loading, so only that one is reported.\n\nMakeHuman 1 lists the pose and does not show it.\n\n\
+        loading, so only that one is reported.\n\nMakeHuman 1 lists the pose and does not show it.\n\nMPFB loads the file with the importer of Blender, which \
+        takes blank lines and keywords in small letters. It needs `HIERARCHY` at the beginning, a name for each joint, three \
+        numbers behind `OFFSET`, and `MOTION`.\n\n\
         Correct the line, or export the motion again.",
     ..RuleInfo::new("bvh-syntax", Level::Error, "a line of a BVH file is not what is expected there")
 });
@@ -25,6 +28,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 const BEFORE_ROOT: Case = &[(Makehuman2, Level::Error, "rejects the file with a message and shows the rest pose")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    imported::faults(&RULE, About::Lines, body, out);
     for (file, motion) in &body.motions {
         let is_other = |kind: &FaultKind| kind.is_of_frames() || kind.is_of_channels();
         let Some(fault) = motion.fault.as_ref().filter(|fault| !is_other(&fault.kind)) else { continue };

@@ -1,6 +1,7 @@
 //! The base mesh of MPFB is the one that its tables are for.
 
 use super::super::{Check, Rule, RuleCx};
+use super::{faces, size};
 use crate::diag::{Application::Mpfb, Case, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::mpfb::View;
@@ -12,6 +13,10 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
         vertices. Joints, targets, weights and clothes are displaced, without a message. Other rules leave the vertices \
         of such a mesh out. Loose vertices behind all others do no harm.\n\n\
         Without texture coordinates (`vt`) MPFB fails with `IndexError` when an ink layer is put on (an error, where there are ink layers).\n\n\
+        If the tables of faces agree with one another, but not with the mesh, the mesh was exported with other numbers of \
+        vertices or in another order of faces. A mesh of the size of the body that is not about 17 units (1.7 m) high, or \
+        does not stand upright along y, makes a giant, a dwarf, or a body that lies, while the movements of sliders stay as \
+        they are.\n\n\
         Restore the base mesh.",
     ..RuleInfo::new("metadata-base-mesh", Level::Warning, "a base mesh that its tables are not for")
 });
@@ -31,4 +36,6 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = RULE.at(file, Place::File, "the mesh has no texture coordinates").key("uv").case(NO_UV);
         out.push(finding.help("export the mesh with texture coordinates"));
     }
+    out.extend(mesh.and_then(|(file, mesh)| size::fault(&RULE, file, mesh)));
+    out.extend(mesh.and_then(|(file, mesh)| faces::of_mesh(&RULE, view, file, mesh)));
 }

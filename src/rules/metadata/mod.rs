@@ -1,7 +1,9 @@
 //! Rules on what MPFB knows of its base mesh besides the OBJ.
 
 pub(in crate::rules) mod base_mesh;
+mod faces;
 mod mirror;
+mod size;
 pub(in crate::rules) mod table;
 mod vertex_groups;
 

@@ -2,7 +2,7 @@
 
 use super::super::unfit::findings;
 use super::super::{Check, Rule, RuleCx};
-use super::{mirror, vertex_groups};
+use super::{faces, mirror, vertex_groups};
 use crate::diag::{Application::Mpfb, Case, Finding, Level, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::mpfb::View;
@@ -15,10 +15,14 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
         visible. A range whose first number is above the last is empty, and numbers beyond the mesh do not count. If a joint \
         of `base.obj` has no group, bones end at another place (warnings).\n\n\
         `hm08_config.json` needs `dimensions`, and for each part of the body `xmin` and `xmax`: without them each asset \
-        with a scale is left half-made.\n\n\
+        with a scale is left half-made. Its other keys are never read; vertex groups in them that do not exist are an info.\n\n\
         `hm08.mirror` has a row `FROM TO SIDE` for each vertex, with one blank between the fields. At a row that is \
         written otherwise MPFB fails when a target is first made symmetric; later it mirrors only the vertices above that \
         row. Sides that are exchanged mirror the wrong half (a warning).\n\n\
+        `basemesh_face_to_vertex_table.json.gz` lists the vertices of each face, `basemesh_vertex_to_face_table.json.gz` the \
+        faces of each vertex, both as packed JSON. MPFB asks them which faces an asset hides. If a table is shorter than the \
+        mesh, or is no list of lists of whole numbers, such an asset cannot be put on. Rows of another mesh hide other faces \
+        (a warning).\n\n\
         Restore the file from the download of the add-on, or make it again from the base mesh.",
     ..RuleInfo::new("metadata-table", Level::Error, "a table of the base mesh that its loader does not take")
 });
@@ -39,10 +43,12 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
     }
     for file in view.own(Kind::BodyDimensions) {
-        let Some(faults) = file.loader_faults() else { continue };
-        out.extend(findings(&RULE, file, &faults.stops, cx).map(|(_, finding)| finding.case(HALF_MADE)));
+        let Some(dimensions) = file.body_dimensions() else { continue };
+        out.extend(findings(&RULE, file, &dimensions.stops, cx).map(|(_, finding)| finding.case(HALF_MADE)));
+        out.extend(vertex_groups::unknown(&RULE, view, file, dimensions));
     }
     for file in view.own(Kind::MirrorTable) {
         out.extend(file.mirror_table().and_then(|table| mirror::fault(&RULE, view, file, table)));
     }
+    faces::faults(&RULE, view, out);
 }

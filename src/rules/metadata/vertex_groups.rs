@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 
 use super::super::{Rule, such};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
-use crate::formats::mesh_metadata::{VertexGroup, VertexGroups};
+use crate::discover::Kind;
+use crate::formats::mesh_metadata::{BodyDimensions, VertexGroup, VertexGroups};
+use crate::formats::unfit::NamedAt;
 use crate::repo::FileFacts;
 use crate::repo::mpfb::View;
 
@@ -50,6 +52,24 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, file: &FileFacts, groups: &Ve
         at(&first.name, message, "beyond", BEYOND).help("correct the ends of its ranges").evidence(evidence)
     }));
     out.extend(lost_joints(rule, view, file, groups));
+}
+
+const UNREAD: Case = &[(Mpfb, Level::Info, "has no effect in MPFB, which never reads these names")];
+
+/// Names of groups in the dimensions of the body that lead nowhere.
+pub(super) fn unknown(rule: &Rule, view: &View<'_>, file: &FileFacts, named: &BodyDimensions) -> Option<Finding> {
+    let groups = view.layers.system?.files.values().find(|file| file.kind == Kind::VertexGroups)?;
+    let groups = groups.vertex_groups().filter(|groups| groups.stops.all().is_empty())?;
+    let known: BTreeSet<&str> = groups.groups.iter().map(|group| group.name.as_str()).collect();
+    let unknown =
+        named.groups.iter().filter(|one| !known.contains(&*one.name)).map(|one| (one, "is not a vertex group"));
+    let without_range = named.without_range.iter().filter(|one| known.contains(&*one.name));
+    let all: Vec<(&NamedAt, &str)> = unknown.chain(without_range.map(|one| (one, "has no range"))).collect();
+    let (first, what) = all.first()?;
+    let message = format!("`{}` {what}{}", first.name, such(all.len(), "names"));
+    let finding = rule.at(file, Place::Pointer(first.pointer.clone()), message).key("names").case(UNREAD);
+    let finding = finding.help("correct the names, or remove them");
+    Some(finding.evidence(Evidence::of_cases(all.iter().map(|(one, _)| one.name.as_str()))))
 }
 
 /// Joints of the mesh without a group.

@@ -7,7 +7,7 @@ use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
 };
-use crate::discover::extension;
+use crate::discover::{Kind, extension};
 use crate::repo::makehuman2::{Asset, View};
 use crate::repo::{FileFacts, Layer, makehuman1, mpfb, parent};
 
@@ -26,7 +26,7 @@ pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(run, shared, of_m
         the user in `litspheres`, `textures`, `shaders` or `uvs` replaces that of the system with the same path.\n\n\
         MPFB looks for UV layers in the data of the user first: one of the name of a shipped one replaces it for all ink layers. \
         Once `config/enhanced_settings.default.json` exists, MPFB reads it in place of the shipped settings, also when \
-        these change with a new version.\n\n\
+        these change with a new version. So it is with the poses that it copies to the folder of the user.\n\n\
         Nothing has to be done if the asset is meant to be replaced. Otherwise give it a name and a uuid of its own, or copy \
         the whole asset.",
     of_library: true,
@@ -74,7 +74,8 @@ fn shared(view: &makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// UV layers, and the settings of skins that were copied once (formats/mpfb.md §1; formats/mpfb-observed.md 2.11, 2.14).
+/// UV layers, and poses and settings of skins, which were copied once (formats/mpfb.md §1; formats/mpfb-observed.md 2.11, 2.13,
+/// 2.14).
 fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let (checked, Some(system)) = (view.layers.checked, view.layers.system) else { return };
     if view.layers.checks_system() {
@@ -85,7 +86,8 @@ fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         Some(name) => system.file(&format!("settings/{name}")),
         None => system.file(&file.rel),
     };
-    for file in checked.below("uv_layers").chain(settings) {
+    let poses = checked.below("poses").filter(|file| file.kind == Kind::StoredPose);
+    for file in checked.below("uv_layers").chain(poses).chain(settings) {
         // A copy changes nothing.
         let is_other = |other: &&FileFacts| file.size != other.size || file.content_hash != other.content_hash;
         let Some(other) = shipped(file).filter(is_other) else { continue };

@@ -1,10 +1,13 @@
 //! Poses, expressions and motions.
 
+pub(in crate::rules) mod folder;
 mod foreign_unit;
 pub(in crate::rules) mod licence_spelling;
 pub(in crate::rules) mod matrix;
 pub(in crate::rules) mod meta;
 pub(in crate::rules) mod missing_units;
+pub(in crate::rules) mod mpfb;
+mod mpfb_rigs;
 pub(in crate::rules) mod no_units;
 pub(in crate::rules) mod non_finite;
 mod units_bone;
@@ -26,6 +29,8 @@ pub(super) static RULES: &[&Rule] = &[
     &unknown_bone::RULE,
     &unknown_unit::RULE,
     &value_range::RULE,
+    &folder::RULE,
+    &mpfb::RULE,
 ];
 
 use crate::diag::pointer;

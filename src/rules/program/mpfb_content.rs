@@ -32,8 +32,7 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, file: &FileFacts, cx: &RuleCx
         out.extend(stops.map(|(_, finding)| finding.case(STOPPED_MAKEUP)));
         out.extend(missing_layers(rule, own, file, &makeup.layers, cx));
     }
-    // Tables of the base mesh have a rule of their own.
-    let Some(faults) = file.loader_faults().filter(|_| file.kind != Kind::BodyDimensions) else { return };
+    let Some(faults) = file.loader_faults() else { return };
     // Of the skin the user's copy is read, once there is one.
     if file.kind == Kind::SkinSettings && file.rel.starts_with("settings/") && has_own_skin_settings(view) {
         return;

@@ -8,12 +8,14 @@ use crate::diag::{Application::Mpfb, Case, Finding, Level};
 use crate::repo::{Layer, View};
 
 /// What MPFB opens by name in its own data.
-const NEEDED: [(&str, Case); 11] = [
+const NEEDED: [(&str, Case); 13] = [
     ("targets/target.json", NO_START),
     ("targets/macrodetails/macro.json", NO_START),
     ("mesh_metadata/basemesh_vertex_groups.json", NO_START),
     ("mesh_metadata/hm08_config.json", NO_DIMENSIONS),
     ("mesh_metadata/hm08.mirror", NO_MIRROR),
+    ("mesh_metadata/basemesh_face_to_vertex_table.json.gz", NO_FACES),
+    ("mesh_metadata/basemesh_vertex_to_face_table.json.gz", NO_FACES),
     ("3dobjs/base.obj", NO_BODY),
     (SKIN_SETTINGS, NO_SKIN),
     ("settings/eye_settings.default.json", NO_EYES),
@@ -32,6 +34,8 @@ const NO_DIMENSIONS: Case = &[(
     "fails with an exception after it fits an asset that has a scale: this one is left half-made",
 )];
 const NO_MIRROR: Case = &[(Mpfb, Level::Error, "fails with an exception when a target is made symmetric")];
+const NO_FACES: Case =
+    &[(Mpfb, Level::Error, "fails with `FileNotFoundError` when an asset that hides vertices of the body is put on")];
 const NO_BODY: Case = &[(Mpfb, Level::Error, "starts, and fails with `OSError` at the first character")];
 const NO_SKIN: Case =
     &[(Mpfb, Level::Error, "fails with `FileNotFoundError` at the first enhanced skin, after its material was made")];

@@ -35,6 +35,11 @@ pub(super) static TABLE: Table = Table {
         anywhere(Kind::CustomRig, Moment::Use, NOT_A_LISTED_RIG),
         anywhere(Kind::SubRig, Moment::Use, NO_SUBRIG),
         anywhere(Kind::Weights, Moment::Use, NO_WEIGHTS),
+        anywhere(Kind::FaceTable, Moment::Use, NO_DELETE_GROUP),
+        anywhere(Kind::VertexTable, Moment::Use, NO_DELETE_GROUP),
+        anywhere(Kind::StoredPose, Moment::Use, NO_POSE),
+        anywhere(Kind::UvLayer, Moment::Use, NO_UV_LAYER),
+        anywhere(Kind::Motion, Moment::Use, NO_MOTION),
         anywhere(Kind::InkLayer, Moment::Use, NO_INK),
         anywhere(Kind::PackMetadata, Moment::Use, NO_PACKS),
     ],
@@ -85,6 +90,29 @@ const NO_RIG: &[Cell] = &stopped("fails with an exception when the rig is added"
 const NOT_A_LISTED_RIG: &[Cell] = &stopped("skips the file with a line in the log: the rig is not listed");
 const NO_SUBRIG: &[Cell] = &stopped("fails with an exception when the asset is added: it stays without its own rig");
 const NO_WEIGHTS: &[Cell] = &stopped("fails with an exception after the rig is made: it has no weights at all");
+const NO_POSE: &[Cell] = &stopped("lists the pose, and fails with an exception when it is loaded");
+const NO_UV_LAYER: &[Cell] = &unpacked("fails with an exception when an ink layer with this `focus` is put on");
+const NO_DELETE_GROUP: &[Cell] = &unpacked("fails with an exception when an asset that hides vertices is put on");
+
+const NO_MOTION: &[Cell] = &[
+    cell(Damage::Closed, Error, NOT_SHOWN),
+    cell(Damage::Pointer, Error, NOT_SHOWN),
+    cell(Damage::Empty, Error, NOT_SHOWN),
+    cell(Damage::NotUtf8, Error, NOT_SHOWN),
+    cell(Damage::MarkedWord, Error, NOT_SHOWN),
+];
+const NOT_SHOWN: &str = "lists the pose, and rejects the file with a message when it is chosen";
+
+/// The cells of a packed file at which an action stops.
+const fn unpacked(effect: &'static str) -> [Cell; 4] {
+    [
+        cell(Damage::Closed, Error, effect),
+        cell(Damage::Pointer, Error, effect),
+        cell(Damage::Empty, Error, effect),
+        cell(Damage::Packed, Error, effect),
+    ]
+}
+
 /// The first query raises, later ones know what the disk listed before the file.
 const NO_PACKS: &[Cell] = &stopped(
     "fails with an exception in the pack filter and in the randomizer, and later knows only the packs that the disk \
