@@ -17,6 +17,7 @@ use crate::formats::mhw::Weights;
 use crate::formats::npz::{Archive, Member};
 use crate::formats::obj::Mesh;
 use crate::formats::pose_units::PoseUnits;
+use crate::formats::unfit::NamedAt;
 
 /// A body of a view. One without a name has the files that belong to no known mesh.
 #[derive(Debug)]
@@ -57,6 +58,8 @@ pub(crate) struct Body<'v> {
     pub is_open: bool,
     /// Poses and expressions that the application lists for the body, those of the checked layer.
     pub poses: Vec<BodyPose<'v>>,
+    /// Poses that name bones of rigs themselves, those of the checked layer whose rig is at hand.
+    pub stored_poses: Vec<StoredBones<'v>>,
     /// What poses and expressions are made of.
     pub pose_units: Vec<PoseUnitsFile<'v>>,
     view: &'v View<'v>,
@@ -114,6 +117,19 @@ pub(crate) struct BodyPose<'v> {
     pub is_expression: bool,
     /// The unit of today that one of an older version becomes.
     pub renewed: fn(&str) -> Option<&'static str>,
+}
+
+/// The bones that a stored pose turns, and those of the rig that it is offered for.
+#[derive(Debug)]
+pub(crate) struct StoredBones<'v> {
+    /// The pose.
+    pub file: &'v FileFacts,
+    /// The bones that it names.
+    pub named: &'v [NamedAt],
+    /// The rig.
+    pub rig: &'v FileFacts,
+    /// The bones of that.
+    pub known: BTreeSet<&'v str>,
 }
 
 /// The units of poses, or those of expressions.
@@ -206,6 +222,7 @@ impl<'v> Body<'v> {
             imported_motions: Vec::new(),
             is_open: false,
             poses: Vec::new(),
+            stored_poses: Vec::new(),
             pose_units: Vec::new(),
             view,
             by_path,

@@ -3,7 +3,7 @@
 use super::view::OWN;
 use crate::discover::Kind;
 use crate::formats::rig::{Identifying, Rig as Definition};
-use crate::repo::{FileFacts, Layer, Layers, parent};
+use crate::repo::{FileFacts, Layer, Layers, StoredBones, parent};
 
 /// A rig, readable or not.
 #[derive(Debug)]
@@ -90,4 +90,22 @@ fn of_file<'a>(layer: &'a Layer, file: &'a FileFacts) -> RigFile<'a> {
     let wanted = names.map(|name| format!("{}/weights.{name}.json", parent(&file.rel)));
     let wanted_weights = if part == RigPart::Asset { Vec::new() } else { wanted.collect() };
     RigFile { file, layer, part, name, wanted_weights }
+}
+
+/// Endings of the folders of poses behind the name of their rig (§25.1).
+const OF_POSES: [&str; 3] = ["_fk", "_ik", "_partial"];
+
+/// The bones of a stored pose with those of the rig that its folder names, if it is at hand.
+pub(super) fn bones_of_pose<'a>(rigs: &[RigFile<'a>], file: &'a FileFacts) -> Option<StoredBones<'a>> {
+    let folder = parent(&file.rel).strip_prefix("poses/")?;
+    let name = OF_POSES.iter().find_map(|ending| folder.strip_suffix(ending))?;
+    let is_meant = |rig: &&RigFile<'_>| match rig.part {
+        RigPart::Standard => rig.name == name,
+        RigPart::Rigify => name.strip_prefix("rigify.") == Some(rig.name),
+        RigPart::Custom | RigPart::Asset => false,
+    };
+    let rig = rigs.iter().find(is_meant)?;
+    let definition = rig.definition().filter(|definition| !definition.bones.is_empty())?;
+    let known = definition.bones.iter().map(|bone| bone.name.as_str()).collect();
+    Some(StoredBones { file, named: &file.stored_pose()?.bones, rig: rig.file, known })
 }

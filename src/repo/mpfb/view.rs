@@ -191,6 +191,8 @@ impl<'a> View<'a> {
         body.weights = weights.map(|file| self.weights(file)).collect();
         let motions = view.files().filter(|file| file.kind == Kind::Motion && file.rel.starts_with("poses/"));
         body.imported_motions = motions.filter_map(|file| Some((file, &file.motion()?.imported))).collect();
+        let poses = view.files().filter(|file| file.kind == Kind::StoredPose);
+        body.stored_poses = poses.filter_map(|file| rigs::bones_of_pose(&self.rigs, file)).collect();
         body.add_worn_weights(view.files().filter(|file| file.kind == Kind::AssetWeights));
         Some(body)
     }

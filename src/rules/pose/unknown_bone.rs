@@ -5,14 +5,15 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::units_bone;
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
 };
 use crate::formats::bvh::{Joint, Motion};
-use crate::repo::{Body, FileFacts};
+use crate::formats::unfit::NamedAt;
+use crate::repo::{Body, FileFacts, StoredBones};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently ignores the joint: its bone stays in the rest pose"), (Makehuman1, "does not show the pose: it was made for another rig")],
+    breaks: &[(Makehuman2, "silently ignores the joint: its bone stays in the rest pose"), (Makehuman1, "does not show the pose: it was made for another rig"), (Mpfb, "silently passes over the bone: it stays as it is")],
     levels: &[(Makehuman1, Level::Error)],
     docs: "A joint of a BVH file is not a bone of the skeleton that poses the base: the one that `base.json` names in \
         `pose-skeleton`. A name ends at the first space.\n\n\
@@ -20,6 +21,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         was made for another rig.\n\n\
         A bone of a unit in `body-poses.json` or `face-poses.json` that the skeleton does not have crashes MakeHuman 2 as \
         soon as any pose or expression is shown (an error).\n\nMakeHuman 1 refuses a pose without the joint `upperleg02.L` (an error); other unknown joints do no harm there.\n\n\
+        In a stored pose of MPFB the bones are those of the rig that its folder names; others are passed over.\n\n\
         Correct the name, or export the motion for the rig of this base.",
     ..RuleInfo::new("pose-unknown-bone", Level::Warning, "a pose names a bone that the skeleton does not have")
 });
@@ -30,6 +32,7 @@ const REST_POSE: Case = &[(Makehuman2, Level::Warning, "shows the rest pose: no 
 const COMPARED: &str = "upperleg02.L";
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    out.extend(body.stored_poses.iter().filter_map(|pose| stored(pose, cx)));
     if body.is_makehuman1() {
         return out.extend(body.motions.iter().filter_map(|(file, motion)| foreign(file, motion)));
     }
@@ -58,6 +61,22 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = finding.against(&rig.file.path).evidence(evidence).help(help);
         out.push(if count == all { finding.case(REST_POSE) } else { finding });
     }
+}
+
+/// The bones of a stored pose that its rig does not have.
+fn stored(pose: &StoredBones<'_>, cx: &RuleCx<'_>) -> Option<Finding> {
+    let unknown: Vec<&NamedAt> = pose.named.iter().filter(|bone| !pose.known.contains(&*bone.name)).collect();
+    let first = unknown.first()?;
+    let rig = pose.rig.file_name();
+    let names: BTreeSet<&str> = unknown.iter().map(|bone| &*bone.name).collect();
+    let message = match names.len() {
+        1 => format!("bone `{}` does not exist in `{rig}`", first.name),
+        count => format!("{count} bones do not exist in `{rig}`, first `{}`", first.name),
+    };
+    let near = cx.suggestions.nearest(&first.name, pose.known.iter().copied());
+    let help = did_you_mean(near, "name bones of the rig, or move the pose to the folder of its rig");
+    let finding = RULE.at(pose.file, Place::Key(first.pointer.clone()), message).against(&pose.rig.path);
+    Some(finding.key("stored").help(help).evidence(Evidence::of_cases(names)))
 }
 
 /// MakeHuman 1 asks for one joint; it ignores others that are unknown.
