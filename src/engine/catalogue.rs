@@ -57,6 +57,9 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                         | Kind::TargetIcon
                         | Kind::MirrorTable
                         | Kind::Image
+                        | Kind::Clothes
+                        | Kind::AssetMesh
+                        | Kind::Material
                 )
         }
         Application::Makehuman1 => is_of_library(kind),
