@@ -118,6 +118,8 @@ impl Machine {
         let first = String::from_utf8_lossy(first);
         match (&*first, self.part) {
             ("#", _) => {}
+            // Kept and never used; real assets have it among the rows, and all of these are taken (§26.9).
+            (word, _) if word.starts_with("vertexboneweights") => {}
             ("material", _) => self.keyword(&first, words),
             (word, Some(Part::Rows)) if is_digits(word) => self.row(words),
             (word, Some(Part::List)) if is_digits(word) => self.list(words),
@@ -132,8 +134,8 @@ impl Machine {
     }
 
     pub(super) fn finish(mut self) -> Flow {
-        let is_of_rows = |gap: &Gap| gap.ended == Some(Part::Rows) && !gap.word.is_empty();
-        self.flow.gaps.retain(|gap| gap.lines > 0 || is_of_rows(gap));
+        let is_thrown_away = |gap: &Gap| gap.ended.is_some() && !gap.word.is_empty();
+        self.flow.gaps.retain(|gap| gap.lines > 0 || is_thrown_away(gap));
         self.flow
     }
 
@@ -287,7 +289,8 @@ mod tests {
     #[test]
     fn a_line_of_another_sort_ends_the_rows_and_is_lost() {
         let row = "1 2 3 1 0 0 0 0 0\n";
-        assert_eq!(of(&format!("verts 0\n{row}# a note\nmaterial a.mhmat\n{row}7\n\n")).rows, 3);
+        let text = format!("verts 0\nvertexboneweights_file a.mhw\n{row}# a note\nmaterial a.mhmat\n{row}7\n\n");
+        assert_eq!(of(&text).rows, 3);
         assert_eq!(gaps(&format!("verts 0\ntag a\n{row}")), [(2, "tag".to_owned(), 0, 1)]);
         assert_eq!(gaps(&format!("verts 0\n{row}#note\n{row}{row}")), [(3, "#note".to_owned(), 1, 2)]);
         assert_eq!(gaps(&format!("verts 0\n{row}\n{row}")), [(3, String::new(), 1, 1)]);
@@ -295,6 +298,7 @@ mod tests {
         assert_eq!(gaps(&format!("verts 0\n{row}\ndelete_vertices\n5\n")), [(4, "delete_vertices".to_owned(), 0, 1)]);
         assert_eq!(gaps(&format!("verts 0\n{row}\ndelete_verts\n\n5 - 7\n")), [(5, String::new(), 0, 1)]);
         assert_eq!(gaps(&format!("verts 0\n{row}\ndelete_verts\n5 - 7\n\ntag x\n")), []);
+        assert_eq!(gaps(&format!("verts 0\n{row}\ndelete_verts\n5-7\n")), [(5, "5-7".to_owned(), 0, 0)]);
         assert_eq!(of(&format!("verts\n{row}")).gaps.len(), 1);
         assert_eq!(of("tag a\nverts 0\n5\nuuid 3\n\nname n\n").line_of("uuid"), None);
         assert_eq!(of("tag a\nverts 0\n5\n\nuuid 3\n").line_of("uuid"), Some(5));

@@ -27,16 +27,17 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 const NO_ASSET: Case = &[
     (Makehuman2, Level::Error, "lists an asset without a name, and crashes with `AttributeError` when it is put on"),
     (Makehuman1, Level::Error, "does not put the asset on"),
+    (Mpfb, Level::Error, "lists the asset, and fails with `ValueError` when it is loaded"),
 ];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    if body.is_mpfb() {
-        return mpfb::rows::stops(&RULE, body, out);
-    }
     for text in all_texts(body).filter(|text| !text.is_asset()) {
         let message = "this is not an asset: no line has one of the keywords of assets";
         let finding = RULE.at(text.file, Place::File, message).key("file").case(NO_ASSET);
         out.push(finding.help("restore the asset: this file is something else, such as a web page"));
+    }
+    if body.is_mpfb() {
+        return mpfb::rows::stops(&RULE, body, out);
     }
     for text in texts(body) {
         out.extend(row_words(&text));

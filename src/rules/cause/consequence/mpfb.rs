@@ -36,6 +36,7 @@ pub(super) static TABLE: Table = Table {
         anywhere(Kind::Clothes, Moment::Use, NOT_WORN),
         anywhere(Kind::AssetMesh, Moment::Use, NO_MESH),
         anywhere(Kind::Material, Moment::Use, NO_SURFACE),
+        anywhere(Kind::Image, Moment::Use, NO_PICTURE),
     ],
     at_moment: &[],
     in_general: LOST,
@@ -96,6 +97,12 @@ const NO_MESH: &[Cell] = &[
     nothing(Damage::NotUtf8),
     cell(Damage::MarkedWord, Warning, "does not recognise the first line"),
     cell(Damage::MarkedComment, Info, "ignores the first line, which is only a comment"),
+];
+const BROKEN: &str = "loads it as a broken picture, without a message";
+const NO_PICTURE: &[Cell] = &[
+    cell(Damage::Closed, Warning, BROKEN),
+    cell(Damage::Pointer, Warning, BROKEN),
+    cell(Damage::Empty, Warning, BROKEN),
 ];
 const NO_SURFACE: &[Cell] = &[
     cell(Damage::Closed, Error, "fails with an exception when the material is used"),

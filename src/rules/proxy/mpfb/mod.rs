@@ -30,8 +30,8 @@ fn lost_rows(flow: &Flow) -> Option<&Gap> {
 
 /// Whether a word opens the list of vertices to hide, or is meant to.
 fn is_list(word: &str) -> bool {
-    let word = word.strip_suffix(':').unwrap_or(word);
-    word.eq_ignore_ascii_case("delete_verts") || crate::diag::nearest(word, ["delete_verts"]).is_some()
+    let word = word.strip_suffix(':').unwrap_or(word).to_lowercase();
+    word.starts_with("delete_v") || crate::diag::nearest(&word, ["delete_verts"]).is_some()
 }
 
 /// Whether a word begins like a row, and is no plain number.

@@ -117,7 +117,7 @@ fn is_told(flow: &Flow) -> bool {
     let is_verts = |gap: &Gap| gap.ended.is_none() && super::list::is_verts(&gap.word);
     let is_signed = |gap: &Gap| gap.ended == Some(Part::Rows) && is_number(&gap.word);
     lost_rows(flow).is_some()
-        || flow.early_range.is_some()
+        || flow.early_range.is_some() && flow.rows > 0
         || flow.gaps.iter().any(|gap| is_verts(gap) || is_signed(gap))
 }
 
