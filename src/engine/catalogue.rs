@@ -62,6 +62,9 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                         | Kind::UvLayer
                         | Kind::Motion
                         | Kind::Image
+                        | Kind::Clothes
+                        | Kind::AssetMesh
+                        | Kind::Material
                 )
         }
         Application::Makehuman1 => is_of_library(kind),

@@ -46,6 +46,8 @@ pub enum ReferenceKind {
     Model,
     /// A picture in a material.
     Texture,
+    /// The same in a skin, where that makes a difference.
+    SkinTexture,
     /// `obj_file` of an asset.
     AssetMesh,
     /// `material` of an asset.

@@ -6,12 +6,14 @@
 //! of the application's own evaluation.
 
 mod faults;
+mod flow;
 mod header;
 pub mod in_order;
 mod reader;
 mod rows;
 
 pub use faults::{Fault, FaultKind, Faults};
+pub use flow::{Flow, Gap, Part, Stop, StopCause};
 pub use header::{Entry, Scanned, Value};
 pub use reader::parse;
 pub use rows::{DeleteFacts, RowFacts, VISIBLE_SUM};
@@ -37,6 +39,8 @@ pub struct Clothes {
     pub deletes: DeleteFacts,
     /// Lines that are not what their section or keyword wants.
     pub faults: Faults,
+    /// What is taken by a reader that ends a section at any other line.
+    pub flow: Flow,
 }
 
 /// Where a line stands.

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::flow::Machine;
 use super::header::{Header, Words};
 use super::{Clothes, Fault, FaultKind, Reference, Scale, Section};
 use crate::formats::fields::fields;
@@ -27,6 +28,7 @@ struct Reader {
 /// Parses an asset for a mesh of this size, if that is known.
 pub fn parse(text: &[u8], mesh: Option<MeshSize>) -> Clothes {
     let mut reader = Reader { mesh, ..Reader::default() };
+    let mut machine = Machine::default();
     reader.clothes.rows.mesh = mesh;
     for (Range { start, .. }, line) in lines(text) {
         reader.line = reader.line.saturating_add(1);
@@ -34,10 +36,11 @@ pub fn parse(text: &[u8], mesh: Option<MeshSize>) -> Clothes {
         let words = fields(line);
         let is_row = words.first().is_some_and(|(_, word)| is_numeric(&String::from_utf8_lossy(word)));
         reader.header.scan(reader.words(&words), line, is_row);
+        machine.take(reader.line, &words);
         reader.take(&words);
     }
     let Reader { clothes, header, .. } = reader;
-    Clothes { entries: header.entries, scanned: header.scanned, ..clothes }
+    Clothes { entries: header.entries, scanned: header.scanned, flow: machine.finish(), ..clothes }
 }
 
 impl Reader {

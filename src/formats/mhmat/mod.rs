@@ -6,11 +6,13 @@
 
 mod keyword;
 mod reader;
+mod statement;
 
 use std::ops::Range;
 
 pub use keyword::{Keyword, Value};
 pub use reader::read;
+pub use statement::Statement;
 
 use super::python_float;
 
@@ -25,6 +27,8 @@ pub struct Material {
     pub unknown: Vec<Unknown>,
     /// How many more lines there are of both.
     pub left_out: usize,
+    /// The lines that are a word of letters and a value, whatever the word.
+    pub statements: Vec<Statement>,
 }
 
 /// Lines with a keyword that are kept. Those that people write have fifty.

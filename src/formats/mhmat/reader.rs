@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::keyword::{self, Value};
+use super::statement::statements;
 use super::{Line, MOST_LINES, MOST_UNKNOWN, Material, Texture, Unknown, Word};
 use crate::formats::fields::fields;
 use crate::source::lines;
@@ -16,7 +17,7 @@ const WORDS: usize = 5;
 
 /// Reads all lines. What is not UTF-8 is no name of a picture.
 pub fn read(text: &[u8]) -> Material {
-    let mut material = Material::default();
+    let mut material = Material { statements: statements(text), ..Material::default() };
     let mut known = BTreeMap::new();
     for (number, (Range { start, .. }, line)) in (1..).zip(lines(text)) {
         let words = fields(line);

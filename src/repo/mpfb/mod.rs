@@ -1,6 +1,8 @@
 //! The data of MPFB as it sees them (formats/mpfb.md §1 to §3). Connected so far: the catalogue of sliders and the macros
 //! with their targets, rigs and what is worn with their weights, and what is found by its name.
 
+mod keys;
+mod looks;
 pub(crate) mod loops;
 mod named;
 mod parts;
@@ -9,6 +11,8 @@ mod rigs;
 mod sliders;
 mod view;
 
+pub(crate) use keys::{Reads, names as key_names};
+pub(crate) use looks::{Look, Set};
 pub(crate) use named::NamedTarget;
 pub(crate) use parts::{Parts, Request};
 pub(crate) use rigs::{RigFile, RigPart, is_listed};

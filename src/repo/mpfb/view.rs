@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::ops::Bound;
 
+use super::looks::{Look, looks};
 use super::loops::LOOPS;
 use super::named::{NamedFiles, NamedTargets};
 use super::parts::Parts;
@@ -49,6 +50,8 @@ pub(crate) struct View<'a> {
     pub groups: Option<&'a VertexGroups>,
     /// The same rigs as every application has them.
     body_rigs: Vec<Rig<'a>>,
+    /// Materials of the checked layer.
+    pub looks: Vec<Look<'a>>,
     /// What the body can wear.
     worn: Vec<Worn<'a>>,
     /// The same of another folder of the user: names lead there, too.
@@ -84,7 +87,13 @@ impl<'a> View<'a> {
         let foreign_mesh = mesh.zip(needed).filter(|((_, mesh), needed)| lacks_vertices(mesh, *needed));
         let foreign_mesh = foreign_mesh.map(|((file, mesh), needed)| (file, mesh.facts.vertices, needed));
         let mesh = mesh.filter(|_| foreign_mesh.is_none());
-        let references = References::new(catalog.as_ref().map(collect).unwrap_or_default());
+        let worn_beside = worn(layers.beside.into_iter());
+        let worn = worn(layers.strongest_first());
+        let looks = looks(layers.checked, &worn);
+        let references = catalog.as_ref().map(collect).unwrap_or_default().into_iter();
+        let of_worn = worn.iter().flat_map(|worn| worn.references.iter().flatten());
+        let of_looks = looks.iter().flat_map(|look| &look.pictures);
+        let references = References::new(references.chain(of_worn.chain(of_looks).cloned()).collect());
         let (targets, named) = (NamedTargets::of(layers), NamedFiles::of(layers));
         let rigs = rigs::all(layers);
         let groups = file(Kind::VertexGroups).and_then(FileFacts::vertex_groups);
@@ -102,8 +111,9 @@ impl<'a> View<'a> {
             body_rigs: rigs.iter().filter(|rig| rig.part != RigPart::Asset).map(body_rig).collect(),
             rigs,
             groups,
-            worn: worn(layers.strongest_first()),
-            worn_beside: worn(layers.beside.into_iter()),
+            looks,
+            worn,
+            worn_beside,
             shown,
             one_sided,
         }

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::named::causes;
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, RuleInfo,
 };
 use crate::repo::{Resolution, View};
@@ -12,6 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "does not find the file on other computers"),
         (Makehuman1, "does not find the file on other computers"),
+        (Mpfb, "does not find the file on other computers"),
     ],
     docs: "The name begins with `/`, `\\` or a drive letter, so it only fits one computer. On any other, the \
         file is missing.\n\nWrite the path relative to its folder: targets and icons to the target folder, \

@@ -1,9 +1,9 @@
 //! What a list shows has names of its own, also where it is not known by the name alone.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::makehuman1;
+use super::{makehuman1, shelves};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo, grouped,
 };
 use crate::repo::makehuman2::{Asset, View};
@@ -27,12 +27,12 @@ pub(in crate::rules) static OF_WORN: Rule = Check::Libraries(run_worn, |view, _,
     ..RuleInfo::new("proxy-duplicate-name", Level::Warning, "two assets of one category with the same name")
 });
 
-pub(in crate::rules) static OF_UUID: Rule = Check::Libraries(run_uuid, |view, _, out| makehuman1::same_uuids(&OF_UUID, view, out)).rule(RuleInfo {
-    breaks: &[(Makehuman2, "keeps the user's tags by uuid, so those of one asset change the other"), (Makehuman1, "lists both, but cannot wear them together, and models may wear the other one")],
+pub(in crate::rules) static OF_UUID: Rule = Check::LibrariesOfAll(run_uuid, |view, _, out| makehuman1::same_uuids(&OF_UUID, view, out), |view, _, out| shelves::same_uuids(&OF_UUID, view, out)).rule(RuleInfo {
+    breaks: &[(Makehuman2, "keeps the user's tags by uuid, so those of one asset change the other"), (Makehuman1, "lists both, but cannot wear them together, and models may wear the other one"), (Mpfb, "gives one of them the materials that were saved for the other, and models may wear the other one")],
     levels: &[(Makehuman1, Level::Error)],
     docs: "Two assets have the same uuid and different names, mostly because one was made from the other.\n\n\
         MakeHuman 2 knows them by name and uuid together and lists both. Tags that a user gives to one are those of both, and \
-        a model that was saved with one does not find it once its name changes.\n\nMakeHuman 1 finds the asset of a model by its uuid alone: of two in one library with the same one it wears either (an error). A copy, or an asset in two libraries, is a warning.\n\n\
+        a model that was saved with one does not find it once its name changes.\n\nMakeHuman 1 finds the asset of a model by its uuid alone: of two in one library with the same one it wears either (an error). A copy, or an asset in two libraries, is a warning.\n\nMPFB saves colours and other materials by the uuid alone.\n\n\
         Give the newer asset a uuid of its own.",
     ..RuleInfo::new("proxy-duplicate-uuid", Level::Warning, "two assets with the same uuid")
 });

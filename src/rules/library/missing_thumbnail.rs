@@ -3,20 +3,19 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::makehuman1;
+use super::{makehuman1, shelves};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
 };
 use crate::discover::{extension, listed_in};
 use crate::repo::makehuman2::{Asset, View};
 use crate::repo::{FileFacts, Resolution, parent};
 
-pub(in crate::rules) static RULE: Rule = Check::Libraries(run, of_makehuman1).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(run, of_makehuman1, |view, _, out| shelves::without_pictures(&RULE, view, out)).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "shows the default picture in the list"),
-        (Makehuman1, "shows the default picture in the list"),
-    ],
+        (Makehuman1, "shows the default picture in the list"), (Mpfb, "shows the default picture in the list")],
     docs: "An asset has no picture: a PNG with the name of its file and the suffix `.thumb` beside it. MakeHuman 2 shows a \
         general picture instead, and so does MakeHuman 1, which takes a `.png` beside a skin as well.\n\n\
         If there is a `.thumb` beside it that belongs to no asset, the picture was meant for it and has the wrong name (a \

@@ -10,6 +10,7 @@ pub(in crate::rules) mod missing_thumbnail;
 mod mpfb;
 pub(in crate::rules) mod name_cut;
 pub(in crate::rules) mod scan_crash;
+pub(in crate::rules) mod shelves;
 pub(in crate::rules) mod too_deep;
 pub(in crate::rules) mod unreadable_thumbnail;
 pub(in crate::rules) mod wrong_folder;

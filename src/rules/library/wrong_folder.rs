@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
-use super::{makehuman1, makehuman2, mpfb, suffix};
+use super::{makehuman1, makehuman2, mpfb, shelves, suffix};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo,
@@ -18,7 +18,10 @@ pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(
         makehuman1::misplaced(&RULE, view, out);
         makehuman1::unread(&RULE, view, out);
     },
-    |view, _, out| mpfb::misplaced(&RULE, view, out),
+    |view, _, out| {
+        mpfb::misplaced(&RULE, view, out);
+        shelves::unlisted(&RULE, view, out);
+    },
 )
 .rule(RuleInfo {
     breaks: &[(Makehuman2, "does not list it"), (Makehuman1, "does not list it"), (Mpfb, "does not find it")],
@@ -28,7 +31,7 @@ pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(
         An asset in the folder of another kind, or without the folder of the base mesh, is not listed, and models that wear \
         it lose it.\n\nIn MakeHuman 1 topologies (`.proxy`) are in `proxymeshes`, and there is no folder of a base mesh.\n\n\
         MPFB finds targets in `targets` and `custom` alone, expressions in `expressions`, and assets in the folders of their \
-        kinds, such as `clothes`. Saved characters and other presets are in `config`, which lies beside the folder of data \
+        kinds, such as `clothes`: `.proxy` in `proxymeshes`, `.mhclo` in all others, the suffix in small letters. Saved characters and other presets are in `config`, which lies beside the folder of data \
         and not in it.\n\n\
         Move the asset.",
     of_library: true,

@@ -3,15 +3,16 @@
 use super::super::{Check, Rule, RuleCx, counted};
 use super::fault::{Fault, report};
 use super::loader;
+use super::mpfb;
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, RuleInfo,
 };
 use crate::formats::mhmat::{Line, Value};
 use crate::repo::{Surface, View, Wearer};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `IndexError` when the material is used"), (Makehuman1, "does not put the asset on, or show the skin")],
+    breaks: &[(Makehuman2, "crashes with `IndexError` when the material is used"), (Makehuman1, "does not put the asset on, or show the skin"), (Mpfb, "fails with an exception when it reads the material")],
     docs: "A keyword of a material has no value, or a colour has fewer than three numbers.\n\n\
         Without a value MakeHuman 2 crashes when it reads the material: when the asset is put on, when the material or the \
         skin is chosen, or when a model that has it is loaded. Then the assets that the model names after it, and \
@@ -20,12 +21,15 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         diffuse texture, `ambientColor` on screen with the shader phong if there is no `aomapTexture`, `glassColor` in \
         glTF if there is `transmission` and no diffuse texture. The OBJ export needs all three numbers of \
         `diffuseColor`, `specularColor` and `emissiveColor`. Elsewhere it is only an info, like a fourth number, which is \
-        ignored.\n\nMakeHuman 1 stops reading the material at such a line, also at a colour with too few numbers: an asset cannot be put on, a skin cannot be chosen, and with a fault in the default skin it does not start.\n\n\
+        ignored.\n\nMakeHuman 1 stops reading the material at such a line, also at a colour with too few numbers: an asset cannot be put on, a skin cannot be chosen, and with a fault in the default skin it does not start.\n\nIn MPFB files and numbers need a value, and `shaderParam` has exactly two words behind it, also if MPFB has no use for the parameter.\n\n\
         Write the value, or remove the line.",
     ..RuleInfo::new("material-arity", Level::Error, "a keyword of a material with too few values")
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if let View::Mpfb(view) = view {
+        return mpfb::arity(&RULE, view, out);
+    }
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
         let lines = surface.material.lines.iter().filter(|line| loader::reads(surface.application, line.keyword.name));
         let faults = lines.filter_map(|line| fault(surface, line)).collect();

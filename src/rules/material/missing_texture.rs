@@ -4,14 +4,15 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::advice::{Advice, file_name, is_quoted};
+use super::mpfb;
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, RuleInfo, grouped,
 };
 use crate::repo::{Layer, Reference, ReferenceKind, Resolution, View, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "ignores the line and shows the material without this texture"), (Makehuman1, "logs an error and shows a placeholder instead of the picture")],
+    breaks: &[(Makehuman2, "ignores the line and shows the material without this texture"), (Makehuman1, "logs an error and shows a placeholder instead of the picture"), (Mpfb, "makes the material without this picture, with a message in the log")],
     docs: "A material names a picture that does not exist, in `diffuseTexture`, `normalmapTexture`, \
         `aomapTexture`, `metallicRoughnessTexture` or `emissiveTexture`. MakeHuman 2 does not know other keywords, \
         such as `specularmapTexture`. A name is one word: it ends at the first space.\n\n\
@@ -24,7 +25,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         body).\n\n\
         Materials of skins, of base meshes and below the folders of assets are checked. The folder \
         `clothes/<base>/materials/` is for assets without their own material. A topology uses the skin instead of \
-        its own material.\n\nMakeHuman 1 looks for a picture in the folder of the material, then below the data of the user and of the system, and shows a placeholder if it finds none.\n\n\
+        its own material.\n\nMakeHuman 1 looks for a picture in the folder of the material, then below the data of the user and of the system, and shows a placeholder if it finds none.\n\nMPFB looks in the folder of the material alone; all that is behind the keyword is the name, with spaces and comments. A skin without its picture cannot be used as a layered one (an error).\n\n\
         Correct the name, add the picture, or remove the line. A folder that does not exist is one finding for all \
         pictures in it.",
     ..RuleInfo::new("material-missing-texture", Level::Warning, "a material names a texture that does not exist")
@@ -33,7 +34,10 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 const KEPT: Case = &[(Makehuman2, Level::Warning, "silently drops the line and keeps the texture of a line above")];
 const COLOUR: Case = &[(Makehuman2, Level::Warning, "ignores the line and shows the plain colour")];
 
-fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if let View::Mpfb(view) = view {
+        return mpfb::missing(&RULE, view, cx, out);
+    }
     let layers = view.layers();
     let is_missing = |reference: &&Reference<'_>| {
         // The picture of a litsphere has a rule of its own.

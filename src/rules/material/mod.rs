@@ -1,11 +1,13 @@
 //! Materials: `.mhmat`.
 
 mod advice;
+pub(in crate::rules) mod alias_in_file_name;
 pub(in crate::rules) mod alternatives_lost;
 mod alternatives_shared;
 pub(in crate::rules) mod arity;
 pub(in crate::rules) mod boolean_spelling;
 pub(in crate::rules) mod coloration_texture;
+pub(in crate::rules) mod conflicting_maps;
 pub(in crate::rules) mod duplicate_keyword;
 pub(in crate::rules) mod embedding;
 mod fault;
@@ -15,12 +17,16 @@ pub(in crate::rules) mod missing_litsphere;
 pub(in crate::rules) mod missing_shader;
 pub(in crate::rules) mod missing_texture;
 pub(in crate::rules) mod missing_uvmap;
+mod mpfb;
 pub(in crate::rules) mod opacity;
 pub(in crate::rules) mod path_quote;
 mod picture;
+pub(in crate::rules) mod plain_colour;
 pub(in crate::rules) mod protected_name;
 pub(in crate::rules) mod range;
+pub(in crate::rules) mod skin_without_texture;
 pub(in crate::rules) mod texture_format;
+pub(in crate::rules) mod texture_name_clash;
 pub(in crate::rules) mod tinted_texture;
 pub(in crate::rules) mod uniform_type;
 pub(in crate::rules) mod unknown_define;
@@ -60,4 +66,9 @@ pub(super) static RULES: &[&Rule] = &[
     &unreadable_texture::RULE,
     &unused_texture::RULE,
     &uvmap_mismatch::RULE,
+    &alias_in_file_name::RULE,
+    &conflicting_maps::RULE,
+    &plain_colour::RULE,
+    &skin_without_texture::RULE,
+    &texture_name_clash::RULE,
 ];

@@ -4,8 +4,9 @@ use super::super::{Check, Rule, RuleCx};
 use super::advice::{QUOTES, is_quoted};
 use super::fault::{Fault, report};
 use super::loader;
+use super::mpfb;
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo,
 };
 use crate::repo::{Reference, ReferenceKind, Resolution, Surface, View};
@@ -13,11 +14,11 @@ use crate::repo::{Reference, ReferenceKind, Resolution, Surface, View};
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "reads the quotes as part of the name, and ignores the line"),
-        (Makehuman1, "reads the quotes as part of the name and shows a placeholder"),
-    ],
+        (Makehuman1, "reads the quotes as part of the name and shows a placeholder"), (Mpfb, "fails with an exception when it makes the material")],
+    levels: &[(Mpfb, Level::Error)],
     docs: "A material names a picture in quotes. The quotes are a part of the name, and no file has such a name. \
         A name ends at the first space, in quotes as well.\n\n\
-        MakeHuman 2 does not find the picture and shows the colour of the material instead.\n\n\
+        MakeHuman 2 does not find the picture and shows the colour of the material instead.\n\nMPFB writes the name into a text of its own that is no longer valid with a quote or a control character anywhere in it (an error).\n\n\
         Remove the quotes. If the name has a space, rename the picture.",
     ..RuleInfo::new("material-path-quote", Level::Warning, "a name of a picture in quotes")
 });
@@ -25,6 +26,9 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 const LITSPHERE: &str = "litsphereTexture";
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if let View::Mpfb(view) = view {
+        return mpfb::quotes(&RULE, view, out);
+    }
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
         let is_own = |one: &&Reference<'_>| one.owner != LITSPHERE && is_lost(one);
         let textures = view.references().of_file(surface.file).filter(is_own);

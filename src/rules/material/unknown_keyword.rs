@@ -3,8 +3,9 @@
 use super::super::{Check, Rule, RuleCx};
 use super::fault::{Fault, report};
 use super::loader;
+use super::mpfb;
 use crate::diag::{
-    Application::{self, Makehuman1, Makehuman2},
+    Application::{self, Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo, nearest,
 };
 use crate::formats::mhmat::{Line, Material, Unknown};
@@ -12,13 +13,13 @@ use crate::repo::{Surface, View};
 use crate::source::Guess;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently ignores the line"), (Makehuman1, "silently ignores the line")],
+    breaks: &[(Makehuman2, "silently ignores the line"), (Makehuman1, "silently ignores the line"), (Mpfb, "ignores the line, with a message in the log")],
     docs: "A line of a material begins with a word that MakeHuman 2 does not know: a keyword with a slip of the pen or \
         other capitals, or the name that another application has for it, such as `roughness` for `roughnessFactor` and \
         `bumpmapTexture` for `normalmapTexture`.\n\n\
         MakeHuman 2 ignores such lines without a message: the colour, number or texture has its default. If the file has \
         its own keyword as well, the other application's one is not reported. A word that is like no keyword is an \
-        info. If no line begins with a keyword, the file is something else.\n\n\
+        info. If no line begins with a keyword, the file is something else.\n\nMPFB knows its keywords in whatever capitals, and only at the beginning of a line: an indented line is ignored. Keywords of MakeHuman that it has no use for are not reported.\n\n\
         Write the keyword, or put `#` and a space in front of a comment.",
     ..RuleInfo::new("material-unknown-keyword", Level::Warning, "a keyword of a material that is not known")
 });
@@ -34,6 +35,9 @@ const SAME: [(&str, &str); 10] = [
 ];
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if let View::Mpfb(view) = view {
+        return mpfb::unknown(&RULE, view, cx, out);
+    }
     let own = view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file));
     // What is no text has a finding of its own.
     let is_text = |surface: &&Surface<'_>| matches!(surface.file.encoding.guess, None | Some(Guess::SingleByte));

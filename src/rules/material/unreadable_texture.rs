@@ -4,16 +4,17 @@ use std::collections::BTreeMap;
 
 use super::super::cause::consequence::NO_FRAME;
 use super::super::{Check, Rule, RuleCx};
+use super::mpfb;
 use super::picture::fault;
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
 };
 use crate::discover::Single;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows the surface without this picture, and copies the broken file into exports"), (Makehuman1, "logs an error and shows a placeholder instead of the picture")],
+    breaks: &[(Makehuman2, "shows the surface without this picture, and copies the broken file into exports"), (Makehuman1, "logs an error and shows a placeholder instead of the picture"), (Mpfb, "loads it as a broken picture, without a message")],
     docs: "A material names a file that is not a picture: a text or a web page that was saved under its name, a picture \
         whose download was interrupted, a header that says no size or more than the file holds, or a format that only \
         programs for artists read, such as Photoshop's.\n\n\
@@ -28,6 +29,9 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 const BLENDED: Case = &[(Makehuman1, Level::Error, NO_FRAME)];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if let View::Mpfb(view) = view {
+        return mpfb::unreadable(&RULE, view, out);
+    }
     let mut named: BTreeMap<&str, (&FileFacts, Vec<String>)> = BTreeMap::new();
     let is_blended = |file: &FileFacts| (view.layout().single)(&file.rel) == Some(Single::SkinPicture);
     for file in view.files().filter(|file| is_blended(file)) {

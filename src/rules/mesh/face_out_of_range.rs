@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{ASSET_INDEX, ASSET_OVERFLOW, read};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo, Tally,
 };
 use crate::discover::Kind;
@@ -13,13 +13,13 @@ use crate::repo::{FileFacts, View};
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "crashes with `IndexError` while loading the base mesh"),
-        (Makehuman1, "does not put the asset on: its mesh cannot be loaded"),
-    ],
+        (Makehuman1, "does not put the asset on: its mesh cannot be loaded"), (Mpfb, "drops the face, without a message")],
+    levels: &[(Mpfb, Level::Warning)],
     docs: "A face uses the number of a vertex or texture coordinate that does not exist. The numbers start at \
         1.\n\n\
         MakeHuman 2 crashes on numbers beyond the last one. It also crashes on 0 and on negative numbers, although \
         the OBJ format allows negative numbers for counting backwards. MakeHuman 1 loads no such mesh: the asset cannot be put on, and with such a base mesh \
-        it does not start.\n\n\
+        it does not start.\n\nMPFB drops such a face of an asset without a message (a warning).\n\n\
         Usually lines are missing in the file. Export the mesh again, with absolute numbers.",
     counts: "faces",
     ..RuleInfo::new(
@@ -32,7 +32,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 const BELOW_ONE: Case = &[(Makehuman2, Level::Error, "crashes with `OverflowError` while loading the base mesh")];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(mesh) = read(view, file) else { return };
+    let Some(mesh) = read(view, file).filter(|mesh| mesh.asset.is_some() || !view.is_mpfb()) else { return };
     let tally = &mesh.facts.face_out_of_range;
     let Some((line, number)) = tally.first.first() else { return };
     if let Some(packed_mesh) = file.mesh().filter(|_| file.kind == Kind::MeshArchive) {

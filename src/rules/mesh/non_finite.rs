@@ -4,7 +4,7 @@ use super::super::cause::mesh::{is_in_archive, weigh};
 use super::super::{Check, Rule, RuleCx};
 use super::of_asset;
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Element, Finding, Level, Place, RuleInfo,
 };
 use crate::formats::obj::MeshFacts;
@@ -14,8 +14,9 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "loses everything computed from the vertex: normals, joints, the height of the body"),
         (Makehuman1, "fits the vertex to the base mesh, wherever the OBJ has it"),
+        (Mpfb, "loses what is computed from the vertex: joints, and what is fitted to the body there"),
     ],
-    levels: &[(Makehuman1, Level::Info)],
+    levels: &[(Makehuman1, Level::Info), (Mpfb, Level::Warning)],
     docs: "The position of a vertex is `nan` or infinite.\n\n\
         Python reads `nan` and `inf` as numbers, so MakeHuman 2 loads the mesh. Everything computed from the \
         vertex is lost: the normals around it, joints and fitted assets that use it, and the height of the \
@@ -27,7 +28,10 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 });
 
 /// Each vertex of an asset is fitted to the base mesh, wherever it lies.
-const FITTED: Case = &[(Makehuman2, Level::Info, "computes the position from the `.mhclo`: no visible effect")];
+const FITTED: Case = &[
+    (Makehuman2, Level::Info, "computes the position from the `.mhclo`: no visible effect"),
+    (Mpfb, Level::Info, "computes the position from the `.mhclo`: no visible effect"),
+];
 /// To the vertices of the body everything else is fitted.
 const OF_BASE: Case = &[(
     Makehuman1,
@@ -39,7 +43,8 @@ const UV: Case =
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if let Some(asset) = of_asset(view, file) {
-        out.extend(of_worn(file, &asset.facts));
+        // Texture coordinates are for exports.
+        out.extend(of_worn(file, &asset.facts).filter(|_| !view.is_mpfb()));
         return out.extend(positions(view, file, &asset.facts).map(|finding| finding.case(FITTED)));
     }
     let Some(mesh) = file.mesh() else { return };

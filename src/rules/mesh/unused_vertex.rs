@@ -1,10 +1,10 @@
 //! Vertices that no face uses.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{ReadMesh, read};
+use super::{ReadMesh, mpfb, read};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
-    Finding, Level, Place, RuleInfo,
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Case, Finding, Level, Place, RuleInfo,
 };
 use crate::formats::obj::{Mesh, MeshFacts};
 use crate::repo::{FileFacts, View};
@@ -12,22 +12,28 @@ use crate::repo::{FileFacts, View};
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "keeps and counts such vertices but never shows them"),
-        (Makehuman1, "does not put the asset on: it loads no mesh with loose vertices"),
-    ],
-    levels: &[(Makehuman1, Level::Error)],
+        (Makehuman1, "does not put the asset on: it loads no mesh with loose vertices"), (Mpfb, "drops the vertex: where the rows of the asset count it, all later ones belong to other vertices")],
+    levels: &[(Makehuman1, Level::Error), (Mpfb, Level::Warning)],
     docs: "A vertex belongs to no face.\n\n\
         MakeHuman 2 keeps such vertices; they can be moved, weighted and used by joints and clothes like any \
         others. Programs that drop them on import number all later vertices differently, so that targets, weights \
-        and clothes no longer fit.\n\nMakeHuman 1 loads no mesh with such a vertex (an error): the asset cannot be put on, and with such a base mesh it does not start.\n\n\
+        and clothes no longer fit.\n\nMakeHuman 1 loads no mesh with such a vertex (an error): the asset cannot be put on, and with such a base mesh it does not start.\n\nMPFB drops such vertices of an asset. If the rows of the asset count them, every later row belongs to the vertex before it, and the shape is scrambled without a message (a warning). If there is a row for each other vertex, nothing changes (an info).\n\n\
         Keep them if something refers to them. Do not add new ones: removing one later renumbers the mesh.",
     counts: "vertices",
     ..RuleInfo::new("mesh-unused-vertex", Level::Info, "no face uses a vertex")
 });
 
+const NOT_COUNTED: Case = &[(Mpfb, Level::Info, "drops the vertex: no row is for it, so nothing changes")];
+
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if view.is_makehuman1() {
         let finding = read(view, file).and_then(|mesh| loose(view, file, &mesh));
         return out.extend(finding);
+    }
+    if let View::Mpfb(own) = view {
+        let finding = read(view, file).filter(|mesh| mesh.asset.is_some()).and_then(|mesh| loose(view, file, &mesh));
+        let is_counted = mpfb::counts_loose(own, file);
+        return out.extend(finding.map(|one| if is_counted { one } else { one.case(NOT_COUNTED) }));
     }
     // Behind an archive it is told of that one.
     if view.is_replaced(&file.rel) {
@@ -47,7 +53,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     out.push(RULE.at(file, Place::File, message).help(help).evidence(tally.evidence(mesh.facts.vertices)));
 }
 
-/// MakeHuman 1 refuses the whole mesh. Faces that could not be read may be the ones that use the vertices.
+/// The mesh of an asset; MakeHuman 1 refuses it as a whole. Faces that could not be read may be the ones that use the vertices.
 fn loose(view: &View<'_>, file: &FileFacts, mesh: &ReadMesh<'_>) -> Option<Finding> {
     let tally = &mesh.facts.unused;
     let (_, vertex) = tally.first.first().filter(|_| can_be_read(mesh.facts) && mesh.faces > 0)?;

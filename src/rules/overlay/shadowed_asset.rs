@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::super::library::shelves::hidden;
 use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
@@ -24,7 +25,7 @@ pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(run, shared, of_m
         model names.\n\n\
         MakeHuman 1 looks for a name such as `litspheres/x.png` in the data of the user first, whoever names it: a file of \
         the user in `litspheres`, `textures`, `shaders` or `uvs` replaces that of the system with the same path.\n\n\
-        MPFB looks for UV layers in the data of the user first: one of the name of a shipped one replaces it for all ink layers. \
+        MPFB lists an asset of the user in place of one of the system with the same label: the name of the file in small letters, with spaces for `_`. It looks for UV layers in the data of the user first: one of the name of a shipped one replaces it for all ink layers. \
         Once `config/enhanced_settings.default.json` exists, MPFB reads it in place of the shipped settings, also when \
         these change with a new version. So it is with the poses that it copies to the folder of the user.\n\n\
         Nothing has to be done if the asset is meant to be replaced. Otherwise give it a name and a uuid of its own, or copy \
@@ -81,6 +82,7 @@ fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if view.layers.checks_system() {
         return;
     }
+    hidden(&RULE, view, out);
     let settings = checked.file("config/enhanced_settings.default.json");
     let shipped = |file: &FileFacts| match file.rel.strip_prefix("config/") {
         Some(name) => system.file(&format!("settings/{name}")),

@@ -1,9 +1,9 @@
 //! The material of an asset must be found.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::{Text, is_unwalked, lone_archives, neighbours, texts};
+use super::{Text, is_unwalked, lone_archives, mpfb, neighbours, texts};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
 };
 use crate::discover::Kind;
@@ -12,12 +12,12 @@ use crate::repo::{Body, Reference, ReferenceKind, Resolution};
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "silently shows the asset in plain white"),
-        (Makehuman1, "draws the asset with the default white material"),
-    ],
+        (Makehuman1, "draws the asset with the default white material"), (Mpfb, "fails with `FileNotFoundError` when it puts the asset on with a material")],
+    levels: &[(Mpfb, Level::Error)],
     docs: "An asset names a material that does not exist, or none at all.\n\n\
         MakeHuman 2 looks for `material` in the folder of the asset; `../materials/x.mhmat` is a file beside it. If it \
         is not found, the asset is white, without a message. The name is one word: it ends at the first space.\n\n\
-        Topologies wear the skin of the body and need no material.\n\n\
+        Topologies wear the skin of the body and need no material.\n\nMPFB looks there, too. If the file does not exist, the asset cannot be put on (an error); if none is named, it has no material at all.\n\n\
         Correct the name, or add the file.",
     ..RuleInfo::new("proxy-missing-material", Level::Warning, "the material of an asset does not exist")
 });
@@ -30,6 +30,9 @@ const PICTURE: Case = &[
 const NONE: Case = &[(Makehuman2, Level::Warning, "shows the asset in plain white until a material is chosen")];
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if body.is_mpfb() {
+        return mpfb::names::material(&RULE, body, cx, out);
+    }
     for text in texts(body).filter(|text| !text.worn.is_topology()) {
         out.extend(match text.worn.reference(ReferenceKind::AssetMaterial) {
             Some(reference) => absent(body, &text, reference, cx),

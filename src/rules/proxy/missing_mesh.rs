@@ -1,21 +1,21 @@
 //! The mesh of an asset must be found.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::{Text, is_unwalked, missing::missing, neighbours, texts};
+use super::{Text, is_unwalked, missing::missing, mpfb, neighbours, texts};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, RuleInfo,
 };
 use crate::repo::{Body, Reference, ReferenceKind, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "refuses the asset with a message: it cannot be put on"), (Makehuman1, "does not put the asset on")],
+    breaks: &[(Makehuman2, "refuses the asset with a message: it cannot be put on"), (Makehuman1, "does not put the asset on"), (Mpfb, "fails with `OSError` when the asset is loaded")],
     docs: "The mesh of an asset is not where `obj_file` says, or the line is missing.\n\n\
         MakeHuman 2 looks for `obj_file` in the folder of the asset. It is one word: a name with a space ends there. If \
         the file does not exist, a message appears and the asset is not put on; models go on without it, but as part \
         of the start model MakeHuman 2 exits with code 21. Without the line it crashes with `AttributeError`.\n\n\
         An `.mhbin` beside the asset that is not older has the mesh in it; then the text cannot be loaded any more \
-        (info).\n\nMakeHuman 1 lists the asset, and does not put it on.\n\n\
+        (info).\n\nMakeHuman 1 lists the asset, and does not put it on.\n\nMPFB lists the asset, and fails when it is loaded.\n\n\
         Correct the name, or restore the file.",
     ..RuleInfo::new("proxy-missing-mesh", Level::Error, "the mesh of an asset does not exist")
 });
@@ -31,6 +31,9 @@ const NO_LINE: Case = &[
 const PACKED: Case = &[(Makehuman2, Level::Info, "loads the `.mhbin` beside it, as long as the text is not newer")];
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if body.is_mpfb() {
+        return mpfb::names::mesh(&RULE, body, cx, out);
+    }
     for text in texts(body) {
         let finding = match text.worn.reference(ReferenceKind::AssetMesh) {
             Some(reference) => absent(body, &text, reference, cx),

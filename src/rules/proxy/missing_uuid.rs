@@ -2,20 +2,21 @@
 
 use super::super::cause::library::empty_uuid;
 use super::super::{Check, Rule, RuleCx};
-use super::{Text, missing::missing, texts};
+use super::{Text, missing::missing, mpfb, texts};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, RuleInfo,
 };
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `IndexError` when a model saved with the asset is loaded"), (Makehuman1, "fails with `TypeError` when the asset is put on beside another one, and saved models lose it")],
+    breaks: &[(Makehuman2, "crashes with `IndexError` when a model saved with the asset is loaded"), (Makehuman1, "fails with `TypeError` when the asset is put on beside another one, and saved models lose it"), (Mpfb, "does not save which material the asset has; models that know it by its uuid lose it")],
+    levels: &[(Mpfb, Level::Warning)],
     docs: "An asset has no `uuid`.\n\n\
         MakeHuman 2 writes the name and uuid of each asset into a saved model. Without a uuid the line has a word too \
         few, and loading the model crashes with `IndexError`.\n\n\
         The library reads the file up to the first vertex row with several numbers, so a `uuid` below the rows does \
-        not count.\n\nMakeHuman 1 cannot sort assets of one `z_depth` without it: putting two of them on fails with `TypeError`. A saved model looks for the name as uuid and loses the asset. A topology needs none.\n\n\
+        not count.\n\nMakeHuman 1 cannot sort assets of one `z_depth` without it: putting two of them on fails with `TypeError`. A saved model looks for the name as uuid and loses the asset. A topology needs none.\n\nMPFB saves colours and other materials of an asset by its uuid (a warning).\n\n\
         Add a line `uuid` with a new identifier above `verts`.",
     ..RuleInfo::new("proxy-missing-uuid", Level::Error, "an asset has no uuid")
 });
@@ -25,6 +26,9 @@ const SINGLE: Case =
     &[(Makehuman1, Level::Error, "does not put on a second asset without a uuid, and saved models lose both")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if body.is_mpfb() {
+        return mpfb::names::known_by(&RULE, body, "uuid", out);
+    }
     for text in texts(body) {
         // An empty line is worse in MakeHuman 1, and has a finding of its own.
         let is_lost = || text.last("uuid").is_none() && empty_uuid(text.clothes).is_none();

@@ -3,6 +3,7 @@
 mod archives;
 mod custom_weights;
 mod degenerate_triple;
+mod delete_list_lost;
 mod delete_range;
 mod deprecated_keyword;
 mod extension_case;
@@ -12,8 +13,10 @@ mod hides_body;
 mod keyword_after_verts;
 mod keyword_spelling;
 mod keywords;
+mod label_clash;
 mod licence_keyword;
 mod licence_lost;
+mod licence_unrecognised;
 mod mask_length;
 mod mask_uncovered;
 mod metadata;
@@ -23,9 +26,11 @@ mod missing_mesh;
 mod missing_name;
 mod missing_uuid;
 mod missing_weights;
+mod mpfb;
 mod non_finite;
 mod offsets_lost;
 mod older;
+mod ranges_before_verts;
 mod rows_reordered;
 mod scale;
 mod scale_lines;
@@ -93,6 +98,10 @@ pub(super) static RULES: &[&Rule] = &[
     &weight_table_short::RULE,
     &weights_sum::RULE,
     &z_depth::RULE,
+    &delete_list_lost::RULE,
+    &label_clash::RULE,
+    &licence_unrecognised::RULE,
+    &ranges_before_verts::RULE,
 ];
 
 use archives::{Archive, archives, lone_archives, rebuild};

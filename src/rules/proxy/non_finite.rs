@@ -1,17 +1,17 @@
 //! Numbers of vertex rows must be finite.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{lone_archives, texts};
+use super::{lone_archives, mpfb, texts};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo,
 };
 use crate::formats::mhclo::RowFacts;
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "loses the vertex; the glTF export of the whole figure crashes with `ValueError`"), (Makehuman1, "loses the vertex: it is nowhere")],
-    levels: &[(Makehuman1, Level::Warning)],
+    breaks: &[(Makehuman2, "loses the vertex; the glTF export of the whole figure crashes with `ValueError`"), (Makehuman1, "loses the vertex: it is nowhere"), (Mpfb, "loses the vertex: it is nowhere")],
+    levels: &[(Makehuman1, Level::Warning), (Mpfb, Level::Warning)],
     docs: "A weight or an offset of a vertex row is `nan` or infinite.\n\n\
         Python reads `nan` and `inf` as numbers, so the asset can be put on, but the vertex is nowhere. The glTF export \
         of a figure that wears the asset crashes with `ValueError`.\n\n\
@@ -20,6 +20,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if body.is_mpfb() {
+        return mpfb::rows::not_finite(&RULE, body, out);
+    }
     for text in texts(body).filter(|text| !text.stops()) {
         let rows = &text.clothes.rows;
         let line = rows.non_finite.first.first().map_or(Place::File, |(line, _)| Place::Line(*line));

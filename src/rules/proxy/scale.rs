@@ -2,16 +2,17 @@
 
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
-use super::{AXES, INDEX, Text, USUAL_SHARE, apart, older, scale_lines, shear, texts};
+use super::{AXES, INDEX, Text, USUAL_SHARE, apart, mpfb, older, scale_lines, shear, texts};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
 };
 use crate::formats::mhclo::Scale;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "does not scale the offsets: the asset is too far from small figures and cuts into large ones"), (Makehuman1, "scales the offsets along the axis by another number than written")],
+    breaks: &[(Makehuman2, "does not scale the offsets: the asset is too far from small figures and cuts into large ones"), (Makehuman1, "scales the offsets along the axis by another number than written"), (Mpfb, "scales the offsets along the axis by another number than written")],
+    levels: &[(Mpfb, Level::Warning)],
     docs: "`x_scale`, `y_scale` and `z_scale` name two vertices of the base mesh and the distance that they had along \
         the axis when the asset was made. MakeHuman 2 divides their distance on the figure by that number, and scales \
         the offsets of all rows with it.\n\n\
@@ -23,7 +24,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         - A line with too few words crashes with `IndexError`, one with a word in it with `ValueError`, both when the \
         asset is put on. A vertex beyond the mesh crashes with `IndexError`, a distance of `nan` in the glTF export.\n\
         - A negative vertex counts from the end.\n\n\
-        Topologies are never scaled. Assets whose rows have no offsets need no scale.\n\nMakeHuman 1 needs all three lines or none: with one or two it does not put the asset on. It divides by the distance as it is written, also by 0 or a negative one.\n\n\
+        Topologies are never scaled. Assets whose rows have no offsets need no scale.\n\nMakeHuman 1 needs all three lines or none: with one or two it does not put the asset on. It divides by the distance as it is written, also by 0 or a negative one.\n\nMPFB fails if `x_scale` stands alone, if a distance is 0, or if a vertex does not exist. Without `x_scale` it ignores the other two lines.\n\n\
         Export the asset again, or correct the lines.",
     ..RuleInfo::new("proxy-scale", Level::Warning, "a scale that is not applied as written")
 });
@@ -51,6 +52,9 @@ const SMALLEST: f32 = 0.01;
 const NOTHING: f32 = 0.001;
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if body.is_mpfb() {
+        return mpfb::scale::faults(&RULE, body, out);
+    }
     for text in texts(body) {
         out.extend(scale_lines::unreadable(&RULE, &text));
         out.extend(shear::finding(&RULE, body, &text));

@@ -1,9 +1,9 @@
 //! Numbers must be where numbers belong.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{INDEX, Text, VALUE, all_texts, lines, more, needs_value, sections, texts};
+use super::{INDEX, Text, VALUE, all_texts, lines, more, mpfb, needs_value, sections, texts};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
 };
 use crate::formats::mhclo::{Fault, FaultKind};
@@ -11,7 +11,7 @@ use crate::formats::{python_float, python_int};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes when the asset is put on"), (Makehuman1, "does not put the asset on")],
+    breaks: &[(Makehuman2, "crashes when the asset is put on"), (Makehuman1, "does not put the asset on"), (Mpfb, "fails with an exception when the asset is loaded")],
     docs: "A line of an asset lacks numbers, or has something else in their place.\n\n\
         A vertex row below `verts` is one number (a vertex of the base mesh), or three of these with three weights, \
         or both with three offsets: 1, 6 or 9 words. Further words are ignored. Numbers have a decimal point, no \
@@ -19,7 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         MakeHuman 2 crashes at the first such line when the asset is put on. A model that wears the asset stops \
         loading there: what it names after it is missing, and none of its sliders is set. If it is the start model, \
         MakeHuman 2 crashes at start.\n\n\
-        A comment line with `author` in it needs a second word: `# author Ann`.\n\nMakeHuman 1 lists the asset and does not put it on. It also needs a value behind `material`, `z_depth` and the scales.\n\n\
+        A comment line with `author` in it needs a second word: `# author Ann`.\n\nMakeHuman 1 lists the asset and does not put it on. It also needs a value behind `material`, `z_depth` and the scales.\n\nIn MPFB a vertex row has one number, or nine and more: a row of six words cannot be read. `name`, `uuid`, `material`, `obj_file`, `tag` and `z_depth` need a value.\n\n\
         Correct the line, or export the asset again.",
     ..RuleInfo::new("proxy-syntax", Level::Error, "a line of an asset cannot be read")
 });
@@ -27,6 +27,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 const NO_ASSET: Case = &[
     (Makehuman2, Level::Error, "lists an asset without a name, and crashes with `AttributeError` when it is put on"),
     (Makehuman1, Level::Error, "does not put the asset on"),
+    (Mpfb, Level::Error, "lists the asset, and fails with `ValueError` when it is loaded"),
 ];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -34,6 +35,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let message = "this is not an asset: no line has one of the keywords of assets";
         let finding = RULE.at(text.file, Place::File, message).key("file").case(NO_ASSET);
         out.push(finding.help("restore the asset: this file is something else, such as a web page"));
+    }
+    if body.is_mpfb() {
+        return mpfb::rows::stops(&RULE, body, out);
     }
     for text in texts(body) {
         out.extend(row_words(&text));

@@ -2,9 +2,9 @@
 
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
-use super::{Text, texts};
+use super::{Text, mpfb, texts};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
 };
 use crate::repo::Body;
@@ -12,14 +12,13 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "pulls the vertex towards the origin of the world, away from the body"),
-        (Makehuman1, "pulls the vertex towards the origin of the world, away from the body"),
-    ],
+        (Makehuman1, "pulls the vertex towards the origin of the world, away from the body"), (Mpfb, "pulls the vertex towards the origin of the world, away from the body")],
     docs: "The three weights of a vertex row do not sum to 1.\n\n\
         MakeHuman 2 uses them as they are. A sum of 0.9 moves the vertex by a tenth of its distance from the origin, \
         which lies between the feet: hardly noticeable at a shoe, but 15 cm (1.5) at the head. A sum of 0 puts it at \
         the origin. Single weights may be negative or above 1.\n\n\
         Sums that are off by less than 0.002 are reported as info; for MakeHuman 1, whose own assets have none that are off by \
-        more than 0.00002, from there on as a warning.\n\n\
+        more than 0.00002, from there on as a warning.\n\nMPFB divides by the sum when it takes the weights of bones from the body: a sum of 0 stops it (an error).\n\n\
         Export the asset again, or correct the weights.",
     ..RuleInfo::new("proxy-weights-sum", Level::Warning, "the weights of a vertex row do not sum to 1")
 });
@@ -35,6 +34,9 @@ const BEYOND: Case = &[
 const SLIGHT: Case = &[(Makehuman1, Level::Warning, "moves the vertices by less than a centimetre")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if body.is_mpfb() {
+        return mpfb::rows::sums(&RULE, body, out);
+    }
     for text in texts(body).filter(|text| !text.stops()) {
         let rows = &text.clothes.rows;
         // Sums that few decimals explain are told where there are no others.

@@ -1,6 +1,6 @@
 //! What MPFB does with a file that it cannot read or find (formats/mpfb.md §2.3, §3.1, §6, §7, §28; mpfb-observed.md 1.2).
 
-use super::table::{Cell, LOST, Table, anywhere, cell};
+use super::table::{Cell, LOST, Table, anywhere, cell, nothing};
 use super::{Consequence, Damage, Moment};
 use crate::diag::Application::Mpfb;
 use crate::diag::Case;
@@ -8,7 +8,7 @@ use crate::diag::Level::{Error, Info, Warning};
 use crate::discover::Kind;
 use crate::json::{Found, SchemaFault};
 use crate::repo::FileFacts;
-use crate::repo::ReferenceKind::{SliderName, Slot};
+use crate::repo::ReferenceKind::{AssetMaterial, AssetMesh, SkinTexture, SliderName, Slot, Texture};
 
 pub(super) static TABLE: Table = Table {
     rows: &[
@@ -42,13 +42,20 @@ pub(super) static TABLE: Table = Table {
         anywhere(Kind::Motion, Moment::Use, NO_MOTION),
         anywhere(Kind::InkLayer, Moment::Use, NO_INK),
         anywhere(Kind::PackMetadata, Moment::Use, NO_PACKS),
+        anywhere(Kind::Clothes, Moment::Use, NOT_WORN),
+        anywhere(Kind::AssetMesh, Moment::Use, NO_MESH),
+        anywhere(Kind::Material, Moment::Use, NO_SURFACE),
+        anywhere(Kind::Image, Moment::Use, NO_PICTURE),
     ],
     at_moment: &[],
     in_general: LOST,
-    unfound: &[(
-        &[Slot, SliderName],
-        Consequence::new(Error, "does not find the target and fails when its slider moves"),
-    )],
+    unfound: &[
+        (&[Slot, SliderName], Consequence::new(Error, "does not find the target and fails when its slider moves")),
+        (&[AssetMesh], Consequence::new(Error, "fails with `OSError` when the asset is loaded")),
+        (&[AssetMaterial], Consequence::new(Error, "fails with `FileNotFoundError` when it puts the asset on")),
+        (&[Texture], Consequence::new(Warning, "makes the material without this picture")),
+        (&[SkinTexture], Consequence::new(Error, "fails when the skin is used as a layered one")),
+    ],
 };
 
 /// Blender imports the add-on, which reads the file at once and catches nothing.
@@ -76,6 +83,44 @@ const fn stopped(effect: &'static str) -> [Cell; 5] {
         cell(Damage::Syntax, Error, effect),
     ]
 }
+
+/// Files are not parsed when they are listed (§26.8).
+const NOT_LOADED_ASSET: &str = "lists the asset, and fails with an exception when it is loaded";
+const NOT_WORN: &[Cell] = &[
+    cell(Damage::Closed, Error, NOT_LOADED_ASSET),
+    cell(Damage::Pointer, Error, NOT_LOADED_ASSET),
+    cell(Damage::Empty, Error, NOT_LOADED_ASSET),
+    cell(
+        Damage::NotUtf8,
+        Error,
+        "fits the asset, and fails with an exception where the bytes are in the author or the description",
+    ),
+    cell(Damage::MarkedWord, Warning, "does not recognise the first keyword and ignores its line"),
+    cell(Damage::MarkedComment, Info, "ignores the first line, which is only a comment"),
+];
+const NO_MESH: &[Cell] = &[
+    cell(Damage::Closed, Error, NOT_LOADED_ASSET),
+    cell(Damage::Pointer, Error, NOT_LOADED_ASSET),
+    cell(Damage::Empty, Error, NOT_LOADED_ASSET),
+    // How Blender reads names in it is not known, and no other word matters.
+    nothing(Damage::NotUtf8),
+    cell(Damage::MarkedWord, Warning, "does not recognise the first line"),
+    cell(Damage::MarkedComment, Info, "ignores the first line, which is only a comment"),
+];
+const BROKEN: &str = "loads it as a broken picture, without a message";
+const NO_PICTURE: &[Cell] = &[
+    cell(Damage::Closed, Warning, BROKEN),
+    cell(Damage::Pointer, Warning, BROKEN),
+    cell(Damage::Empty, Warning, BROKEN),
+];
+const NO_SURFACE: &[Cell] = &[
+    cell(Damage::Closed, Error, "fails with an exception when the material is used"),
+    cell(Damage::Pointer, Warning, "makes a material without any picture or colour of its own"),
+    cell(Damage::Empty, Warning, "makes a material without any picture or colour of its own"),
+    cell(Damage::NotUtf8, Error, "fails with `UnicodeDecodeError` when the material is used"),
+    cell(Damage::MarkedWord, Warning, "does not recognise the first keyword and ignores its line"),
+    cell(Damage::MarkedComment, Info, "does not recognise the first line, which it does not need"),
+];
 
 const NO_CHARACTER: &[Cell] = &stopped("lists the character, and fails with an exception when it is loaded");
 const NO_PRESET: &[Cell] = &stopped("lists the preset, and fails with an exception when it is loaded");

@@ -1,0 +1,155 @@
+//! The lists of MPFB: what is in them, and by which label (formats/mpfb.md §26.8).
+
+use std::collections::BTreeSet;
+
+use super::super::{Rule, counted};
+use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, grouped};
+use crate::discover::extension;
+use crate::repo::mpfb::View;
+use crate::repo::{FileFacts, Layer, Worn};
+use crate::source::is_below;
+
+/// Folders with a list, and the suffix of what is in it.
+const SHELVES: [(&str, &str); 9] = [
+    ("clothes", "mhclo"),
+    ("hair", "mhclo"),
+    ("eyes", "mhclo"),
+    ("eyebrows", "mhclo"),
+    ("eyelashes", "mhclo"),
+    ("teeth", "mhclo"),
+    ("tongue", "mhclo"),
+    ("proxymeshes", "proxy"),
+    ("skins", "mhmat"),
+];
+
+/// The folder that a file is listed in.
+fn shelf(file: &FileFacts) -> Option<&'static str> {
+    let (folder, suffix) = shelf_around(file)?;
+    (extension(&file.rel) == suffix).then_some(folder)
+}
+
+fn shelf_around(file: &FileFacts) -> Option<(&'static str, &'static str)> {
+    let (top, _) = file.rel.split_once('/')?;
+    SHELVES.into_iter().find(|(folder, _)| *folder == top)
+}
+
+/// What the list shows in place of the file name.
+fn label(file: &FileFacts) -> String {
+    file.stem().to_lowercase().replace('_', " ")
+}
+
+/// What is listed of a layer; links to folders are not followed.
+fn listed(layer: &Layer) -> impl Iterator<Item = (&'static str, &FileFacts)> {
+    let is_linked = |file: &FileFacts| layer.linked_folders.iter().any(|folder| is_below(&file.rel, folder));
+    let files = layer.files.values().filter(move |file| !is_linked(file) && !file.is_loose);
+    files.filter_map(|file| Some((shelf(file)?, file)))
+}
+
+const COPY: Case = &[(Mpfb, Level::Warning, "lists one of the copies alone")];
+
+/// Assets of one list with the same label.
+pub(in crate::rules) fn same_labels(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    let labelled = listed(view.layers.checked).map(|(folder, file)| ((folder, label(file)), file));
+    for ((folder, label), files) in grouped(labelled) {
+        let [first, .., last] = files.as_slice() else { continue };
+        let more = if files.len() > 2 { format!(" and {} more", files.len() - 2) } else { String::new() };
+        let message = format!("has the label `{label}` in the list of `{folder}`, like `{}`{more}", first.rel);
+        let finding = rule.at(last, Place::File, message).key(format!("{folder} {label}"));
+        let finding = finding.related(first.path.clone(), Place::File, "the other asset");
+        let finding = finding.between(files.iter().map(|file| file.path.as_str()));
+        let is_copy = |file: &&&FileFacts| (file.size, file.content_hash) == (first.size, first.content_hash);
+        let are_copies = files.iter().all(|file| is_copy(&file));
+        let finding = finding.help("rename one of the files: capitals and `_` for a space make no difference");
+        out.push(if are_copies { finding.case(COPY) } else { finding });
+    }
+}
+
+/// Assets of the system that one of the user hides.
+pub(in crate::rules) fn hidden(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    let Some(system) = view.layers.system.filter(|_| !view.layers.checks_system()) else { return };
+    let shipped = grouped(listed(system).map(|(folder, file)| ((folder, label(file)), file)));
+    for (folder, file) in listed(view.layers.checked) {
+        let Some(other) = shipped.get(&(folder, label(file))).and_then(|files| files.first()) else { continue };
+        let message = format!("replaces the system's `{}` in the list", other.rel);
+        let finding = rule.at(file, Place::File, message).key(&file.rel);
+        let finding = finding.related(other.path.clone(), Place::File, "the replaced asset");
+        out.push(finding.help("rename it if both are to be listed"));
+    }
+}
+
+/// Assets with one uuid.
+pub(super) fn same_uuids(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    let own = view.worn_anywhere().filter(|worn| view.layers.is_checked(worn.file));
+    for (uuid, assets) in grouped(own.filter_map(|worn| Some((uuid(worn)?, worn.file)))) {
+        let [first, .., last] = assets.as_slice() else { continue };
+        // Of copies one is listed, which is reported for the label.
+        if assets.iter().all(|file| (file.size, file.content_hash) == (first.size, first.content_hash)) {
+            continue;
+        }
+        let more = match assets.len() {
+            2 => String::new(),
+            count => format!(" and {}", counted(count - 2, "more file")),
+        };
+        let message = format!("has the same uuid as `{}`{more}: `{uuid}`", first.shown());
+        let finding = rule.at(last, Place::File, message).key(uuid);
+        let finding = finding.related(first.path.clone(), Place::File, "the other asset");
+        let finding = finding.between(assets.iter().map(|file| file.path.as_str()));
+        out.push(finding.help("give the newer of the two a uuid of its own"));
+    }
+}
+
+fn uuid<'v>(worn: &Worn<'v>) -> Option<&'v str> {
+    let clothes = worn.clothes()?;
+    let line = clothes.flow.line_of("uuid")?;
+    clothes.entries.iter().find(|entry| entry.line == line).map(|entry| entry.word())
+}
+
+/// Assets whose suffix keeps them out of the list.
+pub(super) fn unlisted(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    let files = view.layers.checked.files.values().filter(|file| !file.is_loose);
+    for file in files {
+        let Some((folder, suffix)) = shelf_around(file) else { continue };
+        let own = extension(&file.rel);
+        let told = |message: String, help: String| rule.at(file, Place::File, message).key("suffix").help(help);
+        if own != suffix && own.eq_ignore_ascii_case(suffix) {
+            let message = format!("`{}` must end in `.{suffix}`: capitals matter", file.file_name());
+            out.push(told(message, "write the suffix in small letters".to_owned()));
+        } else if matches!((own, suffix), ("proxy", "mhclo") | ("mhclo", "proxy")) {
+            let message = format!("a `.{own}` in `{folder}` is not listed");
+            let help = match own {
+                "proxy" => {
+                    "move it to `proxymeshes` if it stands for the body; rename it to end in `.mhclo` if it is worn"
+                }
+                _ => "move it to the folder of its kind; rename it to end in `.proxy` if it stands for the body",
+            };
+            out.push(told(message, help.to_owned()));
+        }
+    }
+}
+
+/// What is listed without a picture.
+pub(super) fn without_pictures(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers.checked;
+    let all: Vec<(&str, &FileFacts)> = listed(layer).collect();
+    let mut seen = BTreeSet::new();
+    let bare = all.into_iter().filter(|(folder, file)| {
+        let stem = file.rel.rsplit_once('.').map_or(&*file.rel, |(stem, _)| stem);
+        // Of one label one has a picture.
+        seen.insert((*folder, label(file))) && layer.file(&format!("{stem}.thumb")).is_none()
+    });
+    for (folder, files) in grouped(bare) {
+        let Some(first) = files.first() else { continue };
+        let message = match files.len() {
+            1 => format!("`{}` has no picture", first.file_name()),
+            count => {
+                format!("{} in `{folder}` have no picture, first `{}`", counted(count, "asset"), first.file_name())
+            }
+        };
+        let finding = rule.at(first, Place::File, message).key(folder);
+        let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
+        let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
+        out.push(
+            finding.help("add a PNG of at most 256 by 256 pixels, with the name of the asset and the suffix `.thumb`"),
+        );
+    }
+}
