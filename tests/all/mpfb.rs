@@ -62,11 +62,9 @@ fn what_a_character_names_is_looked_for_where_all_of_it_is_at_hand() {
 #[test]
 fn what_a_character_names_may_lie_in_another_folder_of_the_user() {
     let folder = example();
-    let (first, second) = (folder.path().join("user/data"), folder.path().join("second/data"));
+    let (first, second) = (folder.path().join("user/data/targets"), folder.path().join("second/data/targets"));
     std::fs::create_dir_all(&second).unwrap();
-    for worn in ["clothes", "custom"] {
-        std::fs::rename(first.join(worn), second.join(worn)).unwrap();
-    }
+    std::fs::rename(first.join("custom"), second.join("custom")).unwrap();
     assert_eq!(findings(&report(folder.path(), &["check", "."])), Vec::<String>::new());
     let alone = findings(&report(folder.path(), &["check", "user", "--system", "data"]));
     assert!(alone.iter().any(|told| told.ends_with(" preset-schema")), "{alone:?}");

@@ -9,6 +9,7 @@ pub(super) mod consequence;
 pub(super) mod copies;
 mod file;
 mod generated;
+pub(super) mod groups;
 pub(super) mod library;
 pub(super) mod mesh;
 pub(super) mod overlay;

@@ -5,7 +5,6 @@ mod asymmetric;
 mod below_threshold;
 mod duplicate_vertex;
 mod empty_bone;
-mod groups;
 mod loss;
 mod lost_after_threshold;
 mod malformed_pair;

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use super::super::cause::groups::{self, Groups};
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::groups::{self, Groups};
 use super::readable_own;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},

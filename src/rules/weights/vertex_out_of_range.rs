@@ -34,10 +34,12 @@ const HUGE: Case =
 const OF_ASSET: Case = &[
     (Makehuman2, Level::Error, STOPS_WITH_INDEX),
     (Makehuman1, Level::Error, "puts the asset on; every pose fails with `ValueError`"),
+    (Mpfb, Level::Warning, "silently drops the entry; a group that has no other comes to nothing"),
 ];
 const OF_ASSET_NEGATIVE: Case = &[
     (Makehuman2, Level::Error, STOPS_WITH_OVERFLOW),
     (Makehuman1, Level::Error, "does not put the asset on: `IndexError` when it reads the weights"),
+    (Mpfb, Level::Warning, "silently drops the entry"),
 ];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

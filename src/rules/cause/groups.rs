@@ -5,13 +5,13 @@ use crate::formats::rig::Rig;
 use crate::repo::FileFacts;
 
 /// The groups that a rig takes.
-pub(super) struct Groups<'a> {
+pub(in crate::rules) struct Groups<'a> {
     rig: &'a Rig,
     takers: Takers<'a>,
 }
 
 /// Those of a rig of MPFB that has bones.
-pub(super) fn of(file: &FileFacts) -> Option<Groups<'_>> {
+pub(in crate::rules) fn of(file: &FileFacts) -> Option<Groups<'_>> {
     let rig = file.rig().filter(|rig| !rig.bones.is_empty())?;
     let bones = rig.bones.iter().map(|bone| Taker { name: &bone.name, parent: bone.parent.as_deref(), deforms: true });
     Some(Groups { rig, takers: Takers::new(bones, rig.extra_bones.iter().map(String::as_str)) })
@@ -19,12 +19,12 @@ pub(super) fn of(file: &FileFacts) -> Option<Groups<'_>> {
 
 impl<'a> Groups<'a> {
     /// Names of the bones.
-    pub(super) fn names(&self) -> impl Iterator<Item = &'a str> + use<'a> {
+    pub(in crate::rules) fn names(&self) -> impl Iterator<Item = &'a str> + use<'a> {
         self.rig.bones.iter().map(|bone| bone.name.as_str())
     }
 
     /// Whether weights of this group are used.
-    pub(super) fn take(&self, group: &str) -> bool {
+    pub(in crate::rules) fn take(&self, group: &str) -> bool {
         group.starts_with(MASK) || self.takers.taker(group).is_some()
     }
 }
