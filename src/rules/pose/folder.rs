@@ -5,7 +5,7 @@ use super::mpfb_rigs::{ENDINGS, RIGS, rig_of};
 use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo, grouped, nearest};
 use crate::discover::Kind;
 use crate::repo::FileFacts;
-use crate::repo::mpfb::View;
+use crate::repo::mpfb::{RigFile, RigPart, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "never offers the poses")],
@@ -13,7 +13,7 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
         `_ik`, and `_partial` for poses of some bones. Both default rigs share `default`. Capitals count. What \
         `skeleton_type` says does not matter.\n\n\
         A pose in a folder without such an ending, in other capitals, or in `poses` itself is never offered, without a \
-        message. A name that is nearly that of a rig of MPFB is reported where the user has no rig of their own.\n\n\
+        message. A name that is nearly that of a rig of MPFB is reported if no rig of the user has it.\n\n\
         Rename the folder.",
     ..RuleInfo::new("pose-folder", Level::Error, "poses of MPFB in a folder that no rig reads")
 });
@@ -21,11 +21,9 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let poses = view.own(Kind::StoredPose).filter(|file| !file.is_loose);
     let poses = poses.filter(|file| file.stored_pose().is_some_and(|pose| pose.is_pose));
-    let mut layers = view.layers.strongest_first().chain(view.layers.beside);
-    let has_own_rigs = layers.any(|layer| layer.below("rigs").any(|file| file.rel.matches('/').count() == 1));
     for (folder, files) in grouped(poses.map(|file| (crate::repo::parent(&file.rel), file))) {
         let right = match rig_of(files.first().map_or("", |file| &file.rel)) {
-            Some(rig) => match other_rig(rig, has_own_rigs) {
+            Some(rig) => match other_rig(rig, view) {
                 Some(right) => renamed(folder, rig, right),
                 None => continue,
             },
@@ -36,14 +34,15 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 /// The rig that is meant by one that does not exist.
-fn other_rig(rig: &str, has_own_rigs: bool) -> Option<&'static str> {
+fn other_rig(rig: &str, view: &View<'_>) -> Option<&'static str> {
     let known = || RIGS.iter().map(|(name, _)| *name);
-    if known().any(|name| name == rig) {
+    let is_own = |own: &RigFile<'_>| own.name == rig && own.part != RigPart::Asset;
+    if known().any(|name| name == rig) || view.rigs.iter().any(|own| is_own(own)) {
         return None;
     }
     let in_other_case = known().find(|name| name.eq_ignore_ascii_case(rig));
     let shared = (rig == "default_no_toes").then_some("default");
-    in_other_case.or(shared).or_else(|| nearest(rig, known()).filter(|_| !has_own_rigs))
+    in_other_case.or(shared).or_else(|| nearest(rig, known()))
 }
 
 fn renamed(folder: &str, rig: &str, right: &str) -> Option<String> {
