@@ -13,9 +13,9 @@ pub(crate) enum View<'a> {
     /// `MakeHuman` 2.
     Makehuman2(Box<makehuman2::View<'a>>),
     /// `MakeHuman` 1.
-    Makehuman1(makehuman1::View<'a>),
+    Makehuman1(Box<makehuman1::View<'a>>),
     /// MPFB.
-    Mpfb(mpfb::View<'a>),
+    Mpfb(Box<mpfb::View<'a>>),
 }
 
 impl<'a> View<'a> {
@@ -23,8 +23,8 @@ impl<'a> View<'a> {
     pub(crate) fn connect(application: Application, layers: Layers<'a>) -> Self {
         match application {
             Application::Makehuman2 => Self::Makehuman2(Box::new(makehuman2::View::connect(layers))),
-            Application::Makehuman1 => Self::Makehuman1(makehuman1::View::connect(layers)),
-            Application::Mpfb => Self::Mpfb(mpfb::View::connect(layers)),
+            Application::Makehuman1 => Self::Makehuman1(Box::new(makehuman1::View::connect(layers))),
+            Application::Mpfb => Self::Mpfb(Box::new(mpfb::View::connect(layers))),
         }
     }
 

@@ -27,10 +27,7 @@ impl Lines<'_> {
 }
 
 fn at(set: &Set<'_>) -> Place {
-    match set.value.is_empty() {
-        true => Place::Line(set.statement.number),
-        false => Place::Span(set.statement.value.span.clone()),
-    }
+    if set.value.is_empty() { Place::Line(set.statement.number) } else { Place::Span(set.statement.value.span.clone()) }
 }
 
 fn shown(text: &str) -> String {
@@ -155,20 +152,22 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut V
             let what =
                 if matches!(one.resolution, Resolution::Unusable) { "cannot be opened" } else { "does not exist" };
             let message = format!("texture `{}` of `{}` {what}", shown(one.text), one.owner);
-            let help = match one.text.split_once(" #") {
-                Some((name, _)) => format!("write `{}`: a comment behind it belongs to the name", name.trim_end()),
-                None => {
-                    let folder = parent(&look.file.rel);
-                    let beside = view.layers.checked.below(folder).filter_map(|file| file.rel.strip_prefix(folder));
-                    let beside = beside.map(|name| name.trim_start_matches('/'));
-                    let near = cx.suggestions.nearest(one.text, beside.filter(|name| !name.ends_with(".mhmat")));
-                    did_you_mean(near, "correct the name, add the picture, or remove the line")
-                }
-            };
+            let help = advice(view, look, one, cx);
             let finding = rule.at(look.file, one.place.clone(), message).key(one.owner).help(help);
             out.push(if one.kind == ReferenceKind::SkinTexture { finding.case(OF_SKIN) } else { finding });
         }
     }
+}
+
+/// What to write for a picture that is not found.
+fn advice(view: &View<'_>, look: &Look<'_>, one: &Reference<'_>, cx: &RuleCx<'_>) -> String {
+    if let Some((name, _)) = one.text.split_once(" #") {
+        return format!("write `{}`: a comment behind it belongs to the name", name.trim_end());
+    }
+    let folder = parent(&look.file.rel);
+    let beside = view.layers.checked.below(folder).filter_map(|file| file.rel.strip_prefix(folder));
+    let beside = beside.map(|name| name.trim_start_matches('/')).filter(|name| !name.ends_with(".mhmat"));
+    did_you_mean(cx.suggestions.nearest(one.text, beside), "correct the name, add the picture, or remove the line")
 }
 
 /// The line that names a picture.
