@@ -6,7 +6,6 @@ pub(super) mod face_out_of_range;
 pub(super) mod group_name;
 pub(super) mod inside_out;
 pub(super) mod missing_groups;
-pub(super) mod mpfb;
 pub(super) mod name_clash;
 pub(super) mod ngon;
 pub(super) mod no_faces;

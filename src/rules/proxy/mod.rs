@@ -1,6 +1,7 @@
 //! Assets that are worn: `.mhclo` and `.proxy` with what they name, as MakeHuman 2 loads them (formats/makehuman2.md §15).
 
 mod archives;
+mod blender;
 pub(super) mod custom_weights;
 pub(super) mod degenerate_triple;
 pub(super) mod delete_list_lost;
@@ -26,7 +27,6 @@ pub(super) mod missing_mesh;
 pub(super) mod missing_name;
 pub(super) mod missing_uuid;
 pub(super) mod missing_weights;
-mod mpfb;
 pub(super) mod non_finite;
 pub(super) mod offsets_lost;
 mod older;
