@@ -77,6 +77,12 @@ impl AssetMesh {
         }
     }
 
+    /// How many vertices faces use; all if there are no faces.
+    pub fn used(&self) -> usize {
+        let unused = usize::try_from(self.facts.unused.count).unwrap_or(usize::MAX);
+        if self.faces == 0 { self.facts.vertices } else { self.facts.vertices.saturating_sub(unused) }
+    }
+
     /// A vertex with the group that it belongs to, where that is sure.
     pub fn named(&self, vertex: impl TryInto<u32> + Display + Copy) -> String {
         let number = vertex.try_into().unwrap_or(u32::MAX);

@@ -179,6 +179,11 @@ impl<'a> View<'a> {
         }
     }
 
+    /// The materials of the checked layer, where they are read line by line as one word and all that is behind it.
+    pub(crate) fn looks(&self) -> &[mpfb::Look<'a>] {
+        if let Self::Mpfb(view) = self { &view.looks } else { &[] }
+    }
+
     /// Whether a material at this path is offered for assets.
     pub(crate) fn offers_material_at(&self, rel: &str) -> bool {
         self.makehuman2().is_some() && material_of(rel).is_some_and(|material| material.folder != "skins")
@@ -189,7 +194,7 @@ impl<'a> View<'a> {
         match self {
             Self::Makehuman2(view) => &view.worn,
             Self::Makehuman1(view) => &view.worn,
-            Self::Mpfb(_) => &[],
+            Self::Mpfb(view) => view.worn(),
         }
     }
 

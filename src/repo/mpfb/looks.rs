@@ -76,13 +76,12 @@ fn look<'a>(layer: &'a Layer, file: &'a FileFacts, material: &'a Material, weare
     let base = file.base_in(OWN)?;
     let lines: Vec<Set<'a>> = material.statements.iter().filter_map(set).collect();
     let mut look = Look { file, material, wearer, lines, pictures: Vec::new() };
-    let last = |(at, set): &(usize, &Set<'a>)| {
-        let mut later = look.lines.iter().skip(at + 1);
-        set.key.is_picture()
-            && !set.value.is_empty()
-            && !later.any(|other| other.key == set.key && !other.value.is_empty())
+    let is_last = |(at, set): &(usize, &Set<'a>)| {
+        let mut behind = look.lines.iter().skip(at + 1);
+        let is_used = set.key.is_picture() && !set.value.is_empty();
+        is_used && !behind.any(|other| other.key == set.key && !other.value.is_empty())
     };
-    let used: Vec<&Set<'a>> = look.lines.iter().enumerate().filter(last).map(|(_, set)| set).collect();
+    let used: Vec<&Set<'a>> = look.lines.iter().enumerate().filter(is_last).map(|(_, set)| set).collect();
     look.pictures = used.into_iter().map(|set| picture(layer, file, base, wearer, set)).collect();
     Some(look)
 }

@@ -119,6 +119,11 @@ impl<'a> View<'a> {
         }
     }
 
+    /// What the body can wear.
+    pub(crate) fn worn(&self) -> &[Worn<'a>] {
+        &self.worn
+    }
+
     /// The files of a kind in the checked layer that were read.
     pub(crate) fn own(&self, kind: Kind) -> impl Iterator<Item = &'a FileFacts> {
         let files = self.layers.checked.files.values();

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use super::super::{Rule, counted};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, grouped};
 use crate::discover::extension;
+use crate::formats::mhclo::Entry;
 use crate::repo::mpfb::View;
 use crate::repo::{FileFacts, Layer, Worn};
 use crate::source::is_below;
@@ -101,7 +102,7 @@ pub(super) fn same_uuids(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 fn uuid<'v>(worn: &Worn<'v>) -> Option<&'v str> {
     let clothes = worn.clothes()?;
     let line = clothes.flow.line_of("uuid")?;
-    clothes.entries.iter().find(|entry| entry.line == line).map(|entry| entry.word())
+    clothes.entries.iter().find(|entry| entry.line == line).map(Entry::word)
 }
 
 /// Assets whose suffix keeps them out of the list.

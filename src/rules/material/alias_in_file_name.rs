@@ -1,10 +1,10 @@
 //! The correction of a keyword reaches the name of the file.
 
 use super::super::{Check, Rule};
-use super::mpfb;
+use super::blender;
 use crate::diag::{Application::Mpfb, Level, RuleInfo};
 
-pub(in crate::rules) static RULE: Rule = Check::Mpfb(|view, _, out| mpfb::rewritten(&RULE, view, out)).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Mpfb(|view, _, out| blender::rewritten(&RULE, view, out)).rule(RuleInfo {
     breaks: &[(Mpfb, "looks for the picture under another name and does without it")],
     docs: "A material has another word for a keyword, such as `bumpTexture` for `bumpmapTexture`, or other capitals, and the name of the picture has the same word in it.\n\n\
         MPFB corrects the word wherever it stands in the line: for `bumpTexture hat_bumpTexture.png` it looks for `hat_bumpmapTexture.png` and does not find it.\n\n\

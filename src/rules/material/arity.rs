@@ -1,9 +1,9 @@
 //! Every keyword needs its value, and a colour three numbers.
 
 use super::super::{Check, Rule, RuleCx, counted};
+use super::blender;
 use super::fault::{Fault, report};
 use super::loader;
-use super::mpfb;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, RuleInfo,
@@ -27,8 +27,8 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    if let View::Mpfb(view) = view {
-        return mpfb::arity(&RULE, view, out);
+    if view.is_mpfb() {
+        return blender::arity(&RULE, view, out);
     }
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
         let lines = surface.material.lines.iter().filter(|line| loader::reads(surface.application, line.keyword.name));

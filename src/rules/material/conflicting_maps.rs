@@ -1,10 +1,10 @@
 //! Roughness has one map.
 
 use super::super::{Check, Rule};
-use super::mpfb;
+use super::blender;
 use crate::diag::{Application::Mpfb, Level, RuleInfo};
 
-pub(in crate::rules) static RULE: Rule = Check::Mpfb(|view, _, out| mpfb::conflicting(&RULE, view, out)).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Mpfb(|view, _, out| blender::conflicting(&RULE, view, out)).rule(RuleInfo {
     breaks: &[(Mpfb, "fails with `ValueError` when it makes the material")],
     docs: "A material has both `roughnessmapTexture` and `specularmapTexture`. In MPFB both lead to the same input of the shader, and the second one fails.\n\n\
         Remove one of the two lines.",

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::advice::{Advice, file_name, is_quoted};
-use super::mpfb;
+use super::blender;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, RuleInfo, grouped,
@@ -35,8 +35,8 @@ const KEPT: Case = &[(Makehuman2, Level::Warning, "silently drops the line and k
 const COLOUR: Case = &[(Makehuman2, Level::Warning, "ignores the line and shows the plain colour")];
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    if let View::Mpfb(view) = view {
-        return mpfb::missing(&RULE, view, cx, out);
+    if view.is_mpfb() {
+        return blender::missing(&RULE, view, cx, out);
     }
     let layers = view.layers();
     let is_missing = |reference: &&Reference<'_>| {

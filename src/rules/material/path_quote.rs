@@ -2,9 +2,9 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::advice::{QUOTES, is_quoted};
+use super::blender;
 use super::fault::{Fault, report};
 use super::loader;
-use super::mpfb;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo,
@@ -26,8 +26,8 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 const LITSPHERE: &str = "litsphereTexture";
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    if let View::Mpfb(view) = view {
-        return mpfb::quotes(&RULE, view, out);
+    if view.is_mpfb() {
+        return blender::quotes(&RULE, view, out);
     }
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
         let is_own = |one: &&Reference<'_>| one.owner != LITSPHERE && is_lost(one);

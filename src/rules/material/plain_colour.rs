@@ -1,10 +1,10 @@
 //! What is worn has a texture.
 
 use super::super::{Check, Rule};
-use super::mpfb;
+use super::blender;
 use crate::diag::{Application::Mpfb, Level, RuleInfo};
 
-pub(in crate::rules) static RULE: Rule = Check::Mpfb(|view, _, out| mpfb::plain(&RULE, view, out)).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Mpfb(|view, _, out| blender::plain(&RULE, view, out)).rule(RuleInfo {
     breaks: &[(Mpfb, "turns all clothes of a saved character into game engine materials")],
     docs: "The material of clothes, hair or another part of the body has no `diffuseTexture`.\n\n\
         MPFB takes such a material for one of a game engine. When a character with it is saved, all clothes and body parts get that kind of material; loaded again, they have lost all maps but colour and normals.\n\n\

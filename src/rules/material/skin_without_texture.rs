@@ -1,10 +1,10 @@
 //! Ink layers need a skin with a texture.
 
 use super::super::{Check, Rule};
-use super::mpfb;
+use super::blender;
 use crate::diag::{Application::Mpfb, Level, RuleInfo};
 
-pub(in crate::rules) static RULE: Rule = Check::Mpfb(|view, _, out| mpfb::bare_skins(&RULE, view, out)).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Mpfb(|view, _, out| blender::bare_skins(&RULE, view, out)).rule(RuleInfo {
     breaks: &[(Mpfb, "fails with `ValueError` when an ink layer is put on the skin")],
     docs: "A skin has no `diffuseTexture`, and there are ink layers.\n\n\
         MPFB recognises its own skins by the texture. Without one every ink layer fails with `ValueError` on this skin.\n\n\

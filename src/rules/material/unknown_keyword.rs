@@ -1,9 +1,9 @@
 //! Keywords must be those that the application reads.
 
 use super::super::{Check, Rule, RuleCx};
+use super::blender;
 use super::fault::{Fault, report};
 use super::loader;
-use super::mpfb;
 use crate::diag::{
     Application::{self, Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo, nearest,
@@ -35,8 +35,8 @@ const SAME: [(&str, &str); 10] = [
 ];
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    if let View::Mpfb(view) = view {
-        return mpfb::unknown(&RULE, view, cx, out);
+    if view.is_mpfb() {
+        return blender::unknown(&RULE, view, cx, out);
     }
     let own = view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file));
     // What is no text has a finding of its own.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::cause::consequence::NO_FRAME;
 use super::super::{Check, Rule, RuleCx};
-use super::mpfb;
+use super::blender;
 use super::picture::fault;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
@@ -29,8 +29,8 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 const BLENDED: Case = &[(Makehuman1, Level::Error, NO_FRAME)];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    if let View::Mpfb(view) = view {
-        return mpfb::unreadable(&RULE, view, out);
+    if view.is_mpfb() {
+        return blender::unreadable(&RULE, view, out);
     }
     let mut named: BTreeMap<&str, (&FileFacts, Vec<String>)> = BTreeMap::new();
     let is_blended = |file: &FileFacts| (view.layout().single)(&file.rel) == Some(Single::SkinPicture);

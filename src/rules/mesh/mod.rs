@@ -6,7 +6,6 @@ mod face_out_of_range;
 mod group_name;
 mod inside_out;
 mod missing_groups;
-pub(super) mod mpfb;
 mod name_clash;
 mod ngon;
 mod no_faces;

@@ -1,7 +1,7 @@
 //! Vertices that no face uses.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{ReadMesh, mpfb, read};
+use super::{ReadMesh, read};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
@@ -30,10 +30,10 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         let finding = read(view, file).and_then(|mesh| loose(view, file, &mesh));
         return out.extend(finding);
     }
-    if let View::Mpfb(own) = view {
+    if view.is_mpfb() {
         let finding = read(view, file).filter(|mesh| mesh.asset.is_some()).and_then(|mesh| loose(view, file, &mesh));
-        let is_counted = mpfb::counts_loose(own, file);
-        return out.extend(finding.map(|one| if is_counted { one } else { one.case(NOT_COUNTED) }));
+        let finding = finding.map(|one| if counts_loose(view, file) { one } else { one.case(NOT_COUNTED) });
+        return out.extend(finding);
     }
     // Behind an archive it is told of that one.
     if view.is_replaced(&file.rel) {
@@ -70,6 +70,12 @@ fn loose(view: &View<'_>, file: &FileFacts, mesh: &ReadMesh<'_>) -> Option<Findi
     };
     let finding = RULE.at(file, Place::File, message).help(help).evidence(tally.evidence(mesh.facts.vertices));
     Some(mesh.weigh(view, file, finding, &[]))
+}
+
+/// Whether an asset has rows for more vertices of this mesh than its faces use.
+fn counts_loose(view: &View<'_>, file: &FileFacts) -> bool {
+    let mut worn = view.assets().iter().filter_map(|worn| Some((worn.clothes()?, worn.mesh()?)));
+    worn.any(|(clothes, (own, mesh))| own.path == file.path && clothes.flow.rows > mesh.used())
 }
 
 fn can_be_read(facts: &MeshFacts) -> bool {

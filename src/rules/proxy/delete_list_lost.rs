@@ -1,10 +1,11 @@
 //! The list of vertices to hide begins where it is looked for.
 
-use super::super::{Check, Rule};
-use super::mpfb;
-use crate::diag::{Application::Mpfb, Level, RuleInfo};
+use super::super::{Check, Rule, RuleCx};
+use super::blender;
+use crate::diag::{Application::Mpfb, Finding, Level, RuleInfo};
+use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Check::Body(|body, _, out| mpfb::list::lost(&RULE, body, out)).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Mpfb, "hides nothing, or less: the body shows through the asset")],
     docs: "`delete_verts` is there, and MPFB does not see its list, or not all of it.\n\n\
         The vertex rows end at the first line that is not a row, and this line is thrown away. If it is `delete_verts`, \
@@ -13,3 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(|body, _, out| mpfb::list::
         Put an empty line between the rows and `delete_verts`, and none below it.",
     ..RuleInfo::new("proxy-delete-list-lost", Level::Warning, "a list of vertices to hide that is not seen")
 });
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    blender::list::lost(&RULE, body, out);
+}

@@ -1,7 +1,7 @@
 //! The list of vertices to hide consists of numbers and ranges.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{STOPS_WITH_VALUE, Text, VALUE, lines, more, mpfb, sections, texts};
+use super::{STOPS_WITH_VALUE, Text, VALUE, blender, lines, more, sections, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo, Tally,
@@ -50,7 +50,7 @@ const BESIDE: Case = &[
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
-        return mpfb::list::ranges(&RULE, body, out);
+        return blender::list::ranges(&RULE, body, out);
     }
     for text in texts(body) {
         out.extend(word(&text));

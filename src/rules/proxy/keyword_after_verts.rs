@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, such};
 use super::keywords::known_to_makehuman1;
-use super::{Text, mpfb, sections, texts};
+use super::{Text, blender, sections, texts};
 use crate::diag::{
     Application::{Makehuman1, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
@@ -30,7 +30,7 @@ const UUID: Case = &[(
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
-        return mpfb::rows::lost(&RULE, body, out);
+        return blender::rows::lost(&RULE, body, out);
     }
     for text in texts(body) {
         out.extend(unknown(&text));

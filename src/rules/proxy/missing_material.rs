@@ -1,7 +1,7 @@
 //! The material of an asset must be found.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::{Text, is_unwalked, lone_archives, mpfb, neighbours, texts};
+use super::{Text, blender, is_unwalked, lone_archives, neighbours, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
@@ -31,7 +31,7 @@ const NONE: Case = &[(Makehuman2, Level::Warning, "shows the asset in plain whit
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
-        return mpfb::names::material(&RULE, body, cx, out);
+        return blender::names::material(&RULE, body, cx, out);
     }
     for text in texts(body).filter(|text| !text.worn.is_topology()) {
         out.extend(match text.worn.reference(ReferenceKind::AssetMaterial) {

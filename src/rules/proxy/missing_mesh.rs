@@ -1,7 +1,7 @@
 //! The mesh of an asset must be found.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::{Text, is_unwalked, missing::missing, mpfb, neighbours, texts};
+use super::{Text, blender, is_unwalked, missing::missing, neighbours, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, RuleInfo,
@@ -32,7 +32,7 @@ const PACKED: Case = &[(Makehuman2, Level::Info, "loads the `.mhbin` beside it, 
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
-        return mpfb::names::mesh(&RULE, body, cx, out);
+        return blender::names::mesh(&RULE, body, cx, out);
     }
     for text in texts(body) {
         let finding = match text.worn.reference(ReferenceKind::AssetMesh) {

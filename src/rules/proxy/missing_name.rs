@@ -1,7 +1,7 @@
 //! An asset has a name.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{missing::missing, mpfb, texts};
+use super::{blender, missing::missing, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, RuleInfo,
@@ -27,7 +27,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
-        return mpfb::names::known_by(&RULE, body, "name", out);
+        return blender::names::known_by(&RULE, body, "name", out);
     }
     for text in texts(body) {
         let is_missing =

@@ -2,7 +2,7 @@
 
 use super::super::cause::library::empty_uuid;
 use super::super::{Check, Rule, RuleCx};
-use super::{Text, missing::missing, mpfb, texts};
+use super::{Text, blender, missing::missing, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, RuleInfo,
@@ -27,7 +27,7 @@ const SINGLE: Case =
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
-        return mpfb::names::known_by(&RULE, body, "uuid", out);
+        return blender::names::known_by(&RULE, body, "uuid", out);
     }
     for text in texts(body) {
         // An empty line is worse in MakeHuman 1, and has a finding of its own.

@@ -1,6 +1,7 @@
 //! Assets that are worn: `.mhclo` and `.proxy` with what they name, as MakeHuman 2 loads them (formats/makehuman2.md §15).
 
 mod archives;
+mod blender;
 mod custom_weights;
 mod degenerate_triple;
 mod delete_list_lost;
@@ -26,7 +27,6 @@ mod missing_mesh;
 mod missing_name;
 mod missing_uuid;
 mod missing_weights;
-mod mpfb;
 mod non_finite;
 mod offsets_lost;
 mod older;

@@ -1,7 +1,7 @@
 //! Numbers of vertex rows must be finite.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{lone_archives, mpfb, texts};
+use super::{blender, lone_archives, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo,
@@ -21,7 +21,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
-        return mpfb::rows::not_finite(&RULE, body, out);
+        return blender::rows::not_finite(&RULE, body, out);
     }
     for text in texts(body).filter(|text| !text.stops()) {
         let rows = &text.clothes.rows;

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{is_told_by_scale, measured, numbering};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2},
     Case, Finding, Level, Place, RuleInfo,
 };
 use crate::eval::measures::Measures;
@@ -12,7 +12,8 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "draws the asset crumpled: its faces join vertices that do not belong together"),
-        (Makehuman1, "draws the asset crumpled: its faces join vertices that do not belong together"), (Mpfb, "draws the asset crumpled: its faces join vertices that do not belong together")],
+        (Makehuman1, "draws the asset crumpled: its faces join vertices that do not belong together"),
+    ],
     docs: "Fitted, the asset has another shape than its OBJ.\n\n\
         The first row belongs to the first vertex of the OBJ, and so on. If vertices are renumbered with their faces (a mesh \
         edited after the rows were made, or exported by another program) and the rows are not, every vertex goes to the \

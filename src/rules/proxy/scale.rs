@@ -2,7 +2,7 @@
 
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
-use super::{AXES, INDEX, Text, USUAL_SHARE, apart, mpfb, older, scale_lines, shear, texts};
+use super::{AXES, INDEX, Text, USUAL_SHARE, apart, blender, older, scale_lines, shear, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
@@ -53,7 +53,7 @@ const NOTHING: f32 = 0.001;
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
-        return mpfb::scale::faults(&RULE, body, out);
+        return blender::scale::faults(&RULE, body, out);
     }
     for text in texts(body) {
         out.extend(scale_lines::unreadable(&RULE, &text));

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::sections::{keyword_below_list, misspelt_list};
-use super::{INDEX, Text, VALUE, lines, more, mpfb, texts};
+use super::{INDEX, Text, VALUE, blender, lines, more, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
@@ -49,7 +49,7 @@ const ABOVE: Case = &[
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
-        return mpfb::list::keywords(&RULE, body, out);
+        return blender::list::keywords(&RULE, body, out);
     }
     for text in texts(body) {
         out.extend(rows(&text));

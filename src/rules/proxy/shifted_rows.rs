@@ -1,7 +1,7 @@
 //! No vertex row may be taken for something else.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::{INDEX, lines, more, mpfb, texts};
+use super::{INDEX, blender, lines, more, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo,
@@ -23,7 +23,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
-        return mpfb::rows::signs(&RULE, body, out);
+        return blender::rows::signs(&RULE, body, out);
     }
     for text in texts(body) {
         let dropped = text.faults(|kind| kind == FaultKind::DroppedRow);

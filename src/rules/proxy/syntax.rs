@@ -1,7 +1,7 @@
 //! Numbers must be where numbers belong.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{INDEX, Text, VALUE, all_texts, lines, more, mpfb, needs_value, sections, texts};
+use super::{INDEX, Text, VALUE, all_texts, blender, lines, more, needs_value, sections, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
@@ -37,7 +37,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.push(finding.help("restore the asset: this file is something else, such as a web page"));
     }
     if body.is_mpfb() {
-        return mpfb::rows::stops(&RULE, body, out);
+        return blender::rows::stops(&RULE, body, out);
     }
     for text in texts(body) {
         out.extend(row_words(&text));

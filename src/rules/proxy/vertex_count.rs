@@ -1,7 +1,7 @@
 //! An asset has a row for each vertex of its mesh.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::{STOPS_WITH_INDEX, Text, mpfb, sections, texts};
+use super::{STOPS_WITH_INDEX, Text, blender, sections, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
@@ -31,7 +31,7 @@ const SINGLE: Case = &[(Makehuman1, Level::Warning, "puts all vertices of the as
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
-        return mpfb::rows::count(&RULE, body, out);
+        return blender::rows::count(&RULE, body, out);
     }
     for text in texts(body).filter(|text| !text.stops()) {
         out.extend(finding(body, &text));

@@ -1,7 +1,7 @@
 //! Rows and lists of an asset name vertices that the base mesh has.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{OVERFLOW, STOPS_WITH_INDEX, Text, archives, mpfb, rebuild, texts};
+use super::{OVERFLOW, STOPS_WITH_INDEX, Text, archives, blender, rebuild, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo, Tally,
@@ -40,7 +40,7 @@ const FROM_END: Case = &[
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
-        return mpfb::rows::range(&RULE, body, out);
+        return blender::rows::range(&RULE, body, out);
     }
     for text in texts(body).filter(|text| !text.stops()) {
         let (rows, deletes) = (&text.clothes.rows, &text.clothes.deletes);

@@ -2,7 +2,7 @@
 
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
-use super::{Text, mpfb, texts};
+use super::{Text, blender, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
@@ -35,7 +35,7 @@ const SLIGHT: Case = &[(Makehuman1, Level::Warning, "moves the vertices by less 
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
-        return mpfb::rows::sums(&RULE, body, out);
+        return blender::rows::sums(&RULE, body, out);
     }
     for text in texts(body).filter(|text| !text.stops()) {
         let rows = &text.clothes.rows;

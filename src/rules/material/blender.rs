@@ -7,8 +7,8 @@ use super::picture::fault;
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, grouped};
 use crate::discover::Kind;
 use crate::formats::python_float;
-use crate::repo::mpfb::{Look, Reads, Set, View, key_names};
-use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, Wearer, parent};
+use crate::repo::mpfb::{self, Look, Reads, Set, key_names};
+use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, View, Wearer, parent};
 
 /// Lines of one fault in a material: one finding.
 struct Lines<'l> {
@@ -27,10 +27,7 @@ impl Lines<'_> {
 }
 
 fn at(set: &Set<'_>) -> Place {
-    match set.value.is_empty() {
-        true => Place::Line(set.statement.number),
-        false => Place::Span(set.statement.value.span.clone()),
-    }
+    if set.value.is_empty() { Place::Line(set.statement.number) } else { Place::Span(set.statement.value.span.clone()) }
 }
 
 fn shown(text: &str) -> String {
@@ -44,7 +41,7 @@ const NO_COLOUR: Case = &[(Mpfb, Level::Warning, "ignores the colour and takes i
 
 /// Keywords without what has to stand behind them.
 pub(super) fn arity(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
-    for look in &view.looks {
+    for look in view.looks() {
         let of = |wanted: fn(&Set<'_>) -> bool, message: fn(&Set<'_>) -> String| -> Vec<(Place, String, String)> {
             let own = look.lines.iter().filter(|set| wanted(set));
             own.map(|set| (at(set), set.key.name.to_owned(), message(set))).collect()
@@ -71,7 +68,7 @@ fn lacks_value(set: &Set<'_>) -> bool {
 
 /// Numbers and colours that are none.
 pub(super) fn values(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
-    for look in &view.looks {
+    for look in view.looks() {
         let lines = |case| Lines { rule, file: look.file, case };
         let of = |reads: Reads, is_wrong: fn(&str) -> bool, what: &str| -> Vec<(Place, String, String)> {
             let own = look.lines.iter().filter(|set| set.key.reads == reads && !set.value.is_empty());
@@ -119,7 +116,7 @@ const QUOTE: Case = &[(Mpfb, Level::Error, "fails with an exception when it make
 
 /// Quotes and control characters in paths.
 pub(super) fn quotes(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
-    for look in &view.looks {
+    for look in view.looks() {
         let is_bad = |one: &&Reference<'_>| one.text.contains(|letter: char| letter == '"' || letter.is_control());
         let own = look.pictures.iter().filter(is_bad);
         let faults: Vec<_> = own
@@ -145,30 +142,32 @@ const OF_SKIN: Case = &[(
 
 /// Pictures that do not exist.
 pub(super) fn missing(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for look in &view.looks {
+    for look in view.looks() {
         for one in &look.pictures {
             let is_absent = matches!(one.resolution, Resolution::Missing | Resolution::Unusable);
             let is_told = one.text.contains('"') || is_rewritten(look, one);
-            if !is_absent || is_told || view.layers.checked.has_fault(&one.rel) {
+            if !is_absent || is_told || view.layers().checked.has_fault(&one.rel) {
                 continue;
             }
             let what =
                 if matches!(one.resolution, Resolution::Unusable) { "cannot be opened" } else { "does not exist" };
             let message = format!("texture `{}` of `{}` {what}", shown(one.text), one.owner);
-            let help = match one.text.split_once(" #") {
-                Some((name, _)) => format!("write `{}`: a comment behind it belongs to the name", name.trim_end()),
-                None => {
-                    let folder = parent(&look.file.rel);
-                    let beside = view.layers.checked.below(folder).filter_map(|file| file.rel.strip_prefix(folder));
-                    let beside = beside.map(|name| name.trim_start_matches('/'));
-                    let near = cx.suggestions.nearest(one.text, beside.filter(|name| !name.ends_with(".mhmat")));
-                    did_you_mean(near, "correct the name, add the picture, or remove the line")
-                }
-            };
+            let help = advice(view, look, one, cx);
             let finding = rule.at(look.file, one.place.clone(), message).key(one.owner).help(help);
             out.push(if one.kind == ReferenceKind::SkinTexture { finding.case(OF_SKIN) } else { finding });
         }
     }
+}
+
+/// What to write for a picture that is not found.
+fn advice(view: &View<'_>, look: &Look<'_>, one: &Reference<'_>, cx: &RuleCx<'_>) -> String {
+    if let Some((name, _)) = one.text.split_once(" #") {
+        return format!("write `{}`: a comment behind it belongs to the name", name.trim_end());
+    }
+    let folder = parent(&look.file.rel);
+    let beside = view.layers().checked.below(folder).filter_map(|file| file.rel.strip_prefix(folder));
+    let beside = beside.map(|name| name.trim_start_matches('/')).filter(|name| !name.ends_with(".mhmat"));
+    did_you_mean(cx.suggestions.nearest(one.text, beside), "correct the name, add the picture, or remove the line")
 }
 
 /// The line that names a picture.
@@ -182,7 +181,7 @@ fn is_rewritten(look: &Look<'_>, picture: &Reference<'_>) -> bool {
 }
 
 /// Names that the correction of a keyword changes.
-pub(super) fn rewritten(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+pub(super) fn rewritten(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Finding>) {
     for look in &view.looks {
         for one in look.pictures.iter().filter(|one| is_rewritten(look, one) && one.found().is_none()) {
             let Some(set) = line(look, one) else { continue };
@@ -197,7 +196,7 @@ pub(super) fn rewritten(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 /// Files that are no pictures.
 pub(super) fn unreadable(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let mut named: BTreeMap<&str, (&FileFacts, Vec<String>)> = BTreeMap::new();
-    for look in &view.looks {
+    for look in view.looks() {
         for one in &look.pictures {
             let Some(file) = one.found() else { continue };
             let cases = &mut named.entry(&file.path).or_insert((file, Vec::new())).1;
@@ -213,7 +212,7 @@ pub(super) fn unreadable(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 
 /// Words that are meant as keywords, and keywords that stand behind white space.
 pub(super) fn unknown(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for look in &view.looks {
+    for look in view.looks() {
         // What other applications read is left to them.
         let is_of_others = |word: &str| look.material.lines.iter().any(|line| line.keyword.name == word);
         let mut near = Vec::new();
@@ -242,7 +241,7 @@ pub(super) fn unknown(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut V
 }
 
 /// Both maps in one material.
-pub(super) fn conflicting(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+pub(super) fn conflicting(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Finding>) {
     for look in &view.looks {
         let (Some(_), Some(specular)) = (look.picture("roughnessmapTexture"), look.picture("specularmapTexture"))
         else {
@@ -254,7 +253,7 @@ pub(super) fn conflicting(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) 
 }
 
 /// Materials of what is worn that have a colour alone.
-pub(super) fn plain(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+pub(super) fn plain(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Finding>) {
     // Eyes have a setting of their own, and proxies wear the skin.
     let counts = |look: &&Look<'_>| {
         let section = look.file.rel.split('/').next().unwrap_or_default();
@@ -277,7 +276,7 @@ fn is_plain(look: &Look<'_>) -> bool {
 }
 
 /// Skins without a texture, where there are ink layers.
-pub(super) fn bare_skins(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+pub(super) fn bare_skins(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Finding>) {
     let layers = || view.layers.strongest_first().chain(view.layers.beside);
     let has_ink = layers().any(|layer| layer.below("ink_layers").any(|file| file.kind_in(Mpfb) == Kind::InkLayer));
     let skins = view.looks.iter().filter(|look| has_ink && look.wearer == Wearer::Skin);
@@ -288,7 +287,7 @@ pub(super) fn bare_skins(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 }
 
 /// Different pictures of one file name.
-pub(super) fn same_names(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+pub(super) fn same_names(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Finding>) {
     let mut found = Vec::new();
     for look in &view.looks {
         let own = look.pictures.iter().filter_map(|one| one.found().map(|file| (file.file_name(), (look, one, file))));

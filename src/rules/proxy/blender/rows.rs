@@ -6,7 +6,6 @@ use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, Tall
 use crate::formats::mhclo::{Flow, Gap, Part, StopCause};
 use crate::repo::Body;
 use crate::rules::Rule;
-use crate::rules::mesh::mpfb::kept;
 use crate::rules::rule::counted as count_of;
 
 const VALUE: Case = &[(Mpfb, Level::Error, "fails with `ValueError` when the asset is loaded")];
@@ -93,7 +92,7 @@ pub(in crate::rules::proxy) fn count(rule: &Rule, body: &Body<'_>, out: &mut Vec
             continue;
         }
         let Some((file, mesh)) = text.worn.mesh().filter(|(_, mesh)| body.opens(mesh)) else { continue };
-        let (all, used) = (mesh.facts.vertices, kept(mesh));
+        let (all, used) = (mesh.facts.vertices, mesh.used());
         // Rows that count loose vertices are told at the mesh.
         if flow.rows == used || flow.rows == all {
             continue;
