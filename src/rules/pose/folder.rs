@@ -37,7 +37,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn other_rig(rig: &str, view: &View<'_>) -> Option<&'static str> {
     let known = || RIGS.iter().map(|(name, _)| *name);
     let is_own = |own: &RigFile<'_>| own.name == rig && own.part != RigPart::Asset;
-    if known().any(|name| name == rig) || view.rigs.iter().any(|own| is_own(own)) {
+    if known().any(|name| name == rig) || view.rigs.iter().any(is_own) {
         return None;
     }
     let in_other_case = known().find(|name| name.eq_ignore_ascii_case(rig));
