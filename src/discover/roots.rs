@@ -77,8 +77,9 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[
     }
     for application in company {
         let Some(other) = Layout::of(application).shares_roots_of else { continue };
-        // Signs that others have, too, are those of a user.
-        let is_shared = |root: &&DataRoot| root.application == other && signs.get(*root) == Some(&Sign::Faint);
+        // Signs that others have, too, are those of a user. Of an application that is asked for all but a system's are.
+        let is_users = |sign: Sign| sign == Sign::Faint || sign == Sign::Weak && asked.contains(&application);
+        let is_shared = |root: &&DataRoot| root.application == other && signs.get(*root).copied().is_some_and(is_users);
         let shared = roots.iter().filter(is_shared).map(|root| DataRoot { path: root.path.clone(), application });
         roots.extend(shared.collect::<Vec<_>>());
     }

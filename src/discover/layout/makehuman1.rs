@@ -26,7 +26,7 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     match parts {
         [.., "modifiers", name] if name.ends_with("_modifiers.json") => Some((Sign::Strong, 2)),
         [.., "3dobjs", "base.obj"] => Some((Sign::Weak, 2)),
-        [.., "rigs", name] if extension(name) == "mhskel" => Some((Sign::Strong, 2)),
+        [.., "rigs", name] if extension(name) == "mhskel" => Some((Sign::Weak, 2)),
         // MPFB has them, too.
         [.., "proxymeshes", _, name] if extension(name) == "proxy" => Some((Sign::Faint, 3)),
         // Packs of nothing but skins, or of poses, each with what else belongs to one.
