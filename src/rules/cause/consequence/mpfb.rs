@@ -1,6 +1,6 @@
 //! What MPFB does with a file that it cannot read or find (formats/mpfb.md §2.3, §3.1, §6, §7, §28; mpfb-observed.md 1.2).
 
-use super::table::{Cell, LOST, Table, anywhere, cell, nothing};
+use super::table::{Cell, LOST, Table, anywhere, cell};
 use super::{Consequence, Damage, Moment};
 use crate::diag::Application::Mpfb;
 use crate::diag::Case;
@@ -102,8 +102,8 @@ const NO_MESH: &[Cell] = &[
     cell(Damage::Closed, Error, NOT_LOADED_ASSET),
     cell(Damage::Pointer, Error, NOT_LOADED_ASSET),
     cell(Damage::Empty, Error, NOT_LOADED_ASSET),
-    // How Blender reads names in it is not known, and no other word matters.
-    nothing(Damage::NotUtf8),
+    // Names alone can have such bytes, and names in it are not used.
+    cell(Damage::NotUtf8, Info, "reads the mesh all the same: names in it are not used"),
     cell(Damage::MarkedWord, Warning, "does not recognise the first line"),
     cell(Damage::MarkedComment, Info, "ignores the first line, which is only a comment"),
 ];
