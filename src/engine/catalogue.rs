@@ -48,6 +48,7 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                     kind,
                     Kind::BaseMesh
                         | Kind::Weights
+                        | Kind::AssetWeights
                         | Kind::TargetCatalog
                         | Kind::MacroParts
                         | Kind::Model

@@ -90,7 +90,7 @@ pub(super) fn check(pointer: &str, node: &Node, wants: Wants, types: &mut Unfits
         Wants::Bools(2) => "a list of 2 of `true` or `false`",
         Wants::Bools(4) => "a list of 4 of `true` or `false`",
         Wants::Bools(_) => "a list of 3 of `true` or `false`",
-        Wants::Nothing => "no such key: it names another object",
+        Wants::Nothing => "nothing",
     };
     types.add_type(pointer, node, wanted);
 }

@@ -1,7 +1,7 @@
 //! Constraints of a bone: every key is a property of Blender's constraint of that type (formats/mpfb.md §20.9).
 
 use super::RigFaults;
-use super::attribute::{Properties, check, wanted};
+use super::attribute::{Properties, Wants, check, wanted};
 use super::constraint_types::{COMMON, NAMES, TYPES};
 use crate::formats::unfit::{Why, below, nth};
 use crate::json::{Node, Value};
@@ -68,8 +68,10 @@ fn one(pointer: String, node: &Node, faults: &mut RigFaults) -> Option<Constrain
     for member in node.effective_members().into_iter().filter(|member| !OWN_KEYS.contains(&&*member.key)) {
         let place = below(&pointer, &member.key);
         match wanted(properties, &member.key).or_else(|| wanted(COMMON, &member.key)) {
-            Some(wants) => check(&place, &member.node, wants, &mut faults.keys, &mut faults.words),
-            None => faults.properties.add(&place, Why::Property(names_of(properties))),
+            Some(wants) if !matches!(wants, Wants::Nothing) => {
+                check(&place, &member.node, wants, &mut faults.keys, &mut faults.words);
+            }
+            _ => faults.properties.add(&place, Why::Property(names_of(properties))),
         }
     }
     let targets = targets(&pointer, node, kind, *has_target, faults);

@@ -40,7 +40,8 @@ fn other_rig(rig: &str, view: &View<'_>) -> Option<&'static str> {
     if known().any(|name| name == rig) || view.rigs.iter().any(is_own) {
         return None;
     }
-    let in_other_case = known().find(|name| name.eq_ignore_ascii_case(rig));
+    // No rig has a dash in its name.
+    let in_other_case = known().find(|name| name.eq_ignore_ascii_case(&rig.replace('-', "_")));
     let shared = (rig == "default_no_toes").then_some("default");
     in_other_case.or(shared).or_else(|| nearest(rig, known()))
 }

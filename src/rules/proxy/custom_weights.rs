@@ -9,7 +9,7 @@ use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Evidence, Finding, Level, Place, RuleInfo,
 };
-use crate::repo::{Body, BodyWeights, FileFacts, ReferenceKind, WeightsUse};
+use crate::repo::{Body, BodyWeights, FileFacts, ReferenceKind, WeightsUse, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `KeyError` in every pose, and in the glTF export of a model with a skeleton"), (Makehuman1, "drops the weights of these bones: vertices that have no others go to the root bone"), (Mpfb, "silently drops the weights of the bone: the asset keeps those that it takes from the body")],
@@ -75,8 +75,11 @@ fn of_no_rig(body: &Body<'_>, cx: &RuleCx<'_>) -> Vec<Finding> {
         let weights = own.file.weights().filter(|weights| weights.has_weights)?;
         // The sub-rig beside the asset has bones of its own.
         let name = own.file.file_name().split('.').next().unwrap_or_default();
-        let beside = format!("{}/{name}.mpfbskel", own.file.folder());
-        let subrig = body.layers.checked.file(&beside).and_then(groups::of);
+        let beside = format!("{}/{name}.mpfbskel", parent(&own.file.rel));
+        let subrig = match body.layers.checked.file(&beside) {
+            Some(file) => Some(groups::of(file)?),
+            None => None,
+        };
         let takes = |group: &str| rigs.iter().chain(&subrig).any(|rig| rig.take(group));
         let bones = weights.bones.iter().filter(|bone| bone.listed > 0);
         let unknown: Vec<&str> = bones.map(|bone| &*bone.name).filter(|name| !takes(name)).collect();

@@ -15,10 +15,13 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     ..RuleInfo::new("rig-ignored-rotation-mode", Level::Warning, "a rotation mode that is overwritten")
 });
 
+/// The modes that Blender knows, without that which all bones get. Any other stops the loader (`rig-enum`).
+const OVERWRITTEN: [&str; 7] = ["QUATERNION", "XZY", "YXZ", "YZX", "ZXY", "ZYX", "AXIS_ANGLE"];
+
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs().filter(|(file, _)| matches!(file.part, RigPart::Standard | RigPart::Custom)) {
         let with_mode = rig.bones.iter().filter_map(|bone| Some((bone.name.as_str(), bone.rotation_mode.as_deref()?)));
-        let lost: Vec<(&str, &str)> = with_mode.filter(|(_, mode)| *mode != "XYZ").collect();
+        let lost: Vec<(&str, &str)> = with_mode.filter(|(_, mode)| OVERWRITTEN.contains(mode)).collect();
         let Some((bone, mode)) = lost.first() else { continue };
         let message = format!("bone `{bone}` gets XYZ instead of `{mode}`{}", such(lost.len(), "bones"));
         let names: Vec<&str> = lost.iter().map(|(bone, _)| *bone).collect();

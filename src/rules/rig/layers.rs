@@ -37,7 +37,12 @@ fn finding(file: &RigFile<'_>, all: Vec<&LayersFault>, case: Option<Case>) -> Op
     let (pointer, key, message, help) = match *all.first()? {
         LayersFault::Beyond(pointer, at) => {
             let (subject, more) = more(pointer);
-            (pointer, "beyond", format!("entry {at} of {subject} is set, and there are 32{more}"), "remove the entry")
+            (
+                pointer,
+                "beyond",
+                format!("entry {at} of {subject} is set, counted from 0: there are 32 layers{more}"),
+                "remove the entry",
+            )
         }
         LayersFault::Length(pointer, count) => {
             let (subject, more) = more(pointer);

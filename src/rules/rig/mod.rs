@@ -43,6 +43,7 @@ use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, poin
 use crate::formats::rig::Rig;
 use crate::formats::unfit::Unfit;
 use crate::repo::mpfb::{RigFile, RigPart};
+use crate::repo::parent;
 
 /// The rules of the family.
 pub(super) static RULES: &[&Rule] = &[
@@ -89,6 +90,12 @@ const OF_ASSET: Case =
 /// The words that fit what a rig is added to, for a finding on what stops the loader.
 fn stops(rig: &RigFile<'_>, finding: Finding) -> Finding {
     if rig.part == RigPart::Asset { finding.case(OF_ASSET) } else { finding }
+}
+
+/// Whether there is an asset that a sub-rig beside it is added with; others are never read.
+fn has_asset(rig: &RigFile<'_>) -> bool {
+    let prefix = format!("{}/{}.", parent(&rig.file.rel), rig.file.stem());
+    ["mhclo", "proxy"].iter().any(|ending| rig.layer.file(&format!("{prefix}{ending}")).is_some())
 }
 
 /// `bone a`; `bones a, b and c`; of many the first three.

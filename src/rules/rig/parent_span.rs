@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, did_you_mean, such};
 use super::located::{Figure, Placed, apart, placed};
-use super::{STOPS, at_bones, stops};
+use super::{STOPS, at_bones, has_asset, stops};
 use crate::diag::{Application::Mpfb, Case, Finding, Level, RuleInfo};
 use crate::eval::mpfb::joints::Joints;
 use crate::eval::vector::Vec3;
@@ -31,15 +31,16 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let joints = figure.as_ref().map(Figure::joints);
     for (file, rig) in view.own_rigs() {
         let bound = rig.bones.iter().flat_map(|bone| bone.constraints.iter().map(move |one| (bone, one)));
-        let targets = bound.flat_map(|(bone, one)| one.targets.iter().map(move |(target, _)| (bone, target)));
+        let targets = bound.flat_map(|(bone, one)| one.targets.iter().map(move |own| (bone, own)));
         if file.part != RigPart::Asset {
-            let foreign = targets.filter(|(_, target)| matches!(target, Target::Parent | Target::Span(..)));
+            let foreign = targets.filter(|(_, (target, _))| matches!(target, Target::Parent | Target::Span(..)));
             out.extend(in_rig_of_body(file, rig, &foreign.map(|(bone, _)| bone.name.as_str()).collect::<Vec<_>>()));
             continue;
         }
-        let Some(joints) = &joints else { continue };
-        for (bone, target) in targets {
-            if let Target::Span(_, head, tail) = target {
+        let Some(joints) = joints.as_ref().filter(|_| has_asset(file)) else { continue };
+        for (bone, (target, subtarget)) in targets {
+            // Without a bone to replace nothing is looked for.
+            if let (Target::Span(_, head, tail), Some(_)) = (target, subtarget) {
                 out.extend(unknown(file, rig, bone, [head, tail], joints, cx));
                 out.extend(several(view, file, rig, bone, [head, tail], joints));
             }

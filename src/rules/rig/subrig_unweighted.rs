@@ -1,7 +1,8 @@
 //! A sub-rig moves something.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Mpfb, Finding, Level, Place, RuleInfo};
+use super::has_asset;
+use crate::diag::{Application::Mpfb, Case, Finding, Level, Place, RuleInfo};
 use crate::repo::mpfb::{RigPart, View};
 use crate::repo::{FileFacts, parent};
 
@@ -13,11 +14,20 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     ..RuleInfo::new("rig-subrig-unweighted", Level::Warning, "a sub-rig whose asset has no weights for it")
 });
 
+const NEVER_READ: Case = &[(Mpfb, Level::Warning, "never reads the sub-rig")];
+
 const MASK: &str = "mhmask-subrig";
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs().filter(|(file, _)| file.part == RigPart::Asset) {
         let prefix = format!("{}/{}.", parent(&file.file.rel), file.file.stem());
+        let stem = file.file.stem();
+        if !has_asset(file) {
+            let message = format!("there is no asset `{stem}.mhclo` beside the sub-rig");
+            let finding = RULE.at(file.file, Place::File, message).key("asset").case(NEVER_READ);
+            out.push(finding.help("give the sub-rig the name of its asset"));
+            continue;
+        }
         let weights: Vec<&FileFacts> =
             file.layer.beginning_with(prefix).filter(|other| other.file_name().ends_with(".mhw")).collect();
         // What cannot be read has its own finding.

@@ -45,7 +45,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn lack<'r>(bone: &RigBone, constraint: &'r Constraint, known: &BTreeSet<&str>) -> Option<Lack<'r>> {
     constraint.targets.iter().find_map(|(target, subtarget)| match (target, subtarget.as_deref()) {
         (Target::Missing, _) => Some(Lack::Target),
-        (Target::Own, None | Some("")) => Some(Lack::Subtarget),
+        (Target::Own, None | Some("")) | (Target::Span(..) | Target::Parent, None) => Some(Lack::Subtarget),
         (Target::Own, Some(name)) if !known.contains(name) => Some(Lack::Unknown(name)),
         (Target::Own, Some(name)) if name == bone.name && constraint.kind != "ARMATURE" => Some(Lack::Itself),
         _ => None,

@@ -12,7 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
         the format it is, 110 at most. Without `bones` every key at the top is a bone, and none can be anything else: a \
         `version` added to such a file stops the loader.\n\n\
         MPFB raises an exception when the rig is added if the layouts are mixed, if the version is newer or no number, or if \
-        the file has `joints`, which is a skeleton of MakeHuman (`.mhskel`).\n\n\
+        the file has `joints`, which is a skeleton of MakeHuman (`.mhskel`). So it does if a rig of the body has `is_subrig`.\n\n\
         Export the rig again from MPFB, or correct the header.",
     ..RuleInfo::new("rig-version", Level::Error, "the header of a rig is not one that MPFB reads")
 });
@@ -24,6 +24,11 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let faults =
             faults.filter(|fault| !(file.part == RigPart::Custom && matches!(fault, LayoutFault::NotObject(_))));
         out.extend(faults.map(|fault| stops(file, finding(file, fault, cx))));
+        if rig.is_subrig && file.part != RigPart::Asset {
+            let message = "`is_subrig` is set, and this rig is added to no other";
+            let finding = RULE.at(file.file, Place::key(["is_subrig"]), message).key("is_subrig");
+            out.push(finding.help("write `false`, or put the rig beside an asset as `.mpfbskel`"));
+        }
     }
 }
 

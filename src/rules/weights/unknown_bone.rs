@@ -33,6 +33,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 const NEVER_APPLIED: Case =
     &[(Makehuman2, Level::Warning, "never applies these weights: another skeleton poses the base")];
 
+const NOTHING_MOVES: Case =
+    &[(Mpfb, Level::Error, "makes the rig without any weights: the body does not move with it")];
+
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (BodyWeights { file, .. }, weights) in readable_own(body) {
         let Some(Binding { known, takers, is_posed, skeleton }) = binding(body, file) else { continue };
@@ -56,7 +59,9 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .help(help)
             .against(&skeleton.path)
             .evidence(Evidence::of_cases(&unknown).out_of(weights.bones.len()));
-        out.push(if is_posed { finding } else { finding.case(NEVER_APPLIED) });
+        let is_all = unknown.len() == weights.bones.iter().filter(|bone| bone.listed > 0).count();
+        let finding = if is_all { finding.case(NOTHING_MOVES) } else { finding };
+        out.push(if is_posed || body.is_mpfb() { finding } else { finding.case(NEVER_APPLIED) });
     }
 }
 
