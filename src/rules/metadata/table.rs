@@ -21,7 +21,7 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
         row. Sides that are exchanged mirror the wrong half (a warning).\n\n\
         `basemesh_face_to_vertex_table.json.gz` lists the vertices of each face, `basemesh_vertex_to_face_table.json.gz` the \
         faces of each vertex, both as packed JSON. MPFB asks them which faces an asset hides. If a table is shorter than the \
-        mesh, or is no list of lists of whole numbers, such an asset cannot be put on. Rows of another mesh hide other faces \
+        mesh, or is not a list of lists of whole numbers, such an asset cannot be put on. Rows of another mesh hide other faces \
         (a warning).\n\n\
         Restore the file from the download of the add-on, or make it again from the base mesh.",
     ..RuleInfo::new("metadata-table", Level::Error, "a table of the base mesh that its loader does not take")
