@@ -2,7 +2,7 @@
 //!
 //! Source: MPFB and Blender 4.5 (formats/mpfb.md §20.5; `reference/README.md`, `mpfb_bones`).
 
-use crate::eval::vector::{Mat3, Vec3, cross, dot, length, narrow, sub, unit};
+use crate::eval::vector::{Mat3, Vec3, cross, dot, length, sub, unit};
 
 /// What decides the turn of a bone about itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -149,8 +149,7 @@ const AT_POLE: f64 = 2.5e-4;
 /// Axes turned about y.
 fn turned(axes: Mat3, roll: f64) -> Mat3 {
     let (sin, cos) = roll.sin_cos();
-    // As Blender stores them.
-    axes.map(|[x, y, z]| narrow([x * cos - z * sin, y, x * sin + z * cos]).map(f64::from))
+    axes.map(|[x, y, z]| [x * cos - z * sin, y, x * sin + z * cos])
 }
 
 #[cfg(test)]
