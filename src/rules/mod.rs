@@ -43,7 +43,7 @@ mod wearers;
 mod weights;
 
 pub(crate) use rule::{Check, Rule, RuleCx};
-use rule::{and_more, counted, did_you_mean, either, enumerated, such};
+use rule::{and_more, bones_in_words, counted, did_you_mean, either, enumerated, such};
 pub(crate) use wearers::name_wearers;
 
 /// The rules of each family. A rule that its family does not list does not exist.

@@ -124,6 +124,16 @@ pub(super) fn and_more(count: usize, thing: &str) -> String {
     }
 }
 
+/// `bone a`; `bones a, b and c`; of many the first three.
+pub(super) fn bones_in_words(bones: &[&str]) -> String {
+    let quoted: Vec<String> = bones.iter().take(3).map(|bone| format!("`{bone}`")).collect();
+    match (bones.len(), quoted.as_slice()) {
+        (1, _) => format!("bone {}", quoted.concat()),
+        (2 | 3, [first @ .., last]) => format!("bones {} and {last}", first.join(", ")),
+        (count, _) => format!("bones {} and {} more", quoted.join(", "), count.saturating_sub(3)),
+    }
+}
+
 /// `a`, `a and b`, `a, b and c`; of more than five names the first five, `and 25 more`.
 pub(super) fn enumerated<T: AsRef<str>>(names: &[T]) -> String {
     let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();

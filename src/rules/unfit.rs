@@ -123,8 +123,7 @@ fn help(one: &Unfit, cx: &RuleCx<'_>) -> String {
         }
         Why::Property(known) => {
             let key = steps(&one.pointer).last().unwrap_or_default();
-            let known = known.iter().flat_map(|names| names.split(' ')).filter(|name| !name.is_empty());
-            did_you_mean(cx.suggestions.nearest(&key, known), "remove the key")
+            did_you_mean(nearest_property(&key, known, cx), "remove the key")
         }
         Why::Type { wanted, .. } => format!("write {wanted}"),
         Why::Word(text, known) => did_you_mean(nearest(text, known, cx), write_one(known)),
@@ -142,21 +141,20 @@ fn nearest(text: &str, known: &'static [&'static str], cx: &RuleCx<'_>) -> Optio
     in_other_case.or_else(|| cx.suggestions.nearest(text, known.iter().copied()))
 }
 
-/// Whether a word or a property that is not known is like one that is; other faults are what they are.
-pub(super) fn has_near(one: &Unfit, cx: &RuleCx<'_>) -> bool {
+/// Whether a key or a property that is not known is like one that is; any other is somebody's own. Other faults are what
+/// they are.
+pub(super) fn is_misspelt(one: &Unfit, cx: &RuleCx<'_>) -> bool {
+    let key = steps(&one.pointer).last().unwrap_or_default();
     match &one.why {
-        Why::Property(known) => {
-            let key = steps(&one.pointer).last().unwrap_or_default();
-            cx.suggestions.nearest(&key, known.iter().flat_map(|names| names.split(' '))).is_some()
-        }
+        Why::Key(known) => nearest(&key, known, cx).is_some(),
+        Why::Property(known) => nearest_property(&key, known, cx).is_some(),
         _ => true,
     }
 }
 
-/// Whether a key that is not known is like one that is; any other is somebody's own.
-pub(super) fn is_misspelt(one: &Unfit, cx: &RuleCx<'_>) -> bool {
-    let key = steps(&one.pointer).last().unwrap_or_default();
-    if let Why::Key(known) = one.why { nearest(&key, known, cx).is_some() } else { true }
+fn nearest_property<'k>(key: &str, known: &'k [&'static str], cx: &RuleCx<'_>) -> Option<&'k str> {
+    let known = known.iter().flat_map(|names| names.split(' ')).filter(|name| !name.is_empty());
+    cx.suggestions.nearest(key, known)
 }
 
 /// So many words are named one by one.

@@ -95,7 +95,7 @@ fn middle(pairs: &[(Vec3, Vec3)], side: fn(&(Vec3, Vec3)) -> Vec3) -> Vec3 {
 }
 
 /// The middle one of numbers; 0 without any.
-pub(super) fn median(mut numbers: Vec<f64>) -> f64 {
+pub(crate) fn median(mut numbers: Vec<f64>) -> f64 {
     let half = numbers.len() / 2;
     if numbers.is_empty() { 0.0 } else { *numbers.select_nth_unstable_by(half, f64::total_cmp).1 }
 }

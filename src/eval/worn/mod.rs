@@ -12,6 +12,7 @@ mod shape;
 mod triangles;
 mod triples;
 
+pub(crate) use affine::median;
 pub use cover::Uncovered;
 pub use shape::{Disorder, Drift, Numbering, ShapeMeasure};
 pub use triples::{TripleFault, Triples};

@@ -98,11 +98,16 @@ impl RigFile {
 
 /// What decides the turn of a bone.
 pub(super) fn roll(bone: &RigBone) -> Roll {
-    match (bone.roll_strategy.as_deref(), bone.roll_reference_z) {
+    roll_of(bone.roll_strategy.as_deref(), bone.roll_reference_z, bone.roll)
+}
+
+/// The same of what a file says: a strategy, a direction, an angle.
+pub(super) fn roll_of(strategy: Option<&str>, reference: Option<Vec3>, angle: f64) -> Roll {
+    match (strategy, reference) {
         (Some("ALIGN_Z_WORLD_Z"), _) => Roll::ZUp,
         (Some("ALIGN_X_WORLD_X"), _) => Roll::XLeft,
         (Some("ALIGN_Z_REFERENCE_Z"), Some(reference)) if length(reference) > NO_LENGTH => Roll::ZTo(reference),
-        _ => Roll::Angle(bone.roll),
+        _ => Roll::Angle(angle),
     }
 }
 

@@ -8,12 +8,12 @@ use super::asset::{Asset, FittedAsset, read_asset};
 use super::cases::{details, settings};
 use super::keys::Keys;
 use super::pose::{read_stored_pose, stored_pose};
-use super::rig::{RigFile, StandingRig, read_rig, stops};
+use super::rig::{RigFile, StandingRig, read_rig, roll_of, stops};
 use super::weights::{existing, groups_json, inline, lists_json, read_groups};
 use crate::eval::mpfb::fit::interpolated;
 use crate::eval::mpfb::groups::{FileGroup, Loading, Taker, Takers, load};
-use crate::eval::mpfb::rest::{Defined, NO_LENGTH, Roll};
-use crate::eval::vector::{Point, Vec3, length, round_to_f32};
+use crate::eval::mpfb::rest::Defined;
+use crate::eval::vector::{Point, Vec3, round_to_f32};
 use crate::evaluate::Error;
 use crate::evaluate::cases::{Computer, inputs};
 use crate::evaluate::outputs::{mesh_json, object, rounded};
@@ -95,13 +95,7 @@ fn synthetic(definition: &Node) -> Result<StandingRig, Error> {
     let bone = |node: &Node| {
         let text = |key| node.get(key).and_then(Node::as_str);
         let angle = node.get("roll").and_then(Node::as_f64).unwrap_or(0.0);
-        let reference = node.get("roll_reference_z").and_then(place).filter(|vector| length(*vector) > NO_LENGTH);
-        let roll = match (text("roll_strategy"), reference) {
-            (Some("ALIGN_Z_WORLD_Z"), _) => Roll::ZUp,
-            (Some("ALIGN_X_WORLD_X"), _) => Roll::XLeft,
-            (Some("ALIGN_Z_REFERENCE_Z"), Some(reference)) => Roll::ZTo(reference),
-            _ => Roll::Angle(angle),
-        };
+        let roll = roll_of(text("roll_strategy"), node.get("roll_reference_z").and_then(place), angle);
         Some(Defined {
             head: node.get("head").and_then(place)?,
             tail: node.get("tail").and_then(place)?,

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 
+use super::in_order::{InOrder, Row};
 use crate::diag::EXAMPLES;
 use crate::formats::{python_float, python_int};
 
@@ -99,6 +100,8 @@ pub(super) struct Machine {
     listed_here: usize,
     last: Option<i64>,
     line: u32,
+    /// The values themselves, for who asks for them.
+    kept: Option<InOrder>,
 }
 
 impl Flow {
@@ -109,6 +112,21 @@ impl Flow {
 }
 
 impl Machine {
+    /// One that keeps the values that it takes.
+    pub(super) fn keeping() -> Self {
+        Self { kept: Some(InOrder::default()), ..Self::default() }
+    }
+
+    /// Whether nothing more is taken.
+    pub(super) fn has_stopped(&self) -> bool {
+        self.flow.stop.is_some()
+    }
+
+    /// The values up to where the reader stops, and that place.
+    pub(super) fn into_kept(self) -> (InOrder, Option<Stop>) {
+        (self.kept.unwrap_or_default(), self.flow.stop)
+    }
+
     pub(super) fn take(&mut self, line: u32, words: &[Word<'_>]) {
         self.line = line;
         if self.flow.stop.is_some() {
@@ -144,8 +162,8 @@ impl Machine {
         let Some(part) = self.part.take() else { return };
         let taken = if part == Part::Rows { self.flow.rows } else { self.listed_here };
         self.gap(Some(part), word, taken);
-        // Of what opens the rows behind a list nobody can tell.
-        if part == Part::List && word == "verts" {
+        // Rows behind such a list are gone for the application; that is said once, and what is in them is still looked at.
+        if part == Part::List && word == "verts" && self.kept.is_none() {
             self.part = Some(Part::Rows);
         }
     }
@@ -185,6 +203,9 @@ impl Machine {
                 }
                 Some(known) => {
                     self.flow.read.insert(known, self.line);
+                    if let Some(kept) = self.kept.as_mut().filter(|_| known == "obj_file") {
+                        kept.obj_file = value.map(|value| String::from_utf8_lossy(value).into_owned());
+                    }
                 }
                 None => self.gap(None, word, 0),
             },
@@ -202,29 +223,32 @@ impl Machine {
             let key = words.first().map_or(&b""[..], |(_, key)| *key);
             return self.stop(StopCause::ShortScale, key);
         };
-        let wrong = [a, b].into_iter().find(|(_, word)| python_int(word).is_none());
-        let wrong = wrong.or(Some(distance).filter(|(_, word)| python_float(word).is_none()));
-        if let Some((_, word)) = wrong {
-            return self.stop(StopCause::ScaleWord, word);
-        }
-        if let Some(known) = SCALES.into_iter().find(|known| known.as_bytes() == key.1) {
+        let vertices = whole(*a).and_then(|a| Ok([a, whole(*b)?]));
+        let scale = match vertices.and_then(|vertices| Ok((vertices, number(*distance)?))) {
+            Ok(scale) => scale,
+            Err(word) => return self.stop(StopCause::ScaleWord, word),
+        };
+        if let Some((axis, known)) = (0..).zip(SCALES).find(|(_, known)| known.as_bytes() == key.1) {
             self.flow.read.insert(known, self.line);
+            if let Some(slot) = self.kept.as_mut().and_then(|kept| kept.scales.get_mut::<usize>(axis)) {
+                *slot = Some(scale);
+            }
         }
     }
 
     fn row(&mut self, words: &[Word<'_>]) {
-        let mut read = words.iter().take(9).enumerate();
-        let is_number = |at: usize, word: &[u8]| {
-            if at < 3 { python_int(word).is_some() } else { python_float(word).is_some() }
+        let row = match row(words) {
+            Ok(row) => row,
+            Err(word) => return self.stop(StopCause::RowWord, word),
         };
-        if let Some((_, (_, word))) = read.find(|(at, (_, word))| !is_number(*at, word)) {
-            return self.stop(StopCause::RowWord, word);
-        }
         if (2..9).contains(&words.len()) {
             let first = words.first().map_or(&b""[..], |(_, word)| *word);
             return self.stop(StopCause::Words(words.len()), first);
         }
         self.flow.rows += 1;
+        if let Some(kept) = &mut self.kept {
+            kept.rows.push(row);
+        }
     }
 
     fn list(&mut self, words: &[Word<'_>]) {
@@ -237,6 +261,9 @@ impl Machine {
             let Some(number) = python_int(word) else { return self.stop(StopCause::ListWord, word) };
             if is_range {
                 self.range(number);
+            }
+            if let Some(kept) = &mut self.kept {
+                kept.hide(number, is_range);
             }
             if number < 0 {
                 note(&mut self.flow.negative, self.line);
@@ -260,6 +287,31 @@ impl Machine {
             note(&mut self.flow.reversed, self.line);
         }
     }
+}
+
+/// Vertices, weights and offset of a row; one word is all three vertices. Of a line of another length only whether its
+/// words are numbers counts.
+///
+/// # Errors
+/// The first word that is not the number that it has to be.
+fn row<'l>(words: &[Word<'l>]) -> Result<Row, &'l [u8]> {
+    let (mut vertices, mut numbers) = ([0; 3], [0.0; 6]);
+    for (slot, word) in vertices.iter_mut().zip(words) {
+        *slot = whole(*word)?;
+    }
+    for (slot, word) in numbers.iter_mut().zip(words.iter().skip(3)) {
+        *slot = number(*word)?;
+    }
+    let ([u, v, w, offset @ ..], [vertex, ..]) = (numbers, vertices);
+    Ok(if words.len() == 1 { ([vertex; 3], [1.0, 0.0, 0.0], [0.0; 3]) } else { (vertices, [u, v, w], offset) })
+}
+
+fn whole((_, word): Word<'_>) -> Result<i64, &[u8]> {
+    python_int(word).ok_or(word)
+}
+
+fn number((_, word): Word<'_>) -> Result<f64, &[u8]> {
+    python_float(word).ok_or(word)
 }
 
 fn note(lines: &mut Vec<u32>, line: u32) {

@@ -15,7 +15,7 @@ pub(crate) use keys::{Reads, names as key_names};
 pub(crate) use looks::{Look, Set};
 pub(crate) use named::NamedTarget;
 pub(crate) use parts::{Parts, Request};
-pub(crate) use rigs::{RigFile, RigPart, is_listed};
+pub(crate) use rigs::{POSE_ENDINGS, RigFile, RigPart, is_listed, rig_of_pose};
 pub(crate) use sliders::{
     LONGEST, LONGEST_SECTION, LONGEST_SECTION_WITH_SLIDERS, UserTarget, ends, identifier, identifiers, is_custom, pair,
 };

@@ -93,12 +93,18 @@ fn of_file<'a>(layer: &'a Layer, file: &'a FileFacts) -> RigFile<'a> {
 }
 
 /// Endings of the folders of poses behind the name of their rig (§25.1).
-const OF_POSES: [&str; 3] = ["_fk", "_ik", "_partial"];
+pub(crate) const POSE_ENDINGS: [&str; 3] = ["_fk", "_ik", "_partial"];
+
+/// The rig of the folder that a pose lies in; `None` where the folder is that of no rig.
+pub(crate) fn rig_of_pose(rel: &str) -> Option<&str> {
+    let (folders, _) = rel.strip_prefix("poses/")?.rsplit_once('/')?;
+    // A folder in a folder is copied by its own name alone.
+    folders.rsplit('/').find_map(|folder| POSE_ENDINGS.iter().find_map(|ending| folder.strip_suffix(ending)))
+}
 
 /// The bones of a stored pose with those of the rig that its folder names, if it is at hand.
 pub(super) fn bones_of_pose<'a>(rigs: &[RigFile<'a>], file: &'a FileFacts) -> Option<StoredBones<'a>> {
-    let folder = parent(&file.rel).strip_prefix("poses/")?;
-    let name = OF_POSES.iter().find_map(|ending| folder.strip_suffix(ending))?;
+    let name = rig_of_pose(&file.rel)?;
     let is_meant = |rig: &&RigFile<'_>| match rig.part {
         RigPart::Standard => rig.name == name,
         RigPart::Rigify => name.strip_prefix("rigify.") == Some(rig.name),
@@ -108,4 +114,17 @@ pub(super) fn bones_of_pose<'a>(rigs: &[RigFile<'a>], file: &'a FileFacts) -> Op
     let definition = rig.definition().filter(|definition| !definition.bones.is_empty())?;
     let known = definition.bones.iter().map(|bone| bone.name.as_str()).collect();
     Some(StoredBones { file, named: &file.stored_pose()?.bones, rig: rig.file, known })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_folder_names_the_rig() {
+        assert_eq!(rig_of_pose("poses/game_engine_fk/bow.json"), Some("game_engine"));
+        assert_eq!(rig_of_pose("poses/more/default_partial/bow.json"), Some("default"));
+        assert_eq!(rig_of_pose("poses/default_fk/more/bow.json"), Some("default"));
+        assert_eq!([rig_of_pose("poses/bow.json"), rig_of_pose("poses/default_FK/bow.json")], [None, None]);
+    }
 }

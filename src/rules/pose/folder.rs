@@ -1,11 +1,11 @@
 //! A stored pose of MPFB lies in the folder of a rig.
 
 use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
-use super::mpfb_rigs::{ENDINGS, RIGS, rig_of};
+use super::mpfb_rigs::RIGS;
 use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo, grouped, nearest};
 use crate::discover::Kind;
 use crate::repo::FileFacts;
-use crate::repo::mpfb::{RigFile, RigPart, View};
+use crate::repo::mpfb::{POSE_ENDINGS, RigFile, RigPart, View, rig_of_pose};
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "never offers the poses")],
@@ -22,7 +22,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let poses = view.own(Kind::StoredPose).filter(|file| !file.is_loose);
     let poses = poses.filter(|file| file.stored_pose().is_some_and(|pose| pose.is_pose));
     for (folder, files) in grouped(poses.map(|file| (crate::repo::parent(&file.rel), file))) {
-        let right = match rig_of(files.first().map_or("", |file| &file.rel)) {
+        let right = match rig_of_pose(files.first().map_or("", |file| &file.rel)) {
             Some(rig) => match other_rig(rig, view) {
                 Some(right) => renamed(folder, rig, right),
                 None => continue,
@@ -54,7 +54,7 @@ fn renamed(folder: &str, rig: &str, right: &str) -> Option<String> {
 /// The name that a folder without the ending of a rig is meant to have.
 fn meant(folder: &str) -> Option<String> {
     let name = folder.rsplit('/').next().unwrap_or(folder);
-    let known = RIGS.iter().flat_map(|(rig, _)| ENDINGS.iter().map(move |ending| format!("{rig}{ending}")));
+    let known = RIGS.iter().flat_map(|(rig, _)| POSE_ENDINGS.iter().map(move |ending| format!("{rig}{ending}")));
     let known: Vec<String> = known.collect();
     let in_other_case = known.iter().find(|one| one.eq_ignore_ascii_case(name));
     let alone = || RIGS.iter().find(|(rig, _)| rig.eq_ignore_ascii_case(name)).map(|(rig, _)| format!("{rig}_fk"));

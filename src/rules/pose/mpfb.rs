@@ -2,13 +2,13 @@
 
 use super::super::unfit::findings;
 use super::super::{Check, Rule, RuleCx, such};
-use super::mpfb_rigs::{has_spine, rig_of};
+use super::mpfb_rigs::has_spine;
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::stored_pose::StoredPose;
 use crate::formats::unfit::NamedAt;
 use crate::repo::FileFacts;
-use crate::repo::mpfb::View;
+use crate::repo::mpfb::{View, rig_of_pose};
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "lists the pose, and fails with an exception when it is loaded")],
@@ -32,7 +32,7 @@ const TORN: Case = &[(Mpfb, Level::Warning, "takes the numbers as they are: the 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in view.own(Kind::StoredPose) {
         // In a folder that no rig reads the pose is not offered, whatever is in it.
-        let Some((pose, rig)) = file.stored_pose().zip(rig_of(&file.rel)) else { continue };
+        let Some((pose, rig)) = file.stored_pose().zip(rig_of_pose(&file.rel)) else { continue };
         out.extend(findings(&RULE, file, &pose.stops, cx).map(|(_, finding)| finding));
         out.extend(without_spine(file, pose, rig));
         out.extend(odd(file, &pose.non_finite, "has NaN or infinity", "finite"));

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::super::{Check, Rule, RuleCx};
-use super::{STOPS, at_bones, bones_in_words, stops};
+use super::super::{Check, Rule, RuleCx, bones_in_words};
+use super::{STOPS, at_bones, stops};
 use crate::diag::{Application::Mpfb, Case, Finding, Level, RuleInfo};
 use crate::repo::mpfb::View;
 

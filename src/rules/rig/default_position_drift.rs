@@ -6,6 +6,7 @@ use super::located::{Placed, apart, of_body, place_in_words};
 use crate::diag::{Application::Mpfb, Finding, Level, RuleInfo};
 use crate::eval::mpfb::joints::Located;
 use crate::eval::vector::{Vec3, sub};
+use crate::eval::worn::median;
 use crate::formats::rig::{DefaultPosition, Rig};
 use crate::repo::mpfb::{RigFile, View};
 
@@ -41,7 +42,7 @@ struct Known<'r> {
 fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Finding> {
     let known = known(bones);
     let shift: Vec<f64> =
-        (0..3).map(|axis| median(known.iter().map(|one| one.written[axis] - one.found[axis]))).collect();
+        (0..3).map(|axis| median(known.iter().map(|one| one.written[axis] - one.found[axis]).collect())).collect();
     let [x, y, z] = shift.as_slice() else { return None };
     let off = |one: &Known<'_>| apart(sub(one.written, one.found), [*x, *y, *z]);
     let far: Vec<&Known<'_>> = known.iter().filter(|one| off(one) > FAR).collect();
@@ -74,10 +75,4 @@ fn known<'r>(bones: &[Placed<'r>]) -> Vec<Known<'r>> {
         known.into_iter().flatten()
     };
     bones.iter().flat_map(of_bone).collect()
-}
-
-fn median(values: impl Iterator<Item = f64>) -> f64 {
-    let mut sorted: Vec<f64> = values.collect();
-    sorted.sort_by(f64::total_cmp);
-    sorted.get(sorted.len() / 2).copied().unwrap_or(0.0)
 }

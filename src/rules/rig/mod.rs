@@ -98,16 +98,6 @@ fn has_asset(rig: &RigFile<'_>) -> bool {
     ["mhclo", "proxy"].iter().any(|ending| rig.layer.file(&format!("{prefix}{ending}")).is_some())
 }
 
-/// `bone a`; `bones a, b and c`; of many the first three.
-fn bones_in_words(bones: &[&str]) -> String {
-    let quoted: Vec<String> = bones.iter().take(3).map(|bone| format!("`{bone}`")).collect();
-    match (bones.len(), quoted.as_slice()) {
-        (1, _) => format!("bone {}", quoted.concat()),
-        (2 | 3, [first @ .., last]) => format!("bones {} and {last}", first.join(", ")),
-        (count, _) => format!("bones {} and {} more", quoted.join(", "), count.saturating_sub(3)),
-    }
-}
-
 /// A finding on some bones of a rig, at the key of the first one.
 fn at_bones(rule: &Rule, file: &RigFile<'_>, rig: &Rig, bones: &[&str], key: &str, message: String) -> Option<Finding> {
     let first = bones.first()?;

@@ -1,6 +1,6 @@
 //! What a rig says to Rigify is what Rigify knows.
 
-use super::super::unfit::{findings_in, has_near};
+use super::super::unfit::{findings_in, is_misspelt};
 use super::super::{Check, Rule, RuleCx};
 use super::{IN_BONES, STOPS, stops};
 use crate::diag::{Application::Mpfb, Case, Finding, Level, RuleInfo};
@@ -25,6 +25,6 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.extend(found.map(|(_, finding)| stops(file, finding)));
         // Rigify has more parameters than those which are known: one that is like none of them is its own.
         let found = findings_in(IN_BONES, &RULE, file.file, &rig.faults.ignored_rigify, cx);
-        out.extend(found.filter(|(one, _)| has_near(one, cx)).map(|(_, finding)| finding.case(LATER)));
+        out.extend(found.filter(|(one, _)| is_misspelt(one, cx)).map(|(_, finding)| finding.case(LATER)));
     }
 }

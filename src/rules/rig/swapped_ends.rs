@@ -1,9 +1,9 @@
 //! A bone begins where its parent ends, and not the other way about.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, bones_in_words};
+use super::at_bones;
 use super::located::{Placed, of_body};
 use super::pairs::swapped;
-use super::{at_bones, bones_in_words};
 use crate::diag::{Application::Mpfb, Confidence, Finding, Level, RuleInfo};
 use crate::formats::rig::Rig;
 use crate::repo::mpfb::{RigFile, View};

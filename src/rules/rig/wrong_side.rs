@@ -1,10 +1,10 @@
 //! Bones lie on the side that their names say.
 
 use super::super::units::centimetres_of_metres;
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, bones_in_words};
+use super::at_bones;
 use super::located::{Placed, of_body};
 use super::pairs::is_across;
-use super::{at_bones, bones_in_words};
 use crate::diag::{Application::Mpfb, Finding, Level, RuleInfo};
 use crate::formats::rig::Rig;
 use crate::repo::mpfb::{RigFile, View};

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, bones_in_words};
 use super::located::{Placed, apart, of_body};
-use super::{STOPS, at_bones, bones_in_words};
+use super::{STOPS, at_bones};
 use crate::diag::{Application::Mpfb, Finding, Level, RuleInfo};
 use crate::eval::mpfb::rest::{Defined, NO_LENGTH, Roll, rest};
 use crate::formats::rig::Rig;

@@ -49,13 +49,3 @@ impl<'a> Measured<'a> {
 pub(super) fn plane_of(bone: &Bone) -> Option<&str> {
     if let RotationPlane::Named(plane) = &bone.rotation_plane { Some(plane) } else { None }
 }
-
-/// "bone a", "bones a, b, c and 3 more", names in backticks.
-pub(super) fn named(bones: &[&str]) -> String {
-    let quoted: Vec<String> = bones.iter().take(3).map(|bone| format!("`{bone}`")).collect();
-    match (bones.len(), quoted.as_slice()) {
-        (1, _) => format!("bone {}", quoted.concat()),
-        (2 | 3, [first @ .., last]) => format!("bones {} and {last}", first.join(", ")),
-        (count, _) => format!("bones {} and {} more", quoted.join(", "), count.saturating_sub(3)),
-    }
-}

@@ -1,7 +1,7 @@
 //! A bone begins where its parent ends.
 
-use super::super::{Check, Rule, RuleCx};
-use super::measured::{Measured, measured, named};
+use super::super::{Check, Rule, RuleCx, bones_in_words};
+use super::measured::{Measured, measured};
 use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::rig_measure::BoneMeasure;
@@ -42,7 +42,7 @@ fn finding(rig: &Measured<'_>) -> Option<Finding> {
     let first = swapped.first()?;
     let message = match swapped.len() {
         1 => format!("bone `{first}` ends where its parent ends, and begins beyond it"),
-        _ => format!("{} end where their parents end, and begin beyond them", named(&swapped)),
+        _ => format!("{} end where their parents end, and begin beyond them", bones_in_words(&swapped)),
     };
     Some(
         RULE.at(rig.file, Place::pointer(["bones", first]), message)

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::super::{Check, Rule, RuleCx};
-use super::measured::{Measured, measured, named};
+use super::super::{Check, Rule, RuleCx, bones_in_words};
+use super::measured::{Measured, measured};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::{Body, Rig};
@@ -55,7 +55,7 @@ fn finding(rig: &Measured<'_>, vertices: usize) -> Option<Finding> {
     let get = if lost == 1 { "gets" } else { "get" };
     let message = format!(
         "{lost} of {vertices} vertices {get} no weights: no bone of this skeleton takes the weights of {}",
-        named(&bones)
+        bones_in_words(&bones)
     );
     Some(
         RULE.at(rig.file, Place::pointer(["bones"]), message)

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::super::{Check, Rule, RuleCx};
-use super::measured::{Measured, measured, named};
+use super::super::{Check, Rule, RuleCx, bones_in_words};
+use super::measured::{Measured, measured};
 use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::formats::mhskel::Bone;
@@ -50,8 +50,12 @@ fn names_nothing(bone: &Bone, defaults: &BTreeSet<&str>) -> bool {
 fn finding(rig: &Measured<'_>, bones: &[&str]) -> Option<Finding> {
     let first = bones.first()?;
     let message = match bones.len() {
-        1 => format!("{} gets no weights: it has no references, and no default bone has its name", named(bones)),
-        _ => format!("{} get no weights: they have neither references nor names of default bones", named(bones)),
+        1 => {
+            format!("{} gets no weights: it has no references, and no default bone has its name", bones_in_words(bones))
+        }
+        _ => {
+            format!("{} get no weights: they have neither references nor names of default bones", bones_in_words(bones))
+        }
     };
     Some(
         RULE.at(rig.file, Place::key(["bones", first]), message)

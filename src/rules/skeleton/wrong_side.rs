@@ -1,8 +1,8 @@
 //! Bones lie on the side that their names say.
 
 use super::super::units::centimetres;
-use super::super::{Check, Rule, RuleCx};
-use super::measured::{Measured, measured, named};
+use super::super::{Check, Rule, RuleCx, bones_in_words};
+use super::measured::{Measured, measured};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::rig_measure::BoneMeasure;
@@ -44,7 +44,7 @@ fn finding(rig: &Measured<'_>) -> Option<Finding> {
     let x = f32::midpoint(measure.head[0], measure.tail[0]);
     let is_not =
         if bones.len() == 1 { "is not on the side its name says" } else { "are not on the side their names say" };
-    let message = format!("{} {is_not}: `{first}` is at x = {:.1} cm ({x:.2})", named(&bones), centimetres(x));
+    let message = format!("{} {is_not}: `{first}` is at x = {:.1} cm ({x:.2})", bones_in_words(&bones), centimetres(x));
     let sided = rig.bones().filter(|(bone, _)| side::of_bone(&bone.name).is_some()).count();
     let help = if bones.len() == sided && sided > MIRRORED {
         "check whether base.obj was mirrored when it was exported: every left or right bone is wrong"

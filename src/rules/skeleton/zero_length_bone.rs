@@ -1,7 +1,7 @@
 //! Head and tail of a bone are two places.
 
-use super::super::{Check, Rule, RuleCx};
-use super::measured::{Measured, NO_LENGTH, measured, named};
+use super::super::{Check, Rule, RuleCx, bones_in_words};
+use super::measured::{Measured, NO_LENGTH, measured};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
@@ -39,7 +39,7 @@ fn finding(rig: &Measured<'_>, (head, tail): (&str, &str), bones: &[&str]) -> Op
     } else {
         format!("joints `{head}` and `{tail}` coincide")
     };
-    let message = format!("{} {have} no length: {why}", named(bones));
+    let message = format!("{} {have} no length: {why}", bones_in_words(bones));
     let evidence = Evidence::of_cases(bones).out_of(rig.skeleton.bones.len()).with_worst(length, *first);
     Some(
         RULE.at(rig.file, Place::key(["bones", first]), message)
