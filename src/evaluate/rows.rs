@@ -38,7 +38,7 @@ impl Evaluation {
     ///
     /// # Errors
     /// A target that is missing or cannot be used.
-    pub(super) fn with_factors(&mut self, factors: &[(usize, f64)]) -> Result<Vec<Point>, Error> {
+    fn with_factors(&mut self, factors: &[(usize, f64)]) -> Result<Vec<Point>, Error> {
         for (target, _) in factors {
             self.need_rows(*target)?;
         }
@@ -47,7 +47,7 @@ impl Evaluation {
         Ok(positions)
     }
 
-    fn need_rows(&mut self, target: usize) -> Result<(), Error> {
+    pub(super) fn need_rows(&mut self, target: usize) -> Result<(), Error> {
         let Some(known) = self.scene.targets.get(target) else { return Ok(()) };
         if known.rows.is_some() {
             return Ok(());

@@ -139,14 +139,26 @@ fn the_data_of_mpfb_have_their_known_defects() {
         ("file-duplicate-content", "`targets/legs/measure-lowerleg-height-decr.target.gz`"),
         ("file-duplicate-content", "`targets/legs/measure-lowerleg-height-incr.target.gz`"),
         ("file-duplicate-content", "`targets/legs/upperlegs-height-incr.target.gz`"),
+        ("metadata-table", "`helper-l-eyelashes` is not a vertex group (5 such names)"),
         ("parts-end-share", "16 of 16 ends"),
         ("program-missing-file", "folder `targets/_images`"),
         ("program-missing-file", "folder `textures`"),
+        ("rig-asymmetric", "`mixamorig:LeftHand`"),
+        ("rig-default-position-drift", "rig.game_engine.json"),
+        ("rig-default-position-drift", "rig.game_engine_with_breast.json"),
+        ("rig-default-position-drift", "rig.mixamo.json"),
+        ("rig-missing-weights", "`weights.human.json` does not exist, which rig `human` needs"),
+        (
+            "rig-missing-weights",
+            "`weights.default.json` does not exist, which rigs `default` and `default_no_toes` need",
+        ),
         ("target-asymmetric", "32 of 810 targets"),
         ("target-asymmetric", "203 vertices"),
         ("target-asymmetric-pair", "`r-foot-trans-backward`"),
         ("target-asymmetric-pair", "`r-foot-trans-forward`"),
         ("target-zero-delta", "35326 zero rows in 635 targets"),
+        ("weights-not-normalized", "weights.game_engine_with_breast.json"),
+        ("weights-not-normalized", "weights.mixamo.json"),
     ];
     for (rule, text) in known {
         let told = others.iter().filter(|line| line.contains(&format!("[{rule}]")) && line.contains(text)).count();

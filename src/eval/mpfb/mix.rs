@@ -1,8 +1,9 @@
 //! Shape keys as Blender mixes them, and what MPFB makes of coordinates.
 //!
-//! Source: MPFB, shape keys (formats/mpfb.md §0, §5).
+//! Source: MPFB, shape keys (formats/mpfb.md §0, §5). All is rounded where Blender rounds: bones of fingers are shorter
+//! than two hundredths of a unit, and the last digit of their ends turns their axes by a hundred thousandth.
 
-use crate::eval::vector::Point;
+use crate::eval::vector::{Point, add, narrow, scale as scaled, widen};
 
 /// Vertices of the body itself: helpers follow.
 const BODY: usize = 13380;
@@ -13,9 +14,41 @@ pub fn key_value(value: f64) -> f64 {
     if value.is_nan() { value } else { value.clamp(0.0, 1.0) }
 }
 
-/// A point of a file as Blender has it: z up, in units of the mesh.
+/// A point of a file as Blender has it once it is turned and scaled: z up, in units of the mesh.
+///
+/// Blender scales an object by `1 + (scale - 1)`, in 32 bit, and turns it by the greatest 32 bit angle below a right
+/// one: figures of `reference/mpfb_bones.json` and `mpfb_pose.json` that are at the last digit.
 pub fn in_blender(point: Point, scale: f32) -> Point {
-    [scale * point[0], scale * -point[2], scale * point[1]]
+    let [x, y, z] = point;
+    let scale = 1.0 + (scale - 1.0);
+    let tilt = TILT * scale;
+    [x * scale, y * tilt + z * -scale, y * scale + z * tilt]
+}
+
+/// Cosine of the angle that Blender turns a mesh by.
+const TILT: f32 = 7.549_79e-8;
+
+/// A mesh with shape keys, in Blender: points of the file, for each key its rows and its value, in the order of the
+/// keys. Rows of vertices that the mesh does not have are passed over.
+pub fn mixed<'k>(
+    points: &[Point],
+    keys: impl IntoIterator<Item = (&'k [(u32, Point)], f32)>,
+    scale: f32,
+) -> Vec<Point> {
+    let basis: Vec<Point> = points.iter().map(|point| in_blender(*point, scale)).collect();
+    let mut mix = basis.clone();
+    for (rows, value) in keys {
+        for (vertex, [x, y, z]) in rows {
+            let at = *vertex as usize;
+            let (Some(basis), Some(place)) = (basis.get(at), mix.get_mut(at)) else { continue };
+            let moved = scaled(widen([*x, -*z, *y]), f64::from(scale));
+            let key = narrow(add(widen(*basis), moved));
+            for axis in 0..3 {
+                place[axis] += value * (key[axis] - basis[axis]);
+            }
+        }
+    }
+    mix
 }
 
 /// The lowest z of the body, in Blender; none of a mesh without vertices.
@@ -41,7 +74,17 @@ mod tests {
 
     #[test]
     fn up_becomes_z() {
-        assert_eq!(in_blender([1.0, 2.0, 3.0], 0.5), [0.5, -1.5, 1.0]);
+        let turned = in_blender([1.0, 2.0, 3.0], 0.5);
+        let wanted = [0.5, -1.5, 1.0];
+        assert!(turned.iter().zip(wanted).all(|(own, wanted)| (own - wanted).abs() < 3e-7), "{turned:?}");
+    }
+
+    #[test]
+    fn keys_are_added_by_their_values() {
+        let rows = [(0, [1.0, 2.0, 3.0]), (7, [1.0; 3])];
+        let mesh = mixed(&[[0.0; 3]], [(&rows[..], 0.5), (&rows[..1], 0.25)], 0.1);
+        let wanted = [0.075, -0.225, 0.15];
+        assert!(mesh[0].iter().zip(wanted).all(|(own, wanted)| (own - wanted).abs() < 1e-7), "{mesh:?}");
     }
 
     #[test]

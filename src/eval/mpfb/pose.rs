@@ -3,6 +3,7 @@
 //! Source: MPFB and Blender 4.5 (formats/mpfb.md §22.3, §25.1; `reference/README.md`, `mpfb_pose`). Bones that do not
 //! inherit rotation or scale are taken like any other.
 
+use super::armature::parents_first;
 use super::rest::RestBone;
 use crate::eval::vector::{
     IDENTITY, Mat3, Mat4, Point, Vec3, add, from_columns, inverse, length, multiply, narrow, scale, transform, unit,
@@ -83,24 +84,14 @@ pub fn rest_matrix(bone: &RestBone) -> Mat4 {
 /// The matrices of all bones in a pose; those that it does not have keep their place below their parents.
 pub fn pose_matrices(bones: &[RestBone], poses: &[Option<BonePose>]) -> Vec<Mat4> {
     let mut found: Vec<Option<Mat4>> = vec![None; bones.len()];
-    for start in 0..bones.len() {
-        // Parents first, without recursion: chains have any length. There are no circles among accepted parents.
-        let mut way = vec![start];
-        while let Some(parent) = way.last().and_then(|at| bones.get(*at)).and_then(|bone| bone.parent) {
-            if found.get(parent).is_none_or(Option::is_some) {
-                break;
-            }
-            way.push(parent);
-        }
-        for at in way.into_iter().rev().filter(|at| found.get(*at) == Some(&None)).collect::<Vec<_>>() {
-            let Some(bone) = bones.get(at) else { continue };
-            let own = multiply(&rest_matrix(bone), &local(bone, poses.get(at).copied().flatten()));
-            let above = bone.parent.and_then(|parent| Some((found.get(parent).copied()??, bones.get(parent)?)));
-            let matrix =
-                above.map_or(own, |(above, parent)| multiply(&multiply(&above, &inverse(&rest_matrix(parent))), &own));
-            if let Some(slot) = found.get_mut(at) {
-                *slot = Some(matrix);
-            }
+    for at in parents_first(bones) {
+        let Some(bone) = bones.get(at) else { continue };
+        let own = multiply(&rest_matrix(bone), &local(bone, poses.get(at).copied().flatten()));
+        let above = bone.parent.and_then(|parent| Some((found.get(parent).copied()??, bones.get(parent)?)));
+        let matrix =
+            above.map_or(own, |(above, parent)| multiply(&multiply(&above, &inverse(&rest_matrix(parent))), &own));
+        if let Some(slot) = found.get_mut(at) {
+            *slot = Some(matrix);
         }
     }
     found.into_iter().map(|matrix| matrix.unwrap_or(IDENTITY)).collect()

@@ -2,7 +2,8 @@
 //!
 //! Source: MPFB and Blender 4.5 (formats/mpfb.md §20.5; `reference/README.md`, `mpfb_bones`).
 
-use crate::eval::vector::{Mat3, Vec3, cross, dot, length, sub, unit};
+use super::armature::{set_axes, without_roll};
+use crate::eval::vector::{Mat3, Vec3, cross, dot, length, narrow, sub, unit, widen};
 
 /// What decides the turn of a bone about itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -74,9 +75,7 @@ pub fn rest(bones: &[Defined]) -> Vec<RestBone> {
             bone.head = tail;
         }
     }
-    for bone in &mut found {
-        bone.matrix = turned(axes(unit(sub(bone.tail, bone.head))), bone.roll);
-    }
+    set_axes(&mut found);
     found
 }
 
@@ -125,31 +124,8 @@ fn towards(y: Vec3, vector: Vec3) -> f64 {
     if length(cross(y, vector)) <= NO_LENGTH * length(vector) {
         return 0.0;
     }
-    let axes = axes(y);
+    let axes = without_roll(narrow(y)).map(widen);
     dot(vector, axes.map(|row| row[0])).atan2(dot(vector, axes.map(|row| row[2])))
-}
-
-/// The axes of a bone with roll 0. Those of one that points to -y are noise, in Blender as here.
-fn axes(direction: Vec3) -> Mat3 {
-    let [a, b, c] = direction;
-    let flat = a * a + c * c;
-    let mut t = 1.0 + b;
-    if t <= NEAR_POLE {
-        if flat <= AT_POLE * AT_POLE {
-            return [[-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]];
-        }
-        t = flat / 2.0 + flat * flat / 8.0;
-    }
-    [[1.0 - a * a / t, a, -a * c / t], [-a, b, -c], [-a * c / t, c, 1.0 - c * c / t]]
-}
-
-const NEAR_POLE: f64 = 0.0061;
-const AT_POLE: f64 = 2.5e-4;
-
-/// Axes turned about y.
-fn turned(axes: Mat3, roll: f64) -> Mat3 {
-    let (sin, cos) = roll.sin_cos();
-    axes.map(|[x, y, z]| [x * cos - z * sin, y, x * sin + z * cos])
 }
 
 #[cfg(test)]

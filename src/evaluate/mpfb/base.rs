@@ -193,11 +193,15 @@ impl Composer {
             loops::Axis::Setting(setting) => Source::Setting(*setting),
             loops::Axis::Only(setting, name) => Source::Only(*setting, place(*setting, name)),
         };
-        let axes: Vec<Axis> =
-            own.axes.iter().zip(&lists).map(|(axis, list)| Axis { of: source(axis), names: list.len() }).collect();
+        let taken = |at: &usize| {
+            let (axis, list) = (own.axes.get(*at)?, lists.get(*at)?);
+            Some(Axis { of: source(axis), names: list.len() })
+        };
+        let axes: Vec<Axis> = own.order.iter().filter_map(taken).collect();
         let mut targets = vec![None; lists.iter().map(Vec::len).product()];
         for request in parts.requests.iter().filter(|request| request.number == number) {
-            let index = axes.iter().zip(&request.names).fold(0, |index, (axis, name)| index * axis.names + name);
+            let names = own.order.iter().filter_map(|at| request.names.get(*at));
+            let index = axes.iter().zip(names).fold(0, |index, (axis, name)| index * axis.names + name);
             if let Some(slot) = targets.get_mut(index) {
                 *slot = u32::try_from(self.scene.macro_targets.len()).ok();
                 let place = self.target(request.target.clone(), request.file);

@@ -7,9 +7,9 @@ use super::macros::outputs;
 use super::rig_cases;
 use crate::diag::Application;
 use crate::eval::mpfb::loops::CUT_OFF;
-use crate::eval::mpfb::mix::{feet_on_ground, in_blender, lowest_point};
+use crate::eval::mpfb::mix::{feet_on_ground, lowest_point};
 use crate::eval::scene::Setting;
-use crate::eval::vector::{Point, round_to_f32};
+use crate::eval::vector::round_to_f32;
 use crate::evaluate::cases::tolerance::{
     BONE_ENDS, FACTORS, FITTED_IN_BLENDER, GROUP_SUMS, MIXED, MIXED_SUMS, POSED_IN_BLENDER, REST_AXES, RIG_ENDS,
     TAKEN_SUMS, Tolerance, WEIGHTS,
@@ -69,10 +69,9 @@ fn morph(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outp
         let setting = setting(base, node)?;
         keys.set_macros(base, &setting)?;
     }
-    let blender = |positions: Vec<Point>| positions.into_iter().map(|point| in_blender(point, scale)).collect();
     let mut lift = 0.0;
     if is_lifted {
-        let mut standing: Vec<Point> = blender(keys.mixed(base)?);
+        let mut standing = keys.mixed(base, scale)?;
         let before = lowest_point(&standing).unwrap_or(0.0);
         feet_on_ground(&mut standing);
         lift = lowest_point(&standing).unwrap_or(0.0) - before;
@@ -84,7 +83,7 @@ fn morph(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outp
         let setting = setting(base, node)?;
         keys.set_macros(base, &setting)?;
     }
-    let mut positions: Vec<Point> = blender(keys.mixed(base)?);
+    let mut positions = keys.mixed(base, scale)?;
     positions.iter_mut().for_each(|point| point[2] += lift);
     let mut outputs = mesh_json(&positions, &inputs::vertex_ids(file, case, base.base())?)?;
     outputs.insert("shape_keys".to_owned(), keys.json());

@@ -1,10 +1,11 @@
 //! A figure of MPFB as Blender has it: the mesh with its shape keys, in metres or any other scale.
 
-use super::keys::Keys;
+use std::sync::Arc;
+
 use crate::eval::mpfb::joints::Joints;
-use crate::eval::mpfb::mix::in_blender;
+use crate::eval::mpfb::mix::mixed;
 use crate::eval::scene::Setting;
-use crate::eval::vector::Point;
+use crate::eval::vector::{Point, round_to_f32};
 use crate::evaluate::{Error, Evaluation};
 
 /// One unit of the OBJ is so many of the figure, unless it is said otherwise.
@@ -21,11 +22,21 @@ impl Evaluation {
     /// # Errors
     /// A target that cannot be had.
     pub fn in_blender(&mut self, setting: &Setting, scale: f32) -> Result<Vec<Point>, Error> {
-        Ok(self.morphed(setting)?.into_iter().map(|point| in_blender(point, scale)).collect())
+        let only_macros = Setting { macros: Arc::clone(&setting.macros), details: [].into() };
+        let macros = self.factors(&only_macros)?.len();
+        let mut factors = self.factors(setting)?;
+        // A character gets the keys of its macros first.
+        factors.rotate_right(macros);
+        self.with_keys(&factors, scale)
     }
 
-    /// The same of a figure with these shape keys.
-    pub(super) fn with_keys(&mut self, keys: &Keys, scale: f32) -> Result<Vec<Point>, Error> {
-        Ok(keys.mixed(self)?.into_iter().map(|point| in_blender(point, scale)).collect())
+    /// The same of a figure with these targets as its shape keys, in the order of the keys.
+    pub(super) fn with_keys(&mut self, keys: &[(usize, f64)], scale: f32) -> Result<Vec<Point>, Error> {
+        for (target, _) in keys {
+            self.need_rows(*target)?;
+        }
+        let rows = |target: usize| self.scene.targets.get(target).and_then(|target| target.rows.as_deref());
+        let keys = keys.iter().filter_map(|(target, value)| Some((rows(*target)?.as_slice(), round_to_f32(*value))));
+        Ok(mixed(&self.scene.positions, keys, scale))
     }
 }

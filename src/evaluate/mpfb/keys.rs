@@ -50,10 +50,10 @@ impl Keys {
         self.keys.push(Key { name, target, value: key_value(value), is_macro: false });
     }
 
-    /// The mesh with all of them.
-    pub(super) fn mixed(&self, base: &mut Evaluation) -> Result<Vec<Point>, Error> {
-        let factors: Vec<(usize, f64)> = self.keys.iter().map(|key| (key.target, key.value)).collect();
-        base.with_factors(&factors)
+    /// The mesh with all of them, in Blender's axes.
+    pub(super) fn mixed(&self, base: &mut Evaluation, scale: f32) -> Result<Vec<Point>, Error> {
+        let keys: Vec<(usize, f64)> = self.keys.iter().map(|key| (key.target, key.value)).collect();
+        base.with_keys(&keys, scale)
     }
 
     pub(super) fn json(&self) -> Value {

@@ -40,7 +40,7 @@ fn figure(of: &mut Computer<'_>, case: &Node, with_refit: bool) -> Result<(Vec<P
     for (target, value) in targets {
         keys.add(base, &target, value);
     }
-    Ok((base.with_keys(&keys, round_to_f32(scale))?, scale))
+    Ok((keys.mixed(base, round_to_f32(scale))?, scale))
 }
 
 /// A file of MPFB itself, unless the name says whose it is.

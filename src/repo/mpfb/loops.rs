@@ -29,6 +29,8 @@ pub(crate) struct Loop {
     pub prefix: &'static str,
     /// Whose names are put together.
     pub axes: &'static [Axis],
+    /// The axes in the order in which they run, outermost first: so the shape keys of a character follow each other.
+    pub order: &'static [usize],
     /// Names with one of these in them are skipped.
     left_out: &'static [&'static str],
 }
@@ -48,29 +50,39 @@ use Axis::{Only, Race, Setting as Of};
 
 /// The loops, in their order.
 pub(crate) static LOOPS: [Loop; 5] = [
-    Loop { title: "race", prefix: "macrodetails/", axes: &[Race, Of(GENDER), Of(AGE)], left_out: &[] },
+    Loop {
+        title: "race",
+        prefix: "macrodetails/",
+        axes: &[Race, Of(GENDER), Of(AGE)],
+        order: &[0, 2, 1],
+        left_out: &[],
+    },
     Loop {
         title: "universal",
         prefix: "macrodetails/universal-",
         axes: &[Of(GENDER), Of(AGE), Of(MUSCLE), Of(WEIGHT)],
+        order: &[0, 1, 2, 3],
         left_out: &[],
     },
     Loop {
         title: "height",
         prefix: "macrodetails/height/",
         axes: &[Of(GENDER), Of(AGE), Of(MUSCLE), Of(WEIGHT), Of(HEIGHT)],
+        order: &[0, 1, 2, 3, 4],
         left_out: &[],
     },
     Loop {
         title: "breast",
         prefix: "breast/",
         axes: &[Only(GENDER, "female"), Of(AGE), Of(MUSCLE), Of(WEIGHT), Of(CUP_SIZE), Of(FIRMNESS)],
+        order: &[0, 1, 2, 3, 4, 5],
         left_out: &["averagecup-averagefirmness", "-baby-", "_baby_"],
     },
     Loop {
         title: "proportions",
         prefix: "macrodetails/proportions/",
         axes: &[Of(GENDER), Of(AGE), Of(MUSCLE), Of(WEIGHT), Of(PROPORTIONS)],
+        order: &[0, 1, 2, 3, 4],
         left_out: &["-baby-", "_baby_"],
     },
 ];
