@@ -19,6 +19,15 @@ use crate::formats::obj::Mesh;
 use crate::formats::pose_units::PoseUnits;
 use crate::formats::unfit::NamedAt;
 
+/// Why not everything can be told by a mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Doubt {
+    /// It is left out: the rest of the data is made for another number of vertices.
+    Foreign,
+    /// Its vertices lie elsewhere than they should: distances on it mean nothing.
+    Misplaced,
+}
+
 /// A body of a view. One without a name has the files that belong to no known mesh.
 #[derive(Debug)]
 pub(crate) struct Body<'v> {
@@ -30,8 +39,8 @@ pub(crate) struct Body<'v> {
     pub mesh: Option<(&'v FileFacts, &'v Mesh)>,
     /// The OBJ of the mesh: the mesh itself, or what lies beside an archive to be packed anew.
     pub obj: Option<(&'v FileFacts, &'v Mesh)>,
-    /// Whether the mesh is left out because the rest of the data is made for another number of vertices.
-    pub has_foreign_mesh: bool,
+    /// Why not everything can be told by the mesh.
+    pub doubt: Option<Doubt>,
     /// Groups of the mesh that are shown, if that is said anywhere.
     pub visible_groups: Option<&'v BTreeSet<String>>,
     /// Endings of the names of targets that are meant to be one-sided. `None` where nobody can tell.
@@ -202,13 +211,13 @@ impl<'v> Body<'v> {
         let (mesh, obj, visible_groups, one_sided_endings, macros, rigs) =
             (None, None, None, None, None, [].as_slice());
         let (weights, worn, layers) = (Vec::new(), [].as_slice(), view.layers());
-        let (has_foreign_mesh, has_too_many_macros) = (false, false);
+        let has_too_many_macros = false;
         Self {
             name,
             layers,
             mesh,
             obj,
-            has_foreign_mesh,
+            doubt: None,
             visible_groups,
             one_sided_endings,
             macros,

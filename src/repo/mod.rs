@@ -22,7 +22,7 @@ mod surface;
 mod view;
 mod worn;
 
-pub(crate) use body::{Body, BodyPose, BodyWeights, PoseUnitsFile, Rig, Shown, StoredBones, Target, WeightsUse};
+pub(crate) use body::{Body, BodyPose, BodyWeights, Doubt, PoseUnitsFile, Rig, Shown, StoredBones, Target, WeightsUse};
 pub(crate) use facts::FileFacts;
 pub(crate) use landmarks::{Landmarks, Region, Unreached};
 pub(crate) use layer::{Layer, composed, fold};

@@ -26,7 +26,7 @@ use crate::repo::{FileFacts, Layers};
 use crate::source::Limits;
 
 /// The group of faces that is seen: helpers and joints are masked.
-const SHOWN: &str = "body";
+pub(in crate::evaluate) const SHOWN: &str = "body";
 
 /// The name of the body, if there is a mesh for it.
 pub(in crate::evaluate) fn with_mesh(layers: Layers<'_>) -> BTreeSet<&str> {
@@ -74,7 +74,7 @@ fn groups(view: &View<'_>) -> Vec<(String, Vec<(i64, i64)>)> {
 /// The scene, with the rows of its targets taken out of `rows`. `None` without a mesh.
 pub(in crate::evaluate) fn compose(layers: Layers<'_>, rows: &mut Rows) -> Option<Composed> {
     let view = View::connect(layers);
-    let (_, mesh) = view.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
+    let (_, mesh) = view.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0 && view.misplaced.is_none())?;
     let mut composer = Composer::default();
     let macros = composer.all(&view, mesh, |group| group == SHOWN);
     composer.scene.lacks_macros = macros.is_err() && view.parts.as_ref().is_some_and(|parts| parts.is_too_large);

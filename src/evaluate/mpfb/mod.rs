@@ -11,6 +11,7 @@ mod pose;
 mod rig;
 mod rig_cases;
 mod weights;
+pub(super) mod worn;
 
 pub use asset::{Asset, FittedAsset, read_asset};
 pub use figure::USUAL_SCALE;

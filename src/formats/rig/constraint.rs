@@ -15,6 +15,8 @@ pub struct Constraint {
     pub kind: String,
     /// What it is bound to, each with the bone that is named there.
     pub targets: Vec<(Target, Option<String>)>,
+    /// How much of it counts, if that is said.
+    pub influence: Option<f64>,
 }
 
 /// What a constraint is bound to.
@@ -75,7 +77,8 @@ fn one(pointer: String, node: &Node, faults: &mut RigFaults) -> Option<Constrain
         }
     }
     let targets = targets(&pointer, node, kind, *has_target, faults);
-    Some(Constraint { pointer, kind: kind.to_owned(), targets })
+    let influence = node.get("influence").and_then(Node::as_f64);
+    Some(Constraint { pointer, kind: kind.to_owned(), targets, influence })
 }
 
 fn targets(

@@ -106,6 +106,8 @@ pub struct RigFaults {
     pub keys: Unfits,
     /// Words that are none of those which are known.
     pub words: Unfits,
+    /// Texts in place of lists, which are read letter by letter.
+    pub letters: Unfits,
     /// Words that are passed over.
     pub ignored_words: Unfits,
     /// Properties of constraints and of bending that do not exist.

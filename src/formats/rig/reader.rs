@@ -71,6 +71,10 @@ fn with_header(root: &Node, bones: &Node, rig: &mut Rig) {
     };
     rig.collections = list("collections", &mut faults);
     rig.extra_bones = list("extra_bones", &mut faults);
+    // What a letter for a collection leads to is told at the bones.
+    if let Some(text) = root.get("extra_bones").filter(|node| node.as_str().is_some_and(|text| text.len() > 1)) {
+        faults.letters.add_type("/extra_bones", text, "a list of names");
+    }
     let panel = root.get("rigify_ui").filter(|panel| !panel.is_falsy());
     rig.has_rigify_ui = panel.is_some();
     if let Some(panel) = panel {

@@ -12,7 +12,7 @@ use crate::diag::grouped;
 use crate::discover::{Kind, listed_in};
 use crate::formats::base_json::BaseJson;
 use crate::formats::selection_filter::SelectionFilter;
-use crate::repo::{Body, FileFacts, Landmarks, Layers, Reference, References, Surface, Target, Worn, parent};
+use crate::repo::{Body, Doubt, FileFacts, Landmarks, Layers, Reference, References, Surface, Target, Worn, parent};
 
 /// `MakeHuman` 2's data, connected.
 #[derive(Debug)]
@@ -239,7 +239,7 @@ fn of_body<'w, 'a>(worn: &'w [Worn<'a>], name: &str) -> &'w [Worn<'a>] {
 fn fill<'v>(body: &mut Body<'v>, base: &'v Base<'_>) {
     body.mesh = base.mesh;
     body.obj = base.obj();
-    body.has_foreign_mesh = base.foreign_mesh.is_some();
+    body.doubt = base.foreign_mesh.as_ref().map(|_| Doubt::Foreign);
     let settings = base.settings().map(|(_, settings)| settings);
     body.visible_groups = settings.and_then(|settings| settings.shown.as_ref());
     let random = |settings: &'v BaseJson| settings.random.as_ref().map(|random| random.nonsym.as_slice());

@@ -4,6 +4,7 @@
 mod keys;
 mod looks;
 pub(crate) mod loops;
+pub(crate) mod misplaced;
 mod named;
 mod parts;
 mod references;

@@ -5,6 +5,7 @@ use std::ops::Bound;
 
 use super::looks::{Look, looks};
 use super::loops::LOOPS;
+use super::misplaced::Misplaced;
 use super::named::{NamedFiles, NamedTargets};
 use super::parts::Parts;
 use super::references::collect;
@@ -18,8 +19,8 @@ use crate::formats::rig::Rig as Definition;
 use crate::formats::target_catalog::{Category, TargetCatalog};
 use crate::repo::misnamed_folder::{MisnamedFolder, misnamed_folders, top_in_other_case};
 use crate::repo::{
-    Body, BodyWeights, FileFacts, Layer, Layers, Reference, ReferenceKind, References, Rig, Target, WeightsUse, Worn,
-    parent,
+    Body, BodyWeights, Doubt, FileFacts, Layer, Layers, Reference, ReferenceKind, References, Rig, Target, WeightsUse,
+    Worn, parent,
 };
 
 /// Whose uses of a file count here.
@@ -38,6 +39,8 @@ pub(crate) struct View<'a> {
     pub mesh: Option<(&'a FileFacts, &'a Mesh)>,
     /// A base mesh with fewer vertices than its tables are for, and both numbers: nothing can be said of its vertices.
     pub foreign_mesh: Option<(&'a FileFacts, usize, i64)>,
+    /// Where the vertices of the base mesh lie otherwise than they should: nothing can be measured on it.
+    pub misplaced: Option<Misplaced>,
     /// Everything that names a file, and what it leads to.
     pub references: References<'a>,
     /// Targets by their names.
@@ -87,6 +90,8 @@ impl<'a> View<'a> {
         let foreign_mesh = mesh.zip(needed).filter(|((_, mesh), needed)| lacks_vertices(mesh, *needed));
         let foreign_mesh = foreign_mesh.map(|((file, mesh), needed)| (file, mesh.facts.vertices, needed));
         let mesh = mesh.filter(|_| foreign_mesh.is_none());
+        let mirror = file(Kind::MirrorTable).and_then(FileFacts::mirror_table);
+        let misplaced = mesh.and_then(|(_, mesh)| Misplaced::of(mesh, mirror));
         let worn_beside = worn(layers.beside.into_iter());
         let worn = worn(layers.strongest_first());
         let looks = looks(layers.checked, &worn);
@@ -105,6 +110,7 @@ impl<'a> View<'a> {
             parts,
             mesh,
             foreign_mesh,
+            misplaced,
             references,
             targets,
             named,
@@ -197,7 +203,8 @@ impl<'a> View<'a> {
         body.part_targets = view.files().filter(is_of_part).collect();
         body.mesh = self.mesh;
         body.obj = self.mesh;
-        body.has_foreign_mesh = self.foreign_mesh.is_some();
+        let is_foreign = self.foreign_mesh.is_some();
+        body.doubt = if is_foreign { Some(Doubt::Foreign) } else { self.misplaced.map(|_| Doubt::Misplaced) };
         body.visible_groups = self.mesh.map(|_| &self.shown);
         body.one_sided_endings = Some(&self.one_sided);
         body.worn = &self.worn;

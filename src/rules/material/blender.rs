@@ -36,6 +36,7 @@ fn shown(text: &str) -> String {
 
 const NO_VALUE: Case = &[(Mpfb, Level::Error, "fails with `AttributeError` when it reads the material")];
 const NO_NUMBER: Case = &[(Mpfb, Level::Error, "fails with `ValueError` when it reads the material")];
+const TAG: Case = &[(Mpfb, Level::Error, "fails with an exception when it reads the material")];
 const PARAMETER: Case = &[(Mpfb, Level::Error, "fails with `TypeError` when it reads the material")];
 const NO_COLOUR: Case = &[(Mpfb, Level::Warning, "ignores the colour and takes its default")];
 
@@ -49,6 +50,8 @@ pub(super) fn arity(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let lines = |case| Lines { rule, file: look.file, case };
         let empty = of(lacks_value, |set| format!("`{}` has no value", set.statement.key.text));
         out.extend(lines(NO_VALUE).told(&empty, "write the value, or remove the line"));
+        let tags: Vec<_> = empty_tags(look).collect();
+        out.extend(lines(TAG).told(&tags, "write the tag, or remove the line"));
         let parameter = of(
             |set| set.key.reads == Reads::Parameter && set.value.split_whitespace().count() != 2,
             |set| {
@@ -58,6 +61,14 @@ pub(super) fn arity(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         );
         out.extend(lines(PARAMETER).told(&parameter, "write a name and one value, or remove the line"));
     }
+}
+
+/// Tags are joined: one without a value cannot be put behind another.
+fn empty_tags<'l>(look: &'l Look<'_>) -> impl Iterator<Item = (Place, String, String)> + use<'l> {
+    let tags = look.lines.iter().filter(|set| set.key.name == "tag");
+    let behind = tags.skip_while(|set| set.value.is_empty());
+    let empty = behind.filter(|set| set.value.is_empty() && !set.statement.ends_file);
+    empty.map(|set| (at(set), "tag".to_owned(), "`tag` has no value, and stands behind another one".to_owned()))
 }
 
 /// Of other texts nothing is missed.
@@ -303,5 +314,29 @@ pub(super) fn same_names(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Findi
         let finding = finding.related(first.path.clone(), Place::File, "another one");
         let cases = different.iter().map(|(_, _, file)| file.shown());
         out.push(finding.evidence(Evidence::of_cases(cases)).help("give each picture a name of its own"));
+    }
+}
+
+/// Maps that are pictures in colours.
+const COLOURS: [&str; 3] = ["diffuseTexture", "emissionColorMapTexture", "subsurfaceColorMapTexture"];
+/// Maps whose pictures stand for numbers.
+const DATA: [&str; 5] =
+    ["bumpmapTexture", "normalmapTexture", "displacementmapTexture", "roughnessmapTexture", "metallicmapTexture"];
+
+/// Pictures that are in use both for colours and for numbers.
+pub(super) fn both_spaces(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Finding>) {
+    let used = |maps: &'static [&'static str]| {
+        let all = view.looks.iter().flat_map(|look| look.pictures.iter().map(move |one| (look, one)));
+        let own = all.filter(move |(_, one)| maps.contains(&one.owner));
+        own.filter_map(|(look, one)| Some((one.found()?.path.as_str(), (look, one))))
+    };
+    let colours: BTreeMap<&str, _> = used(&COLOURS).collect();
+    let mut told = BTreeSet::new();
+    for (path, (look, one)) in used(&DATA) {
+        let Some((other, colour)) = colours.get(path).filter(|_| told.insert(path)) else { continue };
+        let message = format!("`{}` is the picture of `{}` and of `{}`", shown(one.text), colour.owner, one.owner);
+        let finding = rule.at(look.file, one.place.clone(), message).key(one.owner);
+        let finding = finding.related(other.file.path.clone(), colour.place.clone(), "the same picture for colours");
+        out.push(finding.help("name a picture that was made for this map"));
     }
 }

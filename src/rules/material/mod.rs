@@ -8,6 +8,7 @@ pub(in crate::rules) mod arity;
 mod blender;
 pub(in crate::rules) mod boolean_spelling;
 pub(in crate::rules) mod coloration_texture;
+pub(in crate::rules) mod colour_space;
 pub(in crate::rules) mod conflicting_maps;
 pub(in crate::rules) mod duplicate_keyword;
 pub(in crate::rules) mod embedding;
@@ -45,6 +46,7 @@ pub(super) static RULES: &[&Rule] = &[
     &arity::RULE,
     &boolean_spelling::RULE,
     &coloration_texture::RULE,
+    &colour_space::RULE,
     &duplicate_keyword::RULE,
     &embedding::RULE,
     &ignored_key::RULE,

@@ -5,6 +5,7 @@ use super::{faces, size};
 use crate::diag::{Application::Mpfb, Case, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::mpfb::View;
+use crate::repo::mpfb::misplaced::Misplaced;
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "takes other vertices for joints, targets and groups: the whole figure is displaced")],
@@ -16,7 +17,8 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
         If the tables of faces agree with one another, but not with the mesh, the mesh was exported with other numbers of \
         vertices or in another order of faces. A mesh of the size of the body that is not about 17 units (1.7 m) high, or \
         does not stand upright along y, makes a giant, a dwarf, or a body that lies, while the movements of sliders stay as \
-        they are.\n\n\
+        they are. If left and right are exchanged, or vertices have other numbers than in `hm08.mirror`, sliders, bones and \
+        assets take hold of other places. What is measured on the mesh is then left out.\n\n\
         Restore the base mesh.",
     ..RuleInfo::new("metadata-base-mesh", Level::Warning, "a base mesh that its tables are not for")
 });
@@ -36,6 +38,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = RULE.at(file, Place::File, "the mesh has no texture coordinates").key("uv").case(NO_UV);
         out.push(finding.help("export the mesh with texture coordinates"));
     }
-    out.extend(mesh.and_then(|(file, mesh)| size::fault(&RULE, file, mesh)));
-    out.extend(mesh.and_then(|(file, mesh)| faces::of_mesh(&RULE, view, file, mesh)));
+    out.extend(mesh.zip(view.misplaced).map(|((file, _), misplaced)| size::fault(&RULE, file, misplaced)));
+    // Vertices with other numbers make other faces.
+    let is_told = matches!(view.misplaced, Some(Misplaced::Order(..)));
+    out.extend(mesh.filter(|_| !is_told).and_then(|(file, mesh)| faces::of_mesh(&RULE, view, file, mesh)));
 }

@@ -7,6 +7,7 @@ use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
 use crate::formats::mesh_metadata::{MirrorRow, MirrorTable};
 use crate::repo::FileFacts;
 use crate::repo::mpfb::View;
+use crate::repo::mpfb::misplaced::is_across;
 
 const STOPPED: Case = &[(
     Mpfb,
@@ -16,9 +17,6 @@ const STOPPED: Case = &[(
 const OUT_OF_RANGE: Case = &[(Mpfb, Level::Error, "fails with `IndexError` when a target is made symmetric")];
 const WRONG_HALF: Case = &[(Mpfb, Level::Warning, "mirrors the wrong half when a target is made symmetric")];
 const APART: Case = &[(Mpfb, Level::Warning, "mirrors these vertices to others than their counterparts")];
-
-/// Nearer to the middle than this a vertex has no side, mesh units.
-const MIDDLE: f32 = 1e-3;
 
 /// The worst that is wrong with the table.
 pub(super) fn fault(rule: &Rule, view: &View<'_>, file: &FileFacts, table: &MirrorTable) -> Option<Finding> {
@@ -40,10 +38,11 @@ pub(super) fn fault(rule: &Rule, view: &View<'_>, file: &FileFacts, table: &Mirr
         let message = format!("vertex {vertex} does not exist: the mesh has {} vertices", mesh.positions.len());
         return Some(told(rule, file, &lost, message, OUT_OF_RANGE)?.help("make the table from this base mesh"));
     }
-    let other = of(&|row| {
-        let x = x(row.from).unwrap_or_default();
-        x.abs() > MIDDLE && (row.side == b'l' && x < 0.0 || row.side == b'r' && x > 0.0)
-    });
+    // Of a mesh that is not the one of the table that is the finding.
+    if view.misplaced.is_some() {
+        return None;
+    }
+    let other = of(&|row| is_across(row, mesh.positions.get(row.from as usize).copied()));
     if let Some(first) = other.first() {
         let side = if first.side == b'l' { "left" } else { "right" };
         let message = format!("vertex {} does not lie on the {side}, as its row says", first.from);

@@ -2,7 +2,8 @@
 
 pub(in crate::rules) mod folder;
 mod foreign_unit;
-pub(in crate::rules) mod licence_spelling;
+pub(in crate::rules) mod imported_joint;
+mod licence_spelling;
 pub(in crate::rules) mod matrix;
 pub(in crate::rules) mod meta;
 pub(in crate::rules) mod missing_units;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::units_bone;
+use super::{imported_joint, units_bone};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
@@ -21,7 +21,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         was made for another rig.\n\n\
         A bone of a unit in `body-poses.json` or `face-poses.json` that the skeleton does not have crashes MakeHuman 2 as \
         soon as any pose or expression is shown (an error).\n\nMakeHuman 1 refuses a pose without the joint `upperleg02.L` (an error); other unknown joints do no harm there.\n\n\
-        In a stored pose of MPFB the bones are those of the rig that its folder names; others are passed over.\n\n\
+        In a stored pose of MPFB the bones are those of the rig that its folder names; others are passed over. \
+        A BVH file in `poses/` is for the default rigs; a joint that none of them has moves nothing.\n\n\
         Correct the name, or export the motion for the rig of this base.",
     ..RuleInfo::new("pose-unknown-bone", Level::Warning, "a pose names a bone that the skeleton does not have")
 });
@@ -33,6 +34,9 @@ const COMPARED: &str = "upperleg02.L";
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(body.stored_poses.iter().filter_map(|pose| stored(pose, cx)));
+    if body.is_mpfb() {
+        return out.extend(imported_joint::findings(&RULE, body, cx));
+    }
     if body.is_makehuman1() {
         return out.extend(body.motions.iter().filter_map(|(file, motion)| foreign(file, motion)));
     }

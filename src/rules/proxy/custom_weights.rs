@@ -2,14 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::cause::groups::{self, Groups};
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::{lone_archives, texts};
+use super::{blender, lone_archives, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Evidence, Finding, Level, Place, RuleInfo,
 };
-use crate::repo::{Body, BodyWeights, FileFacts, ReferenceKind, WeightsUse, parent};
+use crate::repo::{Body, FileFacts, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `KeyError` in every pose, and in the glTF export of a model with a skeleton"), (Makehuman1, "drops the weights of these bones: vertices that have no others go to the root bone"), (Mpfb, "silently drops the weights of the bone: the asset keeps those that it takes from the body")],
@@ -20,14 +19,14 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         a model with a skeleton. A bone with an empty list does no harm.\n\n\
         The skeleton is the one that `pose-skeleton` of `base.json` names, whatever skeleton the model has.\n\n\
         MPFB reads the weights beside the asset that have its name. Reported is a bone that no rig has which is at hand, nor the \
-        sub-rig of the asset.\n\n\
+        sub-rig of the asset; and weights that come to 1 only with bones of different rigs.\n\n\
         Rename the bone, or export the weights for the skeleton of the base.",
     ..RuleInfo::new("proxy-custom-weights", Level::Error, "bone weights of an asset name an unknown bone")
 });
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
-        return out.extend(of_no_rig(body, cx));
+        return out.extend(blender::weights::findings(&RULE, body, cx));
     }
     let Some(rig) = body.default_rig() else { return };
     let Some(skeleton) = rig.skeleton().filter(|skeleton| !skeleton.bones.is_empty()) else { return };
@@ -63,36 +62,4 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = RULE.at(file, Place::key(["weights", first]), message);
         out.push(finding.help(help).against(&rig.file.path).evidence(Evidence::of_cases(unknown.iter().copied())));
     }
-}
-
-/// Weights of assets for bones that no rig has, where all rigs can be read.
-fn of_no_rig(body: &Body<'_>, cx: &RuleCx<'_>) -> Vec<Finding> {
-    let rigs: Vec<Groups<'_>> = body.rigs.iter().filter_map(|rig| groups::of(rig.file)).collect();
-    if rigs.is_empty() || rigs.len() < body.rigs.len() {
-        return Vec::new();
-    }
-    let finding = |own: &BodyWeights<'_>| {
-        let weights = own.file.weights().filter(|weights| weights.has_weights)?;
-        // The sub-rig beside the asset has bones of its own.
-        let name = own.file.file_name().split('.').next().unwrap_or_default();
-        let beside = format!("{}/{name}.mpfbskel", parent(&own.file.rel));
-        let subrig = match body.layers.checked.file(&beside) {
-            Some(file) => Some(groups::of(file)?),
-            None => None,
-        };
-        let takes = |group: &str| rigs.iter().chain(&subrig).any(|rig| rig.take(group));
-        let bones = weights.bones.iter().filter(|bone| bone.listed > 0);
-        let unknown: Vec<&str> = bones.map(|bone| &*bone.name).filter(|name| !takes(name)).collect();
-        let first = unknown.first()?;
-        let message = match unknown.len() {
-            1 => format!("bone `{first}` does not exist in any rig"),
-            count => format!("{count} of {} bones do not exist in any rig, first `{first}`", weights.bones.len()),
-        };
-        let near = cx.suggestions.nearest(first, rigs.iter().flat_map(Groups::names));
-        let help = did_you_mean(near, "export the weights for a rig of MPFB");
-        let finding = RULE.at(own.file, Place::key(["weights", first]), message).help(help);
-        Some(finding.evidence(Evidence::of_cases(unknown.iter().copied())))
-    };
-    let own = body.weights.iter().filter(|own| own.name.is_none() && own.used != WeightsUse::Unread);
-    own.filter_map(finding).collect()
 }

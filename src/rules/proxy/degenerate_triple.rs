@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::measured;
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Evidence, Finding, Level, Place, RuleInfo,
 };
 use crate::eval::measures::Measures;
@@ -14,10 +14,11 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "moves and bends the vertex with fewer vertices of the body than the row was meant to name"),
         (Makehuman1, "moves and bends the vertex with fewer vertices of the body than the row was meant to name"),
+        (Mpfb, "moves and bends the vertex with fewer vertices of the body than the row was meant to name"),
     ],
     docs: "A row ties a vertex of the asset to a triangle of the base mesh: three vertices with a weight each. Here two or \
         all three are the same vertex, or the three lie on a line.\n\n\
-        Both applications load the row. The vertex follows that one vertex, or stays on that line, while its neighbours \
+        The applications load the row. The vertex follows that one vertex, or stays on that line, while its neighbours \
         follow the skin: it can sink into the body or stand off when sliders move or a bone bends. Usually the row was \
         edited, or the exporter found no triangle.\n\n\
         A row with one number, and one in which a single weight is not 0, is meant so.",

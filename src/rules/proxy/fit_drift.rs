@@ -4,7 +4,7 @@ use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::{Text, is_scaled_wrongly, is_told_by_scale, measured, numbering};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Evidence, Finding, Level, Place, RuleInfo,
 };
 use crate::eval::measures::Measures;
@@ -15,6 +15,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "draws a spike, or a dent, at the vertex"),
         (Makehuman1, "draws a spike, or a dent, at the vertex"),
+        (Mpfb, "draws a spike, or a dent, at the vertex"),
     ],
     docs: "Where its row puts it, a vertex of the asset stands away from its neighbours.\n\n\
         The applications never look at the coordinates in the OBJ: a vertex goes where its row says. The OBJ still tells \

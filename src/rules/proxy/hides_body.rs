@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::super::{Check, Rule, RuleCx};
 use super::{lone_archives, texts};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
 };
 use crate::formats::obj::Mesh;
@@ -15,8 +15,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "hides the whole body; the exports to glTF and OBJ crash with `ValueError`"),
         (Makehuman1, "shows nothing of the body under the asset"),
+        (Mpfb, "shows nothing of the body under the asset, if the delete groups are imported"),
     ],
-    levels: &[(Makehuman1, Level::Info)],
+    levels: &[(Makehuman1, Level::Info), (Mpfb, Level::Info)],
     docs: "The vertices below `delete_verts` hide all faces of the body that are shown, or nearly all.\n\n\
         A face is hidden if all its vertices are in the list. If none is left, MakeHuman 2 crashes in the exports to \
         glTF and OBJ. If more than 19 of 20 are hidden, this is reported as info: a suit may be meant so.\n\n\
@@ -28,6 +29,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 const ALMOST: Case = &[
     (Makehuman2, Level::Info, "shows little of the body under the asset"),
     (Makehuman1, Level::Info, "shows little of the body under the asset"),
+    (Mpfb, Level::Info, "shows little of the body under the asset, if the delete groups are imported"),
 ];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -59,6 +61,9 @@ fn finding(file: &FileFacts, place: Place, what: &str, (shown, hidden): (usize, 
     })
 }
 
+/// The faces that MPFB shows: the mask over helpers hides all others.
+const SKIN: &str = "body";
+
 /// How many faces are shown without the asset, and how many of them it hides.
 fn hidden(body: &Body<'_>, mesh: &Mesh, runs: &[Range<usize>]) -> (usize, usize) {
     let mut is_deleted = vec![false; mesh.positions.len()];
@@ -67,7 +72,8 @@ fn hidden(body: &Body<'_>, mesh: &Mesh, runs: &[Range<usize>]) -> (usize, usize)
             *deleted = true;
         }
     }
-    let is_shown: Vec<bool> = mesh.groups.iter().map(|group| body.shows(&group.name)).collect();
+    let is_skin = |group: &str| if body.is_mpfb() { group == SKIN } else { body.shows(group) };
+    let is_shown: Vec<bool> = mesh.groups.iter().map(|group| is_skin(&group.name)).collect();
     let (mut shown, mut hidden) = (0, 0);
     for face in mesh.faces.iter().filter(|face| is_shown.get(face.group as usize) == Some(&true)) {
         shown += 1;

@@ -228,7 +228,7 @@ const SOUND_SHARE: RangeInclusive<f32> = 0.5..=2.0;
 
 /// How far the vertices of a scale line are apart on the base mesh, along its axis.
 fn apart(body: &Body<'_>, axis: usize, scale: &Scale) -> Option<f32> {
-    let mesh = body.whole_mesh()?;
+    let mesh = body.whole_mesh().filter(|_| body.doubt.is_none())?;
     let at = |vertex: i64| mesh.positions.get(usize::try_from(vertex).ok()?)?.get(axis).copied();
     let [one, other] = scale.vertices;
     Some((at(one)? - at(other)?).abs())

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{is_told_by_scale, measured, numbering};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
 };
 use crate::eval::measures::Measures;
@@ -13,6 +13,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "draws the asset crumpled: its faces join vertices that do not belong together"),
         (Makehuman1, "draws the asset crumpled: its faces join vertices that do not belong together"),
+        (Mpfb, "puts the asset on crumpled: its faces join vertices that do not belong together"),
     ],
     docs: "Fitted, the asset has another shape than its OBJ.\n\n\
         The first row belongs to the first vertex of the OBJ, and so on. If vertices are renumbered with their faces (a mesh \
@@ -29,6 +30,11 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 const MIRRORED: Case = &[
     (Makehuman2, Level::Warning, "lights the asset from its inner side, and exports it inside out"),
     (Makehuman1, Level::Warning, "shows the inner side of the asset, lit from the wrong side"),
+    (
+        Mpfb,
+        Level::Warning,
+        "puts the asset on with its faces looking inwards: backface culling hides it, and exports are inside out",
+    ),
 ];
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -27,7 +27,7 @@ pub(super) struct Placed<'r> {
 impl<'v> Figure<'v> {
     /// The mesh, if it is whole, and the tables of its joints can be read.
     pub(super) fn of(view: &'v View<'v>) -> Option<Self> {
-        let (_, mesh) = view.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
+        let (_, mesh) = view.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0 && view.misplaced.is_none())?;
         view.groups?;
         let positions = mesh.positions.iter().map(|point| in_blender(*point, USUAL_SCALE)).collect();
         Some(Self { positions, view })

@@ -16,7 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
         `inherit_scale` and `rigify` (`{}` where there is nothing to say). A constraint needs `type` and `name`.\n\n\
         MPFB raises an exception when the rig is added if one of them is missing, or of another type: `null` for an angle, a \
         list for `head`, 2 for a switch. A rig in `rigs/rigify/` needs `rigify_ui`, too: without it there are neither weights \
-        nor parenting.\n\n\
+        nor parenting. A text for `extra_bones` is read letter by letter, without a message (a warning).\n\n\
         Add the key, or write a value of its type.",
     ..RuleInfo::new("rig-missing-key", Level::Error, "a key of a rig is missing or of another type")
 });
@@ -24,12 +24,17 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 const NO_PANEL: Case =
     &[(Mpfb, Level::Error, "fails with an exception after the rig is made: there are neither weights nor parenting")];
 
+const LETTERS: Case =
+    &[(Mpfb, Level::Warning, "reads the text letter by letter: the bone that it names takes no weights")];
+
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs() {
         out.extend(bones_without(file, rig).map(|finding| stops(file, finding)));
         let found = findings_in(IN_BONES, &RULE, file.file, &rig.faults.keys, cx);
         let others = found.filter(|(one, _)| !is_lack_of_bone(one));
         out.extend(others.map(|(_, finding)| stops(file, finding)));
+        let texts = findings_in(IN_BONES, &RULE, file.file, &rig.faults.letters, cx);
+        out.extend(texts.map(|(_, finding)| finding.case(LETTERS)));
         if file.part == RigPart::Rigify && rig.has_header && !rig.has_rigify_ui {
             let finding = RULE.at(file.file, Place::File, "the rig has no `rigify_ui`").key("rigify_ui").case(NO_PANEL);
             out.push(finding.help("add `rigify_ui` with the colours and collections of its panel"));

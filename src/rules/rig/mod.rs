@@ -12,6 +12,7 @@ mod ends;
 mod enums;
 mod identifying_bones;
 mod ignored_rotation_mode;
+mod influence;
 mod layers;
 mod located;
 mod missing_key;
@@ -58,6 +59,7 @@ pub(super) static RULES: &[&Rule] = &[
     &enums::RULE,
     &identifying_bones::RULE,
     &ignored_rotation_mode::RULE,
+    &influence::RULE,
     &layers::RULE,
     &missing_key::RULE,
     &missing_weights::RULE,

@@ -6,12 +6,12 @@ use super::super::{Check, Rule, RuleCx, did_you_mean, such};
 use super::at_bones;
 use crate::diag::{Application::Mpfb, Finding, Level, Place, RuleInfo};
 use crate::formats::rig::{Constraint, Rig, RigBone, Target};
-use crate::repo::mpfb::{RigFile, View};
+use crate::repo::mpfb::{RigFile, RigPart, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "makes the constraint, which Blender marks as invalid: it does nothing")],
-    docs: "A constraint has no `target`, or its `subtarget` is missing, names no bone of the rig, or names the bone that has \
-        the constraint.\n\n\
+    docs: "A constraint has no `target`, or its `subtarget` is missing, names no bone of the rig (in a sub-rig that is bound to \
+        the rig of the body: of any rig at hand), or names the bone that has the constraint.\n\n\
         MPFB makes the constraint without a message. Blender marks it as invalid, and it does nothing.\n\n\
         Correct the name of the bone. `target` is `true` for the rig itself.",
     counts: "bones",
@@ -24,10 +24,12 @@ enum Lack<'r> {
     Target,
     Subtarget,
     Unknown(&'r str),
+    OfParent(&'r str),
     Itself,
 }
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let parents = bones_of_parents(view);
     for (file, rig) in view.own_rigs() {
         let bones = rig.bones.iter().map(|bone| bone.name.as_str());
         // Rigify makes some of them later.
@@ -36,17 +38,36 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let bound = rig.bones.iter().filter(|bone| of_bone(bone) > 0);
         let found: Vec<(&RigBone, &Constraint, Lack<'_>)> = bound
             .flat_map(|bone| bone.constraints.iter().map(move |one| (bone, one)))
-            .filter_map(|(bone, one)| Some((bone, one, lack(bone, one, &known)?)))
+            .filter_map(|(bone, one)| Some((bone, one, lack(bone, one, &known, parents.as_ref())?)))
             .collect();
-        out.extend(finding(file, rig, &found, &known, cx));
+        let of_parents = parents.iter().flatten().copied();
+        out.extend(finding(file, rig, &found, &known.into_iter().chain(of_parents).collect(), cx));
     }
 }
 
-fn lack<'r>(bone: &RigBone, constraint: &'r Constraint, known: &BTreeSet<&str>) -> Option<Lack<'r>> {
+/// The bones of all rigs that a sub-rig may be added to; `None` where one of them cannot be read.
+fn bones_of_parents<'v>(view: &'v View<'_>) -> Option<BTreeSet<&'v str>> {
+    let mut bones = BTreeSet::new();
+    for file in view.rigs.iter().filter(|file| file.part != RigPart::Asset) {
+        let rig = file.definition()?;
+        bones.extend(rig.bones.iter().map(|bone| bone.name.as_str()).chain(rig.extra_bones.iter().map(String::as_str)));
+    }
+    Some(bones).filter(|bones| !bones.is_empty())
+}
+
+fn lack<'r>(
+    bone: &RigBone,
+    constraint: &'r Constraint,
+    known: &BTreeSet<&str>,
+    parents: Option<&BTreeSet<&str>>,
+) -> Option<Lack<'r>> {
     constraint.targets.iter().find_map(|(target, subtarget)| match (target, subtarget.as_deref()) {
         (Target::Missing, _) => Some(Lack::Target),
         (Target::Own, None | Some("")) | (Target::Span(..) | Target::Parent, None) => Some(Lack::Subtarget),
         (Target::Own, Some(name)) if !known.contains(name) => Some(Lack::Unknown(name)),
+        (Target::Parent, Some(name)) if parents.is_some_and(|bones| !bones.contains(name)) => {
+            Some(Lack::OfParent(name))
+        }
         (Target::Own, Some(name)) if name == bone.name && constraint.kind != "ARMATURE" => Some(Lack::Itself),
         _ => None,
     })
@@ -72,6 +93,13 @@ fn finding(
             (
                 format!("{subject} is bound to bone `{name}`, which does not exist{more}"),
                 did_you_mean(near, "name a bone of the rig"),
+            )
+        }
+        Lack::OfParent(name) => {
+            let near = cx.suggestions.nearest(name, known.iter().copied());
+            (
+                format!("{subject} is bound to bone `{name}` of the rig of the body, which no rig has{more}"),
+                did_you_mean(near, "name a bone of the rig that the asset is made for"),
             )
         }
         Lack::Itself => (format!("{subject} is bound to the bone itself{more}"), "name another bone".to_owned()),

@@ -9,7 +9,7 @@ use crate::diag::{
     Case, Finding, Level, RuleInfo,
 };
 use crate::formats::target::TargetFacts;
-use crate::repo::{Body, FileFacts, ReferenceKind, Target};
+use crate::repo::{Body, Doubt, FileFacts, ReferenceKind, Target};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `IndexError` when the target is applied"), (Mpfb, "silently ignores the row")],
@@ -60,7 +60,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body) {
         if facts.overflow.count > 0 {
             out.push(weigh(target, overflow(file, facts)));
-        } else if body.has_foreign_mesh {
+        } else if body.doubt == Some(Doubt::Foreign) {
             // All targets fit one another: the mesh is at fault (`base-vertex-count`).
         } else if body.is_mpfb() {
             out.extend(ignored(&RULE, file, facts, vertices));

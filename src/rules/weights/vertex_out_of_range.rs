@@ -8,7 +8,7 @@ use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, RuleInfo,
 };
-use crate::repo::Body;
+use crate::repo::{Body, Doubt};
 
 const USUAL: &str = "crashes with `IndexError` while loading the weights";
 
@@ -45,7 +45,7 @@ const OF_ASSET_NEGATIVE: Case = &[
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let assets: Vec<worn::Own<'_>> = worn::all(body).collect();
     out.extend(assets.iter().filter_map(of_asset));
-    if body.has_foreign_mesh {
+    if body.doubt == Some(Doubt::Foreign) {
         return;
     }
     for Tallied { own, weights, tally, bone, vertex, place, .. } in tallied(body, |facts| &facts.out_of_range) {

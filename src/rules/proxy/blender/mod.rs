@@ -4,6 +4,7 @@ pub(super) mod list;
 pub(super) mod names;
 pub(super) mod rows;
 pub(super) mod scale;
+pub(super) mod weights;
 
 use super::{Text, texts};
 use crate::diag::Place;

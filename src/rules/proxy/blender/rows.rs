@@ -140,9 +140,10 @@ pub(in crate::rules::proxy) fn range(rule: &Rule, body: &Body<'_>, out: &mut Vec
         let beyond = [&rows.out_of_range, &rows.in_seams].into_iter().find_map(|tally| told(tally, "a vertex row"));
         out.extend(beyond);
         out.extend(told(&rows.unstorable, "a vertex row").map(|finding| {
-            let is_negative = rows.unstorable.first.first().is_some_and(|(_, vertex)| *vertex < 0);
+            let count = i64::try_from(size.vertices).unwrap_or(i64::MAX);
+            let wraps = rows.unstorable.first.iter().all(|(_, vertex)| (-count..0).contains(vertex));
             let finding = finding.key("unstorable");
-            if is_negative { finding.case(FROM_END) } else { finding }
+            if wraps { finding.case(FROM_END) } else { finding }
         }));
         out.extend(told(&deletes.out_of_range, "the list of vertices to hide").map(|one| one.key("list").case(HIDDEN)));
     }
