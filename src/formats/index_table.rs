@@ -1,7 +1,7 @@
 //! Packed tables of MPFB's base mesh: the vertices of each face, the faces of each vertex (formats/mpfb.md §24.2).
 
 use super::json_file::JsonFault;
-use super::packed_json::{skip, text_fault};
+use super::packed_json::text_fault;
 use crate::json::{Reader, SyntaxFault};
 use crate::source::Encoding;
 
@@ -71,7 +71,7 @@ impl IndexTable {
     fn rows_of(&mut self, reader: &mut Reader<'_>) -> Step<()> {
         self.is_list = reader.peek() == Some(b'[');
         if !self.is_list {
-            skip(reader)?;
+            reader.pass()?;
             return reader.finish();
         }
         reader.open()?;
@@ -90,7 +90,7 @@ impl IndexTable {
     /// Reads a row; whether it is a list of whole numbers.
     fn row_of(&mut self, reader: &mut Reader<'_>) -> Step<bool> {
         if reader.peek() != Some(b'[') {
-            skip(reader)?;
+            reader.pass()?;
             return Ok(false);
         }
         reader.open()?;
@@ -106,7 +106,7 @@ impl IndexTable {
                 Some((_, true)) => {}
                 Some((_, false)) => is_row = false,
                 None => {
-                    skip(reader)?;
+                    reader.pass()?;
                     is_row = false;
                 }
             }

@@ -74,7 +74,7 @@ type Step<T> = Result<T, SyntaxFault>;
 
 fn read_file(reader: &mut Reader<'_>, weights: &mut Weights) -> Step<()> {
     if reader.peek() != Some(b'{') {
-        skip(reader)?;
+        reader.pass()?;
         return reader.finish();
     }
     reader.open()?;
@@ -89,11 +89,11 @@ fn read_file(reader: &mut Reader<'_>, weights: &mut Weights) -> Step<()> {
             if weights.has_weights {
                 read_bones(reader, weights)?;
             } else {
-                skip(reader)?;
+                reader.pass()?;
             }
         } else {
             weights.metadata.push(key.into_owned());
-            skip(reader)?;
+            reader.pass()?;
         }
     }
     reader.finish()
@@ -109,7 +109,7 @@ fn read_bones(reader: &mut Reader<'_>, weights: &mut Weights) -> Step<()> {
             read_pairs(reader, &mut bone, &mut weights.facts.malformed_names)?;
         } else {
             weights.has_shapeless_bone = true;
-            skip(reader)?;
+            reader.pass()?;
         }
         weights.bones.push(bone);
     }
@@ -144,7 +144,7 @@ fn entry_name(bone: &str, text: &[u8]) -> String {
 /// `[integer, number]`, `true` and `false` counting as 1 and 0; nothing for any other value.
 fn read_pair(reader: &mut Reader<'_>) -> Step<Option<(i64, f32)>> {
     if reader.peek() != Some(b'[') {
-        skip(reader)?;
+        reader.pass()?;
         return Ok(None);
     }
     reader.open()?;
@@ -159,7 +159,7 @@ fn read_pair(reader: &mut Reader<'_>) -> Step<Option<(i64, f32)>> {
         } else if length == 1 && reader.literal("false") {
             Some((0.0, false))
         } else {
-            skip(reader)?;
+            reader.pass()?;
             None
         };
         if let Some(slot) = numbers.get_mut(length) {
@@ -174,32 +174,6 @@ fn read_pair(reader: &mut Reader<'_>) -> Step<Option<(i64, f32)>> {
     match (length, numbers) {
         (2, [Some((vertex, true)), Some((weight, _))]) => Ok(Some((vertex as i64, weight as f32))),
         _ => Ok(None),
-    }
-}
-
-/// Reads past a value.
-pub(super) fn skip(reader: &mut Reader<'_>) -> Step<()> {
-    match reader.peek() {
-        Some(b'{') => {
-            reader.open()?;
-            while reader.more(b'}')? {
-                reader.key()?;
-                skip(reader)?;
-            }
-            Ok(())
-        }
-        Some(b'[') => {
-            reader.open()?;
-            while reader.more(b']')? {
-                skip(reader)?;
-            }
-            Ok(())
-        }
-        Some(b'"') => reader.string().map(|_| ()),
-        _ => {
-            let known = reader.number()?.is_some() || ["null", "true", "false"].iter().any(|word| reader.literal(word));
-            if known { Ok(()) } else { Err(reader.expected("a value")) }
-        }
     }
 }
 

@@ -1,7 +1,6 @@
 //! What readers of large JSON have in common: they read without a tree.
 
 use super::json_file::{JsonFault, parse};
-pub(super) use super::mhw::skip;
 use crate::source::Encoding;
 
 /// What is wrong with a text before its syntax matters.

@@ -1,7 +1,7 @@
 //! UV layers of MPFB, `uv_layers/*.json.gz`: face to loop to texture coordinates (formats/mpfb.md §24.3).
 
 use super::json_file::JsonFault;
-use super::packed_json::{skip, text_fault};
+use super::packed_json::text_fault;
 use super::python_int;
 use crate::json::{Reader, SyntaxFault};
 use crate::source::Encoding;
@@ -201,7 +201,7 @@ fn other(reader: &mut Reader<'_>, begin: u8) -> Step<Option<&'static str>> {
         Some(b't' | b'f') => "true or false",
         _ => "a number",
     };
-    skip(reader)?;
+    reader.pass()?;
     Ok(Some(found))
 }
 
@@ -217,7 +217,7 @@ fn number(reader: &mut Reader<'_>) -> Step<Option<f64>> {
     if reader.literal("false") {
         return Ok(Some(0.0));
     }
-    skip(reader)?;
+    reader.pass()?;
     Ok(None)
 }
 

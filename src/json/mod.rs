@@ -12,6 +12,7 @@ mod reader;
 mod room;
 mod schema;
 mod schema_fault;
+mod spans;
 mod syntax_text;
 mod unknown_key;
 
@@ -23,3 +24,4 @@ pub(crate) use finder::Finder;
 pub(crate) use reader::{Reader, SyntaxFault, SyntaxKind};
 pub(crate) use schema::{SchemaFaults, UnknownKey, check, schema_names, schema_text};
 pub(crate) use schema_fault::{Bound, Found, Misfit, SchemaFault};
+pub(crate) use spans::Spans;

@@ -279,6 +279,35 @@ impl<'a> Reader<'a> {
         found
     }
 
+    /// Reads past a value.
+    ///
+    /// # Errors
+    /// No value, or a fault in it.
+    pub(crate) fn pass(&mut self) -> Step<()> {
+        match self.peek() {
+            Some(b'{') => {
+                self.open()?;
+                while self.more(b'}')? {
+                    self.key()?;
+                    self.pass()?;
+                }
+                Ok(())
+            }
+            Some(b'[') => {
+                self.open()?;
+                while self.more(b']')? {
+                    self.pass()?;
+                }
+                Ok(())
+            }
+            Some(b'"') => self.string().map(|_| ()),
+            _ => {
+                let known = self.number()?.is_some() || ["null", "true", "false"].iter().any(|word| self.literal(word));
+                if known { Ok(()) } else { Err(self.expected("a value")) }
+            }
+        }
+    }
+
     /// Makes sure that nothing but white space follows.
     ///
     /// # Errors

@@ -8,14 +8,14 @@ use rayon::prelude::*;
 use super::folder;
 use crate::diag::{FailedStep, Finding, Location, Place, Related};
 use crate::engine::caught::caught;
-use crate::json::{self, Finder};
+use crate::json::Spans;
 use crate::source::{Limits, Lines, Tree};
 
 /// A file that findings point into.
 struct Text<'b> {
     lines: Lines<'b>,
-    /// Its JSON, if it is one and somebody asks for it.
-    finder: Option<Finder>,
+    /// Where in its JSON the values stand that somebody asks for.
+    spans: Spans,
 }
 
 /// Fills the places of findings and sorts them by path, place, rule and key. `trees` are asked for each path in turn.
@@ -48,9 +48,7 @@ fn locate(findings: &mut [Finding], trees: &[&Tree], limits: &Limits) {
         let folder = folder::at(path, trees);
         let is_in_text = places.iter().any(|(place, _)| !matches!(place, Place::File | Place::Element(_)));
         let bytes = if is_in_text { read(path, trees, limits) } else { None };
-        let is_in_json = places.iter().any(|(place, _)| matches!(place, Place::Pointer(_) | Place::Key(_)));
-        let finder = bytes.as_ref().filter(|_| is_in_json).and_then(|bytes| json::parse(bytes).ok()).map(Finder::new);
-        let mut text = bytes.as_ref().map(|bytes| Text { lines: Lines::of(bytes), finder });
+        let mut text = bytes.as_ref().map(|bytes| Text { lines: Lines::of(bytes), spans: spans(bytes, &places) });
         for (place, location) in places {
             *location = symbolic(place);
             location.folder.clone_from(&folder);
@@ -80,6 +78,19 @@ fn symbolic(place: &Place) -> Location {
     location
 }
 
+/// Where the values stand that places in JSON point to.
+fn spans(bytes: &[u8], places: &[(&Place, &mut Location)]) -> Spans {
+    let pointers: Vec<&str> = places.iter().filter_map(|(place, _)| pointer(place)).collect();
+    if pointers.is_empty() { Spans::default() } else { Spans::of(bytes, pointers.into_iter()) }
+}
+
+fn pointer(place: &Place) -> Option<&str> {
+    match place {
+        Place::Pointer(pointer) | Place::Key(pointer) => Some(pointer),
+        Place::File | Place::Line(_) | Place::Row(..) | Place::Element(_) | Place::Span(_) => None,
+    }
+}
+
 fn read(path: &str, trees: &[&Tree], limits: &Limits) -> Option<Vec<u8>> {
     trees.iter().find_map(|tree| tree.read(tree.entry(tree.below(path)?)?, limits).ok())
 }
@@ -89,8 +100,8 @@ impl Text<'_> {
         match place {
             Place::Span(span) => Some(span.clone()),
             Place::Line(line) | Place::Row(line, _) => self.lines.span(*line),
-            Place::Pointer(pointer) => self.finder.as_mut()?.at(pointer).map(|node| node.span.clone()),
-            Place::Key(pointer) => self.finder.as_mut()?.key_at(pointer),
+            Place::Pointer(pointer) => self.spans.at(pointer),
+            Place::Key(pointer) => self.spans.key_at(pointer),
             Place::File | Place::Element(_) => None,
         }
     }

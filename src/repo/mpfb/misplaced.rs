@@ -1,7 +1,7 @@
 //! A base mesh of MPFB whose vertices lie elsewhere than its tables say: nothing that is measured on it means anything
 //! (formats/mpfb-observed.md 2.4).
 
-use crate::formats::mesh_metadata::{MirrorRow, MirrorTable};
+use crate::formats::mesh_metadata::{MirrorRow, MirrorTable, VertexGroup, VertexGroups};
 use crate::formats::obj::Mesh;
 
 /// Where the vertices lie instead.
@@ -27,18 +27,18 @@ const OTHER_UNIT: f32 = 3.0;
 pub(crate) const MIDDLE: f32 = 1e-3;
 /// Counterparts are farther from where they mirror each other only where numbers are wrong, mesh units.
 const APART: f32 = 0.5;
-/// Where one vertex of so many is not where it should be, all numbers are in doubt.
-const MANY: usize = 10;
+/// Where one vertex of so many is not where it should be, all numbers are in doubt; fewer are faults of the table.
+const MANY: usize = 4;
 
 impl Misplaced {
     /// What is wrong with a mesh of which every line was read.
-    pub(super) fn of(mesh: &Mesh, mirror: Option<&MirrorTable>) -> Option<Self> {
+    pub(super) fn of(mesh: &Mesh, mirror: Option<&MirrorTable>, groups: Option<&VertexGroups>) -> Option<Self> {
         if mesh.facts.unreadable_lines > 0 {
             return None;
         }
         let by_size = (mesh.facts.vertices == VERTICES).then(|| by_size(mesh)).flatten();
         let mirror = mirror.filter(|table| table.unreadable.is_none());
-        by_size.or_else(|| mirror.and_then(|table| by_mirror(mesh, table)))
+        by_size.or_else(|| mirror.and_then(|table| by_mirror(mesh, table, groups)))
     }
 }
 
@@ -66,7 +66,7 @@ fn extent(mesh: &Mesh) -> Option<[f32; 3]> {
     sizes.iter().all(|size| size.is_finite()).then_some(sizes)
 }
 
-fn by_mirror(mesh: &Mesh, table: &MirrorTable) -> Option<Misplaced> {
+fn by_mirror(mesh: &Mesh, table: &MirrorTable, groups: Option<&VertexGroups>) -> Option<Misplaced> {
     let place = |vertex: u32| mesh.positions.get(vertex as usize).copied();
     let count = |is: &dyn Fn(&MirrorRow) -> bool| table.rows.iter().filter(|row| is(row)).count();
     let is_sided = |row: &MirrorRow| row.side != b'm' && place(row.from).is_some_and(|[x, ..]| x.abs() > MIDDLE);
@@ -80,7 +80,25 @@ fn by_mirror(mesh: &Mesh, table: &MirrorTable) -> Option<Misplaced> {
     if strayed > table.rows.len() / MANY {
         return Some(Misplaced::Order(strayed, table.rows.len()));
     }
-    (across > sided / 2).then_some(Misplaced::Mirrored(across, sided))
+    // Where joints are on their sides the table is at fault.
+    let is_mirrored = across > sided / 2 && groups.is_some_and(|groups| are_joints_across(mesh, groups));
+    is_mirrored.then_some(Misplaced::Mirrored(across, sided))
+}
+
+/// Whether most joints of a side, such as `joint-l-hand`, lie on the other one.
+fn are_joints_across(mesh: &Mesh, groups: &VertexGroups) -> bool {
+    let side = |name: &str| match name.strip_prefix("joint-")?.get(..2)? {
+        "l-" => Some(1.0),
+        "r-" => Some(-1.0),
+        _ => None,
+    };
+    let own_side = |group: &VertexGroup| {
+        let (first, _) = group.ranges.first()?;
+        let [x, ..] = mesh.positions.get(usize::try_from(*first).ok()?)?;
+        Some(side(&group.name)? * x)
+    };
+    let sided: Vec<f32> = groups.groups.iter().filter_map(own_side).filter(|x| x.abs() > MIDDLE).collect();
+    sided.iter().filter(|x| **x < 0.0).count() > sided.len() / 2
 }
 
 /// Whether a vertex is on the other side than its row says.

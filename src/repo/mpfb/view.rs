@@ -90,8 +90,9 @@ impl<'a> View<'a> {
         let foreign_mesh = mesh.zip(needed).filter(|((_, mesh), needed)| lacks_vertices(mesh, *needed));
         let foreign_mesh = foreign_mesh.map(|((file, mesh), needed)| (file, mesh.facts.vertices, needed));
         let mesh = mesh.filter(|_| foreign_mesh.is_none());
+        let groups = file(Kind::VertexGroups).and_then(FileFacts::vertex_groups);
         let mirror = file(Kind::MirrorTable).and_then(FileFacts::mirror_table);
-        let misplaced = mesh.and_then(|(_, mesh)| Misplaced::of(mesh, mirror));
+        let misplaced = mesh.and_then(|(_, mesh)| Misplaced::of(mesh, mirror, groups));
         let worn_beside = worn(layers.beside.into_iter());
         let worn = worn(layers.strongest_first());
         let looks = looks(layers.checked, &worn);
@@ -101,7 +102,6 @@ impl<'a> View<'a> {
         let references = References::new(references.chain(of_worn.chain(of_looks).cloned()).collect());
         let (targets, named) = (NamedTargets::of(layers), NamedFiles::of(layers));
         let rigs = rigs::all(layers);
-        let groups = file(Kind::VertexGroups).and_then(FileFacts::vertex_groups);
         let shown = BTreeSet::from(["body".to_owned()]);
         let one_sided = ["-trans-in", "-trans-out"].map(str::to_owned).to_vec();
         Self {

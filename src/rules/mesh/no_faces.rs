@@ -2,10 +2,11 @@
 
 use super::super::cause::is_unmet;
 use super::super::cause::mesh::{is_in_archive, weigh};
+use super::super::proxy::STOPS_WITH_INDEX;
 use super::super::{Check, Rule, RuleCx};
-use super::{ASSET_INDEX, of_asset};
+use super::of_asset;
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
 };
 use crate::formats::obj::{Mesh, MeshFacts};
@@ -15,7 +16,9 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "shows nothing and a height of 0 cm; the glTF export crashes with `ValueError`"),
         (Makehuman1, "does not put the asset on: its mesh cannot be loaded"),
+        (Mpfb, "loads the vertices alone: nothing of the mesh is seen"),
     ],
+    levels: &[(Mpfb, Level::Warning)],
     docs: "A mesh without a line `f …` has vertices but no surface.\n\n\
         MakeHuman 2 loads it without a message, shows nothing, and computes every height as 0. The glTF export \
         crashes with `ValueError` because there is nothing to write. A file that also has no line `v …`, such as a \
@@ -24,18 +27,30 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         An asset with such a mesh is put on and shows nothing, and the glTF export crashes. If the file has no vertices \
         either, MakeHuman 2 crashes when the asset is put on.\n\n\
         MakeHuman 1 does not put such an asset on, and does not start with such a base mesh.\n\n\
+        MPFB loads the vertices alone (a warning); a file without vertices fails with `IndexError`.\n\n\
         Export the mesh again, with its faces.",
     ..RuleInfo::new("mesh-no-faces", Level::Error, "a mesh has no faces")
 });
 
-const NO_MESH: Case = &[(Makehuman2, Level::Error, "crashes at start with `IndexError` while loading the base mesh")];
+const NO_MESH: Case = &[
+    (Makehuman2, Level::Error, "crashes at start with `IndexError` while loading the base mesh"),
+    (Mpfb, Level::Error, "fails with `IndexError` when a character is made"),
+];
+
+const NO_VERTICES: Case = &[
+    (Makehuman2, Level::Error, STOPS_WITH_INDEX),
+    (Mpfb, Level::Error, "fails with `IndexError` when the asset is put on"),
+];
 
 /// Of an asset it is the export that fails.
-const OF_ASSET: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "shows nothing; the glTF export of a figure that wears the asset crashes with `ValueError`",
-)];
+const OF_ASSET: Case = &[
+    (
+        Makehuman2,
+        Level::Error,
+        "shows nothing; the glTF export of a figure that wears the asset crashes with `ValueError`",
+    ),
+    (Mpfb, Level::Warning, "puts the asset on without faces: nothing of it is seen"),
+];
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if let Some(mesh) = of_asset(view, file) {
         let is_cloud = mesh.faces == 0 && is_read(&mesh.facts) && mesh.facts.short_faces.is_empty();
@@ -76,7 +91,7 @@ fn of_worn(file: &FileFacts, vertices: usize) -> Finding {
     if vertices == 0 {
         let message = format!("`{}` is not an OBJ file: it has neither vertices nor faces", file.file_name());
         let help = "restore the mesh: this file is something else, such as a web page";
-        return RULE.at(file, Place::File, message).case(ASSET_INDEX).help(help);
+        return RULE.at(file, Place::File, message).case(NO_VERTICES).help(help);
     }
     let finding = RULE.at(file, Place::File, format!("the mesh has {vertices} vertices but no faces")).case(OF_ASSET);
     finding.help("export the mesh again, with its faces").evidence(Evidence::counted(vertices).out_of(vertices))

@@ -2,6 +2,7 @@
 
 mod archives;
 mod blender;
+mod companion_weights;
 mod custom_weights;
 mod degenerate_triple;
 mod delete_list_lost;
@@ -59,6 +60,7 @@ use std::ops::RangeInclusive;
 
 /// The rules of the family.
 pub(super) static RULES: &[&Rule] = &[
+    &companion_weights::RULE,
     &custom_weights::RULE,
     &degenerate_triple::RULE,
     &delete_range::RULE,

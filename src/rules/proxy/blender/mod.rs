@@ -1,5 +1,6 @@
 //! What MPFB makes of the lines of an asset (formats/mpfb.md §26).
 
+pub(super) mod companion;
 pub(super) mod list;
 pub(super) mod names;
 pub(super) mod rows;
