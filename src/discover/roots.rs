@@ -75,13 +75,22 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[
     for sign in [Sign::Weak, Sign::Faint] {
         roots.extend(count(sign, &roots));
     }
+    let has_data = |application: Application| {
+        signs.iter().any(|(root, sign)| root.application == application && *sign == Sign::Strong)
+    };
     for application in company {
         let Some(other) = Layout::of(application).shares_roots_of else { continue };
         // Signs that others have, too, are those of a user. Of an application that is asked for all but a system's are.
         let is_users = |sign: Sign| sign == Sign::Faint || sign == Sign::Weak && asked.contains(&application);
         let is_shared = |root: &&DataRoot| root.application == other && signs.get(*root).copied().is_some_and(is_users);
         let shared = roots.iter().filter(is_shared).map(|root| DataRoot { path: root.path.clone(), application });
-        roots.extend(shared.collect::<Vec<_>>());
+        let shared: Vec<DataRoot> = shared.collect();
+        // Beside data of the one, and without any of the other, nobody means the other.
+        if has_data(application) && !has_data(other) && !asked.contains(&other) {
+            let is_other = |root: &DataRoot| root.application == other && signs.get(root) == Some(&Sign::Faint);
+            roots.retain(|root| !is_other(root));
+        }
+        roots.extend(shared);
     }
     roots.sort();
     roots.dedup();

@@ -18,7 +18,6 @@ use crate::eval::scene::Scene;
 use crate::eval::vector::Point;
 use crate::repo::Layers;
 use crate::repo::makehuman2::Base;
-use crate::repo::mpfb::View;
 use crate::source::Limits;
 
 /// Whose formulas evaluate a body.
@@ -97,16 +96,7 @@ pub(crate) fn measure(
             Some(Measures { worn, ..measures })
         }
         Application::Makehuman1 => Some(Measures { worn: makehuman1::worn::measure(layers), ..Measures::default() }),
-        Application::Mpfb => {
-            let view = View::connect(layers);
-            let mut composed = mpfb::base::compose(layers, rows)?;
-            let mesh = mpfb::worn::mesh(&view);
-            let fitted = mesh.map(|mesh| mpfb::worn::fit(mesh, view.worn(), layers)).unwrap_or_default();
-            composed.scene.worn = fitted.iter().map(|one| one.on_scene(&BTreeMap::new())).collect();
-            let worn = || mesh.map(|mesh| mpfb::worn::measure(mesh, &fitted)).unwrap_or_default();
-            let (measures, worn) = rayon::join(|| gauge(&composed, options), worn);
-            Some(Measures { worn, ..measures })
-        }
+        Application::Mpfb => mpfb::measure(layers, rows, options),
     }
 }
 

@@ -58,12 +58,20 @@ fn reads_hidden(path: &HiddenPath<'_>) -> bool {
     path.visible.iter().any(|part| matches!(*part, "targets" | "custom")) && is_target
 }
 
-/// What the add-on has for itself: it looks for it nowhere else.
+/// What the add-on has for itself: it looks for it nowhere else. A single copy of that among the assets of a user makes no
+/// data of the add-on.
 fn role(below: &[Candidate<'_>]) -> Role {
-    let is_own = |one: &Candidate<'_>| {
-        matches!(one.kind_in(Application::Mpfb), Kind::TargetCatalog | Kind::MacroParts | Kind::BaseMesh)
+    const OWN: [Kind; 3] = [Kind::TargetCatalog, Kind::MacroParts, Kind::BaseMesh];
+    let has = |kind: &&Kind| below.iter().any(|one| one.kind_in(Application::Mpfb) == **kind);
+    let is_of_user = |one: &Candidate<'_>| {
+        let top = one.rel.split('/').next().unwrap_or_default();
+        WORN.contains(&top) || matches!(top, "custom" | "skins" | "proxymeshes" | "packs")
     };
-    if below.iter().any(is_own) { Role::System } else { Role::User }
+    match OWN.iter().filter(has).count() {
+        0 => Role::User,
+        1 if below.iter().any(is_of_user) => Role::User,
+        _ => Role::System,
+    }
 }
 
 /// `macro.json` shares nothing but its name with that of MakeHuman 2.

@@ -154,14 +154,14 @@ impl<'a> View<'a> {
         self.layers.user.or(self.layers.beside).is_some_and(holds)
     }
 
-    /// The folders of a user that differ in their capitals from those that are listed. In the data of MPFB files are looked
-    /// for by their names.
+    /// The folders that differ in their capitals from those that are listed. Of the data of MPFB these are rigs, poses and UV
+    /// layers: what else is missing there is told by the names of its files.
     pub(crate) fn misnamed_folders(&self) -> Vec<MisnamedFolder> {
         let layout = Layout::of(OWN);
-        if self.layers.checks_system() {
-            return Vec::new();
-        }
-        misnamed_folders(self.layers.checked, layout, |rel| top_in_other_case(layout, rel))
+        let is_own = self.layers.checks_system();
+        let is_listed = |right: &str| !is_own || matches!(right, "rigs" | "poses" | "uv_layers");
+        let other = |rel| top_in_other_case(layout, rel).filter(|(_, right, _)| is_listed(right));
+        misnamed_folders(self.layers.checked, layout, other)
     }
 
     /// What the body can wear, that of another folder of the user included.

@@ -35,6 +35,9 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     }
     let is_other =
         |top: &str| own.folder_in_other_case(top).is_some() || matches!(top, "config" | "settings" | "models");
+    let loose: Vec<&FileFacts> = files().filter(|file| !file.rel.contains('/') && is_worn(file)).collect();
+    let message = format!("{} in no folder of a kind", counted(loose.len(), "asset"));
+    out.extend(finding(rule, &loose, "", message, NOT_LISTED, TO_KIND));
     let tops = files().filter_map(|file| Some((file.rel.split_once('/')?.0, file)));
     for (top, files) in grouped(tops.filter(|(top, _)| !is_other(top))) {
         let of_targets: Vec<&FileFacts> = files.iter().copied().filter(|file| is_target(file)).collect();
@@ -49,12 +52,22 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             let files: Vec<&FileFacts> = files.into_iter().filter(|file| is_asset(file)).collect();
             let message = format!("folder `{top}` is not read ({})", counted(files.len(), "file"));
             out.extend(finding(rule, &files, top, message, NOT_LISTED, did_you_mean(Some(near), "")));
+        } else if !is_known && !view.layers.checked.has_folder(&format!("{top}/packs")) {
+            let worn: Vec<&FileFacts> = files.into_iter().filter(|file| is_worn(file)).collect();
+            let message = format!("{} in `{top}`, where MPFB does not look for any", counted(worn.len(), "asset"));
+            out.extend(finding(rule, &worn, top, message, NOT_LISTED, TO_KIND));
         }
     }
 }
 
 /// Folders of the add-on: nothing of a user is read there.
 const OF_PROGRAM: [&str; 4] = ["3dobjs", "mesh_metadata", "node_trees", "settings"];
+
+const TO_KIND: &str = "move them to the folder of their kind, such as `clothes` or `hair`";
+
+fn is_worn(file: &FileFacts) -> bool {
+    matches!(extension(&file.rel), "mhclo" | "proxy")
+}
 
 fn is_target(file: &FileFacts) -> bool {
     file.rel.ends_with(".target") || file.rel.ends_with(".target.gz")

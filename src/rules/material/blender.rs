@@ -319,9 +319,8 @@ pub(super) fn same_names(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Findi
 
 /// Maps that are pictures in colours.
 const COLOURS: [&str; 3] = ["diffuseTexture", "emissionColorMapTexture", "subsurfaceColorMapTexture"];
-/// Maps whose pictures stand for numbers.
-const DATA: [&str; 5] =
-    ["bumpmapTexture", "normalmapTexture", "displacementmapTexture", "roughnessmapTexture", "metallicmapTexture"];
+/// Maps whose pictures stand for numbers. Heights are taken from a picture in colours on purpose.
+const DATA: [&str; 3] = ["normalmapTexture", "roughnessmapTexture", "metallicmapTexture"];
 
 /// Pictures that are in use both for colours and for numbers.
 pub(super) fn both_spaces(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Finding>) {

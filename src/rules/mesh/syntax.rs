@@ -3,23 +3,32 @@
 use super::super::{Check, Rule, RuleCx, such};
 use super::{ASSET_INDEX, ASSET_VALUE, ReadMesh, read};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
-    Evidence, Finding, Level, Place, RuleInfo,
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Case, Evidence, Finding, Level, Place, RuleInfo,
 };
+use crate::formats::obj::BadLine;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `ValueError` or `IndexError` while loading the base mesh"), (Makehuman1, "does not put the asset on: its mesh cannot be loaded")],
+    breaks: &[(Makehuman2, "crashes with `ValueError` or `IndexError` while loading the base mesh"), (Makehuman1, "does not put the asset on: its mesh cannot be loaded"), (Mpfb, "takes other numbers for those that it cannot read: the figure is displaced")],
+    levels: &[(Mpfb, Level::Warning)],
     docs: "A line `v x y z`, `vt u v` or `f a b c …` cannot be read. A face corner is `vertex`, `vertex/uv`, \
         `vertex//normal` or `vertex/uv/normal` in whole numbers, and a face that is drawn has at least three \
         corners. Fewer corners are harmless in hidden groups. Lines other than these and `g name` are ignored.\n\n\
         MakeHuman 2 reads the numbers without checking them and crashes on the first one that is missing or not a \
         number: at start for a base mesh, and when an asset is put on for its mesh. A line cannot be continued with \
-        `\\`.\n\nMakeHuman 1 loads no mesh with such a line: the asset cannot be put on, and with such a base mesh the program does not start. It also needs a name behind `g` and `o`.\n\n\
+        `\\`.\n\nMakeHuman 1 loads no mesh with such a line: the asset cannot be put on, and with such a base mesh the program does not start. It also needs a name behind `g` and `o`.\n\nBlender reads on: of `0,5` it takes `0`. Places in the mesh of an asset are not used by MPFB (an info), but faces that Blender cannot read are lost.\n\n\
         Export the mesh again, or fix the line.",
     counts: "lines",
     ..RuleInfo::new("mesh-syntax", Level::Error, "a line of a mesh cannot be read")
 });
+
+const LOST_FACES: Case = &[(Mpfb, Level::Warning, "drops faces that it cannot read")];
+const OTHER_PLACES: Case = &[(
+    Mpfb,
+    Level::Info,
+    "takes other numbers for those that it cannot read, and never uses them: places come from the rows of the asset",
+)];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = read(view, file) else { return };
@@ -42,7 +51,13 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         .help("fix the line, or export the mesh again")
         .parts(mesh.facts.unreadable_names.names())
         .evidence(evidence);
-    out.push(mesh.weigh(view, file, finding, ASSET_VALUE));
+    let is_face = |bad: &BadLine| bad.text.starts_with('f');
+    let case = match view.is_mpfb() {
+        true if mesh.facts.unreadable.iter().any(is_face) => LOST_FACES,
+        true => OTHER_PLACES,
+        false => ASSET_VALUE,
+    };
+    out.push(mesh.weigh(view, file, finding, case));
 }
 
 /// The first face with one or two corners among those that are drawn.

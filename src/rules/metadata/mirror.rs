@@ -15,6 +15,7 @@ const STOPPED: Case = &[(
     "fails when a target is first made symmetric, and mirrors only the vertices above this row from then on",
 )];
 const OUT_OF_RANGE: Case = &[(Mpfb, Level::Error, "fails with `IndexError` when a target is made symmetric")];
+const PASSED_OVER: Case = &[(Mpfb, Level::Warning, "passes over these vertices when a target is made symmetric")];
 const WRONG_HALF: Case = &[(Mpfb, Level::Warning, "mirrors the wrong half when a target is made symmetric")];
 const APART: Case = &[(Mpfb, Level::Warning, "mirrors these vertices to others than their counterparts")];
 
@@ -47,6 +48,12 @@ pub(super) fn fault(rule: &Rule, view: &View<'_>, file: &FileFacts, table: &Mirr
         let side = if first.side == b'l' { "left" } else { "right" };
         let message = format!("vertex {} does not lie on the {side}, as its row says", first.from);
         return Some(told(rule, file, &other, message, WRONG_HALF)?.help("exchange `l` and `r`"));
+    }
+    let unsided = of(&|row| !matches!(row.side, b'l' | b'r' | b'm'));
+    if let Some(first) = unsided.first() {
+        let letter = char::from(first.side).escape_default();
+        let message = format!("`{letter}` is not a side, expected `l`, `r` or `m`");
+        return Some(told(rule, file, &unsided, message, PASSED_OVER)?.help("write `l`, `r` or `m` in small letters"));
     }
     let counterpart: BTreeMap<u32, u32> = table.rows.iter().map(|row| (row.from, row.to)).collect();
     let apart = of(&|row| counterpart.get(&row.to) != Some(&row.from));

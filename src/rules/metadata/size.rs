@@ -32,7 +32,7 @@ pub(super) fn fault(rule: &Rule, file: &FileFacts, misplaced: Misplaced) -> Find
         ),
         Misplaced::Mirrored(across, sided) => (
             format!(
-                "left and right are exchanged: {across} of {sided} vertices are on the other side than `hm08.mirror` says"
+                "left and right are exchanged: {across} of {sided} vertices lie across from where `hm08.mirror` puts them"
             ),
             "mirrored",
             "restore the base mesh",

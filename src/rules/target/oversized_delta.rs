@@ -40,7 +40,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(size) = body.mesh.and_then(|(_, mesh)| extent(&mesh.positions)) else { return };
+    // A mesh in another unit is told itself.
+    let mesh = body.mesh.filter(|_| body.doubt.is_none());
+    let Some(size) = mesh.and_then(|(_, mesh)| extent(&mesh.positions)) else { return };
     #[expect(clippy::cast_possible_truncation, reason = "a factor set by people")]
     let ratio = cx.option(&RULE, "ratio") as f32;
     let mut told: BTreeSet<&str> = BTreeSet::new();

@@ -73,6 +73,11 @@ fn unread(rule: &Rule, text: &Text<'_, '_>, keyword: &'static str, add: &str) ->
             let message = format!("`{keyword}` is directly behind a list of numbers, which swallows it");
             told(at(entry.line), message, "move the line above `verts`".to_owned())
         }
+        // Behind a byte order mark the word is another one; that has a finding of its own, which says what is lost.
+        None if text.has_hidden(keyword) => {
+            let message = format!("`{keyword}` stands behind a byte order mark, which makes it another word");
+            told(Place::Line(1), message, "save the file as UTF-8 without a byte order mark".to_owned())
+        }
         None => match text.misspelt(keyword) {
             Some(entry) => {
                 let message = format!("`{}` is not the keyword `{keyword}`", entry.keyword);
@@ -100,12 +105,17 @@ pub(in crate::rules::proxy) fn licence(rule: &Rule, body: &Body<'_>, out: &mut V
         let is_meant = match recorded {
             "CC0" => ["cc0", "cc-0", "cc 0", "public domain"].iter().any(|name| value.contains(name)),
             "AGPL" => true,
-            // Its variants are licences of their own.
-            _ => !["-sa", "-nc", "-nd"].iter().any(|part| value.contains(part)),
+            // Its variants are licences of their own; and the word may be part of a sentence.
+            _ => {
+                let is_named = ["cc-by", "cc by", "ccby", "attribution"].iter().any(|name| value.contains(name));
+                is_named && !["-sa", "-nc", "-nd"].iter().any(|part| value.contains(part))
+            }
         };
         if !is_meant {
             let shown: String = entry.value.chars().take(40).collect();
-            let message = format!("licence `{shown}` is recorded as `{recorded}`");
+            let why =
+                if recorded == "CC-BY" && !value.contains("cc-by") { ", because `by` stands in the line" } else { "" };
+            let message = format!("licence `{shown}` is recorded as `{recorded}`{why}");
             let help = "write `# license CC0` or `# license CC-BY` if it is one of these; others cannot be recorded";
             out.push(rule.at(text.file, Place::Span(entry.span.clone()), message).help(help));
         }
