@@ -1,5 +1,7 @@
 //! MPFB: one base mesh, packed targets, sliders in a catalogue (formats/mpfb.md §1).
 
+pub(crate) mod importer;
+
 use super::super::kind::extension;
 use super::super::{Candidate, Kind};
 use super::{HM08, HiddenPath, LIBRARIES, Layout, Role, Sign, WORN};
@@ -16,7 +18,7 @@ pub(super) static LAYOUT: Layout = Layout {
     ],
     sign,
     place,
-    checks_packs: false,
+    refuses: Some(importer::refusal),
     beside: &["config", "models"],
     is_telling: |kind| {
         use Kind::{EyeSettings, HumanPreset, ImporterPreset, MakeupPreset, SkinSettings};

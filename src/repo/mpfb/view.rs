@@ -10,7 +10,7 @@ use super::parts::Parts;
 use super::references::collect;
 use super::rigs::{self, RigFile, RigPart};
 use crate::diag::{Application, Place};
-use crate::discover::{Kind, Layout};
+use crate::discover::{Kind, Layout, Refusal};
 use crate::formats::macro_parts::SETTINGS;
 use crate::formats::mesh_metadata::VertexGroups;
 use crate::formats::obj::Mesh;
@@ -21,6 +21,7 @@ use crate::repo::{
     Body, BodyWeights, FileFacts, Layer, Layers, Reference, ReferenceKind, References, Rig, Target, WeightsUse, Worn,
     parent,
 };
+use crate::source::is_below;
 
 /// Whose uses of a file count here.
 pub(super) const OWN: Application = Application::Mpfb;
@@ -155,7 +156,19 @@ impl<'a> View<'a> {
         if self.layers.checks_system() {
             return Vec::new();
         }
-        misnamed_folders(self.layers.checked, layout, |rel| top_in_other_case(layout, rel))
+        // That a zip is refused for its folder of lists is reported of the zip.
+        let refusal = self.layers.checked.pack.as_ref().and_then(|pack| pack.refusal.as_ref());
+        let is_told = |rel: &str| match refusal {
+            Some(Refusal::Capitals(folder)) => is_below(rel, folder),
+            _ => false,
+        };
+        misnamed_folders(
+            self.layers.checked,
+            layout,
+            |rel| {
+                if is_told(rel) { None } else { top_in_other_case(layout, rel) }
+            },
+        )
     }
 
     /// What the body can wear, that of another folder of the user included.
