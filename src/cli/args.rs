@@ -118,7 +118,7 @@ impl Command {
 pub(super) struct CheckArgs {
     /// Files, folders or zips to check [default: the current folder].
     ///
-    /// A zip is checked, without unpacking it to disk, as what MakeHuman 2 imports of it and as what MakeHuman 1 has once it is unpacked.
+    /// A zip is checked, without unpacking it to disk, as what MakeHuman 2 imports of it, as what MakeHuman 1 has once it is unpacked, and as what MPFB makes of it if it is asked for or `packs/` is at the top.
     ///
     /// In data folders files with these extensions are read: bmp bvh gif gz jpeg jpg json jsonw meta mhbin mhclo mhm mhmat mhpose mhpxy mhskel mhuv mhw npz obj png proxy target tga thumb tif tiff toml txt webp zip.
     #[arg(value_name = "PATH")]

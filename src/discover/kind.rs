@@ -49,6 +49,8 @@ pub enum Kind {
     VertexGroups,
     /// `hm08_config.json` of MPFB: between which vertices parts of the body are measured.
     BodyDimensions,
+    /// `proxy_corrective.json` of MPFB: which proxies lose weights on the wrong side.
+    ProxyCorrections,
     /// `hm08.mirror` of MPFB: the counterpart of each vertex.
     MirrorTable,
     /// `basemesh_face_to_vertex_table.json.gz` of MPFB: the vertices of each face.
@@ -152,6 +154,7 @@ impl Kind {
                 | Self::StoredPose
                 | Self::VertexGroups
                 | Self::BodyDimensions
+                | Self::ProxyCorrections
                 | Self::Rig
                 | Self::CustomRig
                 | Self::SubRig

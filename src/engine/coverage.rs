@@ -41,8 +41,8 @@ impl<'r> Coverage<'r> {
     /// Counts a data root that was checked as its applications see it.
     pub(super) fn add(&mut self, root: &Loaded<'_>, views: &[View<'_>], outcome: &mut Outcome) {
         let asked = self.asked;
-        // Of what an importer ignores there is no file, and yet something was checked.
-        if root.layer.pack.as_ref().is_some_and(|pack| pack.import.is_some()) {
+        // Of what an importer ignores or refuses there may be no file, and yet something was checked.
+        if root.layer.pack.as_ref().is_some_and(|pack| pack.import.is_some() || pack.refusal.is_some()) {
             self.untouched.retain(|path| !is_below(&root.layer.path, path));
         }
         for file in root.layer.files.values().filter(|file| asked.is_for(root, views, file)) {

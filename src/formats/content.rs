@@ -29,6 +29,7 @@ use super::pack_metadata::PackMetadata;
 use super::picture::Picture;
 use super::pose_units::PoseUnits;
 use super::program::{Shaders, Version};
+use super::proxy_corrections::ProxyCorrections;
 use super::rig::Rig;
 use super::selection_filter::SelectionFilter;
 use super::shader_source::ShaderSource;
@@ -76,6 +77,8 @@ pub enum Content {
     VertexGroups(Box<VertexGroups>),
     /// `hm08_config.json`.
     BodyDimensions(Box<BodyDimensions>),
+    /// `proxy_corrective.json`.
+    ProxyCorrections(Box<ProxyCorrections>),
     /// `hm08.mirror`.
     MirrorTable(Box<MirrorTable>),
     /// A table of faces or vertices of MPFB's base mesh.

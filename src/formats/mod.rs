@@ -57,6 +57,7 @@ mod packed_rows;
 pub mod picture;
 pub mod pose_units;
 pub mod program;
+pub mod proxy_corrections;
 mod readers;
 pub mod rig;
 pub mod selection_filter;

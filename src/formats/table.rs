@@ -8,7 +8,7 @@ use super::readers::{
 use super::{
     Content, Input, Parsed, base_json, face_expression, geometry, human_preset, importer_preset, ink_layer,
     look_settings, macro_json, macro_parts, mesh_metadata, mhskel, modelling, node_tree, pack_metadata, pose_units,
-    program, rig, selection_filter, target_cat, target_catalog,
+    program, proxy_corrections, rig, selection_filter, target_cat, target_catalog,
 };
 use crate::discover::Kind;
 use crate::json::Document;
@@ -95,7 +95,7 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 56] = [
+pub(crate) static FORMATS: [Format; 57] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
@@ -141,6 +141,9 @@ pub(crate) static FORMATS: [Format; 56] = [
     }),
     json(Kind::BodyDimensions, "dimensions of the body", "mpfb_dimensions", |json| {
         Content::BodyDimensions(Box::new(mesh_metadata::dimensions(json)))
+    }),
+    json(Kind::ProxyCorrections, "corrections of proxies", "mpfb_corrections", |json| {
+        Content::ProxyCorrections(Box::new(proxy_corrections::read(json)))
     }),
     read(Kind::MirrorTable, "mirror table", Syntax::Text, mirror_table),
     Format { schema: Some("mpfb_table"), ..read(Kind::FaceTable, "table of faces", Syntax::Binary, index_table) },

@@ -101,7 +101,7 @@ impl Schema {
     }
 }
 
-static SCHEMAS: [Schema; 32] = [
+static SCHEMAS: [Schema; 33] = [
     Schema::new("base", include_str!("../../schemas/base.schema.json")),
     Schema::new("config", include_str!("../../schemas/config.schema.json")),
     Schema::new("geometry", include_str!("../../schemas/geometry.schema.json")),
@@ -111,6 +111,7 @@ static SCHEMAS: [Schema; 32] = [
     Schema::new("mhw", include_str!("../../schemas/mhw.schema.json")),
     Schema::new("modelling", include_str!("../../schemas/modelling.schema.json")),
     Schema::new("mpfb_catalog", include_str!("../../schemas/mpfb_catalog.schema.json")),
+    Schema::new("mpfb_corrections", include_str!("../../schemas/mpfb_corrections.schema.json")),
     Schema::new("mpfb_dimensions", include_str!("../../schemas/mpfb_dimensions.schema.json")),
     Schema::new("mpfb_expression", include_str!("../../schemas/mpfb_expression.schema.json")),
     Schema::new("mpfb_eyes", include_str!("../../schemas/mpfb_eyes.schema.json")),

@@ -30,6 +30,7 @@ use crate::formats::pack_metadata::PackMetadata;
 use crate::formats::picture::Picture;
 use crate::formats::pose_units::PoseUnits;
 use crate::formats::program::{Shaders, Version};
+use crate::formats::proxy_corrections::ProxyCorrections;
 use crate::formats::rig::Rig;
 use crate::formats::selection_filter::SelectionFilter;
 use crate::formats::shader_source::ShaderSource;
@@ -192,6 +193,11 @@ impl FileFacts {
     /// The dimensions of MPFB's body, if they could be read.
     pub fn body_dimensions(&self) -> Option<&BodyDimensions> {
         if let Content::BodyDimensions(dimensions) = &*self.content { Some(dimensions) } else { None }
+    }
+
+    /// What MPFB corrects of proxies, if it could be read.
+    pub fn proxy_corrections(&self) -> Option<&ProxyCorrections> {
+        if let Content::ProxyCorrections(corrections) = &*self.content { Some(corrections) } else { None }
     }
 
     /// The mirror table of MPFB's base mesh.

@@ -29,7 +29,7 @@ pub(crate) use layer::{Layer, composed, fold};
 pub(crate) use layers::Layers;
 pub(crate) use makehuman2::is_unfiled;
 pub(crate) use misnamed_folder::MisnamedFolder;
-pub(crate) use pack::{Import, Pack};
+pub(crate) use pack::{Import, Names, Pack};
 pub(crate) use path::shortened;
 pub(crate) use reference::{PictureFolders, Reference, ReferenceKind, Resolution};
 pub(crate) use references::References;

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::{FileFacts, parent};
+use crate::discover::Refusal;
 use crate::source::{PackFacts, normalized};
 
 /// A zip that a layer was made of.
@@ -15,6 +16,23 @@ pub(crate) struct Pack {
     pub import: Option<Import>,
     /// Paths below the data root of members that are no files.
     pub lost: BTreeSet<String>,
+    /// Why its importer refuses it.
+    pub refusal: Option<Refusal>,
+    /// Names that whoever packed it meant otherwise than its importer takes them; nothing where people unpack it.
+    pub names: Names,
+}
+
+/// Names in a pack that are not those of the files that come of them, as paths below the data root.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Names {
+    /// Names that are read with other letters than they were written with, by path.
+    pub misread: BTreeMap<String, String>,
+    /// Paths whose names have `\\` for a separator.
+    pub backslashes: Vec<String>,
+    /// Links, of which the importer makes texts.
+    pub links: Vec<String>,
+    /// Members that others of the same name replace.
+    pub replaced: Vec<String>,
 }
 
 /// Where an importer puts the files of a pack.
@@ -26,14 +44,6 @@ pub(crate) struct Import {
     pub places: BTreeMap<String, Option<String>>,
     /// Paths in the pack that come to the same path below the data root and differ in content, by that path.
     pub overwritten: BTreeMap<String, BTreeSet<String>>,
-    /// Names that are read with other letters than they were written with, by path in the pack.
-    pub misread: BTreeMap<String, String>,
-    /// Paths whose names have `\\` for a separator.
-    pub backslashes: Vec<String>,
-    /// Links, of which the importer makes texts.
-    pub links: Vec<String>,
-    /// Members that others of the same name replace.
-    pub replaced: Vec<String>,
 }
 
 impl Import {

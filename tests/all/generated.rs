@@ -73,7 +73,7 @@ fn about(family: &str) -> &'static str {
         "modelling" => "sliders: `modelling.json` and `target_cat.json`",
         "numeric" => "the evaluated figure: shapes, joints and weights over the range of the sliders",
         "overlay" => "user data over system data",
-        "pack" => "zips of assets as MakeHuman 2 imports them, and the lists of packs of MPFB",
+        "pack" => "zips of assets as MakeHuman 2 and MPFB import them, and the lists of packs of MPFB",
         "parts" => "the macro settings of MPFB: `macro.json`, its parts and the targets it needs",
         "pose" => "poses, expressions, what they are made of (`body-poses.json`, `face-poses.json`), and motions",
         "preset" => "saved characters of MPFB (`human.*.json`)",

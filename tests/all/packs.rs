@@ -44,6 +44,15 @@ fn lint(bytes: Vec<u8>, limits: Limits) -> Outcome {
     outcome
 }
 
+/// The same as MPFB takes it.
+fn lint_for_mpfb(bytes: Vec<u8>) -> Outcome {
+    let config = Config { no_eval: true, applications: vec![Application::Mpfb], ..Config::default() };
+    let tree = Tree::packed("my.zip", bytes, &config.limits, |_, _| true);
+    let outcome = lint_trees(vec![tree], None, &config).unwrap();
+    assert!(outcome.is_whole(), "{:?} {:?}", outcome.failed_rules, outcome.failed_files);
+    outcome
+}
+
 fn rules(outcome: &Outcome) -> Vec<&'static str> {
     let mut rules: Vec<&str> = outcome.findings.iter().map(|finding| finding.rule).collect();
     rules.dedup();
@@ -84,6 +93,81 @@ fn a_fault_for_both_applications_is_told_once() {
         arity["breaks"].as_array().unwrap().iter().map(|one| one["application"].as_str().unwrap()).collect();
     assert_eq!(told, ["makehuman2", "makehuman1"]);
     assert_eq!(report["summary"]["files"], 6);
+}
+
+/// A zip of MPFB with these names.
+fn of_mpfb(names: &[&str]) -> tempfile::TempDir {
+    let members: Vec<(Member, &[u8])> = names.iter().map(|name| (named(name), &b"{}"[..])).collect();
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("my.zip"), zip(&members)).unwrap();
+    folder
+}
+
+/// The findings of `pack-layout` on it, each as its application and its consequence.
+fn consequences(names: &[&str], applications: &[&str]) -> Vec<Vec<(String, String)>> {
+    let asked = applications.iter().flat_map(|application| ["--app", application]);
+    let args: Vec<&str> = ["my.zip", "--report", "json", "--only", "pack-layout"].into_iter().chain(asked).collect();
+    let output = mhlint(of_mpfb(names).path(), &args);
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let text = |one: &serde_json::Value, key: &str| one[key].as_str().unwrap().to_owned();
+    let told = |finding: &serde_json::Value| {
+        let breaks = finding["breaks"].as_array().unwrap().iter();
+        breaks.map(|one| (text(one, "application"), text(one, "effect"))).collect()
+    };
+    report["findings"].as_array().unwrap().iter().map(told).collect()
+}
+
+#[test]
+fn a_zip_is_one_of_mpfb_where_it_is_asked_for_or_has_its_list_at_the_top() {
+    let is_checked = |names: &[&str], args: &[&str]| {
+        let output = mhlint(of_mpfb(names).path(), &[&["my.zip", "--report", "json"], args].concat());
+        let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        report["roots"].as_array().unwrap().iter().any(|root| root["application"] == "mpfb")
+    };
+    let [with, around, without] = [
+        &["packs/a.json", "clothes/a/a.mhclo"][..],
+        &["x/packs/a.json", "x/clothes/a/a.mhclo"],
+        &["clothes/a/a.mhclo"],
+    ];
+    assert_eq!([with, around, without].map(|names| is_checked(names, &[])), [true, false, false]);
+    assert_eq!([with, around, without].map(|names| is_checked(names, &["--app", "mpfb"])), [true; 3]);
+    assert_eq!([with, around].map(|names| is_checked(names, &["--app", "makehuman2"])), [false; 2]);
+    // A folder `packs` may be of anybody.
+    assert!(!is_checked(&["packs/a.json", "clothes.txt"], &[]));
+}
+
+#[test]
+fn what_mpfb_does_with_a_zip_that_it_rejects_depends_on_its_mode() {
+    let strips = "The mode FIX leaves out the folder; INSTALL unpacks it to where no list shows it";
+    let fails = "The mode FIX cannot repair it; INSTALL unpacks it";
+    for (names, told) in [
+        (&["x/packs/a.json", "x/clothes/a/a.mhclo", ".DS_Store"][..], strips),
+        (&["x/packs/a.json", "README.txt"], strips),
+        (&["x/packs/a.json", "__MACOSX/x/packs/._a.json"], "The mode FIX leaves out the folder, and `__MACOSX`"),
+        (&["x/packs/a.json", "y/b.txt"], "The mode INSTALL unpacks it"),
+        (&["x/y/packs/a.json"], fails),
+        (&["Packs/a.json"], fails),
+        (&["clothes/a/a.mhclo"], fails),
+        (&[r"packs\a.json"], "The mode FIX cannot repair it"),
+        (&["mine.zip"], "The mode FIX cannot repair it; INSTALL unpacks only another zip"),
+        (&[], "there is no folder `packs` in it"),
+    ] {
+        let found = consequences(names, &["mpfb"]);
+        let [one] = found.as_slice() else { panic!("{names:?}: {found:?}") };
+        assert!(
+            matches!(one.as_slice(), [(mpfb, effect)] if mpfb == "mpfb" && effect.contains(told)),
+            "{names:?}: {one:?}"
+        );
+        assert!(one[0].1.contains("rejects the zip"), "{names:?}: {one:?}");
+    }
+}
+
+#[test]
+fn a_folder_around_everything_is_one_fault_for_both_importers() {
+    let names = ["x/packs/a.json", "x/clothes/a/a.mhclo", "x/clothes/a/a.png", "README.txt"];
+    let found = consequences(&names, &["makehuman2", "mpfb"]);
+    let [one] = found.as_slice() else { panic!("{found:?}") };
+    assert_eq!(one.iter().map(|(application, _)| application.as_str()).collect::<Vec<_>>(), ["makehuman2", "mpfb"]);
 }
 
 #[test]
@@ -208,6 +292,15 @@ fn a_zip_cut_anywhere_is_a_finding() {
 }
 
 #[test]
+fn a_zip_that_mpfb_cannot_read_has_one_finding() {
+    let whole = shirt(&[]);
+    for cut in [0, 1, whole.len() / 2, whole.len() - 1] {
+        assert_eq!(rules(&lint_for_mpfb(whole[..cut].to_vec())), ["archive-malformed"], "cut at {cut}");
+    }
+    assert!(rules(&lint_for_mpfb(whole)).contains(&"pack-layout"));
+}
+
+#[test]
 fn bombs_are_refused_by_ratio_and_by_size() {
     let zeros = |name: &str| Member { times: 2, ..named(name) };
     let content = vec![b'0'; 20 << 20];
@@ -287,13 +380,15 @@ proptest! {
         let mut bytes = shirt(&[]);
         let at = if from_end { bytes.len() - 1 - at.min(bytes.len() - 1) } else { at.min(bytes.len() - 1) };
         bytes[at] = to;
-        lint(bytes, Limits::default());
+        lint(bytes.clone(), Limits::default());
+        lint_for_mpfb(bytes);
     }
 
     #[test]
     fn noise_never_panics(noise in proptest::collection::vec(any::<u8>(), 0..400)) {
         let mut bytes = noise;
         bytes.extend(shirt(&[]).split_off(200));
-        lint(bytes, Limits::default());
+        lint(bytes.clone(), Limits::default());
+        lint_for_mpfb(bytes);
     }
 }

@@ -2,7 +2,9 @@
 
 pub(super) mod makehuman1;
 pub(super) mod makehuman2;
-mod mpfb;
+pub(super) mod mpfb;
+
+use mpfb::importer::Refusal;
 
 use super::{Candidate, Kind, Use, extension};
 use crate::diag::Application;
@@ -30,11 +32,11 @@ pub(crate) struct Layout {
     /// Where its importer puts the file at a path of a pack, for a base mesh; `None` for what it ignores. An application
     /// without an importer has what is unpacked into its data folder.
     pub import: Option<fn(&str, &str) -> Option<String>>,
+    /// Why an importer that checks a pack before it unpacks it refuses one with members of these names.
+    pub refuses: Option<Refuses>,
     /// The library that a loose file belongs to, by its extension and the names of the folders above it, the nearest
     /// first; `None` for files that no library lists.
     pub shelf: fn(&str, &[&str]) -> Option<&'static str>,
-    /// Whether it is known what becomes of a zip.
-    pub checks_packs: bool,
     /// Whether libraries have a folder for each base mesh.
     pub has_bases: bool,
     /// The only base mesh, where there is but one.
@@ -89,6 +91,8 @@ pub(crate) enum Single {
 
 /// What is asked of a name or path.
 type Holds<'q> = &'q dyn Fn(&str) -> bool;
+/// Why a pack with members of these names is refused.
+type Refuses = fn(&[String]) -> Option<Refusal>;
 type Classify = for<'p> fn(&[&'p str]) -> (Kind, Option<&'p str>);
 
 /// How telling a path is.
@@ -173,7 +177,7 @@ impl Layout {
         only_base: None,
         joint: None,
         flat: "",
-        checks_packs: true,
+        refuses: None,
         beside: &[],
         is_telling: |_| false,
         shares_roots_of: None,

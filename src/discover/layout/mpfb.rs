@@ -1,5 +1,7 @@
 //! MPFB: one base mesh, packed targets, sliders in a catalogue (formats/mpfb.md §1).
 
+pub(crate) mod importer;
+
 use super::super::kind::extension;
 use super::super::{Candidate, Kind};
 use super::{HM08, HiddenPath, LIBRARIES, Layout, Role, Sign, WORN};
@@ -16,7 +18,7 @@ pub(super) static LAYOUT: Layout = Layout {
     ],
     sign,
     place,
-    checks_packs: false,
+    refuses: Some(importer::refusal),
     beside: &["config", "models"],
     is_telling: |kind| {
         use Kind::{EyeSettings, HumanPreset, ImporterPreset, MakeupPreset, SkinSettings};
@@ -83,6 +85,7 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["expressions", .., file] if extension(file) == "json" => Kind::FaceExpression,
         ["mesh_metadata", "basemesh_vertex_groups.json"] => Kind::VertexGroups,
         ["mesh_metadata", "hm08_config.json"] => Kind::BodyDimensions,
+        ["mesh_metadata", "proxy_corrective.json"] => Kind::ProxyCorrections,
         ["mesh_metadata", "hm08.mirror"] => Kind::MirrorTable,
         ["rigs", folders @ .., file] if extension(file) == "json" => of_rigs(folders, file),
         [.., file] if extension(file) == "mpfbskel" => Kind::SubRig,
@@ -160,6 +163,7 @@ mod tests {
             ("rigs/mine/stick.json", Kind::CustomRig),
             ("hair/tail/tail.mpfbskel", Kind::SubRig),
             ("mesh_metadata/basemesh_vertex_groups.json", Kind::VertexGroups),
+            ("mesh_metadata/proxy_corrective.json", Kind::ProxyCorrections),
             ("mesh_metadata/hm08.mirror", Kind::MirrorTable),
             ("clothes/a/a.mhclo", Kind::Clothes),
             ("clothes/a/a.mhw", Kind::AssetWeights),

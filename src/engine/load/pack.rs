@@ -8,8 +8,8 @@ use super::input::Input;
 use super::place::Place;
 use crate::config::Config;
 use crate::diag::Application;
-use crate::discover::{Candidate, Kind, Layout, find_roots, loss};
-use crate::repo::{Import, Pack};
+use crate::discover::{Candidate, Kind, Layout, Refusal, find_roots, loss};
+use crate::repo::{Import, Names, Pack};
 use crate::source::{Entry, EntryKind, MemberFault, PackFacts, Tree, inside};
 
 /// Where an importer puts a path of a pack, for a base mesh.
@@ -19,8 +19,7 @@ type Importer = fn(&str, &str) -> Option<String>;
 pub(super) fn asked(applications: &[Application], systems: &[Place<'_>], options: &Config) -> Vec<Application> {
     let is_given = |application: &Application| systems.iter().any(|system| system.is_of(*application));
     let by_system = options.applications.is_empty() && !systems.is_empty();
-    let is_asked =
-        |one: &Application| Layout::of(*one).checks_packs && options.asks_for(*one) && (!by_system || is_given(one));
+    let is_asked = |one: &Application| options.asks_for(*one) && (!by_system || is_given(one));
     applications.iter().copied().filter(is_asked).collect()
 }
 
@@ -31,11 +30,13 @@ pub(super) fn packed<'t>(
     options: &Config,
 ) -> Result<Vec<Place<'t>>, Error> {
     let Some(facts) = input.tree.pack() else { return Ok(Vec::new()) };
-    let layouts: Vec<&'static Layout> = applications.iter().map(|(application, _)| Layout::of(*application)).collect();
     // Who asks for applications gets them; else the pack may say whose it is.
     let may_choose = options.applications.is_empty() && applications.len() > 1;
+    let of_applications = applications.iter().map(|(application, bases)| (Layout::of(*application), bases));
+    let (layouts, bases): (Vec<&'static Layout>, Vec<_>) =
+        of_applications.filter(|(layout, _)| !may_choose || is_for(&input.tree, layout, facts)).unzip();
     let mut places = Vec::new();
-    for (layout, (_, bases)) in layouts.iter().zip(applications) {
+    for (layout, bases) in layouts.iter().zip(bases) {
         places.extend(match layout.import {
             Some(import) if !(may_choose && is_data_of_another(&input.tree, layout, import)) => {
                 let base = base(input, bases, options)?;
@@ -52,7 +53,7 @@ pub(super) fn packed<'t>(
     // What is wrong with the zip is one matter for all of them.
     let pack = || Pack { faults: Some(Arc::clone(facts)), ..Pack::default() };
     match places.as_mut_slice() {
-        [only] if applications.len() == 1 => only.pack.get_or_insert_default().faults = Some(Arc::clone(facts)),
+        [only] if layouts.len() == 1 => only.pack.get_or_insert_default().faults = Some(Arc::clone(facts)),
         _ => places.push(Place::of_pack(&input.tree, "", &layouts, Vec::new(), pack())),
     }
     Ok(places)
@@ -83,20 +84,24 @@ fn imported<'t>(
     if !below.iter().any(|one| one.kind() != Kind::Other) && !places.keys().any(lost) {
         return None;
     }
+    let import = Some(Import { base, places, overwritten });
+    let pack = Pack { import, lost: lost_below("", facts), names: names_below("", facts), ..Pack::default() };
+    Some(Place::of_pack(tree, "", &[layout], below, pack))
+}
+
+/// The names of a pack that its importer takes otherwise than they were meant, of what lies below a folder.
+fn names_below(root: &str, facts: &PackFacts) -> Names {
+    let below = |path: &String| inside(path, root).map(str::to_owned);
     let of_kind = |wanted: fn(&MemberFault) -> bool| {
-        facts.faults.iter().filter(move |(_, fault)| wanted(fault)).map(|(name, _)| name.clone()).collect()
+        let faults = facts.faults.iter().filter(move |(_, fault)| wanted(fault));
+        faults.filter_map(|(name, _)| below(name)).collect()
     };
-    let import = Import {
-        base,
-        places,
-        overwritten,
-        misread: facts.unmarked.clone(),
-        backslashes: facts.backslashes.clone(),
+    Names {
+        misread: facts.unmarked.iter().filter_map(|(path, read_as)| Some((below(path)?, read_as.clone()))).collect(),
+        backslashes: facts.backslashes.iter().filter_map(below).collect(),
         links: of_kind(|fault| matches!(fault, MemberFault::Link { .. })),
         replaced: of_kind(|fault| *fault == MemberFault::Replaced),
-    };
-    let pack = Pack { faults: None, import: Some(import), lost: lost_below("", facts) };
-    Some(Place::of_pack(tree, "", &[layout], below, pack))
+    }
 }
 
 fn files(tree: &Tree) -> impl Iterator<Item = &Entry> {
@@ -141,10 +146,27 @@ fn is_data_of_another(tree: &Tree, layout: &Layout, import: Importer) -> bool {
     is_anothers && !is_imported && !own.iter().any(|root| root.application == layout.application)
 }
 
+/// Whether a pack is one of an application that nobody asks for by name. One that shares its users' folders with another
+/// has those that its importer takes.
+fn is_for(tree: &Tree, layout: &Layout, facts: &PackFacts) -> bool {
+    let Some(refuses) = layout.refuses else { return true };
+    let is_listed = |path: &str| layout.is_asset(path) && layout.use_of(path).kind != Kind::PackMetadata;
+    let mut paths = files(tree).map(|entry| entry.path.as_str());
+    facts.fault.is_none() && refuses(&facts.names).is_none() && paths.any(is_listed)
+}
+
+/// Why the importer refuses a pack. One that is damaged as a whole has a finding for that.
+fn refusal(layout: &Layout, facts: &PackFacts) -> Option<Refusal> {
+    layout.refuses.filter(|_| facts.fault.is_none())?(&facts.names)
+}
+
 /// The files of a pack where they lie once it is unpacked: into the data folder, or around it.
 fn unpacked<'t>(tree: &'t Tree, layout: &'static Layout, facts: &PackFacts) -> Option<Place<'t>> {
-    let root = root_in(tree, layout)?;
-    let pack = Pack { lost: lost_below(&root, facts), ..Pack::default() };
+    let refusal = refusal(layout, facts);
+    // Of what is refused there is something to say, whatever is in it.
+    let root = root_in(tree, layout).or_else(|| refusal.as_ref().map(|_| String::new()))?;
+    let names = if layout.refuses.is_some() { names_below(&root, facts) } else { Names::default() };
+    let pack = Pack { lost: lost_below(&root, facts), refusal, names, ..Pack::default() };
     let mut place = Place::new(tree, &root, &[layout]);
     place.pack = Some(pack);
     Some(place)

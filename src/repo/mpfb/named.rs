@@ -6,7 +6,8 @@ use super::sliders::is_custom;
 use super::view::OWN;
 use crate::diag::grouped;
 use crate::discover::Layout;
-use crate::repo::{FileFacts, Layers};
+use crate::formats::mhclo::Entry;
+use crate::repo::{FileFacts, Layers, Worn};
 use crate::source::is_below;
 
 /// Targets that are found by their names, each under its file name in small letters.
@@ -25,6 +26,13 @@ pub(crate) enum NamedTarget<'a> {
     AnyOf(usize, &'a FileFacts),
     /// None.
     Missing,
+}
+
+/// The uuid by which saved characters know what is worn.
+pub(crate) fn uuid<'a>(worn: &Worn<'a>) -> Option<&'a str> {
+    let clothes = worn.clothes()?;
+    let line = clothes.flow.line_of("uuid")?;
+    clothes.entries.iter().find(|entry| entry.line == line).map(Entry::word)
 }
 
 const SUFFIXES: [&str; 2] = [".target.gz", ".target"];

@@ -11,7 +11,7 @@ use super::parts::Parts;
 use super::references::collect;
 use super::rigs::{self, RigFile, RigPart};
 use crate::diag::{Application, Place};
-use crate::discover::{Kind, Layout};
+use crate::discover::{Kind, Layout, Refusal};
 use crate::formats::macro_parts::SETTINGS;
 use crate::formats::mesh_metadata::VertexGroups;
 use crate::formats::obj::Mesh;
@@ -22,6 +22,7 @@ use crate::repo::{
     Body, BodyWeights, Doubt, FileFacts, Layer, Layers, Reference, ReferenceKind, References, Rig, Target, WeightsUse,
     Worn, parent,
 };
+use crate::source::is_below;
 
 /// Whose uses of a file count here.
 pub(super) const OWN: Application = Application::Mpfb;
@@ -160,7 +161,13 @@ impl<'a> View<'a> {
         let layout = Layout::of(OWN);
         let is_own = self.layers.checks_system();
         let is_listed = |right: &str| !is_own || matches!(right, "rigs" | "poses" | "uv_layers");
-        let other = |rel| top_in_other_case(layout, rel).filter(|(_, right, _)| is_listed(right));
+        // That a zip is refused for its folder of lists is reported of the zip.
+        let refusal = self.layers.checked.pack.as_ref().and_then(|pack| pack.refusal.as_ref());
+        let is_told = |rel: &str| matches!(refusal, Some(Refusal::Capitals(folder)) if is_below(rel, folder));
+        let other = |rel| {
+            let found = top_in_other_case(layout, rel).filter(|(_, right, _)| is_listed(right));
+            found.filter(|_| !is_told(rel))
+        };
         misnamed_folders(self.layers.checked, layout, other)
     }
 

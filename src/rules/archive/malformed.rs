@@ -5,7 +5,7 @@ use super::Sort;
 use super::pack;
 use super::report::report;
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, RuleInfo,
 };
 use crate::repo::View;
@@ -14,6 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "crashes at every start until the archive is deleted by hand"),
         (Makehuman1, "gets nothing of it: it cannot be unpacked"),
+        (Mpfb, "rejects the zip: nothing of it is imported"),
     ],
     docs: "`compressedtargets.npz` is the archive of all targets of a folder: a zip of arrays. If it exists, MakeHuman 2 loads \
         all of it at start.\n\n\
@@ -34,7 +35,8 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    if !view.is_makehuman1() {
+    // No other application reads archives.
+    if !view.is_makehuman1() && !view.is_mpfb() {
         view.files().for_each(|file| report(&RULE, Sort::Malformed, view, file, out));
     }
     pack::report(&RULE, view.layers().checked, out);

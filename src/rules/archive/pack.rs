@@ -2,7 +2,7 @@
 
 use super::super::{Rule, and_more};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level,
 };
 use crate::repo::Layer;
@@ -11,10 +11,12 @@ use crate::source::{MemberFault, PackFacts, PackFault};
 const WHOLE: Case = &[
     (Makehuman2, Level::Error, "imports nothing of it"),
     (Makehuman1, Level::Error, "gets nothing of it: it cannot be unpacked"),
+    (Mpfb, Level::Error, "rejects the zip: nothing of it is imported"),
 ];
 const IN_PART: Case = &[
     (Makehuman2, Level::Error, "breaks off the import with an error: assets are missing"),
     (Makehuman1, Level::Error, "gets only a part of it: assets are missing"),
+    (Mpfb, Level::Error, "fails with an exception while it unpacks the zip: assets are missing"),
 ];
 
 /// What is wrong with the zip that a layer was made of.

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, and_more};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Evidence, Finding, Level, RuleInfo,
 };
 use crate::repo::View;
@@ -13,6 +13,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "strips the way out and puts the files elsewhere, or imports nothing of them"),
         (Makehuman1, "gets none of the files: they are unpacked outside of its data folder, wherever that leads"),
+        (Mpfb, "strips the way out and puts the files elsewhere in the data of the user, or rejects the zip"),
     ],
     docs: "A member of a zip has a name with `..` in it, or one that begins with `/` or a drive (`C:`), or it is a symbolic link \
         that leads out of the zip. A program that trusts such a name writes files anywhere on the computer of whoever \

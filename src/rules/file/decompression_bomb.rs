@@ -4,7 +4,7 @@ use super::super::cause::consequence::{Moment, moment};
 use super::super::units::bytes;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo,
 };
 use crate::repo::{FileFacts, View};
@@ -15,6 +15,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "unpacks the file without a limit until memory runs out"),
         (Makehuman1, "gets nothing of it: whoever unpacks it fills the disk"),
+        (Mpfb, "unpacks the file without a limit until memory or disk are full"),
     ],
     docs: "A small packed file can unpack to gigabytes of zeros. Loaders unpack it without asking, and the \
         computer runs out of memory.\n\nPacked assets shrink three to ten times. `mhlint` stops beyond 512 MiB, \

@@ -5,9 +5,8 @@ use std::collections::BTreeSet;
 use super::super::{Rule, counted};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, grouped};
 use crate::discover::extension;
-use crate::formats::mhclo::Entry;
-use crate::repo::mpfb::View;
-use crate::repo::{FileFacts, Layer, Worn};
+use crate::repo::mpfb::{View, uuid};
+use crate::repo::{FileFacts, Layer};
 use crate::source::is_below;
 
 /// Folders with a list, and the suffix of what is in it.
@@ -97,12 +96,6 @@ pub(super) fn same_uuids(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let finding = finding.between(assets.iter().map(|file| file.path.as_str()));
         out.push(finding.help("give the newer of the two a uuid of its own"));
     }
-}
-
-fn uuid<'v>(worn: &Worn<'v>) -> Option<&'v str> {
-    let clothes = worn.clothes()?;
-    let line = clothes.flow.line_of("uuid")?;
-    clothes.entries.iter().find(|entry| entry.line == line).map(Entry::word)
 }
 
 /// Assets whose suffix keeps them out of the list.

@@ -1,6 +1,7 @@
 //! Rules on what MPFB knows of its base mesh besides the OBJ.
 
 pub(in crate::rules) mod base_mesh;
+mod corrections;
 mod faces;
 mod mirror;
 mod size;

@@ -2,7 +2,7 @@
 
 use super::super::unfit::findings;
 use super::super::{Check, Rule, RuleCx};
-use super::{faces, mirror, vertex_groups};
+use super::{corrections, faces, mirror, vertex_groups};
 use crate::diag::{Application::Mpfb, Case, Finding, Level, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::mpfb::View;
@@ -19,6 +19,12 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
         `hm08.mirror` has a row `FROM TO SIDE` for each vertex, with one blank between the fields. At a row that is \
         written otherwise MPFB fails when a target is first made symmetric; later it mirrors only the vertices above that \
         row. Sides that are exchanged mirror the wrong half (a warning).\n\n\
+        `proxy_corrective.json` has the uuids of topologies whose weights MPFB corrects when a saved character with one is \
+        loaded: weights of left groups become 0 in the right half of the body, those of right groups in the left half. \
+        Without the file nothing is corrected. Below a uuid only the key `fix_leftright_weights_for_groups` is looked for; \
+        its value is never read, so `false` or a list of groups corrects all of them (a warning). Other keys, and a uuid \
+        that is misspelt, do nothing (a warning). With a number, `true`, `false` or `null` in place of an object such a \
+        character is left half-made.\n\n\
         `basemesh_face_to_vertex_table.json.gz` lists the vertices of each face, `basemesh_vertex_to_face_table.json.gz` the \
         faces of each vertex, both as packed JSON. MPFB asks them which faces an asset hides. If a table is shorter than the \
         mesh, or is not a list of lists of whole numbers, such an asset cannot be put on. Rows of another mesh hide other faces \
@@ -49,6 +55,10 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     for file in view.own(Kind::MirrorTable) {
         out.extend(file.mirror_table().and_then(|table| mirror::fault(&RULE, view, file, table)));
+    }
+    for file in view.own(Kind::ProxyCorrections) {
+        let Some(corrections) = file.proxy_corrections() else { continue };
+        corrections::faults(&RULE, view, file, corrections, cx, out);
     }
     faces::faults(&RULE, view, out);
 }

@@ -4,12 +4,15 @@ mod layout;
 mod lost;
 mod manifest;
 mod metadata;
+mod misread;
 mod moved;
 mod named;
+mod refused;
+mod unpacked;
 
 use super::Rule;
 use crate::diag::{Finding, Place};
-use crate::repo::{FileFacts, Import, Layer};
+use crate::repo::{FileFacts, Import, Layer, Pack};
 
 /// The rules of the family.
 pub(super) static RULES: &[&Rule] = &[&layout::RULE, &manifest::RULE, &metadata::RULE];
@@ -17,12 +20,14 @@ pub(super) static RULES: &[&Rule] = &[&layout::RULE, &manifest::RULE, &metadata:
 /// A pack that is imported.
 struct Packed<'v> {
     layer: &'v Layer,
+    pack: &'v Pack,
     import: &'v Import,
 }
 
 impl<'v> Packed<'v> {
     fn of(layer: &'v Layer) -> Option<Self> {
-        Some(Self { layer, import: layer.pack.as_ref()?.import.as_ref()? })
+        let pack = layer.pack.as_ref()?;
+        Some(Self { layer, pack, import: pack.import.as_ref()? })
     }
 
     /// A finding at a path in the pack; at the pack itself for an empty one.

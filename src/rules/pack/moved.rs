@@ -4,14 +4,10 @@ use std::collections::BTreeSet;
 
 use super::super::{Rule, and_more, counted};
 use super::lost::is_below_base;
-use super::{Packed, top};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, grouped};
+use super::{Packed, misread, top};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, grouped};
 use crate::repo::makehuman2::View;
-use crate::repo::{Reference, ReferenceKind, Resolution, parent};
-
-const NO_MESH: Case = &[(Makehuman2, Level::Error, "does not find the mesh: the asset cannot be put on")];
-const NO_FILES: Case =
-    &[(Makehuman2, Level::Warning, "does not find the files: surfaces show plain colours instead of textures")];
+use crate::repo::{Reference, Resolution, parent};
 
 pub(super) fn report(rule: &Rule, pack: &Packed<'_>, view: &View<'_>, out: &mut Vec<Finding>) {
     out.extend(below_base(rule, pack));
@@ -59,7 +55,7 @@ fn cause(pack: &Packed<'_>, one: &Reference<'_>) -> Option<Cause> {
         return None;
     }
     Some(match pack.import.places.get(path)? {
-        _ if [path, from].iter().any(|path| pack.import.misread.contains_key(*path)) => Cause::Misread,
+        _ if [path, from].iter().any(|path| pack.pack.names.misread.contains_key(*path)) => Cause::Misread,
         None => Cause::Ignored(top(path, 1)),
         Some(_) if path.split('/').count() > 3 => Cause::Renamed(top(path, 3)),
         // The material is what has moved.
@@ -83,19 +79,13 @@ fn of_unfound(rule: &Rule, pack: &Packed<'_>, cause: &Cause, references: &[&Refe
             "put the files beside the file that names them, or in a folder called `materials`, and correct the names",
         ),
         Cause::Misread => {
-            let path = pack.import.meant(pack.path(first.from), first.text)?;
-            let read = pack.import.misread.get(path).map_or(path, String::as_str);
-            let name = |path: &str| path.rsplit('/').next().unwrap_or_default().to_owned();
-            let becomes = format!("`{}` is not marked as UTF-8 in the zip and becomes `{}`", name(path), name(read));
-            let help = "use names without accents, or pack with a program that marks names as UTF-8, such as 7-Zip";
-            (format!("{becomes}{more}"), "misread".to_owned(), help)
+            let letters = &pack.pack.names.misread;
+            let meant = |one: &Reference<'_>| letters.get_key_value(pack.import.meant(pack.path(one.from), one.text)?);
+            return misread::finding(rule, references, meant);
         }
     };
     let finding = rule.at(first.from, first.place.clone(), message).key(key).help(help);
-    let is_mesh = references.iter().any(|one| one.kind == ReferenceKind::AssetMesh);
-    let finding = finding.case(if is_mesh { NO_MESH } else { NO_FILES });
-    let cases = references.iter().map(|one| format!("{} {}", one.from.file_name(), one.text));
-    Some(finding.evidence(Evidence::of_cases(cases)))
+    Some(misread::told(finding, references))
 }
 
 fn overwritten(rule: &Rule, pack: &Packed<'_>, place: &str, paths: &BTreeSet<String>) -> Finding {

@@ -81,6 +81,8 @@ impl MemberFault {
 /// What is to be known of a zip besides the files in it.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct PackFacts {
+    /// Names of all members in the order of the list, as Python reads them.
+    pub names: Vec<String>,
     /// What is wrong with it as a whole.
     pub fault: Option<PackFault>,
     /// Members that are no files, by name.
@@ -118,6 +120,7 @@ impl Pack {
         });
         let hash = xxh3_64(&zip);
         let mut pack = Self { zip: zip.into(), hash, files: BTreeMap::new(), folders: Vec::new() };
+        facts.names = records.iter().map(shown).collect();
         for record in records {
             if let Err(fault) = pack.add(&record, &mut facts) {
                 let path = name(&record).map(|name| name.path);

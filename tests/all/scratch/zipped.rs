@@ -19,6 +19,8 @@ pub struct Zipped {
     member: Vec<Member>,
     /// How many bytes are cut off its end.
     cut: usize,
+    /// Whether the first row in the list of members is damaged.
+    damaged_list: bool,
 }
 
 /// One member: sound, unless it says something else.
@@ -68,6 +70,10 @@ impl Zipped {
         }
         let mut bytes = zip.finish();
         bytes.truncate(bytes.len() - self.cut);
+        if self.damaged_list {
+            let row = bytes.windows(4).position(|four| four == b"PK\x01\x02").unwrap();
+            bytes[row] = b'?';
+        }
         bytes
     }
 }

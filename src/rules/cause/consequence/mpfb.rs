@@ -30,6 +30,7 @@ pub(super) static TABLE: Table = Table {
         anywhere(Kind::NodeTree, Moment::Use, NO_MATERIAL),
         anywhere(Kind::VertexGroups, Moment::Start, REFUSED),
         anywhere(Kind::BodyDimensions, Moment::Use, NO_DIMENSIONS),
+        anywhere(Kind::ProxyCorrections, Moment::Use, NO_CORRECTIONS),
         anywhere(Kind::MirrorTable, Moment::Use, NO_MIRROR),
         anywhere(Kind::Rig, Moment::Use, NO_RIG),
         anywhere(Kind::CustomRig, Moment::Use, NOT_A_LISTED_RIG),
@@ -129,6 +130,9 @@ const NO_MATERIAL: &[Cell] = &stopped("fails with an exception when it makes a m
 
 const NO_DIMENSIONS: &[Cell] =
     &stopped("fails with an exception after it fits an asset that has a scale: this one is left half-made");
+const NO_CORRECTIONS: &[Cell] = &stopped(
+    "fails with an exception when a saved character with a topology is loaded: the character is left half-made",
+);
 const NO_MIRROR: &[Cell] = &stopped("fails with an exception when a target is made symmetric");
 const NO_INK: &[Cell] = &stopped("fails with an exception when the layer is put on");
 const NO_RIG: &[Cell] = &stopped("fails with an exception when the rig is added");
