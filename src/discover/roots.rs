@@ -85,10 +85,11 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[
         let is_shared = |root: &&DataRoot| root.application == other && signs.get(*root).copied().is_some_and(is_users);
         let shared = roots.iter().filter(is_shared).map(|root| DataRoot { path: root.path.clone(), application });
         let shared: Vec<DataRoot> = shared.collect();
-        // Beside data of the one, and without any of the other, nobody means the other.
+        // Where files beside it confirm the one, whose data are at hand, and nothing says the other, that is not meant.
         if has_data(application) && !has_data(other) && !asked.contains(&other) {
+            let is_confirmed = |root: &DataRoot| confirmed.contains(&DataRoot { path: root.path.clone(), application });
             let is_other = |root: &DataRoot| root.application == other && signs.get(root) == Some(&Sign::Faint);
-            roots.retain(|root| !is_other(root));
+            roots.retain(|root| !is_other(root) || !is_confirmed(root));
         }
         roots.extend(shared);
     }
@@ -176,6 +177,10 @@ mod tests {
         let library = "user/clothes/hat/hat.mhclo";
         let with_system = found(&["data/targets/target.json", library]);
         assert_eq!(with_system.iter().skip(1).cloned().collect::<Vec<_>>(), both("user"));
+        let with_presets =
+            found(&["data/targets/target.json", "user/config/human.a.json", "user/data/clothes/a/a.mhclo"]);
+        assert_eq!(with_presets.get(1), Some(&("user/data".to_owned(), Application::Mpfb)), "{with_presets:?}");
+        assert_eq!(with_presets.len(), 2);
         let asked = find_roots([library], &[Application::Mpfb]);
         assert_eq!(asked.into_iter().map(|root| (root.path, root.application)).collect::<Vec<_>>(), both("user"));
         // Without its company a folder of packs, expressions or custom targets is nobody's, or that of the other one.

@@ -35,7 +35,10 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     }
     let is_other =
         |top: &str| own.folder_in_other_case(top).is_some() || matches!(top, "config" | "settings" | "models");
-    let loose: Vec<&FileFacts> = files().filter(|file| !file.rel.contains('/') && is_worn(file)).collect();
+    // Of a zip the import says where its files go.
+    let is_zip = view.layers.checked.pack.is_some();
+    let loose = files().filter(|file| !is_zip && !file.rel.contains('/') && is_worn(file));
+    let loose: Vec<&FileFacts> = loose.collect();
     let message = format!("{} in no folder of a kind", counted(loose.len(), "asset"));
     out.extend(finding(rule, &loose, "", message, NOT_LISTED, TO_KIND));
     let tops = files().filter_map(|file| Some((file.rel.split_once('/')?.0, file)));
@@ -52,7 +55,7 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             let files: Vec<&FileFacts> = files.into_iter().filter(|file| is_asset(file)).collect();
             let message = format!("folder `{top}` is not read ({})", counted(files.len(), "file"));
             out.extend(finding(rule, &files, top, message, NOT_LISTED, did_you_mean(Some(near), "")));
-        } else if !is_known && !view.layers.checked.has_folder(&format!("{top}/packs")) {
+        } else if !is_known && !is_zip && !view.layers.checked.has_folder(&format!("{top}/packs")) {
             let worn: Vec<&FileFacts> = files.into_iter().filter(|file| is_worn(file)).collect();
             let message = format!("{} in `{top}`, where MPFB does not look for any", counted(worn.len(), "asset"));
             out.extend(finding(rule, &worn, top, message, NOT_LISTED, TO_KIND));
