@@ -167,47 +167,6 @@ fn the_data_of_mpfb_have_their_known_defects() {
     assert_eq!(others.len(), known.len(), "{others:#?}");
 }
 
-/// Vertices of an OBJ.
-fn vertices(obj: &str) -> Vec<[f64; 3]> {
-    let lines = obj.lines().filter_map(|line| line.strip_prefix("v "));
-    let place = |line: &str| {
-        let numbers: Vec<f64> = line.split_whitespace().map(|word| word.parse().unwrap()).collect();
-        [numbers[0], numbers[1], numbers[2]]
-    };
-    lines.map(place).collect()
-}
-
-#[test]
-#[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
-fn an_asset_of_mpfb_that_leaves_the_body_is_found() {
-    let data = crate::scratch::corpus("mpfb").join("data");
-    let base = vertices(&fs::read_to_string(data.join("3dobjs/base.obj")).unwrap());
-    let asset = crate::scratch::corpus("makehuman-assets").join("base/eyebrows/eyebrow001");
-    let text = fs::read_to_string(asset.join("eyebrow001.mhclo")).unwrap();
-    // One vertex of the brow keeps its place, and is tied to a toe.
-    let (brow, toe) = (base[6951], base[12_840]);
-    let row = format!("12840 12840 12840 1 0 0 {} {} {}", brow[0] - toe[0], brow[1] - toe[1], brow[2] - toe[2] + 0.01);
-    let found = |damaged: bool| {
-        let line = " 6951  6934  6933 0.61625 0.28523 0.09853 0.00197 -0.00739 0.00635";
-        assert!(text.contains(line));
-        let text = if damaged { text.replace(line, &row) } else { text.clone() };
-        let others = ["obj", "mhmat", "png", "thumb"].map(|ending| format!("eyebrow001.{ending}"));
-        let others = others.map(|name| (name.clone(), fs::read(asset.join(&name)).unwrap()));
-        let files = others.into_iter().chain([("eyebrow001.mhclo".to_owned(), text.into_bytes())]);
-        let files = files.map(|(name, bytes)| (format!("eyebrows/eyebrow001/{name}"), bytes));
-        let (user, system) = (Tree::in_memory("", files), Tree::on_disk("", data.clone(), |_, _| false));
-        let config = mhlint::Config::default();
-        let outcome = trial::lint_trees(&[mhlint::Application::Mpfb], vec![user], Some(system), &config).unwrap();
-        assert!(outcome.is_whole());
-        // The copy has pointers in place of some pictures.
-        concise(&outcome).into_iter().filter(|line| !line.contains("[file-lfs-pointer]")).collect::<Vec<_>>()
-    };
-    assert_eq!(found(false), Vec::<String>::new());
-    let found = found(true);
-    assert!(found.iter().any(|line| line.contains("[numeric-proxy-detached]")), "{found:#?}");
-    assert_eq!(found.len(), 1, "{found:#?}");
-}
-
 fn fixtures() -> Vec<Fixture> {
     let mut all = Vec::new();
     for rule in folders(&project("fixtures/rules")) {

@@ -19,8 +19,6 @@ pub use pose::{PosedRig, StoredPose, read_stored_pose};
 pub use rig::{RigFile, StandingRig, read_rig};
 pub use weights::{Lists, groups_json, read_groups};
 
-use std::collections::BTreeMap;
-
 use super::gauge::gauge;
 use super::{Error, Rows};
 use crate::config::Config;
@@ -30,12 +28,10 @@ use crate::repo::mpfb::View;
 
 /// Measures the body with what it wears, taking the rows of its targets out of `rows`.
 pub(super) fn measure(layers: Layers<'_>, rows: &mut Rows, options: &Config) -> Option<Measures> {
-    let mut composed = base::compose(layers, rows)?;
+    let composed = base::compose(layers, rows)?;
     let view = View::connect(layers);
     let mesh = worn::mesh(&view);
     let fitted = mesh.map(|mesh| worn::fit(mesh, view.worn(), layers)).unwrap_or_default();
-    // No rig is the one of the body: weights are not compared.
-    composed.scene.worn = fitted.iter().map(|one| one.on_scene(&BTreeMap::new())).collect();
     let worn = mesh.map(|mesh| worn::measure(mesh, &fitted)).unwrap_or_default();
     Some(Measures { worn, ..gauge(&composed, options) })
 }

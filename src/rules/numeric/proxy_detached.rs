@@ -3,19 +3,13 @@
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::{to_see, untold};
-use crate::diag::{
-    Application::{Makehuman2, Mpfb},
-    Confidence, Evidence, Finding, Level, Place, RuleInfo,
-};
+use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::{Measures, Seen};
 use crate::eval::survey::Trouble;
 use crate::repo::{Body, Worn};
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[
-        (Makehuman2, "draws a part of the asset away from the body, or inside it, at such settings"),
-        (Mpfb, "fits a part of the asset away from the body, or inside it, at such settings"),
-    ],
+    breaks: &[(Makehuman2, "draws a part of the asset away from the body, or inside it, at such settings")],
     docs: "At some slider setting vertices of an asset leave the skin that they lie on.\n\n\
         A vertex of the fitted asset is compared with the sixteen vertices of visible skin nearest to it on the default \
         character. Its reach is its distance from the middle of that skin plus the radius of that skin. Its distance from \
