@@ -5,6 +5,9 @@
 
 use crate::eval::vector::{Point, add, narrow, scale as scaled, widen};
 
+/// One unit of the OBJ is so many metres of the figure, unless it is said otherwise.
+pub const USUAL_SCALE: f32 = 0.1;
+
 /// Vertices of the body itself: helpers follow.
 const BODY: usize = 13380;
 

@@ -72,11 +72,10 @@ fn groups(view: &View<'_>) -> Vec<(String, Vec<(i64, i64)>)> {
 }
 
 /// The scene, with the rows of its targets taken out of `rows`. `None` without a mesh.
-pub(in crate::evaluate) fn compose(layers: Layers<'_>, rows: &mut Rows) -> Option<Composed> {
-    let view = View::connect(layers);
+pub(super) fn compose(view: &View<'_>, rows: &mut Rows) -> Option<Composed> {
     let (_, mesh) = view.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0 && view.misplaced.is_none())?;
     let mut composer = Composer::default();
-    let macros = composer.all(&view, mesh, |group| group == SHOWN);
+    let macros = composer.all(view, mesh, |group| group == SHOWN);
     composer.scene.lacks_macros = macros.is_err() && view.parts.as_ref().is_some_and(|parts| parts.is_too_large);
     let (files, extent) = (view.layers.system.map(|system| &system.files), extent(&mesh.positions));
     let by_path = files.into_iter().flat_map(|files| files.values()).map(|file| (file.path.as_str(), file));

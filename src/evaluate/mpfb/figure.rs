@@ -8,9 +8,6 @@ use crate::eval::scene::Setting;
 use crate::eval::vector::{Point, round_to_f32};
 use crate::evaluate::{Error, Evaluation};
 
-/// One unit of the OBJ is so many of the figure, unless it is said otherwise.
-pub const USUAL_SCALE: f32 = 0.1;
-
 impl Evaluation {
     /// The joints of the mesh at these positions.
     pub fn joints<'p>(&'p self, positions: &'p [Point]) -> Joints<'p> {

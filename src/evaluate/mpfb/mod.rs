@@ -13,8 +13,8 @@ mod rig_cases;
 mod weights;
 pub(super) mod worn;
 
+pub use crate::eval::mpfb::mix::USUAL_SCALE;
 pub use asset::{Asset, FittedAsset, read_asset};
-pub use figure::USUAL_SCALE;
 pub use pose::{PosedRig, StoredPose, read_stored_pose};
 pub use rig::{RigFile, StandingRig, read_rig};
 pub use weights::{Lists, groups_json, read_groups};
@@ -28,8 +28,8 @@ use crate::repo::mpfb::View;
 
 /// Measures the body with what it wears, taking the rows of its targets out of `rows`.
 pub(super) fn measure(layers: Layers<'_>, rows: &mut Rows, options: &Config) -> Option<Measures> {
-    let composed = base::compose(layers, rows)?;
     let view = View::connect(layers);
+    let composed = base::compose(&view, rows)?;
     let mesh = worn::mesh(&view);
     let fitted = mesh.map(|mesh| worn::fit(mesh, view.worn(), layers)).unwrap_or_default();
     let worn = mesh.map(|mesh| worn::measure(mesh, &fitted)).unwrap_or_default();

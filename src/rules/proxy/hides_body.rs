@@ -61,9 +61,6 @@ fn finding(file: &FileFacts, place: Place, what: &str, (shown, hidden): (usize, 
     })
 }
 
-/// The faces that MPFB shows: the mask over helpers hides all others.
-const SKIN: &str = "body";
-
 /// How many faces are shown without the asset, and how many of them it hides.
 fn hidden(body: &Body<'_>, mesh: &Mesh, runs: &[Range<usize>]) -> (usize, usize) {
     let mut is_deleted = vec![false; mesh.positions.len()];
@@ -72,8 +69,7 @@ fn hidden(body: &Body<'_>, mesh: &Mesh, runs: &[Range<usize>]) -> (usize, usize)
             *deleted = true;
         }
     }
-    let is_skin = |group: &str| if body.is_mpfb() { group == SKIN } else { body.shows(group) };
-    let is_shown: Vec<bool> = mesh.groups.iter().map(|group| is_skin(&group.name)).collect();
+    let is_shown: Vec<bool> = mesh.groups.iter().map(|group| body.shows(&group.name)).collect();
     let (mut shown, mut hidden) = (0, 0);
     for face in mesh.faces.iter().filter(|face| is_shown.get(face.group as usize) == Some(&true)) {
         shown += 1;

@@ -3,13 +3,10 @@
 use std::collections::BTreeMap;
 
 use crate::eval::mpfb::joints::{BoneEnd, Joints, Located, Strategy as How};
-use crate::eval::mpfb::mix::in_blender;
+use crate::eval::mpfb::mix::{USUAL_SCALE, in_blender};
 use crate::eval::vector::{Point, Vec3, length, sub};
 use crate::formats::rig::{DefaultPosition, End, Rig, RigBone, Strategy};
 use crate::repo::mpfb::{RigFile, RigPart, View};
-
-/// The scale that characters are made with unless another one is asked for: one unit is one metre in ten.
-pub(super) const USUAL_SCALE: f32 = 0.1;
 
 /// The base mesh in Blender's axes, metres.
 pub(super) struct Figure<'v> {

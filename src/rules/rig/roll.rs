@@ -4,6 +4,7 @@ use super::super::units::short;
 use super::super::{Check, Rule, RuleCx, such};
 use super::at_bones;
 use crate::diag::{Application::Mpfb, Case, Finding, Level, RuleInfo};
+use crate::eval::mpfb::rest::NO_LENGTH;
 use crate::eval::vector::length;
 use crate::formats::rig::{Rig, RigBone};
 use crate::repo::mpfb::{RigFile, View};
@@ -23,8 +24,6 @@ const NOT_A_NUMBER: Case = &[(Mpfb, Level::Warning, "makes a bone whose axes are
 const UNALIGNED: Case = &[(Mpfb, Level::Warning, "silently keeps the number of `roll`")];
 
 const REFERENCE: &str = "ALIGN_Z_REFERENCE_Z";
-/// Shorter references have no direction, as Blender has it.
-const NO_LENGTH: f64 = 1e-6;
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs() {
