@@ -157,9 +157,12 @@ pub struct MirrorRow {
     pub from: u32,
     /// Its counterpart.
     pub to: u32,
-    /// `l`, `r` or `m`; any other letter is none of these.
+    /// `l`, `r` or `m`; any other letter is none of these, nor is [`LONG_SIDE`].
     pub side: u8,
 }
+
+/// The side of a row that has a word for it.
+pub const LONG_SIDE: u8 = 0;
 
 /// Reads all rows. Three fields with one blank between them: anything else stops the loader.
 pub fn mirror(text: &[u8]) -> MirrorTable {
@@ -181,7 +184,11 @@ fn row(line: u32, text: &[u8]) -> Option<MirrorRow> {
     let mut fields = text.trim_ascii().split(|byte| *byte == b' ');
     let mut number = || u32::try_from(python_int(fields.next()?)?).ok();
     let (from, to) = (number()?, number()?);
-    let side = *fields.next()?.first()?;
+    let side = match fields.next()? {
+        [] => return None,
+        [letter] => *letter,
+        _ => LONG_SIDE,
+    };
     Some(MirrorRow { line, from, to, side })
 }
 

@@ -6,6 +6,7 @@ mod looks;
 pub(crate) mod loops;
 pub(crate) mod misplaced;
 mod named;
+mod offered;
 mod parts;
 mod references;
 mod rigs;
@@ -15,6 +16,7 @@ mod view;
 pub(crate) use keys::{Reads, names as key_names};
 pub(crate) use looks::{Look, Set};
 pub(crate) use named::{NamedTarget, uuid};
+pub(crate) use offered::{is_of_lost_rig, lost_rigs};
 pub(crate) use parts::{Parts, Request};
 pub(crate) use rigs::{POSE_ENDINGS, RigFile, RigPart, is_listed, rig_of_pose};
 pub(crate) use sliders::{

@@ -27,12 +27,6 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let help = "move them to the folder `config` beside the folder of data: `user/config` for `user/data`";
         out.extend(finding(rule, &files, folder, message, NOT_LISTED, help));
     }
-    let in_capitals = files().filter(|file| file.rel.starts_with("expressions/") && extension(&file.rel) != "json");
-    for file in in_capitals.filter(|file| extension(&file.rel).eq_ignore_ascii_case("json")) {
-        let finding =
-            rule.at(file, Place::File, format!("`{}` must end in `.json`: capitals matter", file.file_name()));
-        out.push(finding.key("suffix").case(NOT_LISTED).help("write the suffix in small letters"));
-    }
     let is_other =
         |top: &str| own.folder_in_other_case(top).is_some() || matches!(top, "config" | "settings" | "models");
     // Of a zip the import says where its files go.
@@ -61,6 +55,29 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             out.extend(finding(rule, &worn, top, message, NOT_LISTED, TO_KIND));
         }
     }
+}
+
+/// Expressions with a suffix that is not looked for.
+pub(super) fn in_capitals(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    if view.layers.checks_system() {
+        return;
+    }
+    let expressions =
+        view.layers.checked.files.values().filter(|file| !file.is_loose && file.rel.starts_with("expressions/"));
+    out.extend(expressions.filter(|file| is_in_capitals(file, "json")).map(|file| capitals(rule, file, "json")));
+}
+
+/// Whether a file has the suffix in other capitals than it is looked for.
+pub(super) fn is_in_capitals(file: &FileFacts, suffix: &str) -> bool {
+    let own = extension(&file.rel);
+    own != suffix && own.eq_ignore_ascii_case(suffix)
+}
+
+/// The suffix is not written as it is looked for.
+pub(super) fn capitals(rule: &Rule, file: &FileFacts, suffix: &str) -> Finding {
+    let finding =
+        rule.at(file, Place::File, format!("`{}` must end in `.{suffix}`: capitals matter", file.file_name()));
+    finding.key("suffix").help("write the suffix in small letters")
 }
 
 /// Folders of the add-on: nothing of a user is read there.

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Rule, counted};
+use super::mpfb;
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, grouped};
 use crate::discover::extension;
 use crate::repo::mpfb::{View, uuid};
@@ -82,8 +83,9 @@ pub(super) fn same_uuids(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let own = view.worn_anywhere().filter(|worn| view.layers.is_checked(worn.file));
     for (uuid, assets) in grouped(own.filter_map(|worn| Some((uuid(worn)?, worn.file)))) {
         let [first, .., last] = assets.as_slice() else { continue };
-        // Of copies one is listed, which is reported for the label.
-        if assets.iter().all(|file| (file.size, file.content_hash) == (first.size, first.content_hash)) {
+        // Of copies with one label one is listed, which is reported for the label.
+        let of_copy = |file: &FileFacts| (file.size, file.content_hash, label(file));
+        if assets.iter().all(|file| of_copy(file) == of_copy(first)) {
             continue;
         }
         let more = match assets.len() {
@@ -98,26 +100,31 @@ pub(super) fn same_uuids(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// Assets whose suffix keeps them out of the list.
-pub(super) fn unlisted(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+/// Assets with the suffix of the list, in capitals.
+pub(super) fn in_capitals(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    let files = view.layers.checked.files.values().filter(|file| !file.is_loose);
+    let shelved = files.filter_map(|file| Some((file, shelf_around(file)?.1)));
+    let in_capitals = shelved.filter(|(file, suffix)| mpfb::is_in_capitals(file, suffix));
+    out.extend(in_capitals.map(|(file, suffix)| mpfb::capitals(rule, file, suffix)));
+}
+
+/// Topologies in the list of worn assets, and the other way around.
+pub(super) fn of_other_kind(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let files = view.layers.checked.files.values().filter(|file| !file.is_loose);
     for file in files {
         let Some((folder, suffix)) = shelf_around(file) else { continue };
         let own = extension(&file.rel);
-        let told = |message: String, help: String| rule.at(file, Place::File, message).key("suffix").help(help);
-        if own != suffix && own.eq_ignore_ascii_case(suffix) {
-            let message = format!("`{}` must end in `.{suffix}`: capitals matter", file.file_name());
-            out.push(told(message, "write the suffix in small letters".to_owned()));
-        } else if matches!((own, suffix), ("proxy", "mhclo") | ("mhclo", "proxy")) {
-            let message = format!("a `.{own}` in `{folder}` is not listed");
-            let help = match own {
-                "proxy" => {
-                    "move it to `proxymeshes` if it stands for the body; rename it to end in `.mhclo` if it is worn"
-                }
-                _ => "move it to the folder of its kind; rename it to end in `.proxy` if it stands for the body",
-            };
-            out.push(told(message, help.to_owned()));
-        }
+        let help = match (own, suffix) {
+            ("proxy", "mhclo") => {
+                "move it to `proxymeshes` if it stands for the body; rename it to end in `.mhclo` if it is worn"
+            }
+            ("mhclo", "proxy") => {
+                "move it to the folder of its kind; rename it to end in `.proxy` if it stands for the body"
+            }
+            _ => continue,
+        };
+        let message = format!("a `.{own}` in `{folder}` is not listed");
+        out.push(rule.at(file, Place::File, message).key("suffix").help(help));
     }
 }
 

@@ -1,21 +1,32 @@
 //! An asset lies where the list looks, under a name that it takes.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{SUFFIXES, suffix};
+use super::{SUFFIXES, mpfb, shelves, suffix};
 use crate::diag::{
-    Application::{Makehuman1, Makehuman2},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
 };
 use crate::discover::{extension, in_place_of, library_extension};
-use crate::repo::{FileFacts, View, parent};
+use crate::repo::makehuman2::View;
+use crate::repo::{FileFacts, Layer, makehuman1, parent};
 
-pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "does not list what is in deeper folders"), (Makehuman1, UNREAD)],
+pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(run, of_makehuman1, |view, _, out| {
+    shelves::in_capitals(&RULE, view, out);
+    mpfb::in_capitals(&RULE, view, out);
+})
+.rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "does not list what is in deeper folders"),
+        (Makehuman1, UNREAD),
+        (Mpfb, "takes suffixes as they are written, and does not find it"),
+    ],
     docs: "MakeHuman 2 looks for assets in the folder of the base mesh (`clothes/<base>/`) and in the folders directly in it. It \
         takes suffixes as they are written: `.mhclo`, not `.MHCLO`.\n\n\
         An asset in a deeper folder, with a suffix in capitals or with another suffix behind its own (`vest.mhclo.txt`, which \
         Windows shows as `vest.mhclo`) is not listed on any system, and models that wear it lose it.\n\n\
         MakeHuman 1 looks in folders of any depth, but does not list a file with another suffix behind its own, either.\n\n\
+        MPFB looks in folders of any depth, too. What ends in capitals it neither lists nor finds by its name: `hat.MHCLO`, \
+        `smile.JSON`.\n\n\
         Move the folder of the asset up, or rename the file.",
     ..RuleInfo::new("library-too-deep", Level::Error, "an asset that the list does not find")
 });
@@ -24,14 +35,7 @@ const UNREAD: &str = "does not list it";
 const UNLISTED: Case = &[(Makehuman2, Level::Error, "does not list it")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let layer = view.layers().checked;
-    if view.is_makehuman1() {
-        let of_library =
-            |file: &FileFacts, suffix: &str| file.rel.split('/').next().and_then(library_extension) == Some(suffix);
-        let lost =
-            layer.files.values().filter(|file| double(view, file).is_some_and(|suffix| of_library(file, suffix)));
-        return out.extend(lost.map(doubled));
-    }
+    let layer = view.layers.checked;
     let mut deep = Vec::new();
     for file in layer.files.values() {
         let parts: Vec<&str> = file.rel.split('/').collect();
@@ -53,7 +57,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 let folder = parts.get(..3).map(|top| top.join("/")).unwrap_or_default();
                 deep.push(((folder, *category, *base), file));
             }
-            None if parts.len() <= 4 && double(view, file).is_some_and(is_for) => out.push(doubled(file)),
+            None if parts.len() <= 4 && double(layer, file).is_some_and(is_for) => out.push(doubled(file)),
             _ => {}
         }
     }
@@ -65,6 +69,14 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = if is_of_asset { finding.help(help_in_asset(&folder)) } else { finding };
         Some(finding.asset(layer.display(&folder)))
     }));
+}
+
+fn of_makehuman1(view: &makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers.checked;
+    let of_library =
+        |file: &FileFacts, suffix: &str| file.rel.split('/').next().and_then(library_extension) == Some(suffix);
+    let lost = layer.files.values().filter(|file| double(layer, file).is_some_and(|suffix| of_library(file, suffix)));
+    out.extend(lost.map(doubled));
 }
 
 /// In the folder of another asset it is mostly an older version, or belongs there by mistake.
@@ -105,14 +117,14 @@ fn too_deep(folder: &str, right: &str, files: &[&FileFacts]) -> Option<Finding> 
 }
 
 /// The suffix of an asset in front of another one, where there is no asset of that name: then it would be a copy.
-fn double(view: &View<'_>, file: &FileFacts) -> Option<&'static str> {
+fn double(layer: &Layer, file: &FileFacts) -> Option<&'static str> {
     let (right, last) = file.rel.rsplit_once('.')?;
     let suffix = SUFFIXES.into_iter().find(|suffix| *suffix == extension(right))?;
     let is_text = matches!(last, "txt" | "text" | "json" | "html");
-    (is_text && view.layers().checked.file(right).is_none()).then_some(suffix)
+    (is_text && layer.file(right).is_none()).then_some(suffix)
 }
 
 /// Whether something names the file, such as `base.json` a skeleton.
 fn is_used_elsewhere(view: &View<'_>, file: &FileFacts) -> bool {
-    view.references().to_file(file).any(|reference| reference.found().is_some())
+    view.references.to_file(file).any(|reference| reference.found().is_some())
 }

@@ -20,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(
     },
     |view, _, out| {
         mpfb::misplaced(&RULE, view, out);
-        shelves::unlisted(&RULE, view, out);
+        shelves::of_other_kind(&RULE, view, out);
     },
 )
 .rule(RuleInfo {
@@ -31,7 +31,7 @@ pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(
         An asset in the folder of another kind, or without the folder of the base mesh, is not listed, and models that wear \
         it lose it.\n\nIn MakeHuman 1 topologies (`.proxy`) are in `proxymeshes`, and there is no folder of a base mesh.\n\n\
         MPFB finds targets in `targets` and `custom` alone, expressions in `expressions`, and assets in the folders of their \
-        kinds, such as `clothes`: `.proxy` in `proxymeshes`, `.mhclo` in all others, the suffix in small letters. Saved characters and other presets are in `config`, which lies beside the folder of data \
+        kinds, such as `clothes`: `.proxy` in `proxymeshes`, `.mhclo` in all others. Saved characters and other presets are in `config`, which lies beside the folder of data \
         and not in it.\n\n\
         Move the asset.",
     of_library: true,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Rule, such};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
-use crate::formats::mesh_metadata::{MirrorRow, MirrorTable};
+use crate::formats::mesh_metadata::{LONG_SIDE, MirrorRow, MirrorTable};
 use crate::repo::FileFacts;
 use crate::repo::mpfb::View;
 use crate::repo::mpfb::misplaced::is_across;
@@ -51,8 +51,10 @@ pub(super) fn fault(rule: &Rule, view: &View<'_>, file: &FileFacts, table: &Mirr
     }
     let unsided = of(&|row| !matches!(row.side, b'l' | b'r' | b'm'));
     if let Some(first) = unsided.first() {
-        let letter = char::from(first.side).escape_default();
-        let message = format!("`{letter}` is not a side, expected `l`, `r` or `m`");
+        let message = match first.side {
+            LONG_SIDE => "the side is a word, expected `l`, `r` or `m`".to_owned(),
+            letter => format!("`{}` is not a side, expected `l`, `r` or `m`", char::from(letter).escape_default()),
+        };
         return Some(told(rule, file, &unsided, message, PASSED_OVER)?.help("write `l`, `r` or `m` in small letters"));
     }
     let counterpart: BTreeMap<u32, u32> = table.rows.iter().map(|row| (row.from, row.to)).collect();

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use super::super::Rule;
 use super::super::cause::differing;
 use crate::diag::{Application::Mpfb, Case, Finding, Level};
+use crate::repo::mpfb::lost_rigs;
 use crate::repo::{Layer, View};
 
 /// What MPFB opens by name in its own data.
@@ -47,6 +48,8 @@ const NO_PICTURES: Case = &[(
 )];
 const NO_MATERIAL: Case = &[(Mpfb, Level::Error, "fails when it makes a material of this kind")];
 
+const NO_RIG: Case = &[(Mpfb, Level::Error, "offers the rig, and fails with `OSError` when it is chosen")];
+
 /// Folders that must exist: of the icons of sliders any may be missing.
 const FOLDERS: [(&str, Case); 2] = [("targets/_images", NO_START), ("textures", NO_PICTURES)];
 
@@ -63,7 +66,9 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Ve
     let mut renamed = BTreeSet::new();
     let has_own = has_own_skin_settings(view);
     let is_missing = |rel: &str| !(exists(system, rel) || rel == SKIN_SETTINGS && has_own);
-    let files = NEEDED.into_iter().filter(|(rel, _)| is_missing(rel)).map(|(rel, case)| {
+    let needed = NEEDED.into_iter().filter(|(rel, _)| is_missing(rel));
+    let offered = lost_rigs(system).map(|rel| (rel, NO_RIG));
+    let files = needed.chain(offered).map(|(rel, case)| {
         let other = system.file_ignoring_case(rel).map(|file| file.rel.as_str());
         (rel, case, "file", other)
     });

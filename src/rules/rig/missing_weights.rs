@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx, enumerated};
 use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::mpfb::{RigFile, RigPart, View};
+use crate::repo::mpfb::{RigFile, RigPart, View, lost_rigs};
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "makes the rig without weights and without a message: the body does not move with it")],
@@ -22,9 +22,11 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_without = |rig: &&RigFile<'_>| {
         rig.weights().is_none() && !rig.wanted_weights.iter().any(|rel| rig.layer.has_unusable(rel))
     };
+    // One that is not found for its capitals is told for these.
+    let is_lost = |rig: &RigFile<'_>| lost_rigs(rig.layer).any(|lost| lost.eq_ignore_ascii_case(&rig.file.rel));
     let of_body = view.own_rigs().filter(|(file, rig)| file.part != RigPart::Asset && !rig.bones.is_empty());
     let mut by_weights: BTreeMap<&str, Vec<&RigFile<'_>>> = BTreeMap::new();
-    for rig in of_body.map(|(file, _)| file).filter(is_without) {
+    for rig in of_body.map(|(file, _)| file).filter(is_without).filter(|rig| !is_lost(rig)) {
         // What two rigs both look for comes first among their names.
         if let Some(rel) = rig.wanted_weights.iter().min() {
             by_weights.entry(rel).or_default().push(rig);
