@@ -16,7 +16,7 @@ mod view;
 pub(crate) use keys::{Reads, names as key_names};
 pub(crate) use looks::{Look, Set};
 pub(crate) use named::{NamedTarget, uuid};
-pub(crate) use offered::{is_of_lost_rig, lost_rigs};
+pub(crate) use offered::lost_rigs;
 pub(crate) use parts::{Parts, Request};
 pub(crate) use rigs::{POSE_ENDINGS, RigFile, RigPart, is_listed, rig_of_pose};
 pub(crate) use sliders::{

@@ -24,7 +24,7 @@ pub(crate) fn lost_rigs(system: &Layer) -> impl Iterator<Item = &'static str> {
 }
 
 /// Whether these are the weights of such a rig.
-pub(crate) fn is_of_lost_rig(system: &Layer, weights: &str) -> bool {
+pub(super) fn is_of_lost_rig(system: &Layer, weights: &str) -> bool {
     lost_rigs(system).any(|rig| weights_of(rig) == weights)
 }
 

@@ -7,6 +7,7 @@ use super::looks::{Look, looks};
 use super::loops::LOOPS;
 use super::misplaced::Misplaced;
 use super::named::{NamedFiles, NamedTargets};
+use super::offered::is_of_lost_rig;
 use super::parts::Parts;
 use super::references::collect;
 use super::rigs::{self, RigFile, RigPart};
@@ -232,6 +233,9 @@ impl<'a> View<'a> {
         // Those of a rig that is not found are told there.
         let rig = file.file_name().strip_prefix("weights.").map(|name| format!("{}/{name}", parent(&file.rel)));
         let is_used = is_used || rig.is_some_and(|rel| self.layers.checked.file(&rel).is_some());
+        // What lacks its rig is told there, where it is one that is offered.
+        let is_of_lost = || self.layers.system.is_some_and(|system| is_of_lost_rig(system, &file.rel));
+        let is_used = is_used || is_of_lost();
         let used = if is_used { WeightsUse::Applied } else { WeightsUse::Unread };
         BodyWeights { file, name: Some(file.file_name()), used }
     }

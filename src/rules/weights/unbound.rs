@@ -5,7 +5,6 @@ use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo,
 };
-use crate::repo::mpfb::is_of_lost_rig;
 use crate::repo::{Body, BodyWeights, WeightsUse};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -25,12 +24,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    // What is missing is the rig, where it is one that is offered.
-    let is_of_lost = |own: &&BodyWeights| {
-        body.is_mpfb() && body.layers.system.is_some_and(|system| is_of_lost_rig(system, &own.file.rel))
-    };
-    let unread = body.own_weights().filter(|own| own.used == WeightsUse::Unread);
-    for BodyWeights { file, name, .. } in unread.filter(|own| !is_of_lost(own)) {
+    for BodyWeights { file, name, .. } in body.own_weights().filter(|own| own.used == WeightsUse::Unread) {
         let message = format!("no skeleton of base `{}` uses these weights", body.name);
         let name = name.unwrap_or_default();
         let (message, help) = if body.is_mpfb() {
