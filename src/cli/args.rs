@@ -33,7 +33,7 @@ Where to save the script:
   fish  mhlint completions fish > ~/.config/fish/completions/mhlint.fish
   PowerShell and Elvish: add the script to your profile";
 
-/// Checks asset repositories of MakeHuman 2, asset libraries of MakeHuman 1, and targets, sliders and presets of MPFB.
+/// Checks asset repositories of MakeHuman 2, MakeHuman 1 and MPFB.
 #[derive(Debug, Parser)]
 #[command(
     name = "mhlint",

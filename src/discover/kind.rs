@@ -15,6 +15,18 @@ pub enum Kind {
     MacroJson,
     /// `modelling.json` of MakeHuman 2.
     ModellingJson,
+    /// `*_modifiers.json` of MakeHuman 1: what its sliders move.
+    ModifierFile,
+    /// `*_modifiers_desc.json` of MakeHuman 1: what is said of them.
+    ModifierTexts,
+    /// `*_sliders.json` of MakeHuman 1: the tabs that they are in.
+    ModifierSliders,
+    /// `mh_1-0_modifier_mapping.csv` of MakeHuman 1: names of modifiers in older models.
+    ModifierMapping,
+    /// `face-poseunits.json` of MakeHuman 1: the names of the frames that expressions are made of.
+    FaceUnits,
+    /// `languages/*.json` of MakeHuman 1.
+    Language,
     /// `target_cat.json` of MakeHuman 2.
     TargetCategories,
     /// `target.json` of MPFB: its sliders.

@@ -2,7 +2,7 @@
 
 use crate::diag::{Application, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::makehuman1::is_of_library;
+use crate::repo::makehuman1::is_checked;
 use crate::rules::{Check, RULES, Rule};
 
 /// The applications whose data are checked. Any that has a layout can be loaded.
@@ -68,7 +68,7 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                         | Kind::Material
                 )
         }
-        Application::Makehuman1 => is_of_library(kind),
+        Application::Makehuman1 => is_checked(kind),
     }
 }
 

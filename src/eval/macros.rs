@@ -2,6 +2,8 @@
 //!
 //! Surveys ask nothing else of them. Where an application calculates macros in another way, that is another variant.
 
+use super::makehuman1::Modifiers;
+use super::makehuman1::modifiers::ModifierResult;
 use super::makehuman2::{MacroError, MacroResult, MacroTable, macro_survey};
 use super::measures::MacroMeasure;
 use super::mpfb::MacroLoops;
@@ -15,6 +17,8 @@ use super::vector::round_to_f32;
 pub enum Macros {
     /// Components, macrodefs and their targets.
     Makehuman2(MacroTable),
+    /// Variables, and products of them.
+    Makehuman1(Modifiers),
     /// Settings in parts, loops over their names.
     Mpfb(MacroLoops),
 }
@@ -30,6 +34,7 @@ pub enum MacroFault {
 #[derive(Debug, Default)]
 pub struct MacroWork {
     makehuman2: MacroResult,
+    makehuman1: ModifierResult,
     mpfb: LoopResult,
 }
 
@@ -43,6 +48,10 @@ impl Macros {
             Self::Makehuman2(table) => {
                 table.evaluate(settings, &mut work.makehuman2).map_err(MacroFault::Makehuman2)?;
                 Ok(&work.makehuman2.factors)
+            }
+            Self::Makehuman1(modifiers) => {
+                modifiers.evaluate(settings, &mut work.makehuman1);
+                Ok(&work.makehuman1.weights)
             }
             Self::Mpfb(loops) => {
                 // Settings are stored in 32 bits.
@@ -58,6 +67,7 @@ impl Macros {
     pub fn cost(&self) -> usize {
         match self {
             Self::Makehuman2(table) => table.cost(),
+            Self::Makehuman1(modifiers) => modifiers.cost(),
             Self::Mpfb(loops) => loops.cost(),
         }
     }
@@ -67,7 +77,7 @@ impl Macros {
         match self {
             Self::Makehuman2(table) => macro_survey::measure(table, scene, settings),
             // No rule asks for its numbers yet.
-            Self::Mpfb(_) => MacroMeasure::default(),
+            Self::Makehuman1(_) | Self::Mpfb(_) => MacroMeasure::default(),
         }
     }
 }

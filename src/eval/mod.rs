@@ -40,6 +40,7 @@ pub mod fit;
 mod grid;
 pub mod influences;
 mod lists;
+pub mod load;
 pub mod look;
 pub mod macros;
 pub mod makehuman1;

@@ -235,7 +235,7 @@ pub fn bone_pairs(names: &[String]) -> Vec<(usize, usize)> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::makehuman2::weights::load;
+    use super::super::load::load;
     use super::super::skeleton::Bone;
     use super::super::steps::steps_of;
     use super::*;

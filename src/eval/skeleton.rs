@@ -45,6 +45,8 @@ pub enum Formulas {
     /// `makehuman2`.
     #[default]
     Makehuman2,
+    /// The same with several roots, and joints of the mesh (formats/makehuman1.md §4).
+    Makehuman1,
 }
 
 /// A skeleton by numbers, parents before children.
@@ -70,6 +72,14 @@ impl SceneSkeleton {
     pub fn joint_positions(&self, positions: &[Point]) -> Result<Vec<Point>, EvalError> {
         match self.formulas {
             Formulas::Makehuman2 => joints::joint_positions(positions, self.joints.iter().map(Vec::as_slice)),
+            // A joint that is nowhere lies at the origin.
+            Formulas::Makehuman1 => {
+                let of = |list: &Vec<u32>| match list.as_slice() {
+                    [] => Ok([0.0; 3]),
+                    list => joints::joint_position(positions, list),
+                };
+                self.joints.iter().map(of).collect()
+            }
         }
     }
 
@@ -79,7 +89,7 @@ impl SceneSkeleton {
     /// A joint or parent that does not exist.
     pub fn rest_bones(&self, joints: &[Point]) -> Result<Vec<RestBone>, EvalError> {
         match self.formulas {
-            Formulas::Makehuman2 => rest::rest_bones(joints, &self.bones),
+            Formulas::Makehuman2 | Formulas::Makehuman1 => rest::rest_bones(joints, &self.bones),
         }
     }
 
@@ -89,7 +99,7 @@ impl SceneSkeleton {
     /// A joint that does not exist.
     pub fn normal(&self, joints: &[Point], bone: &Bone) -> Result<Vec3, EvalError> {
         match self.formulas {
-            Formulas::Makehuman2 => rest::normal(joints, bone),
+            Formulas::Makehuman2 | Formulas::Makehuman1 => rest::normal(joints, bone),
         }
     }
 }

@@ -115,7 +115,10 @@ impl fmt::Display for Error {
             Self::Open(reason) => f.write_str(reason),
             Self::NoData(path) => {
                 let titles: Vec<&str> = evaluated().map(Application::title).collect();
-                let titles = titles.join(" or ");
+                let titles = match titles.as_slice() {
+                    [others @ .., last] if !others.is_empty() => format!("{} or {last}", others.join(", ")),
+                    other => other.concat(),
+                };
                 write!(
                     f,
                     "`{path}` contains no {titles} data (expected base/<name>/base.obj, base.mhbin or 3dobjs/base.obj in it)"

@@ -3,6 +3,7 @@
 //! To evaluate another one: a variant of [`Formulas`], a folder beside `makehuman2`, and an arm wherever the compiler
 //! asks for one.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use serde_json::{Map, Value};
@@ -16,6 +17,7 @@ use crate::diag::Application;
 use crate::eval::measures::Measures;
 use crate::eval::scene::Scene;
 use crate::eval::vector::Point;
+use crate::eval::weights::BoneWeights;
 use crate::repo::Layers;
 use crate::repo::makehuman2::Base;
 use crate::source::Limits;
@@ -25,6 +27,8 @@ use crate::source::Limits;
 pub(super) enum Formulas {
     /// `makehuman2`.
     Makehuman2,
+    /// `makehuman1`.
+    Makehuman1,
     /// `mpfb`.
     Mpfb,
 }
@@ -33,7 +37,7 @@ impl Formulas {
     /// The place of the slider that a saved character means by a name which no slider has, and the sign of its value.
     pub(super) fn slider_of_character(self, scene: &Scene, name: &str) -> Option<(usize, f64)> {
         match self {
-            Self::Makehuman2 => None,
+            Self::Makehuman2 | Self::Makehuman1 => None,
             Self::Mpfb => mpfb::names::slider(scene, name),
         }
     }
@@ -47,18 +51,18 @@ pub(crate) struct Openable<'a> {
     formulas: Formulas,
 }
 
-/// Whose formulas evaluate the data of an application; `None` where they are not known yet.
-const fn formulas(application: Application) -> Option<Formulas> {
+/// Whose formulas evaluate the data of an application.
+const fn formulas(application: Application) -> Formulas {
     match application {
-        Application::Makehuman2 => Some(Formulas::Makehuman2),
-        Application::Mpfb => Some(Formulas::Mpfb),
-        Application::Makehuman1 => None,
+        Application::Makehuman2 => Formulas::Makehuman2,
+        Application::Mpfb => Formulas::Mpfb,
+        Application::Makehuman1 => Formulas::Makehuman1,
     }
 }
 
 /// Whether rules ask for what the targets of an application come to, so that their rows are needed.
 pub(crate) const fn needs_rows(application: Application) -> bool {
-    matches!(application, Application::Makehuman2 | Application::Mpfb)
+    matches!(application, Application::Makehuman2 | Application::Makehuman1 | Application::Mpfb)
 }
 
 /// Whether anything of the data of an application is measured: what is worn, also where nothing else is.
@@ -68,7 +72,7 @@ pub(crate) const fn is_measured(application: Application) -> bool {
 
 /// The applications whose data can be evaluated.
 pub(crate) fn evaluated() -> impl Iterator<Item = Application> {
-    Application::ALL.into_iter().filter(|application| formulas(*application).is_some())
+    Application::ALL.into_iter()
 }
 
 /// Measures a body as an application shows it, taking the rows of its targets out of `rows`. `None` for an application
@@ -95,16 +99,17 @@ pub(crate) fn measure(
             let (measures, worn) = rayon::join(|| gauge(&composed, options), worn);
             Some(Measures { worn, ..measures })
         }
-        Application::Makehuman1 => Some(Measures { worn: makehuman1::worn::measure(layers), ..Measures::default() }),
+        Application::Makehuman1 => Some(makehuman1::measure(layers, rows, options)),
         Application::Mpfb => mpfb::measure(layers, rows, options),
     }
 }
 
 /// The bodies that can be opened in layers as an application sees them.
 pub(crate) fn openable(application: Application, layers: Layers<'_>) -> Vec<Openable<'_>> {
-    let Some(formulas) = formulas(application) else { return Vec::new() };
+    let formulas = formulas(application);
     let names = match formulas {
         Formulas::Makehuman2 => makehuman2::base::with_mesh(layers),
+        Formulas::Makehuman1 => makehuman1::base::with_mesh(layers),
         Formulas::Mpfb => mpfb::base::with_mesh(layers),
     };
     names.into_iter().map(|name| Openable { name, layers, formulas }).collect()
@@ -115,7 +120,7 @@ impl Openable<'_> {
     pub(crate) fn has_macros(&self) -> bool {
         match self.formulas {
             Formulas::Makehuman2 => Base::resolve(self.name, self.layers).macro_file().is_some(),
-            Formulas::Mpfb => true,
+            Formulas::Makehuman1 | Formulas::Mpfb => true,
         }
     }
 
@@ -126,6 +131,7 @@ impl Openable<'_> {
     pub(crate) fn open(&self, limits: Limits) -> Result<Evaluation, Error> {
         match self.formulas {
             Formulas::Makehuman2 => makehuman2::base::open(&Base::resolve(self.name, self.layers), limits),
+            Formulas::Makehuman1 => makehuman1::base::open(self.name, self.layers, limits),
             Formulas::Mpfb => mpfb::base::open(self.name, self.layers, limits),
         }
     }
@@ -136,6 +142,7 @@ impl Evaluation {
     pub(super) const fn application(&self) -> Application {
         match self.formulas {
             Formulas::Makehuman2 => Application::Makehuman2,
+            Formulas::Makehuman1 => Application::Makehuman1,
             Formulas::Mpfb => Application::Mpfb,
         }
     }
@@ -143,6 +150,21 @@ impl Evaluation {
     /// Whether a vertex of several rows moves by all of them, and one that the mesh lacks is passed over.
     pub(super) const fn adds_rows(&self) -> bool {
         matches!(self.formulas, Formulas::Mpfb)
+    }
+
+    /// The weights that a pose moves the mesh by.
+    ///
+    /// # Errors
+    /// Weights of vertices beyond the mesh.
+    pub(super) fn posing_weights<'w>(
+        &self,
+        weights: &'w [BoneWeights],
+        vertices: usize,
+    ) -> Result<Cow<'w, [BoneWeights]>, Error> {
+        match self.formulas {
+            Formulas::Makehuman1 => makehuman1::posing_weights(weights, vertices).map(Cow::Owned),
+            Formulas::Makehuman2 | Formulas::Mpfb => Ok(Cow::Borrowed(weights)),
+        }
     }
 
     /// The macros at a setting, as JSON.
@@ -155,6 +177,7 @@ impl Evaluation {
                 let (table, result) = self.macros(setting)?;
                 Ok(makehuman2::macros_json(self, table, &result))
             }
+            Formulas::Makehuman1 => makehuman1::macros::macros_json(self, setting),
             Formulas::Mpfb => mpfb::macros::macros_json(self, setting),
         }
     }
@@ -166,6 +189,7 @@ impl Evaluation {
     pub fn rest(&self, skeleton: &SkeletonFile, positions: &[Point]) -> Result<RestSkeleton, Error> {
         match self.formulas {
             Formulas::Makehuman2 => makehuman2::skeleton::rest(skeleton, positions),
+            Formulas::Makehuman1 => makehuman1::skeleton::rest(&self.scene, skeleton, positions),
             Formulas::Mpfb => Err(mpfb::no_rigs(self.base())),
         }
     }
@@ -173,5 +197,5 @@ impl Evaluation {
 
 /// Every kind of case, of all applications.
 pub(super) fn kinds() -> impl Iterator<Item = &'static Kind> {
-    makehuman2::cases::KINDS.iter().chain(&mpfb::cases::KINDS)
+    makehuman2::cases::KINDS.iter().chain(&makehuman1::cases::KINDS).chain(&mpfb::cases::KINDS)
 }

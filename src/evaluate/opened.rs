@@ -47,6 +47,8 @@ pub struct Evaluation {
 pub(super) enum MacroNames {
     /// Components and definitions.
     Components(MacroFile),
+    /// Those of MakeHuman 1, which are always the same.
+    Variables,
     /// The names of each setting, numbered as in its parts.
     Parts(Vec<Vec<String>>),
 }

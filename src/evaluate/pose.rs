@@ -84,7 +84,8 @@ impl Evaluation {
         }
         let bones = pose_bones(&rest.skeleton.bones, &rest.bones, &by_bone).map_err(stopped)?;
         let moved: Vec<Mat4> = bones.iter().map(|bone| bone.moved).collect();
-        let positions = skin(positions, &weights.bones, &moved).map_err(stopped)?;
+        let lists = self.posing_weights(&weights.bones, positions.len())?;
+        let positions = skin(positions, &lists, &moved).map_err(stopped)?;
         let ends = |place: &usize| {
             let (bone, rest): (&PosedBone, _) = (bones.get(*place)?, rest.bones.get(*place)?);
             Some((translation(&bone.global), transform(&bone.moved, widen(rest.tail)), bone.moved))

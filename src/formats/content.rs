@@ -4,6 +4,7 @@ use super::asset_mesh::AssetMesh;
 use super::base_json::BaseJson;
 use super::bvh::Motion;
 use super::face_expression::FaceExpression;
+use super::face_units::FaceUnits;
 use super::geometry::Geometry;
 use super::human_preset::HumanPreset;
 use super::importer_preset::Makeup;
@@ -23,6 +24,10 @@ use super::mhpose::Pose;
 use super::mhskel::Skeleton;
 use super::mhw::Weights;
 use super::modelling::Modelling;
+use super::modifier_file::ModifierFile;
+use super::modifier_mapping::ModifierMapping;
+use super::modifier_sliders::ModifierSliders;
+use super::modifier_texts::ModifierTexts;
 use super::npz::Archive;
 use super::obj::Mesh;
 use super::pack_metadata::PackMetadata;
@@ -59,6 +64,16 @@ pub enum Content {
     Macro(Box<MacroFile>),
     /// `modelling.json`.
     Modelling(Box<Modelling>),
+    /// `*_modifiers.json` of MakeHuman 1.
+    Modifiers(Box<ModifierFile>),
+    /// `*_modifiers_desc.json` of MakeHuman 1.
+    ModifierTexts(Box<ModifierTexts>),
+    /// `*_sliders.json` of MakeHuman 1.
+    Sliders(Box<ModifierSliders>),
+    /// `mh_1-0_modifier_mapping.csv`.
+    Mapping(Box<ModifierMapping>),
+    /// `face-poseunits.json`.
+    FaceUnits(Box<FaceUnits>),
     /// `target_cat.json`.
     Categories(Box<TargetCategories>),
     /// `target.json`.

@@ -3,7 +3,10 @@
 //! Keeps what the loader would see and, beside it, which values have a shape that the schema rejects:
 //! what hangs on those must not be checked again.
 
+use std::collections::BTreeMap;
+
 use super::macro_json::{text, texts};
+use super::python_int;
 use crate::json::{Document, Node, Value};
 
 /// The file.
@@ -29,6 +32,8 @@ pub struct Skeleton {
     pub weights_file: Option<String>,
     /// `weights_file` is something else than a text.
     pub weights_file_misshapen: bool,
+    /// Texts of which Python makes no whole number, where MakeHuman 1 wants one.
+    pub texts_for_numbers: Vec<(&'static str, String)>,
 }
 
 /// A part of the file.
@@ -104,6 +109,56 @@ pub enum RotationPlane {
     Malformed,
 }
 
+impl Skeleton {
+    /// Places of bones in the order of MakeHuman 1, each with the number of its parent: all roots, then breadth first. Bones
+    /// below an unknown parent or in a circle do not exist for it (formats/makehuman1.md §4).
+    pub fn breadth_first(&self) -> Vec<(usize, Option<usize>)> {
+        let places: BTreeMap<&str, usize> =
+            self.bones.iter().enumerate().rev().map(|(place, bone)| (bone.name.as_str(), place)).collect();
+        let mut children: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        let mut found: Vec<(usize, Option<usize>)> = Vec::new();
+        for (place, bone) in self.bones.iter().enumerate() {
+            match bone.parent.as_deref().filter(|parent| !parent.is_empty()) {
+                // What is no name is an unknown one.
+                None if bone.parent_misshapen => {}
+                None => found.push((place, None)),
+                Some(parent) => {
+                    if let Some(parent) = places.get(parent) {
+                        children.entry(*parent).or_default().push(place);
+                    }
+                }
+            }
+        }
+        let mut next = 0;
+        while let Some((place, _)) = found.get(next).copied() {
+            found.extend(children.remove(&place).into_iter().flatten().map(|child| (child, Some(next))));
+            next += 1;
+        }
+        found
+    }
+}
+
+impl Bone {
+    /// The bones of the base skeleton whose weights MakeHuman 1 gives it by name, and whether they stand in
+    /// `weights_reference`. A text is one name.
+    pub fn weight_references(&self) -> (Vec<&str>, bool) {
+        let explicit = self.references_of("weights_reference", self.weights_reference.as_ref());
+        if explicit.is_empty() { (self.references(), false) } else { (explicit, true) }
+    }
+
+    /// The names in `reference`. A text is one name.
+    pub fn references(&self) -> Vec<&str> {
+        self.references_of("reference", self.reference.as_ref())
+    }
+
+    fn references_of<'b>(&'b self, key: &str, list: Option<&'b Vec<String>>) -> Vec<&'b str> {
+        match self.text_references.iter().find(|(own, _)| *own == key) {
+            Some((_, text)) => vec![text.as_str()],
+            None => list.into_iter().flatten().map(String::as_str).collect(),
+        }
+    }
+}
+
 /// Takes what the loader would take.
 pub fn read(document: &Document) -> Skeleton {
     let root = &document.root;
@@ -118,7 +173,16 @@ pub fn read(document: &Document) -> Skeleton {
         bones: members(root, "bones", bone),
         weights_file: text(root, "weights_file"),
         weights_file_misshapen: root.get("weights_file").is_some_and(|node| node.as_str().is_none()),
+        texts_for_numbers: ["version", "plane_map_strategy"]
+            .into_iter()
+            .filter_map(|key| no_number(root, key))
+            .collect(),
     }
+}
+
+fn no_number(root: &Node, key: &'static str) -> Option<(&'static str, String)> {
+    let text = text(root, key)?;
+    python_int(text.trim().as_bytes()).is_none().then_some((key, text))
 }
 
 fn section(root: &Node, key: &str) -> Section {
@@ -252,5 +316,14 @@ mod tests {
             let text = br#"{"joints": {"j": [1, 2]}, "bones": {"b": {"head": "j", "tail": "j", "parent": null}}}"#;
             prop_assert!(parse(&text[..cut.min(text.len() - 1)]).is_err());
         }
+    }
+
+    #[test]
+    fn several_roots_and_no_bones_below_unknown_ones() {
+        let text = |bones: &str| format!(r#"{{"bones": {{{bones}}}}}"#);
+        let of = |bones: &str| read(&parse(text(bones).as_bytes()).unwrap()).breadth_first();
+        let found = of(r#""c": {"parent": "r"}, "r": {"parent": ""}, "lost": {"parent": "x"}, "d": {"parent": "c"},
+               "s": {}, "own": {"parent": "own"}, "below": {"parent": "lost"}"#);
+        assert_eq!(found, [(1, None), (4, None), (0, Some(0)), (3, Some(2))]);
     }
 }

@@ -9,7 +9,7 @@ use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
 use super::{
     Content, bvh, index_table as table, mesh_metadata, meta as metadata, mhbin, mhbin_asset, mhclo, mhm, mhmat, mhpose,
-    mhw, npz, obj, picture, shader_source, stored_pose as stored, uv_layer as layer, uv_map,
+    mhw, modifier_mapping, npz, obj, picture, shader_source, stored_pose as stored, uv_layer as layer, uv_map,
 };
 use crate::json::{self, Document, SchemaFaults};
 use crate::source::{Encoding, GzipFault, Limits, gunzip_at_most, zip_bomb};
@@ -135,6 +135,11 @@ pub(super) fn motion(input: &Input<'_>) -> Parsed {
 /// A model. One that is blank sets nothing.
 pub(super) fn model(input: &Input<'_>) -> Parsed {
     Parsed { content: Content::Model(Box::new(mhm::read(input.bytes))), ..hashed(input) }
+}
+
+/// The table of older names.
+pub(super) fn modifier_mapping(input: &Input<'_>) -> Parsed {
+    Parsed { content: Content::Mapping(Box::new(modifier_mapping::read(input.bytes))), ..hashed(input) }
 }
 
 /// What is said of a motion. Of one that is no UTF-8 the scan reads nothing.

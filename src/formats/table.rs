@@ -2,13 +2,15 @@
 
 use super::picture::{HEAD, TAIL};
 use super::readers::{
-    archive, asset_mesh, clothes, index_table, material, mesh, mesh_archive, meta, mirror_table, model, motion, packed,
-    picture, pose, shader_source, stored_pose, target, uv_layer, uv_map, weights, zip,
+    archive, asset_mesh, clothes, index_table, material, mesh, mesh_archive, meta, mirror_table, model,
+    modifier_mapping, motion, packed, picture, pose, shader_source, stored_pose, target, uv_layer, uv_map, weights,
+    zip,
 };
 use super::{
-    Content, Input, Parsed, base_json, face_expression, geometry, human_preset, importer_preset, ink_layer,
-    look_settings, macro_json, macro_parts, mesh_metadata, mhskel, modelling, node_tree, pack_metadata, pose_units,
-    program, proxy_corrections, rig, selection_filter, target_cat, target_catalog,
+    Content, Input, Parsed, base_json, face_expression, face_units, geometry, human_preset, importer_preset, ink_layer,
+    look_settings, macro_json, macro_parts, mesh_metadata, mhskel, modelling, modifier_file, modifier_sliders,
+    modifier_texts, node_tree, pack_metadata, pose_units, program, proxy_corrections, rig, selection_filter,
+    target_cat, target_catalog,
 };
 use crate::discover::Kind;
 use crate::json::Document;
@@ -95,7 +97,7 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 57] = [
+pub(crate) static FORMATS: [Format; 63] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
@@ -104,6 +106,18 @@ pub(crate) static FORMATS: [Format; 57] = [
     json(Kind::ModellingJson, "modelling.json", "modelling", |json| {
         Content::Modelling(Box::new(modelling::read(json)))
     }),
+    json(Kind::ModifierFile, "list of modifiers", "mh1_modifiers", |json| {
+        Content::Modifiers(Box::new(modifier_file::read(json)))
+    }),
+    json(Kind::ModifierTexts, "descriptions of modifiers", "mh1_descriptions", |json| {
+        Content::ModifierTexts(Box::new(modifier_texts::read(json)))
+    }),
+    json(Kind::ModifierSliders, "list of sliders", "mh1_sliders", |json| {
+        Content::Sliders(Box::new(modifier_sliders::read(json)))
+    }),
+    read(Kind::ModifierMapping, "table of older names", Syntax::Text, modifier_mapping),
+    json(Kind::FaceUnits, "face units", "mh1_units", |json| Content::FaceUnits(Box::new(face_units::read(json)))),
+    json(Kind::Language, "language", "mh1_language", |_| Content::Json),
     json(Kind::TargetCategories, "target_cat.json", "target_cat", |json| {
         Content::Categories(Box::new(target_cat::read(json)))
     }),

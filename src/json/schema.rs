@@ -101,11 +101,16 @@ impl Schema {
     }
 }
 
-static SCHEMAS: [Schema; 33] = [
+static SCHEMAS: [Schema; 38] = [
     Schema::new("base", include_str!("../../schemas/base.schema.json")),
     Schema::new("config", include_str!("../../schemas/config.schema.json")),
     Schema::new("geometry", include_str!("../../schemas/geometry.schema.json")),
     Schema::new("macro", include_str!("../../schemas/macro.schema.json")),
+    Schema::new("mh1_descriptions", include_str!("../../schemas/mh1_descriptions.schema.json")),
+    Schema::new("mh1_language", include_str!("../../schemas/mh1_language.schema.json")),
+    Schema::new("mh1_modifiers", include_str!("../../schemas/mh1_modifiers.schema.json")),
+    Schema::new("mh1_sliders", include_str!("../../schemas/mh1_sliders.schema.json")),
+    Schema::new("mh1_units", include_str!("../../schemas/mh1_units.schema.json")),
     Schema::new("mhpose", include_str!("../../schemas/mhpose.schema.json")),
     Schema::new("mhskel", include_str!("../../schemas/mhskel.schema.json")),
     Schema::new("mhw", include_str!("../../schemas/mhw.schema.json")),

@@ -7,6 +7,7 @@ use crate::discover::{Kind, Use, kind_in, owner_of};
 use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::bvh::Motion;
 use crate::formats::face_expression::FaceExpression;
+use crate::formats::face_units::FaceUnits;
 use crate::formats::human_preset::HumanPreset;
 use crate::formats::importer_preset::Makeup;
 use crate::formats::index_table::IndexTable;
@@ -24,6 +25,10 @@ use crate::formats::mhmat::Material;
 use crate::formats::mhpose::Pose;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
+use crate::formats::modifier_file::ModifierFile;
+use crate::formats::modifier_mapping::ModifierMapping;
+use crate::formats::modifier_sliders::ModifierSliders;
+use crate::formats::modifier_texts::ModifierTexts;
 use crate::formats::npz::Archive;
 use crate::formats::obj::Mesh;
 use crate::formats::pack_metadata::PackMetadata;
@@ -158,6 +163,31 @@ impl FileFacts {
     /// The catalogue of sliders, if it is one that could be read.
     pub fn catalog(&self) -> Option<&TargetCatalog> {
         if let Content::Catalog(catalog) = &*self.content { Some(catalog) } else { None }
+    }
+
+    /// The modifiers of `MakeHuman` 1, if they could be read.
+    pub fn modifier_file(&self) -> Option<&ModifierFile> {
+        if let Content::Modifiers(file) = &*self.content { Some(file) } else { None }
+    }
+
+    /// What is said of modifiers of `MakeHuman` 1, if it could be read.
+    pub fn modifier_texts(&self) -> Option<&ModifierTexts> {
+        if let Content::ModifierTexts(texts) = &*self.content { Some(texts) } else { None }
+    }
+
+    /// The sliders of `MakeHuman` 1, if they could be read.
+    pub fn modifier_sliders(&self) -> Option<&ModifierSliders> {
+        if let Content::Sliders(sliders) = &*self.content { Some(sliders) } else { None }
+    }
+
+    /// Older names of modifiers of `MakeHuman` 1, if it is the table of these.
+    pub fn modifier_mapping(&self) -> Option<&ModifierMapping> {
+        if let Content::Mapping(mapping) = &*self.content { Some(mapping) } else { None }
+    }
+
+    /// The names of frames that expressions of `MakeHuman` 1 are made of, if they could be read.
+    pub fn face_units(&self) -> Option<&FaceUnits> {
+        if let Content::FaceUnits(units) = &*self.content { Some(units) } else { None }
     }
 
     /// The parts of the macro settings, if they could be read.

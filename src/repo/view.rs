@@ -156,7 +156,7 @@ impl<'a> View<'a> {
         match self {
             Self::Makehuman2(view) => view.target(file),
             Self::Mpfb(view) => view.target(file),
-            Self::Makehuman1(_) => makehuman1::target(file),
+            Self::Makehuman1(view) => view.target(file),
         }
     }
 
@@ -230,10 +230,10 @@ impl<'a> View<'a> {
     }
 }
 
-/// Of `MakeHuman` 1 the libraries alone are checked so far.
+/// Of `MakeHuman` 1 not all kinds are checked so far.
 const fn looks_at(application: Application, kind: Kind) -> bool {
     match application {
         Application::Makehuman2 | Application::Mpfb => true,
-        Application::Makehuman1 => makehuman1::is_of_library(kind),
+        Application::Makehuman1 => makehuman1::is_checked(kind),
     }
 }

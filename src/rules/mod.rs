@@ -22,6 +22,7 @@ mod mesh;
 mod metadata;
 mod model;
 mod modelling;
+mod modifiers;
 mod numeric;
 mod overlay;
 mod pack;
@@ -65,6 +66,7 @@ static FAMILIES: &[&[&Rule]] = &[
     metadata::RULES,
     model::RULES,
     modelling::RULES,
+    modifiers::RULES,
     numeric::RULES,
     overlay::RULES,
     pack::RULES,

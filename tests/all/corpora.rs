@@ -119,3 +119,35 @@ fn nothing_else_in_makehuman2_is_an_error_or_a_warning() {
     let systematic = said(&report, "macro-missing-combination", "target/hm08/macro.json");
     assert!(systematic.iter().all(|message| message.contains("systematically")), "{systematic:?}");
 }
+
+/// What no modifier moves is told once a folder; all names of modifiers, sliders and descriptions lead somewhere.
+#[test]
+#[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
+fn makehuman1_has_neither_errors_nor_warnings() {
+    let corpus = corpus("makehuman1");
+    let report = report(&corpus, &["data", "--app", "makehuman1"]);
+    let summary = &report["summary"];
+    assert_eq!((summary["error"].as_u64(), summary["warning"].as_u64()), (Some(0), Some(0)), "{summary}");
+    assert!(summary["files"].as_u64() > Some(1_500), "{summary}");
+    let findings = report["findings"].as_array().unwrap();
+    let of = |rule: &str| -> Vec<&serde_json::Value> {
+        findings.iter().filter(|finding| finding["rule"].as_str().unwrap().starts_with(rule)).collect()
+    };
+    let unused: Vec<u64> =
+        of("target-unreferenced").iter().map(|finding| finding["evidence"]["count"].as_u64().unwrap()).collect();
+    assert_eq!(unused, [20, 62, 1, 102]);
+    assert_eq!(of("modifiers-").len() + of("skeleton-").len() + of("target-m").len(), 0);
+}
+
+#[test]
+#[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
+fn rigs_of_the_assets_fit_the_base_skeleton_of_makehuman1() {
+    let data = corpus("makehuman1").join("data");
+    let report = report(&corpus("makehuman-assets"), &[".", "--app", "makehuman1", "--system", data.to_str().unwrap()]);
+    let findings = report["findings"].as_array().unwrap().iter();
+    let of_rigs = findings.filter(|finding| finding["rule"].as_str().unwrap().starts_with("skeleton-"));
+    let said: Vec<(&str, &str)> =
+        of_rigs.map(|finding| (finding["level"].as_str().unwrap(), finding["rule"].as_str().unwrap())).collect();
+    // `toe1-3` is in all of them and in no base skeleton; nothing is lost by it.
+    assert_eq!(said, [("info", "skeleton-unknown-reference"); 3]);
+}

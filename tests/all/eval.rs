@@ -85,7 +85,7 @@ fn errors_name_the_nearest() {
     assert!(error_of(&["mesh", DATA, "--base", "figur"]).contains("did you mean `figure`?"));
     assert!(error_of(&["macros", DATA, "--set", "Gender"]).contains("NAME=VALUE"));
     assert!(error_of(&["macros", DATA, "--set", "Gender=much"]).contains("not a number"));
-    assert!(error_of(&["mesh", "fixtures/rules"]).contains("contains no MakeHuman 2 or MPFB data"));
+    assert!(error_of(&["mesh", "fixtures/rules"]).contains("contains no MakeHuman 2, MakeHuman 1 or MPFB data"));
     assert!(error_of(&["mesh", "nowhere"]).contains("nowhere"));
     assert!(error_of(&["mesh", DATA, "-o", "nowhere/out.obj"]).contains("folder `nowhere` does not exist"));
 }
@@ -342,19 +342,66 @@ fn reference_files_agree_within_their_tolerances() {
     for entry in fs::read_dir(&reference).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();
-        let is_computed = ["mh2_", "mpfb_"].iter().any(|kind| name.starts_with(kind));
+        let is_computed = ["mh2_", "mh1_", "mpfb_"].iter().any(|kind| name.starts_with(kind));
         if is_computed && path.extension().is_some_and(|ending| ending == "json") {
             files.insert(name, path);
         }
     }
-    assert!(!files.is_empty(), "no mh2_*.json or mpfb_*.json in {}", reference.display());
+    assert!(!files.is_empty(), "no mh2_*.json, mh1_*.json or mpfb_*.json in {}", reference.display());
     let root = |name: &str| format!("{name}={}", corpus(name).display());
     for (name, path) in files {
-        let roots = ["makehuman2", "makehuman-assets", "mpfb"].map(root);
+        let roots = ["makehuman2", "makehuman1", "makehuman-assets", "mpfb"].map(root);
         let given = roots.iter().flat_map(|root| ["--root", root]);
         let output = eval(&["cases", text(&path), "--compare"].into_iter().chain(given).collect::<Vec<_>>());
         assert_eq!(output.status.code(), Some(0), "{name}\n{}", stdout(&output));
     }
+}
+
+const MAKEHUMAN1: &str = "fixtures/makehuman1/data";
+
+/// Each of the races has a third, and the genders a half: six targets of the young, each with a sixth.
+#[test]
+fn macros_of_makehuman1_are_products_of_variables() {
+    let outputs = json_of(&eval(&["macros", MAKEHUMAN1]))["outputs"].clone();
+    assert_eq!(outputs["variables"]["young"], json!(1.0));
+    assert_eq!(outputs["targets"].as_object().unwrap().len(), 6);
+    assert_eq!(outputs["targets"]["macrodetails/asian-female-young.target"], json!(0.166_666_7));
+    let set = ["--set", "macrodetails/Age=0", "--set", "macrodetails/African=9", "--set", "macrodetails/Asian=0"];
+    let outputs = json_of(&eval(&[&["macros", MAKEHUMAN1][..], &set].concat()))["outputs"].clone();
+    // The third that was not set counts with a third of its own.
+    assert_eq!(outputs["variables"]["african"], json!(0.75));
+    assert_eq!(outputs["targets"]["macrodetails/african-male-baby.target"], json!(0.375));
+}
+
+#[test]
+fn sliders_of_makehuman1_end_at_their_range() {
+    let at = |value: &str| {
+        let set = format!("head/head-size-decr|incr={value}");
+        json_of(&eval(&["mesh", MAKEHUMAN1, "--set", &set, "--format", "json"]))["outputs"]["bbox"].clone()
+    };
+    assert_eq!(at("1"), at("5"));
+    assert_ne!(at("1"), at("-1"));
+    assert_ne!(at("0"), at("-1"));
+    let unknown = error_of(&["mesh", MAKEHUMAN1, "--set", "head/head-size-incr=1"]);
+    assert!(unknown.contains("did you mean `head/head-size-decr|incr`?"), "{unknown}");
+    assert!(json_of(&eval(&["skeleton", MAKEHUMAN1]))["outputs"]["bones"]["head"]["length"].as_f64() > Some(0.1));
+}
+
+/// Such cases stand as lists.
+#[test]
+fn groups_of_targets_are_compared_and_filled_in() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("cases.json");
+    let run = |case: &str, how: &[&str]| {
+        fs::write(&file, format!(r#"{{"kind": "mh1_target_groups", "cases": [{case}]}}"#)).unwrap();
+        let output = eval(&[&["cases", text(&file)][..], how].concat());
+        (output.status.code(), stdout(&output))
+    };
+    let right = r#"["head/head-old_incr.target", ["head", "head", "incr"], {"age": "old"}]"#;
+    assert_eq!(run(right, &["--compare"]).0, Some(0));
+    assert_eq!(run(&right.replace("\"incr\"", "\"decr\""), &["--compare"]).0, Some(1));
+    let filled = run(r#"["head/head-old_incr.target", [], {}]"#, &[]).1;
+    assert!(filled.contains(r#"["head/head-old_incr.target", ["head","head","incr"], {"age":"old"}]"#), "{filled}");
 }
 
 const MPFB: &str = "fixtures/mpfb/data";

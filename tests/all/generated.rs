@@ -71,6 +71,7 @@ fn about(family: &str) -> &'static str {
         "metadata" => "what MPFB knows of its base mesh besides the OBJ (`mesh_metadata/`)",
         "model" => "saved characters (`.mhm`)",
         "modelling" => "sliders: `modelling.json` and `target_cat.json`",
+        "modifiers" => "modifiers of MakeHuman 1 (`*_modifiers.json`) with their descriptions and sliders",
         "numeric" => "the evaluated figure: shapes, joints and weights over the range of the sliders",
         "overlay" => "user data over system data",
         "pack" => "zips of assets as MakeHuman 2 and MPFB import them, and the lists of packs of MPFB",

@@ -99,8 +99,13 @@ fn weights_are_checked_as_makehuman_1_reads_them() {
     let tree = Tree::in_memory("", files.map(|(path, text)| (path.to_owned(), text.into_bytes())));
     let config = mhlint::Config { only: vec!["weights".to_owned()], ..mhlint::Config::default() };
     let outcome = trial::lint_trees(&[mhlint::Application::Makehuman1], vec![tree], None, &config).unwrap();
-    let expected =
-        ["clothes/hat/hat.mhw:1:104: warning[weights-negative] bone `tip` has the negative weight -0.25 for vertex 1"];
+    let expected = [
+        "clothes/hat/hat.mhw:1:104: warning[weights-negative] bone `tip` has the negative weight -0.25 for vertex 1",
+        "rigs/default_weights.mhw:1:96: warning[weights-unknown-bone] bone `tip` does not exist in the skeleton",
+        "rigs/default_weights.mhw:1:104: warning[weights-negative] bone `tip` has the negative weight -0.25 for vertex 1 \
+         (`body`, near `root`)",
+        "rigs/old.mhw: warning[weights-unbound] no skeleton of base `hm08` uses these weights",
+    ];
     assert_eq!(concise(&outcome), expected);
 }
 

@@ -53,7 +53,15 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
 fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
     let kind = match parts {
         ["3dobjs", "base.obj"] => Kind::BaseMesh,
-        ["targets" | "custom", .., file] if extension(file) == "target" => Kind::Target,
+        // Users have some in `custom` alone, where capitals count; the program has them anywhere in its data.
+        ["custom", .., file] if extension(file) == "target" => Kind::Target,
+        [folder, .., file] if *folder != "custom" && extension(file).eq_ignore_ascii_case("target") => Kind::Target,
+        ["modifiers", file] if file.ends_with("_modifiers.json") => Kind::ModifierFile,
+        ["modifiers", file] if file.ends_with("_modifiers_desc.json") => Kind::ModifierTexts,
+        ["modifiers", file] if file.ends_with("_sliders.json") => Kind::ModifierSliders,
+        ["modifiers", MAPPING] => Kind::ModifierMapping,
+        ["poseunits", "face-poseunits.json"] => Kind::FaceUnits,
+        ["languages", file] if extension(file) == "json" => Kind::Language,
         ["rigs", .., file] if extension(file) == "mhw" => Kind::Weights,
         [_, .., file] if SHADER_FILES.iter().any(|ending| file.ends_with(ending)) => Kind::ShaderSource,
         [folder, .., file] => match Kind::by_extension(file) {
@@ -99,10 +107,14 @@ fn single(rel: &str) -> Option<Single> {
     match name {
         Some("african" | "asian" | "caucasian") => Some(Single::SkinPicture),
         _ if rel == "skins/default.mhmat" => Some(Single::FirstSkin),
+        _ if matches!(rel, "rigs/default.mhskel" | "rigs/default_weights.mhw") => Some(Single::FirstRig),
         _ if extension(rel) == "thumb" => Some(Single::Thumbnail),
         _ => None,
     }
 }
+
+/// The names of modifiers in older models.
+const MAPPING: &str = "mh_1-0_modifier_mapping.csv";
 
 /// The folder of what stands for the body.
 const TOPOLOGIES: &str = "proxymeshes";
@@ -147,8 +159,15 @@ mod tests {
             ("custom/mine/a.target", Kind::Target),
             ("custom/a.TARGET", Kind::Other),
             ("targets/a.target.gz", Kind::Other),
-            ("clothes/a/a.target", Kind::Other),
-            ("modifiers/modeling_modifiers.json", Kind::Json),
+            ("clothes/a/a.target", Kind::Target),
+            ("targets/a.TARGET", Kind::Target),
+            ("modifiers/modeling_modifiers.json", Kind::ModifierFile),
+            ("modifiers/modeling_modifiers_desc.json", Kind::ModifierTexts),
+            ("modifiers/modeling_sliders.json", Kind::ModifierSliders),
+            ("modifiers/mh_1-0_modifier_mapping.csv", Kind::ModifierMapping),
+            ("modifiers/old/modeling_modifiers.json", Kind::Json),
+            ("poseunits/face-poseunits.json", Kind::FaceUnits),
+            ("languages/german.json", Kind::Language),
             ("rigs/default.mhskel", Kind::Skeleton),
             ("rigs/default_weights.mhw", Kind::Weights),
             ("hair/a/a.mhw", Kind::AssetWeights),

@@ -85,6 +85,8 @@ pub(crate) enum Single {
     SkinPicture,
     /// The skin that MakeHuman 1 starts with.
     FirstSkin,
+    /// The skeleton that MakeHuman 1 starts with, and its usual weights.
+    FirstRig,
     /// What a library shows for an asset.
     Thumbnail,
 }

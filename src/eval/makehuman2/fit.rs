@@ -5,10 +5,10 @@
 use super::super::error::EvalError;
 use super::super::fit::{Reference, ScaleLine};
 use super::super::influences::Influences;
+use super::super::load::{WEIGHT_LIMIT, load};
 use super::super::mesh::point;
 use super::super::vector::{Point, Vec3};
 use super::super::weights::{Entry, LoadedWeights, merge_duplicates};
-use super::weights::{WEIGHT_LIMIT, load};
 
 /// Distances below this give no scale, and then the asset is not scaled at all. In mesh units.
 pub const SMALLEST_DISTANCE: f32 = 0.01;
@@ -34,7 +34,7 @@ pub fn axis_scales(positions: &[Point], lines: [Option<ScaleLine>; 3]) -> Result
 }
 
 /// Weights of an asset without own weights: body weights times reference weights, products not above `WEIGHT_LIMIT`
-/// dropped, then as `weights::load`, then entries of one vertex added up. Vertices left without weight go to `root`.
+/// dropped, then as `load::load`, then entries of one vertex added up. Vertices left without weight go to `root`.
 ///
 /// # Errors
 /// None that data can cause: references outside `body` have no weights.

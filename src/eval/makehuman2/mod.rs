@@ -1,4 +1,4 @@
-//! The formulas of MakeHuman 2: macros, joints, rest pose, weights as loaded and as moved to other skeletons, and what
+//! The formulas of MakeHuman 2: macros, joints, rest pose, weights as moved to other skeletons, and what
 //! it adds to fitting.
 
 pub mod budget;
@@ -11,7 +11,6 @@ pub mod macro_survey;
 pub mod macro_table;
 pub mod rest;
 pub mod transfer;
-pub mod weights;
 
 pub use macro_eval::MacroResult;
 pub use macro_table::{MacroError, MacroTable};

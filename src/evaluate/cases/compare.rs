@@ -2,7 +2,7 @@
 //!
 //! Lists of names come in no particular order and are compared by name.
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::inputs;
 use super::roots::use_of;
@@ -60,12 +60,13 @@ pub(super) fn compare(kind: &Kind, case: &Node, report: &CaseReport) -> Comparis
     };
     let scale = inputs::field(case, "scale_factor").and_then(Node::as_f64).unwrap_or(1.0);
     let mut comparer = Comparer { kind, of_asset: is_of_asset(kind, case), scale, comparison };
+    let is_list = case.is_array();
     if let Ok(found) = &report.outputs {
-        match case.get("outputs").map(|node| node.plain(&Value::Null)) {
+        match expected(case) {
             Some(Value::Object(expected)) if !expected.is_empty() => {
                 for (key, expected) in &expected {
-                    match found.get(key) {
-                        Some(found) => comparer.field(key, expected, found),
+                    match found.get(key).map(|found| if is_list { in_order(found) } else { found.clone() }) {
+                        Some(found) => comparer.field(key, expected, &found),
                         None => comparer.differ(format!("`{key}` is expected, but not computed")),
                     }
                 }
@@ -77,6 +78,21 @@ pub(super) fn compare(kind: &Kind, case: &Node, report: &CaseReport) -> Comparis
         }
     }
     comparer.comparison
+}
+
+/// The outputs of a case. One that is a list has its input first, then the key of a group and the values behind it.
+fn expected(case: &Node) -> Option<Value> {
+    let plain = |node: &Node| node.plain(&Value::Null);
+    match case.elements() {
+        [_, key, values] => Some(json!({ "key": in_order(&plain(key)), "values": plain(values) })),
+        _ => case.get("outputs").map(plain),
+    }
+}
+
+/// Words whose order counts, as one.
+fn in_order(words: &Value) -> Value {
+    let all = words.as_array().map(|words| words.iter().filter_map(Value::as_str).collect::<Vec<_>>());
+    all.map_or_else(|| words.clone(), |all| Value::from(all.join("-")))
 }
 
 /// Weights for the mesh of an asset may have an entry more or less at the threshold.

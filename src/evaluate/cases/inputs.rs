@@ -28,6 +28,10 @@ pub(super) fn cases(root: &Node) -> &[Node] {
 
 /// Base, rig and name of a case.
 pub(super) fn title(case: &Node) -> String {
+    // Cases of one input stand as lists that begin with it.
+    if let Some(first) = case.elements().first().and_then(Node::as_str) {
+        return first.to_owned();
+    }
     let text = |key| case.get(key).and_then(Node::as_str);
     let parts: Vec<&str> = [text("base"), text("kind"), text("name")].into_iter().flatten().collect();
     if parts.is_empty() { "(unnamed case)".to_owned() } else { parts.join(" ") }

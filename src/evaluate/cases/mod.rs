@@ -144,6 +144,13 @@ impl CaseRun<'_> {
                 Ok(outputs) => outputs.clone(),
                 Err(error) => super::object([("error", Value::from(error.to_string()))]),
             };
+            if let [_, key, .., last] = case.elements() {
+                let of = |name: &str| outputs.get(name).cloned().unwrap_or(Value::Null).to_string();
+                out.extend_from_slice(self.text.get(from..key.span.start).unwrap_or_default());
+                out.extend_from_slice(format!("{}, {}", of("key"), of("values")).as_bytes());
+                from = last.span.end;
+                continue;
+            }
             let text = Value::Object(outputs).to_string();
             let (to, next, text) = match case.get("outputs") {
                 Some(old) => (old.span.start, old.span.end, text),

@@ -41,13 +41,19 @@ impl Roots {
         Ok(inside(self.folder(application.word())?, DATA))
     }
 
-    /// Where a file of a case is. The name may end in ` (NAME)`; without, files of the assets begin with `base/`.
+    /// Where a file of a case of MakeHuman 2 is.
     pub(in crate::evaluate) fn file(&self, written: &str) -> Result<PathBuf, Error> {
+        self.file_of(written, Application::Makehuman2)
+    }
+
+    /// Where a file of a case is. The name may end in ` (NAME)`; without, files of the assets begin with `base/`, and all
+    /// others are those of the application.
+    pub(in crate::evaluate) fn file_of(&self, written: &str, application: Application) -> Result<PathBuf, Error> {
         let marked = written.strip_suffix(')').and_then(|text| text.rsplit_once(" ("));
         let (path, name) = match marked {
             Some((path, name)) => (path, name),
             None if written.starts_with("base/") => (written, "makehuman-assets"),
-            None => (written, "makehuman2"),
+            None => (written, application.word()),
         };
         let mut parts = Vec::new();
         for part in Path::new(path).components() {

@@ -1,6 +1,42 @@
-//! How files of MakeHuman 1 become the arrays that are evaluated: so far those of what is worn.
+//! How files of MakeHuman 1 become the arrays that are evaluated, and its kinds of cases.
 
 mod asset;
+pub(super) mod base;
+pub(super) mod cases;
+pub(super) mod macros;
+pub(super) mod skeleton;
+mod weights;
 pub(super) mod worn;
 
 pub use asset::{Asset, read_asset};
+pub(super) use weights::posing_weights;
+pub use weights::{loaded, remapped, weight_references};
+
+use super::gauge::gauge;
+use super::{Error, Rows};
+use crate::config::Config;
+use crate::diag::Application;
+use crate::eval::error::EvalError;
+use crate::eval::measures::Measures;
+use crate::repo::Layers;
+use crate::repo::makehuman1::View;
+
+/// Whose files these are.
+const OWN: Application = Application::Makehuman1;
+
+/// Measures the body with what it wears, taking the rows of its targets out of `rows`.
+pub(super) fn measure(layers: Layers<'_>, rows: &mut Rows, options: &Config) -> Measures {
+    let view = View::connect(layers);
+    let worn = worn::measure(layers);
+    let measured = base::compose(&view, rows).map(|composed| gauge(&composed, options)).unwrap_or_default();
+    Measures { worn, ..measured }
+}
+
+/// Data that stop the application, as Python says it.
+fn stops(exception: &'static str, reason: String) -> Error {
+    Error::Stops { application: OWN, exception, reason }
+}
+
+fn stopped(error: EvalError) -> Error {
+    Error::index(OWN, error)
+}

@@ -66,7 +66,7 @@ fn weights(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Ou
     let count = inputs::count(case, "vertex_count")?;
     of.work += count.min(MOST_VERTICES);
     if let Some(lists) = inputs::field(case, "weights").filter(|lists| lists.as_str().is_none()) {
-        return Ok(weight_lists_json(&inline(lists)?.load(root, count)?));
+        return Ok(weight_lists_json(&inline_weights(lists)?.load(root, count)?));
     }
     let written = inputs::text(case, "file")?;
     let path = of.roots.file(written)?;
@@ -140,7 +140,7 @@ fn is_asset(path: &Path) -> bool {
 }
 
 /// The `weights` object of a weights file that stands in the case itself.
-fn inline(node: &Node) -> Result<WeightLists, Error> {
+pub(in crate::evaluate) fn inline_weights(node: &Node) -> Result<WeightLists, Error> {
     let stop = |exception, reason| Err(stops(exception, reason));
     if !node.is_object() {
         return stop("AttributeError", "`weights` is not an object".to_owned());

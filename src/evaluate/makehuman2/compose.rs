@@ -7,11 +7,11 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::references::Giver;
+use crate::eval::load::load;
 use crate::eval::macros::Macros;
 use crate::eval::makehuman2::MacroTable;
 use crate::eval::makehuman2::macro_def::{Blend, Component, Macrodef, Slider};
 use crate::eval::makehuman2::rest::hierarchy;
-use crate::eval::makehuman2::weights::load;
 use crate::eval::measures::Received;
 use crate::eval::proportion::extent;
 use crate::eval::scene::{MorphTarget, Scene, SceneSlider, SliderKind};

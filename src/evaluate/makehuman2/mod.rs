@@ -11,6 +11,7 @@ pub(super) mod weights;
 pub(super) mod worn;
 
 pub use asset::{Asset, read_asset};
+pub(super) use cases::inline_weights;
 pub use macros::macros_json;
 pub use skeleton::read_skeleton;
 pub use weights::{WeightLists, read_weights, to_mhw, transferred};

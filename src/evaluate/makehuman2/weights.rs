@@ -7,7 +7,7 @@ use super::compose::first_places;
 use super::references::through_references;
 use super::{stopped, stops};
 use crate::eval::influences::{Influences, Reduction};
-use crate::eval::makehuman2::weights::load;
+use crate::eval::load::load;
 use crate::eval::weights::{BoneWeights, Entry, LoadedWeights};
 use crate::evaluate::Error;
 use crate::evaluate::data::{NamedWeights, SkeletonFile};

@@ -1,10 +1,15 @@
-//! The data of `MakeHuman` 1 as it sees them. Connected so far: its libraries, which are what is worn with its materials
-//! and weights, skins, and poses.
+//! The data of `MakeHuman` 1 as it sees them. Connected so far: its targets with the modifiers and
+//! sliders that move them, its libraries, which are what is worn with its materials and weights, skins, and poses.
 
 mod library;
+mod modifiers;
+mod rigs;
+mod search;
 mod surfaces;
+mod targets;
 mod view;
 
 pub(crate) use library::Asset;
-pub(in crate::repo) use view::target;
-pub(crate) use view::{HIDDEN, View, is_of_library, mesh, shows, worn};
+pub(crate) use modifiers::{KnownModifier, SETS, VARIABLES, category};
+pub(crate) use targets::{NamedTarget, PathClash};
+pub(crate) use view::{HIDDEN, View, is_checked, mesh, shows, worn};

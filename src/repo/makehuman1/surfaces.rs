@@ -2,15 +2,14 @@
 
 use std::collections::BTreeSet;
 
+use super::search::Search;
 use super::view::OWN;
 use crate::diag::Place;
 use crate::discover::{Kind, SHADER_FILES, library_of};
 use crate::formats::mhmat::{Line, Material, Value, Word};
 use crate::formats::shader_source::Shape;
-use crate::repo::path::resolve;
 use crate::repo::surface::{Picture, Shader};
-use crate::repo::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, Surface, Wearer, Worn, parent};
-use crate::source::normalized;
+use crate::repo::{Layers, Reference, ReferenceKind, Resolution, Surface, Wearer, Worn};
 
 /// The keywords of pictures that it reads, each of which the last line counts.
 const PICTURES: [&str; 7] = [
@@ -40,7 +39,7 @@ pub(super) fn read<'a>(layers: Layers<'a>, worn: &[Worn<'a>]) -> (Vec<Reference<
                 None if named.contains(file.path.as_str()) => Wearer::Asset,
                 None => Wearer::Choice,
             };
-            let search = Search { layers, layer, file, base };
+            let search = Looked { search: Search { layers, layer, file }, base };
             let shader = material.last("shader").and_then(|line| search.shader(line));
             let references = search.references(material, shader.as_ref());
             surfaces.push(search.surface(material, wearer, &references, shader));
@@ -51,14 +50,12 @@ pub(super) fn read<'a>(layers: Layers<'a>, worn: &[Worn<'a>]) -> (Vec<Reference<
 }
 
 /// A material with all that is asked for the files it names.
-struct Search<'a> {
-    layers: Layers<'a>,
-    layer: &'a Layer,
-    file: &'a FileFacts,
+struct Looked<'a> {
+    search: Search<'a>,
     base: &'a str,
 }
 
-impl<'a> Search<'a> {
+impl<'a> Looked<'a> {
     fn references(&self, material: &'a Material, shader: Option<&Shader<'a>>) -> Vec<Reference<'a>> {
         let picture = |keyword: &'static str| {
             let word = material.last(keyword)?.words.first()?;
@@ -76,8 +73,8 @@ impl<'a> Search<'a> {
     }
 
     fn reference(&self, kind: ReferenceKind, word: &'a Word, owner: &'a str) -> Reference<'a> {
-        let (rel, resolution) = self.find(&word.text);
-        let (base, from, place, text) = (self.base, self.file, Place::Span(word.span.clone()), &*word.text);
+        let (rel, resolution) = self.search.find(&word.text);
+        let (base, from, place, text) = (self.base, self.search.file, Place::Span(word.span.clone()), &*word.text);
         Reference { kind, base, from, place, text, owner, folder_at_fault: None, rel, resolution }
     }
 
@@ -92,16 +89,16 @@ impl<'a> Search<'a> {
         let pictures = PICTURES.iter().filter_map(|keyword| Some((*keyword, of(keyword)?))).collect();
         let named = parameters(material, shader.as_ref()).filter_map(|(name, _)| Some((name, of(name)?)));
         let parameters = named.collect();
-        let of_system = self.layers.system.is_some_and(|system| std::ptr::eq(system, self.layer));
-        let is_first = of_system && self.file.rel == DEFAULT_SKIN;
+        let of_system = self.search.layers.system.is_some_and(|system| std::ptr::eq(system, self.search.layer));
+        let is_first = of_system && self.search.file.rel == DEFAULT_SKIN;
         let litsphere = of(LITSPHERE);
-        let (application, file) = (OWN, self.file);
+        let (application, file) = (OWN, self.search.file);
         Surface { application, file, material, wearer, is_first, pictures, litsphere, parameters, shader }
     }
 
     fn shader(&self, line: &'a Line) -> Option<Shader<'a>> {
         let word = line.words.first()?;
-        let all = SHADER_FILES.map(|ending| self.find(&format!("{}{ending}", word.text)).1);
+        let all = SHADER_FILES.map(|ending| self.search.find(&format!("{}{ending}", word.text)).1);
         let found = |one: &Resolution<'a>| if let Resolution::Found(file) = one { Some(*file) } else { None };
         let files = all.iter().filter_map(found).collect();
         Some(Shader {
@@ -111,46 +108,6 @@ impl<'a> Search<'a> {
             // A path from the root of a disk is that of its author.
             is_open: all.iter().any(|one| is_open(one) && !matches!(one, Resolution::Absolute)),
         })
-    }
-
-    /// The first place with the file; without one, the place that comes nearest to it.
-    fn find(&self, text: &str) -> (String, Resolution<'a>) {
-        let mut nearest: Option<(String, Resolution<'a>)> = None;
-        for (layer, rel, text) in self.places(text) {
-            let resolution = resolve(&[layer], text, &rel);
-            let found = (normalized(&rel).unwrap_or(rel), resolution);
-            if matches!(resolution, Resolution::Found(_)) {
-                return found;
-            }
-            // Nobody who writes `../x.png` means a file beside the data folder.
-            if nearest.is_some() && matches!(resolution, Resolution::Escapes) {
-                continue;
-            }
-            if nearest.as_ref().is_none_or(|(_, other)| resolution.distance() < other.distance()) {
-                nearest = Some(found);
-            }
-        }
-        let (rel, resolution) = nearest.unwrap_or((String::new(), Resolution::Missing));
-        let resolution = resolution.in_pack(&[self.layer], self.file, text);
-        // Pictures are in folders of the system data, never at its top.
-        let could_be_there = text.contains('/') && !text.starts_with('.');
-        let is_open = self.layers.system.is_none() && could_be_there && matches!(resolution, Resolution::Missing);
-        if is_open {
-            return (text.strip_prefix("data/").unwrap_or(text).to_owned(), Resolution::NeedsSystem);
-        }
-        (rel, resolution)
-    }
-
-    /// The folder of the material, then the data of the user and of the system; at last the same without `data/` in front.
-    fn places<'w>(&self, text: &'w str) -> Vec<(&'a Layer, String, &'w str)> {
-        let own = parent(&self.file.rel);
-        let mut places = Vec::new();
-        for text in [Some(text), text.strip_prefix("data/")].into_iter().flatten() {
-            places.push((self.layer, format!("{own}/{text}"), text));
-            let shared = self.layers.strongest_first().chain(self.layers.beside);
-            places.extend(shared.map(|layer| (layer, text.to_owned(), text)));
-        }
-        places
     }
 }
 

@@ -2,16 +2,19 @@
 
 use std::collections::BTreeSet;
 
+use super::modifiers::Modifiers;
+use super::rigs::rigs;
+use super::targets::Targets;
 use super::{Asset, surfaces};
 use crate::diag::Application;
 use crate::discover::{Kind, library_of};
 use crate::formats::obj::Mesh;
-use crate::repo::{Body, FileFacts, Layers, References, Rig, Surface, Target, Worn, parent};
+use crate::repo::{
+    Body, BodyWeights, FileFacts, Layers, ReferenceKind, References, Rig, Surface, Target, WeightsUse, Worn, parent,
+};
 
 /// Whose uses of a file count here.
 pub(super) const OWN: Application = Application::Makehuman1;
-/// The skeleton that poses the body, which only the system has.
-const POSED: &str = "rigs/default.mhskel";
 /// The one base mesh.
 const BODY: &str = "hm08";
 
@@ -24,7 +27,7 @@ pub(crate) struct View<'a> {
     pub references: References<'a>,
     /// The base mesh, if it can be read.
     pub(crate) mesh: Option<(&'a FileFacts, &'a Mesh)>,
-    /// The skeleton of the body, without its weights.
+    /// The skeletons of all layers.
     rigs: Vec<Rig<'a>>,
     /// The groups of the body that are shown.
     shown: BTreeSet<String>,
@@ -32,16 +35,28 @@ pub(crate) struct View<'a> {
     pub(in crate::repo) worn: Vec<Worn<'a>>,
     /// The materials.
     pub(in crate::repo) surfaces: Vec<Surface<'a>>,
+    /// The targets that the program finds.
+    pub(crate) targets: Targets<'a>,
+    /// What its sliders move.
+    pub(crate) modifiers: Modifiers<'a>,
 }
 
 /// What names of groups begin with that are not shown (§1).
 pub(crate) const HIDDEN: [&str; 2] = ["joint-", "helper-"];
 
-/// Whether files of this kind are checked so far: those of libraries, and the body that wears them.
-pub(crate) const fn is_of_library(kind: Kind) -> bool {
+/// Whether files of this kind are checked so far.
+pub(crate) const fn is_checked(kind: Kind) -> bool {
     matches!(
         kind,
         Kind::BaseMesh
+            | Kind::Target
+            | Kind::ModifierFile
+            | Kind::ModifierTexts
+            | Kind::ModifierSliders
+            | Kind::ModifierMapping
+            | Kind::Language
+            | Kind::Skeleton
+            | Kind::Weights
             | Kind::Clothes
             | Kind::Material
             | Kind::AssetMesh
@@ -57,23 +72,56 @@ pub(crate) const fn is_of_library(kind: Kind) -> bool {
 impl<'a> View<'a> {
     /// Connects layers.
     pub(crate) fn connect(layers: Layers<'a>) -> Self {
-        let system = || layers.system.into_iter().flat_map(|layer| layer.files.values());
-        let rig = system().find(|file| file.rel == POSED);
-        let rigs = rig.map(|file| Rig { file, weights: None, is_default: true, is_found: true });
+        let rigs = rigs(layers);
         let worn = worn(layers);
         let (mut references, surfaces) = surfaces::read(layers, &worn);
+        references.extend(rigs.iter().filter_map(|rig| rig.weights.clone()));
         references.extend(worn.iter().flat_map(|worn| worn.references.iter().flatten()).cloned());
         let mesh = mesh(layers);
+        let targets = Targets::of(layers);
+        let modifiers = Modifiers::of(layers, &targets);
         let groups = mesh.iter().flat_map(|(_, mesh)| &mesh.groups).map(|group| &group.name);
         Self {
             layers,
             references: References::new(references),
             shown: groups.filter(|name| shows(name)).cloned().collect(),
             mesh,
-            rigs: rigs.into_iter().collect(),
+            rigs,
             worn,
             surfaces,
+            modifiers,
+            targets,
         }
+    }
+
+    /// The targets of the checked layer that the program finds.
+    fn own_targets(&self) -> Vec<Target<'a>> {
+        let custom = self.targets.custom.iter().map(|one| custom_target(one.file));
+        let shipped = self.targets.shipped.iter().enumerate().map(|(place, one)| self.shipped(place, one.file));
+        custom.chain(shipped).filter(|target| self.layers.is_checked(target.file)).collect()
+    }
+
+    fn shipped<'v>(&self, place: usize, file: &'v FileFacts) -> Target<'v> {
+        let used_as = self.modifiers.uses.get(&place).copied();
+        let is_unused = used_as.is_none() && self.modifiers.is_whole() && !self.targets.is_packed;
+        Target { file, folder: parent(&file.rel), used_as, is_unused, packed_in: None }
+    }
+
+    /// Weights of a skeleton, named by one or not.
+    fn weights<'v>(&self, file: &'v FileFacts) -> BodyWeights<'v> {
+        let named = self.rigs.iter().filter_map(|rig| rig.weights.as_ref());
+        let is_named = named.clone().any(|named| named.meant().is_some_and(|found| found.path == file.path));
+        // A skeleton that cannot be read, or a name that leads nowhere, may mean any.
+        let is_clear = self.rigs.iter().all(|rig| rig.skeleton().is_some_and(|one| !one.weights_file_misshapen));
+        let can_tell = is_clear && self.base_rig().is_some() && named.into_iter().all(|one| one.meant().is_some());
+        let used = if is_named || !can_tell { WeightsUse::Applied } else { WeightsUse::Unread };
+        BodyWeights { file, name: Some(file.rel.strip_prefix("rigs/").unwrap_or(&file.rel)), used }
+    }
+
+    /// What is known of a target of the checked layer.
+    pub(in crate::repo) fn target<'v>(&'v self, file: &'v FileFacts) -> Target<'v> {
+        let place = self.targets.place(&file.rel).filter(|_| self.layers.checks_system());
+        place.map_or_else(|| custom_target(file), |place| self.shipped(place, file))
     }
 
     /// The name of the base mesh, if there is one.
@@ -81,19 +129,33 @@ impl<'a> View<'a> {
         self.mesh.and_then(|(file, _)| file.base_in(OWN))
     }
 
-    /// The body, also where its mesh is not at hand. Of its own weights, and of its targets, nothing is told so far.
+    /// The body, also where its mesh is not at hand.
     pub(in crate::repo) fn body<'v>(&'v self, view: &'v crate::repo::View<'v>) -> Body<'v> {
-        let mut body = Body::new(BODY, view, Vec::new());
+        let mut body = Body::new(BODY, view, self.own_targets());
         body.mesh = self.mesh;
         body.obj = self.mesh;
         body.visible_groups = self.mesh.map(|_| &self.shown);
         body.rigs = &self.rigs;
         body.worn = &self.worn;
+        // On a mesh that stops the program nobody counts vertices.
+        let is_sound = self.mesh.is_none_or(|(_, mesh)| mesh.is_sound());
+        let weights = view.files().filter(|file| is_sound && file.kind == Kind::Weights);
+        body.weights = weights.map(|file| self.weights(file)).collect();
         body.add_worn_weights(view.files().filter(|file| file.kind == Kind::AssetWeights));
         body.is_open = self.layers.system.is_none();
         let listed = view.files().filter(|file| file.kind == Kind::Motion && library_of(&file.rel).is_some());
         body.motions = listed.filter_map(|file| Some((file, file.motion()?))).collect();
         body
+    }
+
+    /// The skeletons of all layers, strongest first.
+    pub(crate) fn rigs(&self) -> &[Rig<'a>] {
+        &self.rigs
+    }
+
+    /// The skeleton that poses the body.
+    pub(crate) fn base_rig(&self) -> Option<&Rig<'a>> {
+        self.rigs.iter().find(|rig| rig.is_default)
     }
 
     /// What is worn and listed, of all layers, strongest first.
@@ -110,6 +172,12 @@ impl<'a> View<'a> {
     pub(crate) fn surfaces(&self) -> &[Surface<'a>] {
         &self.surfaces
     }
+}
+
+/// One of the user, which has a slider of its own.
+fn custom_target(file: &FileFacts) -> Target<'_> {
+    let used_as = Some(ReferenceKind::Incr);
+    Target { file, folder: parent(&file.rel), used_as, is_unused: false, packed_in: None }
 }
 
 /// What the body can wear, of all layers.
@@ -132,9 +200,4 @@ pub(crate) fn mesh(layers: Layers<'_>) -> Option<(&FileFacts, &Mesh)> {
 /// Whether a group of the base mesh is shown.
 pub(crate) fn shows(group: &str) -> bool {
     !HIDDEN.iter().any(|start| group.starts_with(start))
-}
-
-/// What is known of a target of the checked layer.
-pub(in crate::repo) fn target(file: &FileFacts) -> Target<'_> {
-    Target { file, folder: parent(&file.rel), used_as: None, is_unused: false, packed_in: None }
 }

@@ -1,6 +1,6 @@
 //! A JSON must fit the schema of its format.
 
-use super::super::cause::consequence::of_value;
+use super::super::cause::consequence::{is_accepted, of_value};
 use super::super::cause::schema::{has_own_rule, stands_for};
 use super::super::cause::{counts_as_missing, is_ignored_override};
 use super::super::{Check, Rule, RuleCx};
@@ -17,7 +17,7 @@ use crate::repo::{FileFacts, View};
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "crashes when it uses the value, usually at start with `TypeError` or `KeyError`"),
-        (Makehuman1, "does not put on the asset that uses these weights"),
+        (Makehuman1, "fails where it uses the value"),
         (Mpfb, "crashes when it uses the value"),
     ],
     docs: "Each format has a JSON Schema that says which keys an object needs and what their values are. `mhlint \
@@ -34,7 +34,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         return;
     }
     // Two missing keys of one object fail at the same keyword; they are two faults.
-    let by_keyword = grouped(file.schema.faults.iter().map(|fault| ((fault.keyword.as_str(), lack(fault)), fault)));
+    let faults = file.schema.faults.iter().filter(|fault| !is_accepted(view, file, fault));
+    let by_keyword = grouped(faults.map(|fault| ((fault.keyword.as_str(), lack(fault)), fault)));
     out.extend(by_keyword.into_iter().filter_map(|((keyword, lack), all)| finding(view, file, keyword, lack, &all)));
     out.extend(left_out(&RULE, file, file.schema.faults_left_out, "schema error"));
 }

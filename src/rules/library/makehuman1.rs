@@ -29,6 +29,45 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     }
 }
 
+/// Targets of a user where the program has its own: it looks for those of users in `custom` alone.
+pub(super) fn targets(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers.checked;
+    // MPFB has targets of users there.
+    let is_shared = layer.layouts.iter().any(|layout| layout.application != Makehuman1);
+    if view.layers.checks_system() || is_shared {
+        return;
+    }
+    let lost: Vec<&FileFacts> = layer.below("targets").filter(|file| extension(&file.rel) == "target").collect();
+    let Some(first) = lost.first() else { return };
+    let message = format!("{} in `targets` of the user, where none is looked for", counted(lost.len(), "target"));
+    let finding = rule.at(first, Place::File, message).key("targets").case(NO_SLIDER);
+    let finding = finding.parts_in(lost.iter().map(|file| (file.shown(), &file.path)));
+    let finding = finding.evidence(Evidence::of_cases(lost.iter().map(|file| file.shown())));
+    out.push(finding.help("move them to `custom`"));
+}
+
+const NO_SLIDER: Case = &[(Makehuman1, Level::Error, "shows no slider for them")];
+
+/// Targets of a user with their suffix in capitals.
+pub(super) fn targets_in_capitals(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    if view.layers.checks_system() {
+        return;
+    }
+    let files = view.layers.checked.below(CUSTOM);
+    let is_lost = |file: &&FileFacts| {
+        let own = extension(&file.rel);
+        own != "target" && own.eq_ignore_ascii_case("target")
+    };
+    out.extend(files.filter(is_lost).map(|file| {
+        let message = format!("`{}` must end in `.target`: capitals matter", file.file_name());
+        let finding = rule.at(file, Place::File, message).key("suffix").case(NO_SLIDER);
+        finding.help("write the suffix in small letters")
+    }));
+}
+
+/// The folder of a user's targets.
+const CUSTOM: &str = "custom";
+
 /// Folders with assets that are no library, such as `Clothes` or `hairs`.
 pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;

@@ -1,7 +1,7 @@
 //! An asset lies where the list looks, under a name that it takes.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{SUFFIXES, mpfb, shelves, suffix};
+use super::{SUFFIXES, makehuman1 as library, mpfb, shelves, suffix};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
@@ -77,6 +77,7 @@ fn of_makehuman1(view: &makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Find
         |file: &FileFacts, suffix: &str| file.rel.split('/').next().and_then(library_extension) == Some(suffix);
     let lost = layer.files.values().filter(|file| double(layer, file).is_some_and(|suffix| of_library(file, suffix)));
     out.extend(lost.map(doubled));
+    library::targets_in_capitals(&RULE, view, out);
 }
 
 /// In the folder of another asset it is mostly an older version, or belongs there by mistake.

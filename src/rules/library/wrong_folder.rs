@@ -17,6 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(
     |view, _, out| {
         makehuman1::misplaced(&RULE, view, out);
         makehuman1::unread(&RULE, view, out);
+        makehuman1::targets(&RULE, view, out);
     },
     |view, _, out| {
         mpfb::misplaced(&RULE, view, out);
@@ -29,7 +30,8 @@ pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(
         `eyelashes`, `teeth` and `tongue`, `.proxy` in `proxy`, `.mhskel` in `rigs`, `.mhpose` in `poses` and \
         `expressions`, `.bvh` in `poses`, `.mhm` in `models`. In each of them is a folder for each base mesh.\n\n\
         An asset in the folder of another kind, or without the folder of the base mesh, is not listed, and models that wear \
-        it lose it.\n\nIn MakeHuman 1 topologies (`.proxy`) are in `proxymeshes`, and there is no folder of a base mesh.\n\n\
+        it lose it.\n\nIn MakeHuman 1 topologies (`.proxy`) are in `proxymeshes`, and there is no folder of a base mesh. \
+        Targets of a user are in `custom`.\n\n\
         MPFB finds targets in `targets` and `custom` alone, expressions in `expressions`, and assets in the folders of their \
         kinds, such as `clothes`: `.proxy` in `proxymeshes`, `.mhclo` in all others. Saved characters and other presets are in `config`, which lies beside the folder of data \
         and not in it.\n\n\

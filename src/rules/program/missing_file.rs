@@ -1,5 +1,6 @@
 //! The data folder of the program has the files without which it does not start.
 
+use super::super::cause::consequence::STOPS_AT_START;
 use super::super::{Check, Rule, RuleCx};
 use super::mpfb_files;
 use crate::diag::{
@@ -16,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     ],
     docs: "The data folder of MakeHuman 2 itself needs `makehuman2_version.json` and `shaders/shader.json`. Without the first \
         the program exits at start with code 20, without the second with code 21.\n\n\
-        The rule asks for them only where the folder holds other parts of the program: shaders, or one of the two.\n\nOf the data of MakeHuman 1 the rule asks for the default skin, its litspheres, the default eyes and the shaders, each only where other files of its folder are there.\n\n\
+        The rule asks for them only where the folder holds other parts of the program: shaders, or one of the two.\n\nOf the data of MakeHuman 1 the rule asks for the base mesh, the base skeleton, the default skin, its litspheres, the default eyes and the shaders, each only where other files of its folder are there.\n\n\
         MPFB opens files of its own data by their names: `target.json` and `macro.json`, `base.obj`, the files of \
         `mesh_metadata`, settings and node trees, and the folders `targets/_images` and `textures`. Without the catalogue, the \
         macros, the vertex groups or the icons the add-on cannot be enabled; without the others it fails where it needs them. \
@@ -59,7 +60,9 @@ fn holds_program(layer: &Layer) -> bool {
 
 /// What MakeHuman 1 opens by name, the folder whose other files show that it belongs there, and what is lost with it
 /// (formats/makehuman1-observed.md 4).
-const OF_MAKEHUMAN1: [(&str, &str, Case); 7] = [
+const OF_MAKEHUMAN1: [(&str, &str, Case); 9] = [
+    ("rigs/default.mhskel", "modifiers", STOPS),
+    (BASE_MESH, "modifiers", STOPS),
     ("skins/default.mhmat", "shaders", NO_SKIN),
     ("litspheres/skinmat_african.png", LITSPHERES, NO_BLEND),
     ("litspheres/skinmat_asian.png", LITSPHERES, NO_BLEND),
@@ -69,6 +72,8 @@ const OF_MAKEHUMAN1: [(&str, &str, Case); 7] = [
     ("materials/xray.mhmat", "materials", NO_XRAY),
 ];
 const LITSPHERES: &str = "litspheres";
+const BASE_MESH: &str = "3dobjs/base.obj";
+const STOPS: Case = &[(Makehuman1, Level::Error, STOPS_AT_START)];
 const NO_SKIN: Case = &[(Makehuman1, Level::Warning, "logs an error and shows the body without its skin")];
 const NO_BLEND: Case = &[(Makehuman1, Level::Error, "ends each frame at the default skin, which blends this picture")];
 const NO_EYES: Case =
@@ -83,7 +88,11 @@ fn of_makehuman1(view: &View<'_>, system: &Layer, out: &mut Vec<Finding>) {
     let has = |folder: &str| has_files(folder) || folder == LITSPHERES && blends;
     // An asset with its extension in capitals has a finding of its own.
     let other = |rel: &str| rel.strip_suffix(".mhclo").map(|stem| format!("{stem}.MHCLO"));
-    let is_there = |rel: &str| exists(system, rel) || other(rel).is_some_and(|other| system.file(&other).is_some());
+    // Without its text the packed mesh does.
+    let is_packed = |rel: &str| rel == BASE_MESH && system.file("3dobjs/base.npz").is_some();
+    let is_there = |rel: &str| {
+        exists(system, rel) || is_packed(rel) || other(rel).is_some_and(|other| system.file(&other).is_some())
+    };
     let is_missing = |rel: &str, folder: &str| !is_there(rel) && has(folder);
     let blended = OF_MAKEHUMAN1.iter().filter(|(_, folder, _)| *folder == LITSPHERES);
     let has_none = blended.clone().all(|(rel, folder, _)| is_missing(rel, folder));

@@ -2,21 +2,32 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::rigs;
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, Place, RuleInfo,
+};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "drops the joint, then crashes with `KeyError` at the first bone that needs it")],
+    breaks: &[
+        (Makehuman2, "drops the joint, then crashes with `KeyError` at the first bone that needs it"),
+        (Makehuman1, AT_ORIGIN),
+    ],
+    levels: &[(Makehuman1, Level::Warning)],
     docs: "A joint lists no vertices, or is not a list. A joint is the mean position of the vertices that it \
         lists.\n\n\
         MakeHuman 2 drops such joints without a message, and then crashes with `KeyError` at the first bone that \
         names one: for the default skeleton while loading the base mesh, for others when they are chosen. If no \
         bone needs the joint, this is reported as info.\n\n\
+        MakeHuman 1 looks for a group of the mesh with that name, and without one puts the end of the bone at the origin (a \
+        warning).\n\n\
         List the vertices of the joint, usually the eight corners of its cube in the base mesh.",
     ..RuleInfo::new("skeleton-empty-joint", Level::Error, "a joint lists no vertices")
 });
 
-const NOT_NEEDED: Case = &[(Makehuman2, Level::Info, "silently drops the joint; no bone needs it")];
+const AT_ORIGIN: &str = "puts the end of the bone at the origin, with a line in the log";
+const UNNEEDED: &str = "silently drops the joint; no bone needs it";
+const NOT_NEEDED: Case = &[(Makehuman2, Level::Info, UNNEEDED), (Makehuman1, Level::Info, UNNEEDED)];
 
 const STOPS: Case = &[(Makehuman2, Level::Error, "crashes with `KeyError` at the first bone that needs the joint,")];
 

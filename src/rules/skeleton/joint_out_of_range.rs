@@ -4,17 +4,24 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx, such};
 use super::{Rig, rigs};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `IndexError` when it computes the position of the joint")],
+    breaks: &[
+        (Makehuman2, "crashes with `IndexError` when it computes the position of the joint"),
+        (Makehuman1, "fails with `IndexError` when it computes the position of the joint"),
+    ],
     docs: "A joint lists a vertex that the base mesh does not have. Joints list vertex numbers of the base mesh, \
         counted from 0.\n\n\
         MakeHuman 2 crashes with `IndexError` on numbers beyond the last vertex, and on numbers with a decimal \
         point (`12.0`).\n\n\
         When it loads a mesh, it adds duplicates of vertices along UV seams. A number in that range, and a \
         negative number (counted from the end), is accepted and means a vertex that nobody intended: a warning.\n\n\
+        MakeHuman 1 fails at numbers beyond the mesh and at those with a decimal point; it has no duplicates.\n\n\
         Usually the skeleton was made for another base mesh.",
     counts: "entries",
     ..RuleInfo::new(
@@ -24,17 +31,20 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     )
 });
 
-const STOPS: Case = &[(Makehuman2, Level::Error, "crashes with `IndexError`")];
+const STOPS: Case =
+    &[(Makehuman2, Level::Error, "crashes with `IndexError`"), (Makehuman1, Level::Error, "fails with `IndexError`")];
 const SEAM: Case = &[(
     Makehuman2,
     Level::Warning,
     "uses the position of a copy of another vertex, which it adds where the UV map is cut",
 )];
-const NEGATIVE: Case = &[(Makehuman2, Level::Warning, "uses a vertex counted from the end of the mesh")];
+const FROM_END: &str = "uses a vertex counted from the end of the mesh";
+const NEGATIVE: Case = &[(Makehuman2, Level::Warning, FROM_END), (Makehuman1, Level::Warning, FROM_END)];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((_, mesh)) = body.mesh.filter(|(_, mesh)| mesh.facts.vertices > 0) else { return };
-    let sizes = (mesh.facts.vertices, mesh.facts.vertices + mesh.facts.seam_duplicates);
+    let copies = if body.is_makehuman1() { 0 } else { mesh.facts.seam_duplicates };
+    let sizes = (mesh.facts.vertices, mesh.facts.vertices + copies);
     for rig in rigs(body) {
         let mut faults: BTreeMap<Fault, Vec<(&str, usize, i64)>> = BTreeMap::new();
         let asked = rig.asked_joints();

@@ -5,19 +5,28 @@ use super::super::Rule;
 use super::hierarchy::{Ring, hierarchy};
 use super::rigs;
 use crate::diag::{
-    Application::{self, Makehuman2},
+    Application::{self, Makehuman1, Makehuman2},
     Case, Evidence, Finding, Level, Place,
 };
 use crate::repo::Body;
 
 /// What becomes of bones that are never reached, where the weights mention one.
-pub(super) const LOST_AND_WEIGHTED: &[(Application, &str)] = &[(
-    Makehuman2,
-    "silently drops these bones; entering pose mode then crashes with `KeyError`, because the weights use them",
-)];
+pub(super) const LOST_AND_WEIGHTED: &[(Application, &str)] = &[
+    (
+        Makehuman2,
+        "silently drops these bones; entering pose mode then crashes with `KeyError`, because the weights use them",
+    ),
+    (Makehuman1, "fails with `KeyError` at start: the base skeleton lacks these bones"),
+];
 
-const REFUSED: Case = &[(Makehuman2, Level::Error, "rejects the skeleton: none of its bones is a root")];
-const LOST: Case = &[(Makehuman2, Level::Warning, "silently drops these bones")];
+const REFUSED: Case = &[
+    (Makehuman2, Level::Error, "rejects the skeleton: none of its bones is a root"),
+    (Makehuman1, Level::Error, "fails with `IndexError` when the skeleton is chosen: none of its bones is a root"),
+];
+const LOST: Case = &[
+    (Makehuman2, Level::Warning, "silently drops these bones"),
+    (Makehuman1, Level::Warning, "drops these bones with a line in the log; other bones get their weights"),
+];
 
 /// One finding of `rule` for every circle that it is for.
 pub(super) fn lost_bones(rule: &Rule, body: &Body<'_>, is_for: impl Fn(&Ring<'_>) -> bool) -> Vec<Finding> {

@@ -2,16 +2,24 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{Rig, SINGLE, rigs};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
+};
 use crate::formats::mhskel::Plane;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `TypeError` or `KeyError` when it computes the bones that use the plane")],
+    breaks: &[
+        (Makehuman2, "crashes with `TypeError` or `KeyError` when it computes the bones that use the plane"),
+        (Makehuman1, "fails with `ValueError` or `AttributeError` when the skeleton is chosen"),
+    ],
     docs: "A plane is not a list of three joint names. Only the first three count.\n\n\
         MakeHuman 2 rejects a skeleton if a bone uses the plane `[null, null, null]` (old exporters wrote it for \
         \"no plane\"). It crashes if there are fewer than three joints, if one of them is not a name, or if the \
         plane is not a list. A plane that no bone uses is never read and is reported as info.\n\n\
+        MakeHuman 1 fails at a list of any other length than three and at one with numbers, whether a bone uses the plane or \
+        not.\n\n\
         Name three joints that are not on one straight line, or remove the plane and the `rotation_plane` of its bones.",
     counts: "planes",
     ..RuleInfo::new("skeleton-malformed-plane", Level::Error, "a plane is not a list of three joints")
@@ -24,6 +32,9 @@ const REFUSED: Case = &[(Makehuman2, Level::Error, "rejects the skeleton and log
 const NOT_USED: Case = &[(Makehuman2, Level::Info, "never reads the plane: no bone uses it")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if body.is_makehuman1() {
+        return of_makehuman1(body, out);
+    }
     for rig in rigs(body) {
         let asked = rig.asked_planes();
         let faults = grouped(rig.skeleton.planes.iter().filter_map(|plane| {
@@ -40,6 +51,23 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             }
             let each = planes.iter().map(|plane| finding(&rig, plane, *outcome, format!("plane `{plane}` {what}")));
             out.extend(each);
+        }
+    }
+}
+
+/// What is no list is no plane to it, and three times null is none.
+fn of_makehuman1(body: &Body<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(body) {
+        for plane in rig.skeleton.planes.iter().filter(|plane| !plane.is_null) {
+            let Some(joints) = plane.joints.as_deref() else { continue };
+            let what = match joints.iter().position(Option::is_none) {
+                _ if joints.len() != 3 => format!("has {} instead of 3", counted(joints.len(), "joint")),
+                Some(at) => format!("has no joint name at index {at}"),
+                None => continue,
+            };
+            let finding =
+                RULE.at(rig.file, Place::pointer(["planes", &plane.name]), format!("plane `{}` {what}", plane.name));
+            out.push(finding.key(&plane.name).help("name three joints, or remove the plane"));
         }
     }
 }

@@ -3,15 +3,22 @@
 use super::super::cause::schema::misspelt;
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
-use crate::formats::mhskel::Section;
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo,
+};
+use crate::formats::mhskel::{Bone, Section};
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "rejects the skeleton and logs a line; poses and exports cannot use it")],
+    breaks: &[
+        (Makehuman2, "rejects the skeleton and logs a line; poses and exports cannot use it"),
+        (Makehuman1, "fails with `KeyError` when the skeleton is chosen"),
+    ],
     docs: "A skeleton without `bones` or `joints`, or a bone without `head` or `tail`.\n\n\
         MakeHuman 2 checks for them before anything else and rejects the whole skeleton if one is missing. An \
         empty file (`{}`) is worse: the scan of all assets crashes on it at start.\n\n\
+        MakeHuman 1 does without `joints`: a bone may end at a group of the mesh, `joint-NAME`.\n\n\
         Add what is missing. A bone without an end of its own can end at the joint where the next bone begins.",
     counts: "bones",
     ..RuleInfo::new("skeleton-missing-section", Level::Error, "a required part of a skeleton is missing")
@@ -25,9 +32,11 @@ const EMPTY: Case = &[(
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
-        missing_sections(&rig, out);
+        missing_sections(body, &rig, out);
         for member in ["head", "tail"] {
-            let bones = rig.skeleton.bones.iter().filter(|bone| bone.missing.contains(&member));
+            let end = |bone: &Bone| if member == "head" { bone.head.clone() } else { bone.tail.clone() };
+            let is_empty = |bone: &Bone| body.is_makehuman1() && end(bone).is_some_and(|name| name.is_empty());
+            let bones = rig.skeleton.bones.iter().filter(|bone| bone.missing.contains(&member) || is_empty(bone));
             let names: Vec<&str> = bones.map(|bone| bone.name.as_str()).collect();
             let Some(first) = names.first() else { continue };
             let message = match names.len() {
@@ -47,14 +56,14 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-fn missing_sections(rig: &Rig<'_>, out: &mut Vec<Finding>) {
-    if rig.file.json.falsy {
+fn missing_sections(body: &Body<'_>, rig: &Rig<'_>, out: &mut Vec<Finding>) {
+    if rig.file.json.falsy && !body.is_makehuman1() {
         let finding = RULE.at(rig.file, Place::File, "the skeleton is empty: `bones` and `joints` are missing");
         out.push(finding.case(EMPTY).help("remove the file, or export the skeleton again"));
         return;
     }
     for (name, section) in [("bones", rig.skeleton.bones_section), ("joints", rig.skeleton.joints_section)] {
-        if section == Section::Absent {
+        if section == Section::Absent && (name == "bones" || !body.is_makehuman1()) {
             let message = format!("the skeleton has no `{name}`");
             out.push(RULE.at(rig.file, Place::File, message).key(name).help(help(rig.file, name)));
         }

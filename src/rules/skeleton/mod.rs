@@ -1,21 +1,25 @@
 //! Rules on `.mhskel`, and what they share: which skeletons count, and what becomes of a user of them.
 
+mod base_name;
 mod cycle;
 mod degenerate_plane;
 mod empty_joint;
 mod hierarchy;
 mod joint_off_cube;
+mod joint_or_group;
 mod joint_out_of_range;
 mod lost;
 mod malformed_plane;
 mod measured;
 mod missing_section;
 mod missing_weights;
+mod mixed_references;
 mod multiple_roots;
 mod name_asymmetry;
 mod name_clash;
 mod no_root;
 mod noisy_roll;
+mod remapped;
 mod swapped_ends;
 mod unclaimed_bones;
 mod unknown_joint;
@@ -25,6 +29,7 @@ mod unknown_reference;
 mod unreachable_bone;
 mod unused_joint;
 mod unweighted_bone;
+mod version;
 mod wrong_side;
 mod zero_length_bone;
 
@@ -33,6 +38,7 @@ use std::collections::BTreeSet;
 
 /// The rules of the family.
 pub(super) static RULES: &[&Rule] = &[
+    &base_name::RULE,
     &cycle::RULE,
     &degenerate_plane::RULE,
     &empty_joint::RULE,
@@ -41,6 +47,7 @@ pub(super) static RULES: &[&Rule] = &[
     &malformed_plane::RULE,
     &missing_section::RULE,
     &missing_weights::RULE,
+    &mixed_references::RULE,
     &multiple_roots::RULE,
     &name_asymmetry::RULE,
     &name_clash::RULE,
@@ -55,6 +62,7 @@ pub(super) static RULES: &[&Rule] = &[
     &unreachable_bone::RULE,
     &unused_joint::RULE,
     &unweighted_bone::RULE,
+    &version::RULE,
     &wrong_side::RULE,
     &zero_length_bone::RULE,
 ];

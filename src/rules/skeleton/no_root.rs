@@ -3,12 +3,18 @@
 use super::super::{Check, Rule, RuleCx};
 use super::hierarchy::hierarchy;
 use super::rigs;
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::mhskel::Section;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "rejects the skeleton and logs a line")],
+    breaks: &[
+        (Makehuman2, "rejects the skeleton and logs a line"),
+        (Makehuman1, "fails with `IndexError` when the skeleton is chosen"),
+    ],
     docs: "No bone of a skeleton is the root: a bone whose `parent` is null or missing.\n\n\
         MakeHuman 2 rejects a skeleton in which every bone has a parent (their parents then form a cycle), and one \
         without bones.\n\n\

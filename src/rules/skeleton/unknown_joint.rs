@@ -3,20 +3,30 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::joint_or_group::unknown_joints;
 use super::{Rig, SINGLE, rigs};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::mhskel::Section;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(
-        Makehuman2,
-        "crashes with `KeyError` when the skeleton is chosen, for the default skeleton while loading the base mesh",
-    )],
+    breaks: &[
+        (
+            Makehuman2,
+            "crashes with `KeyError` when the skeleton is chosen, for the default skeleton while loading the base mesh",
+        ),
+        (Makehuman1, "puts the end of the bone at the origin, with a line in the log"),
+    ],
+    levels: &[(Makehuman1, Level::Warning)],
     docs: "A bone or its plane names a joint that does not exist. `head` and `tail` of a bone, and the three \
         corners of its plane, are names from `joints` of the same file.\n\n\
         MakeHuman 2 looks up joints without checking. It crashes while loading the base mesh for the skeleton that \
         `base.json` names, and for others when the user chooses them.\n\n\
+        MakeHuman 1 looks for a group of the mesh with that name, or `joint-NAME`. Without one the bone ends at the origin (a \
+        warning); with both ends there and a bone below it the skeleton cannot be chosen.\n\n\
         Correct the name, or add the joint. For a joint that is listed but empty see `skeleton-empty-joint`.",
     ..RuleInfo::new("skeleton-unknown-joint", Level::Error, "a bone or its plane names a joint that does not exist")
 });
@@ -24,6 +34,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 const STOPS: Case = &[(Makehuman2, Level::Error, "crashes with `KeyError`")];
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if body.is_makehuman1() {
+        return unknown_joints(&RULE, body, cx, out);
+    }
     for rig in rigs(body).filter(|rig| rig.skeleton.joints_section == Section::Present) {
         let known: BTreeSet<&str> = rig.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
         if known.is_empty() && uses(&rig).len() > 1 {

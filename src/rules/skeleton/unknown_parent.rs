@@ -3,24 +3,39 @@
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::hierarchy::hierarchy;
 use super::rigs;
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "rejects the skeleton and logs a line")],
+    breaks: &[(Makehuman2, "rejects the skeleton and logs a line"), (Makehuman1, LOST)],
+    levels: &[(Makehuman1, Level::Warning)],
     docs: "A bone names a parent that does not exist. `parent` is the name of another bone of the same file; only \
         the root has none.\n\n\
-        MakeHuman 2 rejects the whole skeleton.\n\n\
+        MakeHuman 2 rejects the whole skeleton. MakeHuman 1 drops the bone and all below it; in its base skeleton, \
+        `rigs/default.mhskel`, it then fails at start. An empty name is that of the root to it.\n\n\
         Correct the name, or add the missing bone. Names must match exactly, including capitals.",
     counts: "bones",
     ..RuleInfo::new("skeleton-unknown-parent", Level::Error, "a bone names a parent that does not exist")
 });
+
+const LOST: &str = "drops the bone and all below it with a line in the log; other bones get their weights";
+const OF_BASE: Case = &[(
+    Makehuman1,
+    Level::Error,
+    "fails with `KeyError` at start: without these bones expressions and foot poses are missing",
+)];
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
         let names = || rig.skeleton.bones.iter().map(|bone| bone.name.as_str());
         for (parent, bones) in hierarchy(rig.skeleton).unknown_parents {
             let Some(first) = bones.first() else { continue };
+            if parent.is_empty() && body.is_makehuman1() {
+                continue;
+            }
             let message = match bones.len() {
                 1 if parent.is_empty() => format!("`parent` of bone `{first}` is an empty name"),
                 count if parent.is_empty() => format!("`parent` of {count} bones is an empty name"),
@@ -31,12 +46,12 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 cx.suggestions.nearest(parent, names()),
                 "name a bone of this skeleton, or write null for the root",
             );
-            out.push(
-                RULE.at(rig.file, Place::pointer(["bones", first, "parent"]), message)
-                    .key(parent)
-                    .help(help)
-                    .evidence(Evidence::of_cases(&bones).out_of(rig.skeleton.bones.len())),
-            );
+            let finding = RULE
+                .at(rig.file, Place::pointer(["bones", first, "parent"]), message)
+                .key(parent)
+                .help(help)
+                .evidence(Evidence::of_cases(&bones).out_of(rig.skeleton.bones.len()));
+            out.push(if rig.own.is_default { finding.case(OF_BASE) } else { finding });
         }
     }
 }

@@ -5,24 +5,32 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx};
 use super::measured::plane_of;
 use super::{Rig, SINGLE, rigs};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::mhskel::Section;
 use crate::json::UnknownKey;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "rejects the skeleton and logs a line")],
+    breaks: &[(Makehuman2, "rejects the skeleton and logs a line"), (Makehuman1, VERTICAL)],
+    levels: &[(Makehuman1, Level::Warning)],
     docs: "A bone names a plane that does not exist. `rotation_plane` names one of `planes`, whose normal \
         determines the roll of the bone.\n\n\
-        MakeHuman 2 rejects the whole skeleton.\n\n\
+        MakeHuman 2 rejects the whole skeleton. MakeHuman 1 takes the vertical for the bone in its base skeleton; other \
+        skeletons have their axes from that.\n\n\
         Correct the name, add the plane, or remove the key: without `rotation_plane` the bone uses the vertical.",
     counts: "bones",
     ..RuleInfo::new("skeleton-unknown-plane", Level::Error, "a bone names a plane that does not exist")
 });
 
+const VERTICAL: &str = "turns the bone around its own axis: it takes the vertical in place of the plane";
+
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // `planes` of another type has a finding of its own.
-    for rig in rigs(body).filter(|rig| rig.skeleton.planes_section != Section::Misshapen) {
+    let counts = |rig: &Rig<'_>| !body.is_makehuman1() || rig.own.is_default;
+    for rig in rigs(body).filter(|rig| rig.skeleton.planes_section != Section::Misshapen && counts(rig)) {
         let known: BTreeSet<&str> = rig.skeleton.planes.iter().map(|plane| plane.name.as_str()).collect();
         let unknown: BTreeSet<&str> = rig.asked_planes().into_iter().filter(|plane| !known.contains(plane)).collect();
         if known.is_empty() && unknown.len() > 1 || unknown.len() > SINGLE {

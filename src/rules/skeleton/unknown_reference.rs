@@ -1,20 +1,30 @@
 //! Referenced bones must exist in the default skeleton.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean, such};
+use super::remapped::remapped;
 use super::{Rig, rigs};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::mhskel::Bone;
-use crate::repo::Body;
+use crate::repo::{self, Body};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "ignores these names; the bone gets weights and poses from its other references, if any")],
+    breaks: &[
+        (Makehuman2, "ignores these names; the bone gets weights and poses from its other references, if any"),
+        (Makehuman1, "fails with `KeyError` when the skeleton is chosen"),
+    ],
+    levels: &[(Makehuman1, Level::Error)],
     docs: "A bone refers to bones that the default skeleton does not have. `reference` and `weights_reference` \
         list bones of the default skeleton (`pose-skeleton` of `base.json`) whose poses and weights a bone takes \
         over.\n\n\
         MakeHuman 2 ignores unknown names. It reads a string in place of the list letter by letter: `\"head\"` \
         means the bones `h`, `e`, `a` and `d`. MakeHuman 1 accepts a single name.\n\n\
+        MakeHuman 1 cannot choose a skeleton with an unknown name in `reference`. One in `weights_reference` is left out: a \
+        warning where weights then go to another bone, otherwise an info.\n\n\
         Correct the names, and write a single name as a list.",
     ..RuleInfo::new(
         "skeleton-unknown-reference",
@@ -29,6 +39,9 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let known: BTreeSet<&str> = pose.bones.iter().map(|bone| bone.name.as_str()).collect();
     if known.is_empty() {
         return;
+    }
+    if body.is_makehuman1() {
+        return of_makehuman1(body, &known, cx, out);
     }
     for rig in rigs(body) {
         let (mut unknown, mut found) = (Vec::new(), Vec::new());
@@ -48,6 +61,47 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         // Others refer to the default skeleton; what it refers to itself is never read.
         let is_default = std::ptr::eq(rig.file, default.file);
         out.extend(found.into_iter().map(|one| if is_default { one.case(OF_DEFAULT) } else { one }));
+    }
+}
+
+const LEFT_OUT: Case = &[(Makehuman1, Level::Info, "leaves the name out; the bone keeps its other references")];
+const OTHERS_TAKE: Case =
+    &[(Makehuman1, Level::Warning, "leaves the name out: the weights that are meant go to another bone")];
+
+/// Names in `reference` stop it, those in `weights_reference` are left out.
+fn of_makehuman1(body: &Body<'_>, known: &BTreeSet<&str>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // Bones of the base skeleton that have weights, and that no bone of a skeleton takes.
+    let weights = body.default_rig().and_then(repo::Rig::weights).map(|weights| weights.bones.as_slice());
+    let weighted: BTreeSet<&str> =
+        weights.unwrap_or_default().iter().filter(|bone| bone.listed > 0).map(|bone| bone.name.as_str()).collect();
+    let all = remapped(body);
+    let loses = |rig: &Rig<'_>| {
+        let own = all.iter().find(|one| std::ptr::eq(one.rig.file, rig.file));
+        own.is_some_and(|own| own.untaken.iter().any(|bone| weighted.contains(bone)))
+    };
+    for rig in rigs(body).filter(|rig| !rig.own.is_default) {
+        let is_losing = loses(&rig);
+        let mut found: BTreeMap<u8, Vec<(&str, &str, &str)>> = BTreeMap::new();
+        for bone in &rig.skeleton.bones {
+            let stopping = bone.references().into_iter().filter(|name| !known.contains(name));
+            found.entry(0).or_default().extend(stopping.map(|name| (bone.name.as_str(), "reference", name)));
+            let (names, is_explicit) = bone.weight_references();
+            for name in names.iter().filter(|name| is_explicit && !known.contains(**name)) {
+                let has_none = !names.iter().any(|name| known.contains(name));
+                let near = cx.suggestions.nearest(name, known.iter().copied());
+                let is_meant = near.is_some_and(|near| !names.contains(&near));
+                let rank = if has_none || is_meant || is_losing { 1 } else { 2 };
+                found.entry(rank).or_default().push((&bone.name, "weights_reference", name));
+            }
+        }
+        for (rank, unknown) in found {
+            let finding = finding(&rig, &unknown, known, cx).map(|finding| finding.key(format!("names {rank}")));
+            out.extend(finding.map(|finding| match rank {
+                0 => finding,
+                1 => finding.case(OTHERS_TAKE),
+                _ => finding.case(LEFT_OUT),
+            }));
+        }
     }
 }
 

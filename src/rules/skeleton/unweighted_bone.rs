@@ -4,13 +4,20 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, bones_in_words};
 use super::measured::{Measured, measured};
-use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, Place, RuleInfo};
+use super::remapped::{Remapped, remapped};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Confidence, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::eval::measures::Measures;
-use crate::formats::mhskel::Bone;
-use crate::repo::{Body, Rig};
+use crate::formats::mhskel::{Bone, Skeleton};
+use crate::repo::{Body, FileFacts, Rig};
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "exports the bone without vertices: it moves nothing")],
+    breaks: &[
+        (Makehuman2, "exports the bone without vertices: it moves nothing"),
+        (Makehuman1, "exports the bone without vertices: the root bone gets what it was to move"),
+    ],
     docs: "A bone gets no weights: no default bone has its name, and it has no references. Its limb stays with the \
         nearest bone above.\n\n\
         MakeHuman 2 exports a skeleton with the weights of the default skeleton (`pose-skeleton` of base.json). A \
@@ -24,6 +31,9 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(default) = body.default_rig().and_then(Rig::skeleton) else { return };
+    if body.is_makehuman1() {
+        return out.extend(remapped(body).iter().filter_map(of_remapped));
+    }
     let defaults: BTreeSet<&str> = default.bones.iter().map(|bone| bone.name.as_str()).collect();
     for rig in measured(body, measures).into_iter().filter(receives_anything) {
         let bare: BTreeSet<&String> = rig.measure.received.without_weights.iter().collect();
@@ -32,8 +42,18 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         let is_lacking = |bone: &&Bone| bare.contains(&bone.name) && names_nothing(bone, &defaults) && is_end(bone);
         let bones: Vec<&str> =
             rig.bones().map(|(bone, _)| bone).filter(is_lacking).map(|bone| bone.name.as_str()).collect();
-        out.extend(finding(&rig, &bones));
+        out.extend(finding(rig.file, rig.skeleton, &bones));
     }
+}
+
+/// Bones other than the root that take nothing of the base skeleton. Names that do not exist are reported as such.
+fn of_remapped(remapped: &Remapped<'_>) -> Option<Finding> {
+    let bones = remapped.rig.skeleton.bones.iter().zip(&remapped.sources);
+    let is_bare = |(bone, sources): &(&Bone, &Vec<usize>)| {
+        sources.is_empty() && bone.parent.is_some() && bone.weight_references().0.is_empty()
+    };
+    let bare: Vec<&str> = bones.filter(is_bare).map(|(bone, _)| bone.name.as_str()).collect();
+    finding(remapped.rig.file, remapped.rig.skeleton, &bare)
 }
 
 /// Of a skeleton that nothing of the weights comes to, `skeleton-unclaimed-bones` says so.
@@ -47,7 +67,7 @@ fn names_nothing(bone: &Bone, defaults: &BTreeSet<&str>) -> bool {
     lists.iter().all(|list| list.iter().all(Vec::is_empty)) && !defaults.contains(bone.name.as_str())
 }
 
-fn finding(rig: &Measured<'_>, bones: &[&str]) -> Option<Finding> {
+fn finding(file: &FileFacts, skeleton: &Skeleton, bones: &[&str]) -> Option<Finding> {
     let first = bones.first()?;
     let message = match bones.len() {
         1 => {
@@ -58,9 +78,9 @@ fn finding(rig: &Measured<'_>, bones: &[&str]) -> Option<Finding> {
         }
     };
     Some(
-        RULE.at(rig.file, Place::key(["bones", first]), message)
+        RULE.at(file, Place::key(["bones", first]), message)
             .confidence(Confidence::Medium)
             .help("list bones of the default skeleton in `reference`")
-            .evidence(Evidence::of_cases(bones).out_of(rig.skeleton.bones.len())),
+            .evidence(Evidence::of_cases(bones).out_of(skeleton.bones.len())),
     )
 }

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{first_row, targets};
 use crate::diag::{
-    Application::{Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo,
 };
 use crate::repo::Body;
@@ -12,10 +12,11 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     fix: FixKind::Unsafe,
     breaks: &[
         (Makehuman2, "applies only the last row of a vertex, not the sum"),
+        (Makehuman1, "applies only the last row of a vertex, not the sum"),
         (Mpfb, "adds up all rows of a vertex; MakeHuman applies the last one"),
     ],
     docs: "A vertex has more than one row in a target.\n\n\
-        MakeHuman 2 passes all rows to NumPy at once, which keeps the last row of a vertex and drops the others. \
+        MakeHuman 2 and 1 pass all rows to NumPy at once, which keeps the last row of a vertex and drops the others. \
         MPFB and other programs add them up, so the same file yields two different shapes. If the rows of a vertex are \
         equal, MakeHuman 2 loses nothing: info.\n\n\
         Keep one row per vertex: the last one if the shape in MakeHuman 2 is right, or the sum if the shape was \
@@ -24,8 +25,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("target-duplicate-vertex", Level::Warning, "a vertex appears more than once in a target")
 });
 
-const EQUAL: Case =
-    &[(Makehuman2, Level::Info, "applies one of the equal rows; programs that add them up double the shape")];
+const ONE: &str = "applies one of the equal rows; programs that add them up double the shape";
+const EQUAL: Case = &[(Makehuman2, Level::Info, ONE), (Makehuman1, Level::Info, ONE)];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body) {
@@ -43,8 +44,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 format!("{count} rows repeat a vertex, first {vertex}; only the last row of each counts")
             }
         };
-        let mut fix =
-            Fix::new(RULE.info.fix, "keep only the last row of each vertex, the one that MakeHuman 2 applies");
+        let mut fix = Fix::new(RULE.info.fix, "keep only the last row of each vertex, the one that MakeHuman applies");
         if target.packed_in.is_none() && !body.is_mpfb() {
             fix = fix.step(&file.path, Change::Rewrite(Rewrite::KeepLastRows));
         }

@@ -3,7 +3,7 @@
 use super::super::cause::consequence::{BY_HAND, MACRO_ROWS};
 use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{
-    Application::{Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
 };
 use crate::discover::Kind;
@@ -12,6 +12,7 @@ use crate::repo::{FileFacts, View};
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "silently skips such lines: their vertices do not move"),
+        (Makehuman1, "silently skips such lines: their vertices do not move"),
         (
             Mpfb,
             "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part",
@@ -19,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     ],
     levels: &[(Mpfb, Level::Error)],
     docs: "A line of a target does not have exactly four fields. A row is `INDEX X Y Z`, separated by spaces.\n\n\
-        MakeHuman 2 silently skips every line without four fields, comments included. A remark behind a row (`12 \
+        MakeHuman 2 and 1 silently skip every line without four fields, comments included. A remark behind a row (`12 \
         .1 .2 .3 # nose`) makes five or more fields, and the row is lost; a missing number makes three.\n\n\
         A line that does not begin with a number is reported as info if the target has rows. The markers of a \
         merge conflict are one finding.\n\n\
@@ -30,12 +31,10 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     ..RuleInfo::new("target-field-count", Level::Warning, "a line of a target does not have four fields")
 });
 
-const PROSE: Case = &[(Makehuman2, Level::Info, "silently skips the line, which is not a row")];
-const BOTH_SIDES: Case = &[(
-    Makehuman2,
-    Level::Warning,
-    "skips the markers and reads the rows of both sides; the last row of a vertex wins",
-)];
+const NO_ROW: &str = "silently skips the line, which is not a row";
+const PROSE: Case = &[(Makehuman2, Level::Info, NO_ROW), (Makehuman1, Level::Info, NO_ROW)];
+const BOTH: &str = "skips the markers and reads the rows of both sides; the last row of a vertex wins";
+const BOTH_SIDES: Case = &[(Makehuman2, Level::Warning, BOTH), (Makehuman1, Level::Warning, BOTH)];
 
 /// The same for MPFB: what stops it, else what it takes and others do not.
 fn of_mpfb(view: &View<'_>, file: &FileFacts, out: &mut Vec<Finding>) {

@@ -16,9 +16,15 @@ mod basemesh_mismatch;
 mod beyond_mesh;
 mod beyond_others;
 mod breaks_start;
+mod custom_name;
+mod doubled;
 mod duplicate_vertex;
 mod field_count;
+mod gendered_detail;
+mod macro_group;
+mod macro_token;
 mod meant;
+mod missing_combination;
 mod missing_opposite;
 mod missing_side;
 mod moves_helpers_only;
@@ -27,6 +33,7 @@ mod non_finite;
 mod oversized_delta;
 mod renumbered;
 mod separator;
+mod shipped_unused;
 mod shown;
 mod splits_joint_cube;
 mod stale_binary;
@@ -37,6 +44,7 @@ mod unreferenced;
 mod user_pairs;
 mod vertex_out_of_range;
 mod without_effect;
+mod without_group;
 mod zero_delta;
 
 use super::Rule;
@@ -47,8 +55,13 @@ pub(super) static RULES: &[&Rule] = &[
     &asymmetric_pair::RULE,
     &basemesh_mismatch::RULE,
     &breaks_start::RULE,
+    &custom_name::RULE,
+    &doubled::RULE,
     &duplicate_vertex::RULE,
     &field_count::RULE,
+    &gendered_detail::RULE,
+    &macro_token::RULE,
+    &missing_combination::RULE,
     &missing_opposite::RULE,
     &missing_side::RULE,
     &moves_helpers_only::RULE,
@@ -63,6 +76,7 @@ pub(super) static RULES: &[&Rule] = &[
     &unreferenced::RULE,
     &vertex_out_of_range::RULE,
     &without_effect::RULE,
+    &without_group::RULE,
     &zero_delta::RULE,
 ];
 

@@ -4,7 +4,7 @@ use super::super::cause::archived::weigh;
 use super::super::{Check, Rule, RuleCx};
 use super::{first_row, targets};
 use crate::diag::{
-    Application::{Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, RuleInfo,
 };
 use crate::repo::Body;
@@ -16,6 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
             "crashes at start with `OverflowError` and leaves an empty compressedtargets.npz that crashes every later \
              start",
         ),
+        (Makehuman1, "fails with `IndexError` each time the target is applied, and stops in the middle of the update"),
         (Mpfb, "counts from the end of the mesh: silently moves another vertex"),
     ],
     levels: &[(Mpfb, Level::Warning)],
@@ -41,7 +42,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             1 => format!("vertex index {index} is negative"),
             count => format!("{count} vertex indices are negative, first {index}"),
         };
-        let help = if body.is_mpfb() {
+        let help = if body.is_mpfb() || body.is_makehuman1() {
             "correct the index (vertices are counted from 0), or remove the row"
         } else {
             "correct the index (vertices are counted from 0), or remove the row; \

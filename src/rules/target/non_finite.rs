@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::shown::with_setting;
 use super::{first_row, targets};
 use crate::diag::{
-    Application::{Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, RuleInfo,
 };
 use crate::repo::Body;
@@ -15,9 +15,10 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
             Makehuman2,
             "loses such vertices when the target is applied, with all normals, joints and clothes that depend on them",
         ),
+        (Makehuman1, "silently loses the vertex when the target is applied"),
         (Mpfb, "leaves the vertex without a position as soon as the slider moves"),
     ],
-    levels: &[(Mpfb, Level::Warning)],
+    levels: &[(Mpfb, Level::Warning), (Makehuman1, Level::Warning)],
     docs: "A displacement is `nan`, infinite, or too large for a 32-bit float (beyond 3.4e38).\n\n\
         Python accepts such numbers and MakeHuman 2 adds them to the mesh. The vertex is lost, and with it every \
         face, joint and garment that depends on it. While an archive with other numbers is used in place of the \

@@ -8,7 +8,7 @@ use super::beyond_others::{beyond_neighbours, beyond_opposites, finding, moves};
 use super::shown::with_setting;
 use super::targets;
 use crate::diag::{
-    Application::{Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Confidence, Finding, Level, OptionInfo, RuleInfo,
 };
 use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, oversize};
@@ -18,6 +18,7 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "tears the vertex out of the mesh when the target is applied"),
+        (Makehuman1, "tears the vertex out of the mesh when the target is applied"),
         (Mpfb, "tears the vertex out of the mesh when the target is applied"),
     ],
     docs: "A displacement is out of proportion to the mesh or to the rest of its target.\n\n\

@@ -5,7 +5,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::unreadable_fields::finding;
 use super::{split_at_blanks, targets};
 use crate::diag::{
-    Application::{Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo,
 };
 use crate::discover::Kind;
@@ -19,6 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
             "crashes at start with `ValueError` and leaves an empty compressedtargets.npz that crashes every later \
              start",
         ),
+        (Makehuman1, "logs \"Unable to open\", and the whole target moves nothing"),
         (Mpfb, "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part"),
     ],
     docs: "A field of a target row is not a number. A row is a vertex index and three decimal numbers with a \
@@ -27,6 +28,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         `float()`. What they reject (words, `1.0` as an index, a decimal comma) crashes it. The empty archive that \
         stays behind must be deleted by hand, even after the target was fixed. While MakeHuman 2 uses a sound \
         archive in place of the text, the text is not parsed: a warning.\n\n\
+        In MakeHuman 1 such a row makes the whole target inert, with an error in the log.\n\n\
         MPFB parses a target when its slider moves. It makes the shape key first, so that an empty one stays behind: the \
         slider fails once and does nothing from then on. It splits rows at single blanks and takes the first four fields; \
         what is wrong with other white space is `target-separator`. A `.ptarget` of a proxy or clothes, which is loaded by \

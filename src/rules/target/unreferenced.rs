@@ -4,15 +4,22 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::meant::meant_by_missing;
-use super::parent;
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use super::{parent, shipped_unused};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo, grouped,
+};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Layer};
 
-pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    told_apart: true,
-    breaks: &[(Makehuman2, "packs it whenever it builds the archive, but never applies it")],
-    docs: "Neither modelling.json nor macro.json names the target, so nothing applies it. Often a slider was \
+pub(in crate::rules) static RULE: Rule =
+    Check::Libraries(run, |view, cx, out| shipped_unused::unused(&RULE, view, cx, out)).rule(RuleInfo {
+        told_apart: true,
+        breaks: &[
+            (Makehuman2, "packs it whenever it builds the archive, but never applies it"),
+            (Makehuman1, "never applies it: no modifier asks for its group"),
+        ],
+        docs: "Neither modelling.json nor macro.json names the target, so nothing applies it. Often a slider was \
         forgotten, or the file was renamed.\n\n\
         MakeHuman 2 still parses the file when it builds its archive, and an error in it crashes the program \
         (`target-breaks-start`).\n\n\
@@ -20,12 +27,17 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         sliders automatically. Unused targets of macro folders are `macro-unreferenced-target`. A file that nearly \
         fits a name without a file is reported with that name. Nothing is reported while modelling.json or \
         macro.json is missing or broken.\n\n\
+        MakeHuman 1 ships such targets: an info for each folder.\n\n\
         Add a slider to modelling.json, or keep the file outside of the data.",
-    counts: "targets",
-    ..RuleInfo::new("target-unreferenced", Level::Warning, "no slider and no macro uses a target")
-});
+        counts: "targets",
+        ..RuleInfo::new("target-unreferenced", Level::Warning, "no slider and no macro uses a target")
+    });
 
-fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    view.bases.iter().for_each(|base| of_base(view, base, cx, out));
+}
+
+fn of_base(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(folder) = base.targets else { return };
     let named = |file: &&FileFacts| folder.name_of(file).is_some_and(|name| !base.keeps_for_macros(name));
     let own = |file: &&FileFacts| folder.layer.file(&file.rel).is_some_and(|own| std::ptr::eq(own, *file));

@@ -5,14 +5,18 @@ use super::super::{Check, Rule, RuleCx};
 use super::beyond_mesh::{first, ignored, mesh_has};
 use super::{first_row, targets};
 use crate::diag::{
-    Application::{Makehuman2, Mpfb},
-    Case, Finding, Level, RuleInfo,
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Case, Finding, Level, RuleInfo, Tally,
 };
 use crate::formats::target::TargetFacts;
 use crate::repo::{Body, Doubt, FileFacts, ReferenceKind, Target};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `IndexError` when the target is applied"), (Mpfb, "silently ignores the row")],
+    breaks: &[
+        (Makehuman2, "crashes with `IndexError` when the target is applied"),
+        (Makehuman1, NEVER_APPLIED),
+        (Mpfb, "silently ignores the row"),
+    ],
     levels: &[(Mpfb, Level::Warning)],
     docs: "A target names a vertex that the base mesh of its folder does not have.\n\n\
         MakeHuman 2 loads the target and crashes with `IndexError` when it is applied: as soon as its slider \
@@ -31,6 +35,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     )
 });
 
+const NEVER_APPLIED: &str =
+    "fails with `IndexError` each time the target is applied, and stops in the middle of the update";
+
 const OVERFLOW: Case = &[(
     Makehuman2,
     Level::Error,
@@ -41,10 +48,19 @@ const OUTDATED: Case = &[(
     Level::Warning,
     "applies the archive; crashes with `IndexError` once the archive is deleted and rebuilt",
 )];
-const UNUSED: Case =
-    &[(Makehuman2, Level::Warning, "loads it, but crashes with `IndexError` once something uses the target")];
+const UNUSED: Case = &[
+    (Makehuman2, Level::Warning, "loads it, but crashes with `IndexError` once something uses the target"),
+    (Makehuman1, Level::Warning, "fails with `IndexError` once something uses the target"),
+];
 const WRAPPED: Case = &[(Makehuman2, Level::Error, "moves another vertex or crashes with `IndexError`")];
-const OF_A_MACRO: Case = &[(Makehuman2, Level::Error, "crashes with `IndexError` at start, when the macro applies it")];
+const OF_A_MACRO: Case = &[
+    (Makehuman2, Level::Error, "crashes with `IndexError` at start, when the macro applies it"),
+    (
+        Makehuman1,
+        Level::Error,
+        "stops at start if the neutral figure has this target, else at the first setting that needs it",
+    ),
+];
 const OF_A_SLIDER: Case = &[(Makehuman2, Level::Error, "crashes with `IndexError` when the slider moves")];
 const SEAM: Case = &[(
     Makehuman2,
@@ -64,8 +80,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             // All targets fit one another: the mesh is at fault (`base-vertex-count`).
         } else if body.is_mpfb() {
             out.extend(ignored(&RULE, file, facts, vertices));
-        } else if facts.out_of_range.count > 0 {
-            let finding = beyond(file, facts, vertices);
+        } else if let Some(tally) = beyond_mesh(body, facts) {
+            let finding = beyond(file, facts, tally, vertices);
             out.push(if target.is_outdated() {
                 finding.case(OUTDATED)
             } else {
@@ -77,6 +93,12 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
+/// Rows for vertices that there are not. MakeHuman 1 has no copies at seams.
+fn beyond_mesh<'f>(body: &Body<'_>, facts: &'f TargetFacts) -> Option<&'f Tally> {
+    let seam = Some(&facts.seam).filter(|_| body.is_makehuman1());
+    [Some(&facts.out_of_range), seam].into_iter().flatten().find(|tally| tally.count > 0)
+}
+
 fn overflow(file: &FileFacts, facts: &TargetFacts) -> Finding {
     let message = format!("vertex index {} does not fit into 32 bits", first(&facts.overflow));
     RULE.at(file, first_row(&facts.overflow), message)
@@ -86,8 +108,7 @@ fn overflow(file: &FileFacts, facts: &TargetFacts) -> Finding {
         .case(OVERFLOW)
 }
 
-fn beyond(file: &FileFacts, facts: &TargetFacts, vertices: Option<usize>) -> Finding {
-    let tally = &facts.out_of_range;
+fn beyond(file: &FileFacts, facts: &TargetFacts, tally: &Tally, vertices: Option<usize>) -> Finding {
     let mesh = mesh_has(file, vertices);
     let message = match tally.count {
         1 => format!("vertex {} does not exist: {mesh}", first(tally)),

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::targets;
 use crate::diag::{
-    Application::{Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo,
 };
 use crate::repo::{Body, ReferenceKind};
@@ -11,6 +11,7 @@ use crate::repo::{Body, ReferenceKind};
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "loads it, but the slider changes nothing"),
+        (Makehuman1, "loads it, but the slider changes nothing"),
         (Mpfb, "loads it, but the slider changes nothing"),
     ],
     docs: "Every row of the target is zero, or is undone by a later zero row for the same vertex.\n\n\

@@ -13,7 +13,7 @@ const USUAL: &str = "drops the weight, so that the other bones pull the vertex t
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, USUAL), (Makehuman1, USUAL), (Mpfb, "reads the weight as 0")],
-    levels: &[(Mpfb, Level::Warning)],
+    levels: &[(Mpfb, Level::Warning), (Makehuman1, Level::Warning)],
     docs: "A weight is negative. It says how much of a vertex moves with a bone, from 0 to 1.\n\n\
         MakeHuman 2 adds the negative number to the sum of the vertex, divides by the sum, and drops what is below \
         0. The rest adds up to more than 1, so the vertex shoots away from the body in every pose. Weights that \

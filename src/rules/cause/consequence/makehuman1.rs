@@ -1,13 +1,15 @@
-//! What MakeHuman 1 does with a file of its libraries that it cannot read or find (formats/makehuman1.md §2.3, §2.5, §10
-//! to §12, §16; makehuman1-observed.md 1, 2, 4).
+//! What MakeHuman 1 does with a file that it cannot read or find (formats/makehuman1.md §2.3, §2.5, §6, §8, §10 to §12,
+//! §16, §20; makehuman1-observed.md 1, 2, 4).
 
 use super::table::At::{self, Scanned};
 use super::table::{Cell, LOST, Row, Table, anywhere, cell, nothing, row};
 use super::{Consequence, Damage, Moment};
 use crate::diag::Level::{Error, Info, Warning};
 use crate::discover::{Kind, Single};
-use crate::repo::ReferenceKind::{AssetMaterial, AssetMesh, AssetWeights, Texture, UvMap};
-use Damage::{Closed, Dangling, Empty, MarkedComment, MarkedWord, NotUtf8, Pointer, Refused, Special, Syntax};
+use crate::repo::ReferenceKind::{AssetMaterial, AssetMesh, AssetWeights, Texture, UvMap, WeightsFile};
+use Damage::{
+    Closed, Dangling, Empty, MarkedComment, MarkedRow, MarkedWord, NotUtf8, Pointer, Refused, Special, Syntax, TooDeep,
+};
 use Moment::{Scan, Start, Use};
 
 pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_general: LOST, unfound: UNFOUND };
@@ -24,6 +26,17 @@ pub(in crate::rules) const NO_FRAME: &str = "stops drawing each frame at the def
 const NO_THUMBNAIL: &str = "shows an empty picture in the library";
 const PLACEHOLDER: &str = "shows a placeholder instead of the picture";
 
+const INERT: &str = "logs \"Unable to open\", and the target moves nothing";
+const SILENT: &str = "loads it as an empty target without a message: it moves nothing";
+const NO_SET: &str = "fails at start: none of the tabs of this set is shown";
+const NO_TEXTS: &str = "fails at start: the modifiers of this set have no tabs";
+const NO_TABS: &str = "fails at start: none of its tabs is shown";
+const NO_OLD: &str = "fails when it loads a model of version 1.0";
+const NO_RIGS: &str = "lists no skeleton at all: one file that cannot be read empties the list";
+const NO_RIG: &str = "fails when the skeleton with these weights is chosen";
+const ENGLISH: &str = "logs an error and stays English";
+const NO_EXPRESSION: &str = "lists the expressions and shows none of them";
+
 const COMMENT: Cell = cell(MarkedComment, Info, "ignores the first line, which is only a comment");
 const KEYWORD: Cell = cell(MarkedWord, Warning, "does not recognise the first keyword and ignores its line");
 
@@ -36,6 +49,95 @@ const ROWS: &[Row] = &[
         cell(NotUtf8, Error, STOPS_AT_START),
         cell(MarkedWord, Error, "drops the first vertex, and stops at start"),
         COMMENT,
+    ]),
+    anywhere(Kind::Target, Start, &[
+        cell(Dangling, Info, "finds a target of this name that moves nothing"),
+        cell(Closed, Error, INERT),
+        cell(Pointer, Warning, SILENT),
+        cell(Empty, Warning, SILENT),
+        cell(NotUtf8, Error, INERT),
+        cell(MarkedRow, Error, INERT),
+        cell(MarkedWord, Info, "skips the first line"),
+        cell(MarkedComment, Info, "skips the first line, which is only a comment"),
+    ]),
+    anywhere(Kind::ModifierFile, Start, &[
+        cell(Closed, Error, NO_SET),
+        cell(Pointer, Error, NO_SET),
+        cell(Refused, Error, NO_SET),
+        cell(Syntax, Error, NO_SET),
+        cell(NotUtf8, Error, NO_SET),
+        cell(TooDeep, Error, NO_SET),
+        nothing(Special),
+    ]),
+    anywhere(Kind::ModifierTexts, Start, &[
+        cell(Closed, Error, NO_TEXTS),
+        cell(Pointer, Error, NO_TEXTS),
+        cell(Refused, Error, NO_TEXTS),
+        cell(Syntax, Error, NO_TEXTS),
+        cell(NotUtf8, Error, NO_TEXTS),
+        cell(TooDeep, Error, NO_TEXTS),
+        nothing(Special),
+    ]),
+    anywhere(Kind::ModifierSliders, Start, &[
+        cell(Closed, Error, NO_TABS),
+        cell(Pointer, Error, NO_TABS),
+        cell(Refused, Error, NO_TABS),
+        cell(Syntax, Error, NO_TABS),
+        cell(NotUtf8, Error, NO_TABS),
+        cell(TooDeep, Error, NO_TABS),
+        nothing(Special),
+    ]),
+    anywhere(Kind::ModifierMapping, Use, &[
+        cell(Closed, Warning, NO_OLD),
+        cell(Pointer, Warning, NO_OLD),
+        cell(Empty, Warning, NO_OLD),
+        cell(NotUtf8, Warning, NO_OLD),
+        nothing(MarkedWord),
+    ]),
+    row(Kind::Skeleton, At::Single(Single::FirstRig), Start, &[
+        cell(Closed, Error, STOPS_AT_START),
+        cell(Pointer, Error, STOPS_AT_START),
+        cell(Refused, Error, STOPS_AT_START),
+        cell(Syntax, Error, STOPS_AT_START),
+        cell(NotUtf8, Error, STOPS_AT_START),
+    ]),
+    anywhere(Kind::Skeleton, Use, &[
+        cell(Dangling, Error, NO_RIGS),
+        cell(Closed, Error, NO_RIGS),
+        cell(Pointer, Error, NO_RIGS),
+        cell(Refused, Error, NO_RIGS),
+        cell(Syntax, Error, NO_RIGS),
+        cell(NotUtf8, Error, NO_RIGS),
+    ]),
+    row(Kind::Weights, At::Single(Single::FirstRig), Start, &[
+        cell(Closed, Error, STOPS_AT_START),
+        cell(Pointer, Error, STOPS_AT_START),
+        cell(Refused, Error, STOPS_AT_START),
+        cell(Syntax, Error, STOPS_AT_START),
+        cell(NotUtf8, Error, STOPS_AT_START),
+        nothing(Special),
+    ]),
+    anywhere(Kind::Weights, Use, &[
+        cell(Closed, Error, NO_RIG),
+        cell(Pointer, Error, NO_RIG),
+        cell(Refused, Error, NO_RIG),
+        cell(Syntax, Error, NO_RIG),
+        cell(NotUtf8, Error, NO_RIG),
+        nothing(Special),
+    ]),
+    anywhere(Kind::FaceUnits, Use, &[
+        cell(Closed, Error, NO_EXPRESSION),
+        cell(Pointer, Error, NO_EXPRESSION),
+        cell(Refused, Error, NO_EXPRESSION),
+        cell(Syntax, Error, NO_EXPRESSION),
+        cell(NotUtf8, Error, NO_EXPRESSION),
+    ]),
+    anywhere(Kind::Language, Use, &[
+        cell(Closed, Warning, ENGLISH),
+        cell(Pointer, Warning, ENGLISH),
+        cell(Refused, Warning, ENGLISH),
+        cell(Syntax, Warning, ENGLISH),
+        cell(NotUtf8, Warning, ENGLISH),
     ]),
     anywhere(Kind::Clothes, Scan, &[
         cell(Closed, Error, NOT_WORN),
@@ -146,6 +248,7 @@ const AT_MOMENT: &[(Moment, Cell)] = &[
 const UNFOUND: &[(&[crate::repo::ReferenceKind], Consequence)] = &[
     (&[AssetMesh], Consequence::new(Error, "does not put the asset on")),
     (&[AssetWeights], Consequence::new(Error, "does not put the asset on")),
+    (&[WeightsFile], Consequence::new(Error, "fails with `FileNotFoundError` when the skeleton is chosen")),
     (&[AssetMaterial], Consequence::new(Warning, "draws the asset with the default white material")),
     (&[Texture], Consequence::new(Warning, "logs an error and shows a placeholder instead of the picture")),
     (&[UvMap], Consequence::new(Error, "fails with `FileNotFoundError` when the material is used")),

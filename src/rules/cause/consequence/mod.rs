@@ -3,6 +3,7 @@
 //! `file-*`, `json-*` and `overlay-*` ask here how bad a damage is and what a user sees of it.
 
 mod makehuman1;
+mod makehuman1_values;
 mod makehuman2;
 mod makehuman2_keys;
 mod makehuman2_values;
@@ -19,6 +20,7 @@ use crate::diag::{
     Application::{self, Makehuman1, Makehuman2, Mpfb},
     Finding, Level,
 };
+use crate::discover::Kind;
 use crate::json::{SchemaFault, UnknownKey};
 use crate::repo::{FileFacts, ReferenceKind, View};
 pub(in crate::rules) use mpfb::{BY_HAND, MACRO_ROWS, NO_PART};
@@ -126,6 +128,12 @@ pub(in crate::rules) fn consequence(view: &View<'_>, rel: &str, damage: Damage) 
     if let Some(own) = of_macros.and_then(|_| mpfb::of_macro_target(damage)) {
         return Some(own);
     }
+    // Of macros an empty file is the shape that changes nothing.
+    let is_identity = |file: &FileFacts| view.target(file).used_as == Some(ReferenceKind::MacroTarget);
+    let is_empty_target = damage == Damage::Empty && view.is_makehuman1() && view.kind_at(rel) == Kind::Target;
+    if is_empty_target && view.layers().checked.file(rel).is_some_and(is_identity) {
+        return None;
+    }
     let (table, row, moment) = asked(view, rel);
     table.consequence(row, moment, damage)
 }
@@ -141,8 +149,13 @@ pub(in crate::rules) fn of_value(view: &View<'_>, file: &FileFacts, fault: &Sche
     match view {
         View::Makehuman2(view) => makehuman2_values::of_value(view, file, fault),
         View::Mpfb(_) => mpfb::of_value(file, fault),
-        View::Makehuman1(_) => None,
+        View::Makehuman1(_) => makehuman1_values::of_value(view.layout(), file, fault),
     }
+}
+
+/// Whether the application takes a value that does not fit the schema, which is for others as well.
+pub(in crate::rules) fn is_accepted(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -> bool {
+    view.is_makehuman1() && makehuman1_values::is_accepted(file, fault)
 }
 
 /// What numbers come to that JSON does not have.
@@ -163,7 +176,7 @@ pub(in crate::rules) fn of_misspelt(view: &View<'_>, file: &FileFacts, unknown: 
 mod tests {
     use super::table::At;
     use super::*;
-    use crate::discover::{Kind, Layout};
+    use crate::discover::Layout;
     use crate::formats::FORMATS;
 
     /// A path that no loader knows.

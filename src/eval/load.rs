@@ -1,10 +1,10 @@
-//! Vertex weights as the application holds them after loading.
+//! Vertex weights as MakeHuman holds them after loading, of either version.
 //!
 //! Gets (vertex, weight) lists per bone and the number of vertices; returns the lists normalised, with what was lost
-//! on the way. Source: formats/makehuman2.md §11. All arithmetic in `f32`, as there.
+//! on the way. Source: formats/makehuman2.md §11, formats/makehuman1.md §3. All arithmetic in `f32`, as there.
 
-use super::super::error::EvalError;
-use super::super::weights::{BoneWeights, Entry, LoadedWeights};
+use super::error::EvalError;
+use super::weights::{BoneWeights, Entry, LoadedWeights};
 
 /// A normalised weight counts only above this.
 pub const WEIGHT_LIMIT: f32 = 1e-4;
@@ -69,7 +69,7 @@ fn give_to_root(loaded: &mut Vec<BoneWeights>, root: usize, vertices: &[u32]) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::weights::merge_duplicates;
+    use super::super::weights::merge_duplicates;
     use super::*;
 
     fn loaded(bones: &[(usize, &[Entry])], count: usize) -> LoadedWeights {

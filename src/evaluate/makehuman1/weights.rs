@@ -1,0 +1,171 @@
+//! Weights as MakeHuman 1 loads them, hands them to other skeletons and keeps the strongest (formats/makehuman1.md §3, §4).
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::stopped;
+use crate::eval::influences::Influence;
+use crate::eval::makehuman1::remap::{RemapBone, sources, taken};
+use crate::eval::makehuman1::weights::{load, strongest};
+use crate::eval::scene::Scene;
+use crate::eval::skeleton::SceneSkeleton;
+use crate::eval::weights::{BoneWeights, Entry, LoadedWeights};
+use crate::evaluate::Error;
+use crate::evaluate::data::NamedWeights;
+use crate::evaluate::makehuman2::WeightLists;
+use crate::evaluate::makehuman2::weights::{MOST_VERTICES, number};
+use crate::formats::mhskel::{Bone, Skeleton};
+use crate::formats::mhw::Weights;
+
+/// Weights with bones numbered as in the skeleton; those of bones that it lacks count for the sums and are dropped.
+pub(super) fn bind(skeleton: &SceneSkeleton, weights: &Weights, scene: &Scene) -> Option<LoadedWeights> {
+    let root = skeleton.bones.iter().position(|bone| bone.parent.is_none())?;
+    let lists = WeightLists::from(weights.clone());
+    let named = loaded(&lists, skeleton.names.get(root)?, scene.positions.len()).ok()?;
+    let places: BTreeMap<&str, usize> =
+        skeleton.names.iter().enumerate().rev().map(|(place, name)| (name.as_str(), place)).collect();
+    let bone = |list: BoneWeights| {
+        let place = places.get(named.names.get(list.bone)?.as_str())?;
+        Some(BoneWeights { bone: *place, ..list })
+    };
+    let bones = named.loaded.bones.iter().cloned().filter_map(bone).collect();
+    Some(LoadedWeights { bones, ..named.loaded.clone() })
+}
+
+/// Lists loaded for a mesh of so many vertices; what is without weights goes to `root`.
+///
+/// # Errors
+/// Vertices that the mesh does not have.
+pub fn loaded(lists: &WeightLists, root: &str, vertices: usize) -> Result<NamedWeights, Error> {
+    if vertices > MOST_VERTICES {
+        return Err(Error::Input(format!("{vertices} vertices are too many to evaluate (at most {MOST_VERTICES})")));
+    }
+    let mut names: Vec<String> = lists.bones.iter().map(|(name, _)| name.clone()).collect();
+    let root = number(&mut names, root);
+    let mut entries: Vec<(usize, Vec<Entry>)> = Vec::new();
+    for (bone, (name, pairs)) in lists.bones.iter().enumerate() {
+        let entry = |pair: &crate::formats::mhw::Pair| {
+            let outside = || format!("bone `{name}` has vertex {}, but the mesh has {vertices} vertices", pair.vertex);
+            let vertex = u32::try_from(pair.vertex).map_err(|_| super::stops("IndexError", outside()))?;
+            Ok((vertex, pair.weight))
+        };
+        entries.push((bone, pairs.iter().map(entry).collect::<Result<_, Error>>()?));
+    }
+    let slices: Vec<(usize, &[Entry])> = entries.iter().map(|(bone, list)| (*bone, list.as_slice())).collect();
+    let loaded = load(&slices, root, vertices).map_err(stopped)?;
+    Ok(NamedWeights { names, loaded })
+}
+
+/// For each bone of another skeleton the bones of the base skeleton whose weights it takes, in the order of both; behind
+/// them names that the base skeleton lacks, which stay in the list and give nothing.
+pub fn weight_references(base: &Skeleton, other: &Skeleton) -> Vec<(String, Vec<String>)> {
+    let taken = References::of(base, other);
+    let known: BTreeSet<&str> = taken.base.iter().copied().collect();
+    let of = |(bone, sources): (&Bone, &Vec<usize>)| {
+        let found = sources.iter().filter_map(|place| taken.base.get(*place)).copied();
+        let unknown = bone.weight_references().0.into_iter().filter(|name| !known.contains(name));
+        (bone.name.clone(), found.chain(unknown).map(str::to_owned).collect())
+    };
+    other.bones.iter().zip(&taken.sources).map(of).collect()
+}
+
+/// Weights of the base skeleton on another one.
+///
+/// # Errors
+/// Vertices beyond the mesh; a skeleton without a root.
+pub fn remapped(
+    weights: &NamedWeights,
+    base: &Skeleton,
+    other: &Skeleton,
+    vertices: usize,
+) -> Result<NamedWeights, Error> {
+    let references = References::of(base, other);
+    let places: BTreeMap<&str, usize> =
+        references.base.iter().enumerate().rev().map(|(place, name)| (*name, place)).collect();
+    let of = |list: &BoneWeights| {
+        let place = places.get(weights.names.get(list.bone)?.as_str())?;
+        Some(BoneWeights { bone: *place, ..list.clone() })
+    };
+    let bound: Vec<BoneWeights> = weights.loaded.bones.iter().filter_map(of).collect();
+    let moved = taken(&bound, &references.sources);
+    let slices: Vec<(usize, &[Entry])> = moved.iter().map(|list| (list.bone, list.entries.as_slice())).collect();
+    let order = other.breadth_first();
+    let (root, _) = order.first().ok_or_else(|| super::stops("IndexError", "the skeleton has no root".to_owned()))?;
+    let loaded = load(&slices, *root, vertices).map_err(stopped)?;
+    Ok(NamedWeights { names: other.bones.iter().map(|bone| bone.name.clone()).collect(), loaded })
+}
+
+/// The bones of a base skeleton in its order, and what those of another one take of them.
+struct References<'s> {
+    base: Vec<&'s str>,
+    sources: Vec<Vec<usize>>,
+}
+
+impl<'s> References<'s> {
+    fn of(base: &'s Skeleton, other: &Skeleton) -> Self {
+        let ordered: Vec<(&str, Option<usize>)> = base
+            .breadth_first()
+            .into_iter()
+            .filter_map(|(place, parent)| Some((base.bones.get(place)?.name.as_str(), parent)))
+            .collect();
+        let numbers: BTreeMap<&str, usize> =
+            ordered.iter().enumerate().rev().map(|(number, (name, _))| (*name, number)).collect();
+        let parents: Vec<Option<usize>> = ordered.iter().map(|(_, parent)| *parent).collect();
+        let find = |name: &str| numbers.get(name).copied();
+        let lists: Vec<(Vec<Option<usize>>, bool)> = other
+            .bones
+            .iter()
+            .map(|bone| {
+                let (names, is_explicit) = bone.weight_references();
+                (names.iter().map(|name| find(name)).collect(), is_explicit)
+            })
+            .collect();
+        let bones: Vec<RemapBone<'_>> = other
+            .bones
+            .iter()
+            .zip(&lists)
+            .map(|(bone, (references, is_explicit))| RemapBone {
+                same_name: find(&bone.name),
+                references,
+                is_explicit: *is_explicit,
+            })
+            .collect();
+        Self { sources: sources(&parents, &bones), base: ordered.into_iter().map(|(name, _)| name).collect() }
+    }
+}
+
+/// Bones that move a vertex in a pose, at most.
+const POSING: usize = 6;
+
+/// The weights that a pose moves a mesh by: of each vertex the strongest.
+///
+/// # Errors
+/// Weights of vertices beyond the mesh.
+pub(in crate::evaluate) fn posing_weights(weights: &[BoneWeights], vertices: usize) -> Result<Vec<BoneWeights>, Error> {
+    let mut lists: BTreeMap<usize, Vec<Entry>> = BTreeMap::new();
+    for (vertex, influences) in (0..).zip(strongest(weights, POSING, vertices).map_err(stopped)?) {
+        for (bone, weight) in influences.into_iter().filter(|(_, weight)| *weight != 0.0) {
+            lists.entry(bone).or_default().push((vertex, weight));
+        }
+    }
+    Ok(lists.into_iter().map(|(bone, entries)| BoneWeights { bone, entries }).collect())
+}
+
+/// The strongest bones of each vertex by name.
+///
+/// # Errors
+/// Vertices beyond the mesh.
+pub(super) fn compiled(
+    weights: &NamedWeights,
+    bones: &[String],
+    limit: usize,
+    vertices: usize,
+) -> Result<Vec<Vec<Influence>>, Error> {
+    let places: BTreeMap<&str, usize> =
+        bones.iter().enumerate().rev().map(|(place, name)| (name.as_str(), place)).collect();
+    let of = |list: &BoneWeights| {
+        let place = places.get(weights.names.get(list.bone)?.as_str())?;
+        Some(BoneWeights { bone: *place, ..list.clone() })
+    };
+    let lists: Vec<BoneWeights> = weights.loaded.bones.iter().filter_map(of).collect();
+    strongest(&lists, limit, vertices).map_err(stopped)
+}

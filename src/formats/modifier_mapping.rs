@@ -1,0 +1,43 @@
+//! `mh_1-0_modifier_mapping.csv` of MakeHuman 1: what modifiers of models of version 1.0 are called today
+//! (formats/makehuman1.md §8.3).
+
+/// The table, without its heading and the rows that separate parts of it.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct ModifierMapping {
+    /// Its rows.
+    pub rows: Vec<Renamed>,
+}
+
+/// A modifier with another name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Renamed {
+    /// Its line.
+    pub line: u32,
+    /// The name of today.
+    pub new: String,
+}
+
+/// Rows kept at most; the table of the program has 218.
+const MOST: usize = 20_000;
+
+/// Takes the second field of each row.
+pub fn read(text: &[u8]) -> ModifierMapping {
+    let text = String::from_utf8_lossy(text);
+    let rows = (1..).zip(text.lines()).skip(1).filter_map(|(line, row)| {
+        let new = row.split(',').nth(1)?.trim().trim_matches('"');
+        (!new.is_empty()).then(|| Renamed { line, new: new.to_owned() })
+    });
+    ModifierMapping { rows: rows.take(MOST).collect() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_without_a_name_separate() {
+        let table = read(b"Old,New,Invert\r\na/b,c/d,\n,,\nx\n\"e\",\"f/g\",Yes\n");
+        let rows: Vec<(u32, &str)> = table.rows.iter().map(|row| (row.line, row.new.as_str())).collect();
+        assert_eq!(rows, [(2, "c/d"), (5, "f/g")]);
+    }
+}

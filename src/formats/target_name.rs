@@ -1,0 +1,138 @@
+//! What the path of a target tells MakeHuman 1: the group it is in, and the macro variables that it depends on
+//! (formats/makehuman1.md §5).
+
+/// The categories of macro variables with the words that stand for their values.
+pub const CATEGORIES: [(&str, &[&str]); 9] = [
+    ("gender", &["male", "female"]),
+    ("age", &["baby", "child", "young", "old"]),
+    ("race", &["caucasian", "asian", "african"]),
+    ("muscle", &["maxmuscle", "averagemuscle", "minmuscle"]),
+    ("weight", &["minweight", "averageweight", "maxweight"]),
+    ("height", &["minheight", "averageheight", "maxheight"]),
+    ("breastsize", &["mincup", "averagecup", "maxcup"]),
+    ("breastfirmness", &["minfirmness", "averagefirmness", "maxfirmness"]),
+    ("bodyproportions", &["uncommonproportions", "regularproportions", "idealproportions"]),
+];
+
+/// What a path comes to.
+#[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct TargetName {
+    /// The words of the name of its group.
+    pub key: Vec<String>,
+    /// For each category the value that it has.
+    pub values: [Option<&'static str>; CATEGORIES.len()],
+}
+
+/// Two values of one category.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Clash {
+    /// The category.
+    pub category: &'static str,
+    /// The value that it has already.
+    pub first: &'static str,
+    /// The other one.
+    pub second: &'static str,
+}
+
+impl TargetName {
+    /// What a path below the data folder comes to.
+    ///
+    /// # Errors
+    /// Two values of one category: the application stops there.
+    pub fn of(rel: &str) -> Result<Self, Clash> {
+        rel.split('/').try_fold(Self::default(), Self::below)
+    }
+
+    /// What becomes of it with one more element of the path, a folder or the name of the file.
+    ///
+    /// # Errors
+    /// As [`Self::of`].
+    pub fn below(mut self, element: &str) -> Result<Self, Clash> {
+        for (at, word) in element.split(['-', '_', '.']).enumerate() {
+            if at == 0 && word == "targets" || word == "target" {
+                continue;
+            }
+            let Some((place, value)) = reserved(word) else {
+                self.key.push(word.to_owned());
+                continue;
+            };
+            let Some(slot) = self.values.get_mut(place) else { continue };
+            if let Some(first) = slot.filter(|first| *first != value) {
+                let category = CATEGORIES.get(place).map_or("", |(category, _)| category);
+                return Err(Clash { category, first, second: value });
+            }
+            *slot = Some(value);
+        }
+        Ok(self)
+    }
+
+    /// The categories that it has a value of.
+    pub fn categories(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        let named = CATEGORIES.iter().zip(&self.values);
+        named.filter_map(|((category, _), value)| Some((*category, (*value)?)))
+    }
+
+    /// The value that it has of a category.
+    pub fn value(&self, category: &str) -> Option<&'static str> {
+        self.categories().find(|(own, _)| *own == category).map(|(_, value)| value)
+    }
+
+    /// Whether it depends on some macro variable.
+    pub fn is_macro(&self) -> bool {
+        self.values.iter().any(Option::is_some)
+    }
+
+    /// The name of its group.
+    pub fn group(&self) -> String {
+        self.key.join("-")
+    }
+}
+
+/// The place of the category that a word is a value of, and the word.
+fn reserved(word: &str) -> Option<(usize, &'static str)> {
+    let value = |(_, values): &(&str, &'static [&'static str])| values.iter().find(|value| **value == word).copied();
+    CATEGORIES.iter().enumerate().find_map(|(place, row)| Some((place, value(row)?)))
+}
+
+/// The category that a word is a value of, such as `gender` of `male`.
+pub fn category_of(word: &str) -> Option<&'static str> {
+    CATEGORIES.get(reserved(word)?.0).map(|(category, _)| *category)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(rel: &str) -> (String, Vec<(&'static str, &'static str)>) {
+        let name = TargetName::of(rel).unwrap();
+        (name.group(), name.categories().collect())
+    }
+
+    #[test]
+    fn words_are_values_or_parts_of_the_group() {
+        let race = vec![("gender", "female"), ("age", "baby"), ("race", "asian")];
+        assert_eq!(of("targets/macrodetails/asian-female-baby.target"), ("macrodetails".to_owned(), race));
+        assert_eq!(of("targets/head/head-oval.target"), ("head-head-oval".to_owned(), Vec::new()));
+        assert_eq!(of("head/targets-head_oval.target").0, "head-head-oval");
+        assert_eq!(of("head/oval-targets.target").0, "head-oval-targets");
+        assert_eq!(of("targets/targets/head/target/oval.target").0, "head-oval");
+        assert_eq!(of("targets/head/head--oval.target").0, "head-head--oval");
+        assert_eq!(of("targets/head/Female.TARGET").0, "head-Female-TARGET");
+        assert_eq!(
+            of("targets/macrodetails/height/minheight.target"),
+            ("macrodetails-height".to_owned(), vec![("height", "minheight")])
+        );
+        assert_eq!(of("targets/female.target").0, "");
+    }
+
+    #[test]
+    fn one_category_has_one_value() {
+        assert_eq!(of("targets/female/female-old.target").1, [("gender", "female"), ("age", "old")]);
+        let clash = Clash { category: "gender", first: "male", second: "female" };
+        assert_eq!(TargetName::of("clothes/male_female_shirt"), Err(clash));
+        assert!(TargetName::of("hair/old/young").is_err());
+        assert!(TargetName::of("hair/Old/young").is_ok());
+        assert_eq!(category_of("mincup"), Some("breastsize"));
+        assert_eq!(category_of("cup"), None);
+    }
+}

@@ -1,0 +1,124 @@
+//! Targets by the words of their paths, and the user's own (formats/makehuman1.md §5, §8.4).
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::view::OWN;
+use crate::discover::Kind;
+use crate::formats::target_name::{Clash, TargetName};
+use crate::repo::{FileFacts, Layer, Layers};
+
+/// The folder of the user's own targets.
+pub(crate) const CUSTOM: &str = "custom";
+
+/// All targets that the program finds.
+#[derive(Debug, Default)]
+pub(crate) struct Targets<'a> {
+    /// Those of the system, wherever they lie in its data, by path.
+    pub shipped: Vec<NamedTarget<'a>>,
+    /// Places of those of each group.
+    by_group: BTreeMap<String, Vec<usize>>,
+    /// The first paths at which two values of one category meet: no target is found at all.
+    pub clashes: Vec<PathClash<'a>>,
+    /// Those of the user, by path.
+    pub custom: Vec<CustomTarget<'a>>,
+    /// Whether an archive stands for those of the system, so that nobody can tell which are found.
+    pub is_packed: bool,
+}
+
+/// A target of the system.
+#[derive(Debug)]
+pub(crate) struct NamedTarget<'a> {
+    /// Its file.
+    pub file: &'a FileFacts,
+    /// What its path tells.
+    pub name: TargetName,
+}
+
+/// A target of the user, with a slider of its own.
+#[derive(Debug)]
+pub(crate) struct CustomTarget<'a> {
+    /// Its file.
+    pub file: &'a FileFacts,
+    /// The full name of its modifier.
+    pub name: String,
+}
+
+/// Where two values of one category meet.
+#[derive(Debug)]
+pub(crate) struct PathClash<'a> {
+    /// The folder or the target, relative to the root.
+    pub rel: &'a str,
+    /// The target, where it is one.
+    pub file: Option<&'a FileFacts>,
+    /// What meets.
+    pub clash: Clash,
+}
+
+impl<'a> Targets<'a> {
+    pub(super) fn of(layers: Layers<'a>) -> Self {
+        let mut targets = Self { custom: custom(layers), ..Self::default() };
+        let Some(system) = layers.system else { return targets };
+        targets.is_packed = system.file(ARCHIVE).is_some();
+        if !targets.is_packed {
+            targets.clashes = clashes(system);
+        }
+        for file in system.files.values().filter(|file| file.kind_in(OWN) == Kind::Target && !file.is_loose) {
+            let Ok(name) = TargetName::of(&file.rel) else { continue };
+            targets.by_group.entry(name.group()).or_default().push(targets.shipped.len());
+            targets.shipped.push(NamedTarget { file, name });
+        }
+        targets
+    }
+
+    /// The targets of a group.
+    pub(crate) fn of_group(&self, group: &str) -> &[usize] {
+        self.by_group.get(group).map(Vec::as_slice).unwrap_or_default()
+    }
+
+    /// The place of a target of the system.
+    pub(super) fn place(&self, rel: &str) -> Option<usize> {
+        self.shipped.binary_search_by(|one| one.file.rel.as_str().cmp(rel)).ok()
+    }
+
+    /// A target by its place.
+    pub(crate) fn at(&self, place: usize) -> Option<&NamedTarget<'a>> {
+        self.shipped.get(place)
+    }
+
+    /// The names of all groups.
+    pub(crate) fn groups(&self) -> impl Iterator<Item = &str> {
+        self.by_group.keys().map(String::as_str)
+    }
+}
+
+/// What stands for all targets.
+const ARCHIVE: &str = "targets.npz";
+
+/// Folders and targets at which the scan stops. What is below a folder with such a name is not told again.
+fn clashes(system: &Layer) -> Vec<PathClash<'_>> {
+    let is_target = |file: &&FileFacts| file.kind_in(OWN) == Kind::Target && !file.is_loose;
+    let folders = system.folders.iter().map(|rel| (rel.as_str(), None));
+    let files = system.files.values().filter(is_target).map(|file| (file.rel.as_str(), Some(file)));
+    let clash = |(rel, file)| Some(PathClash { rel, file, clash: TargetName::of(rel).err()? });
+    let all: Vec<PathClash<'_>> = folders.chain(files).filter_map(clash).collect();
+    let names: BTreeSet<&str> = all.iter().map(|one| one.rel).collect();
+    let is_below =
+        |rel: &str| rel.match_indices('/').any(|(end, _)| rel.get(..end).is_some_and(|up| names.contains(up)));
+    let below: BTreeSet<&str> = all.iter().map(|one| one.rel).filter(|rel| is_below(rel)).collect();
+    all.into_iter().filter(|one| !below.contains(one.rel)).collect()
+}
+
+/// The targets in `custom` of the user, each with the name that its path gives it.
+fn custom(layers: Layers<'_>) -> Vec<CustomTarget<'_>> {
+    let user = layers.user.filter(|_| !layers.is_one_root());
+    let files = user.into_iter().flat_map(|user| user.below(CUSTOM));
+    let targets = files.filter(|file| file.kind_in(OWN) == Kind::Target && !file.is_loose);
+    targets.map(|file| CustomTarget { file, name: custom_name(&file.rel) }).collect()
+}
+
+/// `custom/<path with dashes>`.
+fn custom_name(rel: &str) -> String {
+    let below = rel.strip_prefix("custom/").unwrap_or(rel);
+    let stem = below.strip_suffix(".target").unwrap_or(below);
+    format!("{CUSTOM}/{}", stem.replace('/', "-"))
+}

@@ -1,0 +1,31 @@
+//! Older names of modifiers lead to ones that exist.
+
+use super::super::{Check, Rule, RuleCx, did_you_mean, such};
+use crate::diag::{Application::Makehuman1, Evidence, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
+use crate::repo::makehuman1::View;
+
+pub(in crate::rules) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
+    breaks: &[(Makehuman1, "loses the value of this slider when it loads a model of version 1.0")],
+    docs: "`mh_1-0_modifier_mapping.csv` says what modifiers of models of version 1.0 are called today. Where the new name \
+        does not exist, the value of the model is lost with a warning in the log.\n\nCorrect the name.",
+    ..RuleInfo::new("modifiers-renamed", Level::Warning, "an older name that leads to no modifier")
+});
+
+fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if !view.layers.checks_system() || !view.modifiers.is_whole() {
+        return;
+    }
+    let files = view.layers.checked.files.values().filter(|file| file.kind == Kind::ModifierMapping);
+    for file in files {
+        let rows = file.modifier_mapping().map(|mapping| mapping.rows.as_slice()).unwrap_or_default();
+        let lost: Vec<_> = rows.iter().filter(|row| view.modifiers.called(&row.new).next().is_none()).collect();
+        let Some(first) = lost.first() else { continue };
+        let message = format!("modifier `{}` does not exist{}", first.new, such(lost.len(), "rows"));
+        let near = cx.suggestions.nearest(&first.new, view.modifiers.names());
+        let finding = RULE.at(file, Place::Line(first.line), message).key("rows");
+        let finding = finding.parts(lost.iter().map(|row| row.new.as_str()));
+        let finding = finding.evidence(Evidence::of_cases(lost.iter().map(|row| row.new.as_str())));
+        out.push(finding.help(did_you_mean(near, "correct the name")));
+    }
+}

@@ -1,0 +1,60 @@
+//! A slider for a measure has a ruler in the program.
+
+use super::super::{Check, Rule, RuleCx, did_you_mean};
+use crate::diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
+use crate::repo::makehuman1::View;
+
+pub(in crate::rules) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
+    breaks: &[(Makehuman1, "fails with `KeyError` when the tab is opened, and at each change of the human from then on")],
+    docs: "For each slider of `measurement_sliders.json` the program has a ruler under the full name of the modifier, such as \
+        `measure/measure-neck-circ-decr|incr`. There are twenty of them, and no file can add one.\n\n\
+        Move a slider for anything else to `modeling_sliders.json` or `bodyshapes_sliders.json`.",
+    ..RuleInfo::new("modifiers-missing-ruler", Level::Error, "a measure for which the program has no ruler")
+});
+
+/// What is measured (formats/makehuman1.md §8.3).
+const RULERS: [&str; 20] = [
+    "neck-circ",
+    "neck-height",
+    "upperarm-circ",
+    "upperarm-length",
+    "lowerarm-length",
+    "wrist-circ",
+    "frontchest-dist",
+    "bust-circ",
+    "underbust-circ",
+    "waist-circ",
+    "napetowaist-dist",
+    "waisttohip-dist",
+    "shoulder-dist",
+    "hips-circ",
+    "upperleg-height",
+    "thigh-circ",
+    "lowerleg-height",
+    "calf-circ",
+    "knee-circ",
+    "ankle-circ",
+];
+
+fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if !view.layers.checks_system() {
+        return;
+    }
+    let Some((file, sliders)) =
+        view.modifiers.sets.iter().find(|set| set.stem == "measurement").and_then(|set| set.sliders)
+    else {
+        return;
+    };
+    for named in sliders.modifiers() {
+        let measure = named.name.strip_prefix("measure/measure-").and_then(|name| name.strip_suffix("-decr|incr"));
+        let is_known = measure.is_some_and(|measure| RULERS.contains(&measure));
+        // What no modifier has is told as that.
+        if is_known || view.modifiers.called(&named.name).next().is_none() {
+            continue;
+        }
+        let near = measure.and_then(|measure| cx.suggestions.nearest(measure, RULERS));
+        let message = format!("the program has no ruler for `{}`", named.name);
+        let finding = RULE.at(file, Place::Pointer(named.pointer.clone()), message).key(&named.name);
+        out.push(finding.help(did_you_mean(near, "move the slider to another file")));
+    }
+}
