@@ -27,8 +27,8 @@ pub(super) fn bind(skeleton: &SceneSkeleton, weights: &Weights, scene: &Scene) -
         let place = places.get(named.names.get(list.bone)?.as_str())?;
         Some(BoneWeights { bone: *place, ..list })
     };
-    let bones = named.loaded.bones.iter().cloned().filter_map(bone).collect();
-    Some(LoadedWeights { bones, ..named.loaded.clone() })
+    let bones = named.loaded.bones.into_iter().filter_map(bone).collect();
+    Some(LoadedWeights { bones, ..named.loaded })
 }
 
 /// Lists loaded for a mesh of so many vertices; what is without weights goes to `root`.

@@ -11,5 +11,5 @@ mod view;
 
 pub(crate) use library::Asset;
 pub(crate) use modifiers::{KnownModifier, SETS, VARIABLES, category};
-pub(crate) use targets::{NamedTarget, PathClash};
+pub(crate) use targets::{CUSTOM, NamedTarget, PathClash};
 pub(crate) use view::{HIDDEN, View, is_checked, mesh, shows, worn};

@@ -3,11 +3,12 @@
 use std::collections::BTreeSet;
 
 use super::super::{Rule, counted, did_you_mean};
+use super::mpfb;
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped, nearest};
 use crate::discover::{extension, libraries, library_extension, library_of};
 use crate::formats::mhclo::Entry;
 use crate::repo::FileFacts;
-use crate::repo::makehuman1::{Asset, View};
+use crate::repo::makehuman1::{Asset, CUSTOM, View};
 use crate::source::{Guess, is_below};
 
 /// What is worn in a library that lists another extension.
@@ -53,20 +54,9 @@ pub(super) fn targets_in_capitals(rule: &Rule, view: &View<'_>, out: &mut Vec<Fi
     if view.layers.checks_system() {
         return;
     }
-    let files = view.layers.checked.below(CUSTOM);
-    let is_lost = |file: &&FileFacts| {
-        let own = extension(&file.rel);
-        own != "target" && own.eq_ignore_ascii_case("target")
-    };
-    out.extend(files.filter(is_lost).map(|file| {
-        let message = format!("`{}` must end in `.target`: capitals matter", file.file_name());
-        let finding = rule.at(file, Place::File, message).key("suffix").case(NO_SLIDER);
-        finding.help("write the suffix in small letters")
-    }));
+    let files = view.layers.checked.below(CUSTOM).filter(|file| mpfb::is_in_capitals(file, "target"));
+    out.extend(files.map(|file| mpfb::capitals(rule, file, "target").case(NO_SLIDER)));
 }
-
-/// The folder of a user's targets.
-const CUSTOM: &str = "custom";
 
 /// Folders with assets that are no library, such as `Clothes` or `hairs`.
 pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {

@@ -1,32 +1,13 @@
 //! What becomes of a value that does not fit its schema in MakeHuman 1 (formats/makehuman1.md §3, §4, §8, §17, §20;
 //! makehuman1-observed.md 1, 2, 3).
 
-use super::Consequence;
 use super::makehuman1::STOPS_AT_START;
-use crate::diag::Level::{self, Error, Info, Warning};
+use super::values::{ANY, NULL, Row, TEXT, row};
+use super::{Consequence, values};
+use crate::diag::Level::{Error, Info, Warning};
 use crate::discover::{Kind, Single};
-use crate::json::{Found, SchemaFault};
+use crate::json::SchemaFault;
 use crate::repo::FileFacts;
-
-/// A row; the first that fits counts.
-struct Row {
-    kind: Kind,
-    /// Beginning of the place in the schema.
-    keyword: &'static str,
-    /// Whether it is for what was found.
-    found: Test,
-    consequence: Consequence,
-}
-
-type Test = fn(Option<&Found>) -> bool;
-
-const ANY: Test = |_| true;
-const NULL: Test = |found| found == Some(&Found::Null);
-const TEXT: Test = |found| matches!(found, Some(Found::Text(_)));
-
-const fn row(kind: Kind, keyword: &'static str, found: Test, level: Level, effect: &'static str) -> Row {
-    Row { kind, keyword, found, consequence: Consequence::new(level, effect) }
-}
 
 const NO_SET: &str = "fails at start: no further modifiers of the file are loaded, and none of its tabs is shown";
 const NO_TABS: &str = "shows neither the rest of the tab nor the tabs behind it in the file";
@@ -69,7 +50,5 @@ pub(super) fn of_value(layout: &crate::discover::Layout, file: &FileFacts, fault
     if (layout.single)(&file.rel) == Some(Single::FirstRig) && file.kind == Kind::Weights {
         return Some(Consequence::new(Error, STOPS_AT_START));
     }
-    let fits =
-        |row: &&Row| row.kind == file.kind && fault.keyword.starts_with(row.keyword) && (row.found)(fault.found());
-    ROWS.iter().find(fits).map(|row| row.consequence)
+    values::first_fit(&ROWS, file.kind, fault)
 }

@@ -1,8 +1,9 @@
 //! What becomes of a value that does not fit its schema, where it is not the usual exception: a table by schema
 //! place (formats/makehuman2.md §3.1, §4, §5.1, §7, §9, §10, §11, §19).
 
-use super::Consequence;
 use super::makehuman2::{NEVER_OPENED, NO_WEIGHTS_LOADED, NOT_READ, REFUSED_ASSET, is_opened_by_scripts};
+use super::values::{ANY, NULL, Row, TEXT, Test, row};
+use super::{Consequence, values};
 use crate::diag::Level;
 use crate::discover::Kind;
 use crate::formats::Content;
@@ -10,25 +11,11 @@ use crate::json::{Found, SchemaFault};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::View;
 
-/// A row; the first that fits counts.
-struct Row {
-    kind: Kind,
-    /// Beginning of the place in the schema.
-    keyword: &'static str,
-    /// What was found.
-    found: Test,
-    consequence: Consequence,
-}
-
-type Test = fn(Option<&Found>) -> bool;
-
-const TEXT: Test = |found| matches!(found, Some(Found::Text(_)));
 const LIST: Test = |found| matches!(found, Some(Found::List { .. }));
 const TEXT_OR_LIST: Test = |found| TEXT(found) || LIST(found);
 const NUMBER: Test = |found| matches!(found, Some(Found::Number(_)));
 const OBJECT: Test = |found| found == Some(&Found::Object);
 const TRUTH: Test = |found| matches!(found, Some(Found::Bool(_)));
-const NULL: Test = |found| found == Some(&Found::Null);
 /// What Python takes for false, and the loader for no file.
 const EMPTY: Test = |found| match found {
     Some(Found::Null | Found::Bool(false) | Found::List { is_empty: true }) => true,
@@ -36,11 +23,6 @@ const EMPTY: Test = |found| match found {
     Some(Found::Number(number)) => number == "0",
     _ => false,
 };
-const ANY: Test = |_| true;
-
-const fn row(kind: Kind, keyword: &'static str, found: Test, level: Level, effect: &'static str) -> Row {
-    Row { kind, keyword, found, consequence: Consequence::new(level, effect) }
-}
 
 const SKIPPED: &str = "silently skips the combination";
 const SCAN_TYPE: &str = "crashes at start with `TypeError` while scanning the assets";
@@ -184,10 +166,9 @@ pub(super) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -
     if kind == MacroJson && fault.keyword.starts_with("/$defs/target/required") && is_lost(file, fault) {
         return Some(Consequence::new(Error, "never applies the macrodef: none of its combinations has a file"));
     }
-    let fits = |row: &&Row| fault.keyword.starts_with(row.keyword) && (row.found)(fault.found());
-    let of = |kind| ROWS.iter().filter(move |row| row.kind == kind).find(fits);
+    let of = |kind| values::first_fit(&ROWS, kind, fault);
     let general = || (kind == Kind::AssetWeights).then(|| of(Weights)).flatten();
-    of(kind).or_else(general).map(|row| row.consequence)
+    of(kind).or_else(general)
 }
 
 /// What numbers come to that JSON does not have, where a slider is reset to one.

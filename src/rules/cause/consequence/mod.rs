@@ -9,6 +9,7 @@ mod makehuman2_keys;
 mod makehuman2_values;
 mod mpfb;
 mod table;
+mod values;
 
 pub(in crate::rules) use makehuman1::{NO_FRAME, STOPS_AT_START};
 pub(in crate::rules) use makehuman2::{
