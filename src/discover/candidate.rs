@@ -1,6 +1,7 @@
 //! Every path of a data root with what it is for, found out once.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use super::{Kind, Layout, Role};
 use crate::diag::Application;
@@ -56,13 +57,24 @@ pub(crate) fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) ->
     let entries = tree.entries().iter().filter_map(|entry| Some((entry, inside(&entry.path, root)?)));
     // What macOS puts beside the files of a zip, no application looks for.
     let entries = entries.filter(|(_, rel)| !is_below(rel, "__MACOSX"));
+    // What is hidden from these applications may be listed for the sake of others.
+    let is_taken = |entry: &Entry| {
+        layouts.iter().any(|layout| layout.takes(&entry.path, root.len(), entry.kind == EntryKind::Folder))
+    };
+    let entries = entries.filter(|(entry, _)| is_taken(entry));
     let mut found: Vec<Candidate<'t>> = entries.map(|(entry, rel)| Candidate::new(entry, rel, layouts)).collect();
-    for layout in layouts.iter().filter(|layout| !layout.beside.is_empty()) {
-        // Only a user has something of his own there.
-        if (layout.role)(&found) == Role::User {
-            found.extend(beside(tree, root, layout));
+    // Only a user has something of his own there.
+    let users = layouts.iter().filter(|layout| !layout.beside.is_empty() && (layout.role)(&found) == Role::User);
+    let mut around: Vec<Candidate<'t>> = Vec::new();
+    // What is in the data folder itself comes first.
+    let own: BTreeSet<&str> = found.iter().map(|one| &*one.rel).collect();
+    for one in users.flat_map(|layout| beside(tree, root, layout)).filter(|one| !own.contains(&*one.rel)) {
+        match around.iter_mut().find(|other| other.rel == one.rel) {
+            Some(other) => other.uses.extend(one.uses),
+            None => around.push(one),
         }
     }
+    found.extend(around);
     found
 }
 

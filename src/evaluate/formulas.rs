@@ -11,7 +11,7 @@ use serde_json::{Map, Value};
 use super::cases::Kind;
 use super::data::{RestSkeleton, SkeletonFile};
 use super::gauge::gauge;
-use super::{Error, Evaluation, Rows, Setting, makehuman1, makehuman2, mpfb};
+use super::{Error, Evaluation, Rows, Setting, SliderSetting, makehuman1, makehuman2, mpfb};
 use crate::config::Config;
 use crate::diag::Application;
 use crate::eval::measures::Measures;
@@ -179,6 +179,20 @@ impl Evaluation {
             }
             Formulas::Makehuman1 => makehuman1::macros::macros_json(self, setting),
             Formulas::Mpfb => mpfb::macros::macros_json(self, setting),
+        }
+    }
+
+    /// What modifiers do to their targets at a setting, as JSON: these one by one, then the weights of all targets.
+    ///
+    /// # Errors
+    /// Data of another application than `MakeHuman` 1; an unknown modifier.
+    pub fn modifiers_json(&self, setting: &Setting, asked: &[SliderSetting]) -> Result<Map<String, Value>, Error> {
+        match self.formulas {
+            Formulas::Makehuman1 => makehuman1::modifiers::modifiers_json(self, setting, asked),
+            Formulas::Makehuman2 | Formulas::Mpfb => {
+                let name = self.application().title();
+                Err(Error::Input(format!("modifiers are those of MakeHuman 1; for {name} use `mhlint eval macros`")))
+            }
         }
     }
 

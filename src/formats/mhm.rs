@@ -7,6 +7,7 @@ use std::ops::Range;
 
 use super::fields::fields;
 use super::mhm_columns::{self, Columns};
+use super::mhm_lines::{self, Lines};
 use super::number::python_float;
 use crate::source::lines;
 
@@ -37,6 +38,8 @@ pub struct Model {
     pub has_keyword: bool,
     /// The same lines as a loader takes them that does not split them into words.
     pub columns: Columns,
+    /// The same lines as MakeHuman 1 takes them.
+    pub lines: Lines,
 }
 
 /// A word and where it stands, in bytes.
@@ -113,7 +116,7 @@ const MOST: usize = 50_000;
 
 /// Reads all lines. Bytes that are no UTF-8 are dropped, as the loader does.
 pub fn read(text: &[u8]) -> Model {
-    let mut model = Model { columns: mhm_columns::read(text), ..Model::default() };
+    let mut model = Model { columns: mhm_columns::read(text), lines: mhm_lines::read(text), ..Model::default() };
     for (Range { start, .. }, line) in lines(text) {
         let words = fields(line);
         let word = |at: usize| words.get(at).map(|(from, word)| new_word(start + from, word)).unwrap_or_default();
@@ -171,7 +174,8 @@ impl Default for Word {
     }
 }
 
-fn new_word(start: usize, word: &[u8]) -> Word {
+/// A word that begins at this byte.
+pub(super) fn new_word(start: usize, word: &[u8]) -> Word {
     let text: String = word.utf8_chunks().map(|chunk| chunk.valid()).collect();
     Word { text: text.into(), span: start..start + word.len() }
 }

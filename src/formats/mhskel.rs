@@ -110,6 +110,12 @@ pub enum RotationPlane {
 }
 
 impl Skeleton {
+    /// The bones that MakeHuman 1 has, in its order, by name.
+    pub fn names_in_order(&self) -> Vec<String> {
+        let places = self.breadth_first().into_iter().map(|(place, _)| place);
+        places.filter_map(|place| Some(self.bones.get(place)?.name.clone())).collect()
+    }
+
     /// Places of bones in the order of MakeHuman 1, each with the number of its parent: all roots, then breadth first. Bones
     /// below an unknown parent or in a circle do not exist for it (formats/makehuman1.md §4).
     pub fn breadth_first(&self) -> Vec<(usize, Option<usize>)> {

@@ -6,6 +6,7 @@
 
 pub mod asset_mesh;
 pub mod base_json;
+pub mod bone_references;
 pub mod bvh;
 pub mod bvh_blender;
 mod content;
@@ -34,6 +35,7 @@ pub mod mhbin_asset;
 pub mod mhclo;
 pub mod mhm;
 pub mod mhm_columns;
+pub mod mhm_lines;
 pub mod mhmat;
 pub mod mhpose;
 pub mod mhskel;

@@ -13,6 +13,8 @@ pub struct ModifierMapping {
 pub struct Renamed {
     /// Its line.
     pub line: u32,
+    /// The older name.
+    pub old: String,
     /// The name of today.
     pub new: String,
 }
@@ -20,12 +22,13 @@ pub struct Renamed {
 /// Rows kept at most; the table of the program has 218.
 const MOST: usize = 20_000;
 
-/// Takes the second field of each row.
+/// Takes the first two fields of each row.
 pub fn read(text: &[u8]) -> ModifierMapping {
     let text = String::from_utf8_lossy(text);
     let rows = (1..).zip(text.lines()).skip(1).filter_map(|(line, row)| {
-        let new = row.split(',').nth(1)?.trim().trim_matches('"');
-        (!new.is_empty()).then(|| Renamed { line, new: new.to_owned() })
+        let mut fields = row.split(',').map(|field| field.trim().trim_matches('"'));
+        let (old, new) = (fields.next()?, fields.next()?);
+        (!new.is_empty()).then(|| Renamed { line, old: old.to_owned(), new: new.to_owned() })
     });
     ModifierMapping { rows: rows.take(MOST).collect() }
 }
@@ -37,7 +40,7 @@ mod tests {
     #[test]
     fn rows_without_a_name_separate() {
         let table = read(b"Old,New,Invert\r\na/b,c/d,\n,,\nx\n\"e\",\"f/g\",Yes\n");
-        let rows: Vec<(u32, &str)> = table.rows.iter().map(|row| (row.line, row.new.as_str())).collect();
-        assert_eq!(rows, [(2, "c/d"), (5, "f/g")]);
+        let rows: Vec<_> = table.rows.iter().map(|row| (row.line, row.old.as_str(), row.new.as_str())).collect();
+        assert_eq!(rows, [(2, "a/b", "c/d"), (5, "e", "f/g")]);
     }
 }

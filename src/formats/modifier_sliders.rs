@@ -18,6 +18,8 @@ pub struct Tab {
     pub pointer: String,
     /// Its name, which no other tab of its program may have.
     pub name: String,
+    /// What lines of models may begin with for its sake, which sets nothing.
+    pub saved_as: Option<String>,
     /// Its boxes, in order.
     pub categories: Vec<Category>,
 }
@@ -68,7 +70,8 @@ pub fn read(document: &Document) -> ModifierSliders {
                 category.node.elements().iter().enumerate().map(|(at, node)| slider(node, &nth(&pointer, at)));
             Category { sliders: sliders.collect(), name: category.key.clone(), pointer }
         });
-        Tab { categories: categories.collect(), name: member.key.clone(), pointer }
+        let saved_as = text(&member.node, "saveName");
+        Tab { categories: categories.collect(), name: member.key.clone(), pointer, saved_as }
     });
     ModifierSliders { tabs: tabs.collect() }
 }

@@ -152,6 +152,8 @@ pub(crate) struct PoseUnitsFile<'v> {
     pub is_there: bool,
     /// The file that is read, if it could be.
     pub units: Option<(&'v FileFacts, &'v PoseUnits)>,
+    /// The same where units are frames of a motion that have names alone.
+    pub frames: Option<(&'v FileFacts, &'v [String])>,
 }
 
 /// Weights of a body, or of an asset that it wears.
@@ -264,6 +266,15 @@ impl<'v> Body<'v> {
     pub(crate) fn units_of(&self, pose: &BodyPose<'_>) -> Option<(&'v FileFacts, &'v PoseUnits)> {
         let category = if pose.is_expression { "expressions" } else { "poses" };
         self.pose_units.iter().find(|units| units.category == category)?.units
+    }
+
+    /// The names of the units that a pose can set, if they could be read.
+    pub(crate) fn unit_names(&self, pose: &BodyPose<'_>) -> Option<(&'v FileFacts, BTreeSet<&'v str>)> {
+        let category = if pose.is_expression { "expressions" } else { "poses" };
+        let own = self.pose_units.iter().find(|units| units.category == category)?;
+        let turns = || own.units.map(|(file, units)| (file, units.units.iter().map(|unit| &*unit.name).collect()));
+        let frames = || own.frames.map(|(file, names)| (file, names.iter().map(String::as_str).collect()));
+        turns().or_else(frames)
     }
 
     /// The rig that the application poses the body with.

@@ -62,6 +62,10 @@ pub enum ReferenceKind {
     ModelSkeleton,
     /// `material` of a model.
     ModelMaterial,
+    /// `pose` of a model.
+    ModelPose,
+    /// `expression` of a model.
+    ModelExpression,
     /// A slot of `opposites` in `target.json`.
     Slot,
     /// `name` in `target.json` of a slider without `opposites`.

@@ -105,7 +105,7 @@ impl<'a> View<'a> {
     /// Whether a list of the application would show a file, of those that do not follow links to folders.
     pub(crate) fn lists(&self, file: &FileFacts) -> bool {
         match self {
-            Self::Makehuman1(_) => library_of(&file.rel).is_some(),
+            Self::Makehuman1(_) => library_of(&file.rel).is_some() || makehuman1::is_own_target(&file.rel),
             Self::Mpfb(_) => !matches!(file.kind_in(Application::Mpfb), Kind::Other | Kind::Image | Kind::Json),
             Self::Makehuman2(_) => false,
         }

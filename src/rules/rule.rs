@@ -24,9 +24,10 @@ pub(crate) enum Check {
     Makehuman2(fn(&makehuman2::View<'_>, &makehuman2::Base<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
     /// The data of `MakeHuman` 2 as a whole: what its lists show.
     Makehuman2Library(fn(&makehuman2::View<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
-    /// The saved characters of each base mesh of `MakeHuman` 2, and those that MPFB imports.
+    /// The saved characters of each base mesh of `MakeHuman` 2, those of `MakeHuman` 1, and those that MPFB imports.
     Models(
         fn(&makehuman2::View<'_>, &makehuman2::Base<'_>, &RuleCx<'_>, &mut Vec<Finding>),
+        fn(&makehuman1::View<'_>, &RuleCx<'_>, &mut Vec<Finding>),
         fn(&mpfb::View<'_>, &RuleCx<'_>, &mut Vec<Finding>),
     ),
     /// What the lists of `MakeHuman` 2 show, and those of `MakeHuman` 1.

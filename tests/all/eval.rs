@@ -600,3 +600,40 @@ fn assets_of_mpfb_are_fitted() {
     let output = fit(&[]);
     assert!(output.status.code() == Some(2) && stderr(&output).contains("KeyError"), "{}", stderr(&output));
 }
+
+#[test]
+fn modifiers_of_makehuman1_share_out_their_values() {
+    let set = ["--set", "head/head-size-decr|incr=-0.5", "--set", "macrodetails/Gender=1", "--set", "head/head-oval=7"];
+    let outputs = json_of(&eval(&[&["modifiers", MAKEHUMAN1][..], &set].concat()))["outputs"].clone();
+    let of = |name: &str| outputs["modifiers"][name].clone();
+    let size = of("head/head-size-decr|incr");
+    assert_eq!(size["weights"], serde_json::json!({ "head/head-size-decr.target": 0.5 }));
+    assert_eq!((&size["clamped"], &size["value_read_back"]), (&(-0.5).into(), &(-0.5).into()));
+    assert_eq!(of("head/head-oval")["clamped"], 1.0);
+    let gender = of("macrodetails/Gender");
+    let names = gender["weights"].as_object().unwrap();
+    assert!(!names.is_empty() && names.keys().all(|name| name.contains("-male-")), "{names:?}");
+    assert_eq!(outputs["targets"]["head/head-size-decr.target"], 0.5);
+    assert_eq!(outputs["variables"]["male"], 1.0);
+    let reason = error_of(&["modifiers", "fixtures/makehuman2", "--base", "figure"]);
+    assert!(reason.contains("for MakeHuman 2 use `mhlint eval macros`"), "{reason}");
+    assert!(error_of(&["modifiers", MAKEHUMAN1, "--set", "head/head-ovall=1"]).contains("head/head-oval"));
+}
+
+#[test]
+fn weights_of_makehuman1_go_to_other_skeletons_by_their_references() {
+    let file = |name: &str| format!("{MAKEHUMAN1}/rigs/{name}");
+    let (weights, base, stick) = (file("default_weights.mhw"), file("default.mhskel"), file("stick.mhskel"));
+    let usual = ["weights", &weights, "--app", "makehuman1", "--skeleton", &base, "--remap-to", &stick];
+    let outputs = json_of(&eval(&usual))["outputs"].clone();
+    let bones = outputs["bones"].as_object().unwrap();
+    let taken = outputs["weight_references"].as_object().unwrap();
+    assert!(taken.len() > 1 && bones.keys().all(|bone| taken.contains_key(bone)), "{bones:?} {taken:?}");
+    let one = |value: &Value| (value.as_f64().unwrap() - 1.0).abs() < 1e-3;
+    assert!(outputs["vertex_sum_range"].as_array().unwrap().iter().all(one), "{outputs}");
+    let reduced = json_of(&eval(&[&usual[..], &["--max-influences", "1"]].concat()))["outputs"].clone();
+    assert_eq!(reduced["reduction"]["max_influences"], 1);
+    assert!(reduced["vertex_sum_range"].as_array().unwrap().iter().all(one), "{reduced}");
+    let reason = error_of(&[&usual[..], &["--max-influences", "7"]].concat());
+    assert!(reason.contains("only of 1 to 6 and of 13"), "{reason}");
+}

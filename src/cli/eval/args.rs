@@ -9,6 +9,8 @@ use clap::{Args, Subcommand, ValueEnum};
 pub(in crate::cli) enum EvalCommand {
     /// Compute the factors of macro targets and combinations.
     Macros(BaseArgs),
+    /// Compute what modifiers of MakeHuman 1 do to their targets.
+    Modifiers(BaseArgs),
     /// Compute the base mesh for slider settings.
     Mesh(MeshArgs),
     /// Compute joints and rest matrices for slider settings.
@@ -137,6 +139,9 @@ pub(in crate::cli) struct WeightsArgs {
     /// Vertices without weights go to its root bone, or to `root` if no skeleton is used.
     #[arg(long, value_name = "FILE")]
     pub(super) skeleton: Option<PathBuf>,
+    /// Load the weights as this application does.
+    #[arg(long, value_name = "APPLICATION", default_value = "makehuman2", conflicts_with = "rig")]
+    pub(super) app: LoadedBy,
     /// Rig of MPFB (rig.*.json): load the weights as MPFB does, into vertex groups of its bones.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["skeleton", "max_influences", "remap_to", "output"])]
     pub(super) rig: Option<PathBuf>,
@@ -208,6 +213,15 @@ pub(super) enum FittedBy {
     Makehuman1,
     /// MPFB.
     Mpfb,
+}
+
+/// Applications that load weights for a skeleton.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum LoadedBy {
+    /// MakeHuman 2.
+    Makehuman2,
+    /// MakeHuman 1: bones of another skeleton take the weights of their reference bones.
+    Makehuman1,
 }
 
 /// When an asset was attached.

@@ -1,4 +1,5 @@
-//! What `mhlint eval` shows of a base at a setting: its macros, its mesh, a skeleton on it, its mesh in a pose.
+//! What `mhlint eval` shows of a base at a setting: its macros and modifiers, its mesh, a skeleton on it, its mesh in a
+//! pose.
 
 use std::io::Write;
 
@@ -15,6 +16,13 @@ pub(super) fn macros(args: &BaseArgs, out: &mut dyn Write) -> Result<(), Failure
     let opened = open(args)?;
     let outputs = opened.evaluation.macros_json(&opened.setting)?;
     write::write(&document("macros", opened.inputs, outputs), None, out)
+}
+
+/// `mhlint eval modifiers`.
+pub(super) fn modifiers(args: &BaseArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let opened = open(args)?;
+    let outputs = opened.evaluation.modifiers_json(&opened.setting, &opened.values)?;
+    write::write(&document("modifiers", opened.inputs, outputs), None, out)
 }
 
 /// `mhlint eval mesh`.

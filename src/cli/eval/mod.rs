@@ -16,13 +16,14 @@ pub(super) use args::EvalCommand;
 
 use super::exit::{Exit, Failure};
 use crate::engine::open_base;
-use crate::evaluate::{Error, Evaluation, Setting, object, parse_setting, read_settings};
+use crate::evaluate::{Error, Evaluation, Setting, SliderSetting, object, parse_setting, read_settings};
 use args::{BaseArgs, SettingArgs};
 
 /// Runs one of the commands.
 pub(super) fn run(command: &EvalCommand, out: &mut dyn Write, err: &mut dyn Write) -> Result<Exit, Failure> {
     match command {
         EvalCommand::Macros(args) => base::macros(args, out),
+        EvalCommand::Modifiers(args) => base::modifiers(args, out),
         EvalCommand::Mesh(args) => base::mesh(args, out),
         EvalCommand::Skeleton(args) => base::skeleton(args, out),
         EvalCommand::Rig(args) => mpfb::rig(args, out),
@@ -39,6 +40,8 @@ pub(super) fn run(command: &EvalCommand, out: &mut dyn Write, err: &mut dyn Writ
 struct Opened {
     evaluation: Evaluation,
     setting: Setting,
+    /// The sliders that were set, in order.
+    values: Vec<SliderSetting>,
     inputs: Map<String, Value>,
 }
 
@@ -55,7 +58,7 @@ fn open_root(root: &std::path::Path, args: &SettingArgs) -> Result<Opened, Error
     let setting = evaluation.setting(&values)?;
     let modifiers: Vec<Value> = values.iter().map(|(name, value)| serde_json::json!([name, value])).collect();
     let inputs = object([("base", Value::from(evaluation.base())), ("modifiers", Value::from(modifiers))]);
-    Ok(Opened { evaluation, setting, inputs })
+    Ok(Opened { evaluation, setting, values, inputs })
 }
 
 /// `mhlint-eval/1`: kind, inputs and outputs.

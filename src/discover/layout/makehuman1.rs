@@ -14,6 +14,8 @@ pub(super) static LAYOUT: Layout = Layout {
     place,
     role: |below| Role::of_one(below, Application::Makehuman1, Kind::BaseMesh),
     shelf,
+    // In a folder `custom` there nobody looks, but it is a usual mistake.
+    beside: &["models", "custom"],
     only_base: Some(HM08),
     joint: Some("upperleg02.L"),
     scans: |rel| library_of(rel).is_some(),
@@ -38,6 +40,8 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         [.., library, name] if WORN.contains(library) && extension(name).eq_ignore_ascii_case("mhclo") => {
             Some((Sign::Faint, 2))
         }
+        // Nothing but targets of a user.
+        [.., "custom", name] if extension(name) == "target" => Some((Sign::Faint, 2)),
         // An asset in its own folder: in a pack or of a user there may be nothing else.
         [.., library, asset, name]
             if WORN.contains(library)
@@ -61,6 +65,7 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["modifiers", file] if file.ends_with("_sliders.json") => Kind::ModifierSliders,
         ["modifiers", MAPPING] => Kind::ModifierMapping,
         ["poseunits", "face-poseunits.json"] => Kind::FaceUnits,
+        ["poseunits", FACE_MOTION] => Kind::Motion,
         ["languages", file] if extension(file) == "json" => Kind::Language,
         ["rigs", .., file] if extension(file) == "mhw" => Kind::Weights,
         [_, .., file] if SHADER_FILES.iter().any(|ending| file.ends_with(ending)) => Kind::ShaderSource,
@@ -78,8 +83,12 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
 }
 
 /// Libraries list files by their extension, hidden or not; macOS and editors leave such beside each of their own (§2.1,
-/// makehuman1-observed.md 4.14).
+/// makehuman1-observed.md 4.14). The names of all folders of the data count for its targets (4.12).
 fn reads_hidden(path: &HiddenPath<'_>) -> bool {
+    let is_in_data = path.visible.last() == Some(&"data") || path.visible.contains(&"targets");
+    if is_in_data && (path.is_folder || extension(path.name).eq_ignore_ascii_case("target")) {
+        return true;
+    }
     let Some(at) = path.visible.iter().rposition(|part| library_extension(part).is_some()) else { return false };
     let below = path.visible.get(at..).unwrap_or_default().join("/");
     // The list of materials of an asset as well.
@@ -109,12 +118,16 @@ fn single(rel: &str) -> Option<Single> {
         _ if rel == "skins/default.mhmat" => Some(Single::FirstSkin),
         _ if matches!(rel, "rigs/default.mhskel" | "rigs/default_weights.mhw") => Some(Single::FirstRig),
         _ if extension(rel) == "thumb" => Some(Single::Thumbnail),
+        _ if rel.starts_with("custom/") && extension(rel) == "target" => Some(Single::OwnTarget),
         _ => None,
     }
 }
 
 /// The names of modifiers in older models.
 const MAPPING: &str = "mh_1-0_modifier_mapping.csv";
+
+/// The motion whose frames are the units of expressions.
+const FACE_MOTION: &str = "face-poseunits.bvh";
 
 /// The folder of what stands for the body.
 const TOPOLOGIES: &str = "proxymeshes";
@@ -129,7 +142,7 @@ pub(crate) fn library_of(rel: &str) -> Option<&str> {
 
 /// The folders of libraries.
 pub(crate) fn libraries() -> impl Iterator<Item = &'static str> {
-    WORN.into_iter().chain([TOPOLOGIES, "skins", "poses"])
+    WORN.into_iter().chain([TOPOLOGIES, "skins", "poses", "rigs", "expressions", "models"])
 }
 
 /// What the files of a library end in.
@@ -138,6 +151,9 @@ pub(crate) fn library_extension(library: &str) -> Option<&'static str> {
         TOPOLOGIES => Some("proxy"),
         "skins" => Some("mhmat"),
         "poses" => Some("bvh"),
+        "rigs" => Some("mhskel"),
+        "expressions" => Some("mhpose"),
+        "models" => Some("mhm"),
         _ if WORN.contains(&library) => Some("mhclo"),
         _ => None,
     }
@@ -153,6 +169,7 @@ mod tests {
             ("3dobjs/base.obj", Kind::BaseMesh),
             ("3dobjs/base.mhclo", Kind::Other),
             ("poseunits/face.bvh", Kind::Other),
+            ("poseunits/face-poseunits.bvh", Kind::Motion),
             ("proxymeshes/a/a.obj", Kind::AssetMesh),
             ("litspheres/a.obj", Kind::Other),
             ("targets/macrodetails/a.target", Kind::Target),

@@ -89,6 +89,8 @@ pub(crate) enum Single {
     FirstRig,
     /// What a library shows for an asset.
     Thumbnail,
+    /// A target of a user of MakeHuman 1, which has a slider for itself.
+    OwnTarget,
 }
 
 /// What is asked of a name or path.
@@ -255,6 +257,16 @@ impl Layout {
             || (self.shelf)(extension(rel), &[]).is_some()
     }
 
+    /// Whether a path below a data root, which is the first so many bytes of it, is not hidden from the application.
+    pub(super) fn takes(&self, path: &str, root: usize, is_folder: bool) -> bool {
+        let below = path.get(root..).unwrap_or_default().trim_start_matches('/');
+        let Some(hidden) = below.split('/').position(|part| part.starts_with('.')) else { return true };
+        let parts: Vec<&str> = path.split('/').collect();
+        let visible = parts.get(..parts.len() - below.split('/').count() + hidden).unwrap_or_default();
+        let path = HiddenPath { visible, name: parts.last().copied().unwrap_or_default(), is_folder };
+        (self.reads_hidden)(&path)
+    }
+
     /// The data root that a file is a sign of.
     pub(super) fn sign<'p>(&self, path: &'p str) -> Option<(&'p str, Sign)> {
         let parts: Vec<&str> = path.split('/').collect();
@@ -266,11 +278,7 @@ impl Layout {
 /// Whether an application reads a file whose name, or that of a folder above it, begins with a point; of a folder,
 /// whether such a file could be in it. `path` may begin above the data root.
 pub(crate) fn is_read_though_hidden(path: &str, is_folder: bool) -> bool {
-    let parts: Vec<&str> = path.split('/').collect();
-    let hidden = parts.iter().position(|part| part.starts_with('.')).unwrap_or(parts.len());
-    let visible = parts.get(..hidden).unwrap_or_default();
-    let path = HiddenPath { visible, name: parts.last().copied().unwrap_or_default(), is_folder };
-    Application::ALL.iter().any(|application| (Layout::of(*application).reads_hidden)(&path))
+    Application::ALL.iter().any(|application| Layout::of(*application).takes(path, 0, is_folder))
 }
 
 /// The path without its last `levels` parts.

@@ -12,8 +12,6 @@ use super::variables::{Human, SLIDERS, VARIABLES};
 pub struct Modifiers {
     /// Groups of targets in the order in which the application sets them.
     pub groups: Vec<TargetGroup>,
-    /// How many settings there are: the macro sliders, then those of the groups.
-    pub settings: usize,
 }
 
 /// The targets of one name.
@@ -122,7 +120,7 @@ mod tests {
     fn weights(groups: Vec<TargetGroup>, further: &[f64]) -> Vec<(u32, f64)> {
         let mut settings = vec![0.5; SLIDERS.len()];
         settings.extend(further);
-        let modifiers = Modifiers { groups, settings: settings.len() };
+        let modifiers = Modifiers { groups };
         let mut out = ModifierResult::default();
         modifiers.evaluate(&settings, &mut out);
         out.weights

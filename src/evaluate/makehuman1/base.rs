@@ -130,7 +130,6 @@ impl<'a> Composer<'a> {
                 None => self.detail(view, one),
             }
         }
-        self.formula.settings = self.scene.macro_defaults.len();
         if view.modifiers.is_there {
             self.scene.macros = Some(Macros::Makehuman1(std::mem::take(&mut self.formula)));
         }

@@ -2,19 +2,18 @@
 
 use serde_json::{Map, Value, json};
 
-use super::macros::{formula, variables_json};
+use super::OWN;
+use super::macros::variables_json;
+use super::modifiers::{Moved, moved};
 use super::weights::{compiled, loaded, remapped, weight_references};
-use super::{OWN, base};
 use crate::eval::influences::Influences;
-use crate::eval::makehuman1::modifiers::{Factor, TargetGroup, clamped};
 use crate::eval::makehuman1::variables::{Human, SLIDERS};
-use crate::eval::scene::SliderKind;
 use crate::evaluate::cases::tolerance::{FACTORS, MORPHED, Tolerance, WEIGHTS};
 use crate::evaluate::cases::{Compute, Computer, Kind, inputs, setting};
 use crate::evaluate::data::NamedWeights;
 use crate::evaluate::makehuman2::{WeightLists, inline_weights, read_skeleton, read_weights};
 use crate::evaluate::outputs::{mesh_json, rounded, weight_lists_json, weights_json};
-use crate::evaluate::{Error, Evaluation, SliderSetting, object};
+use crate::evaluate::{Error, SliderSetting, object};
 use crate::formats::mhskel::Skeleton;
 use crate::formats::target_name::TargetName;
 use crate::json::Node;
@@ -69,131 +68,20 @@ fn macro_settings(case: &Node) -> Result<Vec<(usize, f64)>, Error> {
 
 /// The weights that a modifier gives its targets, on a human with some macro settings.
 fn modifier(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outputs, Error> {
-    let mut human = one_by_one(&macro_settings(case)?);
+    let human = one_by_one(&macro_settings(case)?);
     let name = inputs::text(case, "modifier")?;
     let wrong = || Error::Input("`value` of the case is not a number".to_owned());
     let value = inputs::wanted(case, "value")?.as_f64().ok_or_else(wrong)?;
     let base = of.base(case)?;
-    let Moved { sides, slider, lowest } = moved(base, case, name)?;
-    let clamped = clamped(value, lowest);
-    if let Some(slider) = slider {
-        human.set(slider, value);
-    }
-    let settings: Vec<f64> = (0..SLIDERS.len()).map(|slider| human.value(slider)).chain([clamped]).collect();
-    let variables = human.variables();
-    let mut weights = Map::new();
-    let (mut right, mut left) = (0.0, 0.0);
-    for (group, names) in &sides {
-        for ((_, weight), name) in group.weights(&settings, &variables).zip(names) {
-            match group.factor {
-                Factor::Right(_) | Factor::Only(_) => right += weight,
-                Factor::Left(_) => left += weight,
-                Factor::One | Factor::Centre(_) => {}
-            }
-            if weight != 0.0 {
-                weights.insert(name.clone(), rounded(weight));
-            }
-        }
-    }
-    // What it reads back of its targets; a macro asks the human.
-    let read = slider.map_or(if right == 0.0 { -left } else { right }, |slider| human.value(slider));
-    Ok(object([
-        ("clamped", rounded(clamped)),
-        ("value_read_back", rounded(read)),
-        ("target_count", Value::from(sides.iter().map(|(_, names)| names.len()).sum::<usize>())),
-        ("weights", Value::Object(weights)),
-    ]))
-}
-
-/// What a modifier moves.
-struct Moved {
-    /// Groups of targets with the names of these.
-    sides: Vec<(TargetGroup, Vec<String>)>,
-    /// The macro slider that it sets.
-    slider: Option<usize>,
-    /// The least value that it takes.
-    lowest: f64,
-}
-
-/// The place of its value, behind those of the macro sliders.
-const PLACE: usize = SLIDERS.len();
-
-/// A modifier of the files; one of the case itself; or one of a target alone.
-fn moved(base: &Evaluation, case: &Node, name: &str) -> Result<Moved, Error> {
-    if let Some(definition) = inputs::field(case, "definition") {
-        let group = inputs::text(definition, "group")?.to_owned();
-        let sides = [("left", Factor::Left(PLACE)), ("center", Factor::Centre(PLACE)), ("right", Factor::Right(PLACE))];
-        let sides = sides.into_iter().filter_map(|(key, factor)| {
-            let own = definition.get(key).and_then(Node::as_str)?;
-            let own = if own.starts_with(&format!("{group}-")) { own.to_owned() } else { format!("{group}-{own}") };
-            Some(targets_of(base, factor, |name| name.group() == own))
-        });
-        return Ok(Moved { sides: sides.collect(), slider: None, lowest: -1.0 });
-    }
-    if let Some(stem) = name.strip_prefix("custom/") {
-        let is_it = |path: &str| path.strip_suffix(".target").is_some_and(|path| path.replace('/', "-") == stem);
-        let found = base.scene.targets.iter().find(|target| is_it(&target.name));
-        let found = found.map(|target| target.name.clone());
-        let found = found.ok_or_else(|| Error::Input(format!("no target makes the modifier `{name}`")))?;
-        let group = TargetGroup { factor: Factor::Only(PLACE), targets: vec![(0, Vec::new())] };
-        return Ok(Moved { sides: vec![(group, vec![found])], slider: None, lowest: 0.0 });
-    }
-    let scene = &base.scene;
-    let unknown = || Error::UnknownSlider { name: name.to_owned(), nearest: None };
-    let slider = scene.slider(name).and_then(|place| scene.sliders.get(place)).ok_or_else(unknown)?;
-    match slider.kind {
-        SliderKind::Macro(place) if place < SLIDERS.len() => {
-            let group = name.split('/').next().unwrap_or_default();
-            let sides = vec![targets_of(base, Factor::One, |name| name.group() == group)];
-            Ok(Moved { sides, slider: Some(place), lowest: 0.0 })
-        }
-        SliderKind::Macro(place) => of_formula(base, place),
-        SliderKind::Detail { incr, decr, two_sided } => {
-            let side = |factor: Factor, target: Option<usize>| {
-                let name = scene.targets.get(target?)?.name.clone();
-                Some((TargetGroup { factor, targets: vec![(0, Vec::new())] }, vec![name]))
-            };
-            let right = if two_sided { Factor::Right(PLACE) } else { Factor::Only(PLACE) };
-            let sides = [side(Factor::Left(PLACE), decr), side(right, incr)];
-            let lowest = if two_sided { -1.0 } else { 0.0 };
-            Ok(Moved { sides: sides.into_iter().flatten().collect(), slider: None, lowest })
-        }
-    }
-}
-
-/// A modifier whose targets depend on the macro variables, as the formula has it.
-fn of_formula(base: &Evaluation, place: usize) -> Result<Moved, Error> {
-    let mut moved = Moved { sides: Vec::new(), slider: None, lowest: 0.0 };
-    for group in &formula(base)?.groups {
-        let factor = match group.factor {
-            Factor::Left(own) if own == place => Factor::Left(PLACE),
-            Factor::Centre(own) if own == place => Factor::Centre(PLACE),
-            Factor::Right(own) if own == place => Factor::Right(PLACE),
-            Factor::Only(own) if own == place => Factor::Only(PLACE),
-            _ => continue,
-        };
-        if !matches!(factor, Factor::Only(_)) {
-            moved.lowest = -1.0;
-        }
-        let name = |number: &u32| base.scene.targets.get(*base.scene.macro_targets.get(*number as usize)?);
-        let names = group.targets.iter().filter_map(|(number, _)| Some(name(number)?.name.clone())).collect();
-        moved.sides.push((TargetGroup { factor, targets: group.targets.clone() }, names));
-    }
-    Ok(moved)
-}
-
-/// The targets whose names fit.
-fn targets_of(base: &Evaluation, factor: Factor, fits: impl Fn(&TargetName) -> bool) -> (TargetGroup, Vec<String>) {
-    let mut found = (TargetGroup { factor, targets: Vec::new() }, Vec::new());
-    for (number, target) in (0_u32..).zip(&base.scene.targets) {
-        if let Ok(name) = TargetName::of(&target.name)
-            && fits(&name)
-        {
-            found.0.targets.push((number, base::variables(&name)));
-            found.1.push(target.name.clone());
-        }
-    }
-    found
+    let moved = inputs::field(case, "definition").map_or_else(
+        || moved(base, name),
+        |definition| {
+            let text = |key: &str| definition.get(key).and_then(Node::as_str);
+            let group = inputs::text(definition, "group")?;
+            Ok(Moved::of_groups(base, group, text("left"), text("center"), text("right")))
+        },
+    )?;
+    Ok(moved.at(value, human))
 }
 
 /// The group of a target and the values in its name. Such a case is a list `[PATH, KEY, VALUES]`.
@@ -257,9 +145,7 @@ fn remap(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outp
     let mut own = weights_json(&weights, &influences, &inputs::weighted_vertices(case));
     own.remove("vertex_sum_range");
     outputs.extend(own);
-    let order: Vec<String> =
-        rig.breadth_first().into_iter().filter_map(|(place, _)| Some(rig.bones.get(place)?.name.clone())).collect();
-    outputs.extend(reduced(&weights, &order, limit, count, case)?);
+    outputs.extend(reduced(&weights, &rig.names_in_order(), limit, count, case)?);
     Ok(outputs)
 }
 

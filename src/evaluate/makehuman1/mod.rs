@@ -4,13 +4,14 @@ mod asset;
 pub(super) mod base;
 pub(super) mod cases;
 pub(super) mod macros;
+pub(super) mod modifiers;
 pub(super) mod skeleton;
 mod weights;
 pub(super) mod worn;
 
 pub use asset::{Asset, read_asset};
 pub(super) use weights::posing_weights;
-pub use weights::{loaded, remapped, weight_references};
+pub use weights::{loaded, reduced, remapped, weight_references};
 
 use super::gauge::gauge;
 use super::{Error, Rows};

@@ -2,10 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use serde_json::{Value, json};
+
 use super::stopped;
-use crate::eval::influences::Influence;
+use crate::eval::influences::{Influence, Influences};
 use crate::eval::makehuman1::remap::{RemapBone, sources, taken};
-use crate::eval::makehuman1::weights::{load, strongest};
+use crate::eval::makehuman1::weights::{LIMITS, load, strongest};
 use crate::eval::scene::Scene;
 use crate::eval::skeleton::SceneSkeleton;
 use crate::eval::weights::{BoneWeights, Entry, LoadedWeights};
@@ -13,6 +15,7 @@ use crate::evaluate::Error;
 use crate::evaluate::data::NamedWeights;
 use crate::evaluate::makehuman2::WeightLists;
 use crate::evaluate::makehuman2::weights::{MOST_VERTICES, number};
+use crate::formats::bone_references::{BoneReferences, NamedBones};
 use crate::formats::mhskel::{Bone, Skeleton};
 use crate::formats::mhw::Weights;
 
@@ -102,34 +105,17 @@ struct References<'s> {
 
 impl<'s> References<'s> {
     fn of(base: &'s Skeleton, other: &Skeleton) -> Self {
-        let ordered: Vec<(&str, Option<usize>)> = base
-            .breadth_first()
-            .into_iter()
-            .filter_map(|(place, parent)| Some((base.bones.get(place)?.name.as_str(), parent)))
-            .collect();
-        let numbers: BTreeMap<&str, usize> =
-            ordered.iter().enumerate().rev().map(|(number, (name, _))| (*name, number)).collect();
-        let parents: Vec<Option<usize>> = ordered.iter().map(|(_, parent)| *parent).collect();
-        let find = |name: &str| numbers.get(name).copied();
-        let lists: Vec<(Vec<Option<usize>>, bool)> = other
+        let named = BoneReferences::of(base, other);
+        let bones: Vec<RemapBone<'_>> = named
             .bones
             .iter()
-            .map(|bone| {
-                let (names, is_explicit) = bone.weight_references();
-                (names.iter().map(|name| find(name)).collect(), is_explicit)
-            })
-            .collect();
-        let bones: Vec<RemapBone<'_>> = other
-            .bones
-            .iter()
-            .zip(&lists)
-            .map(|(bone, (references, is_explicit))| RemapBone {
-                same_name: find(&bone.name),
+            .map(|NamedBones { same_name, references, is_explicit }| RemapBone {
+                same_name: *same_name,
                 references,
                 is_explicit: *is_explicit,
             })
             .collect();
-        Self { sources: sources(&parents, &bones), base: ordered.into_iter().map(|(name, _)| name).collect() }
+        Self { sources: sources(&named.parents, &bones), base: named.base }
     }
 }
 
@@ -148,6 +134,35 @@ pub(in crate::evaluate) fn posing_weights(weights: &[BoneWeights], vertices: usi
         }
     }
     Ok(lists.into_iter().map(|(bone, entries)| BoneWeights { bone, entries }).collect())
+}
+
+/// Weights of the strongest bones of each vertex, the bones in this order, with what that changed.
+///
+/// # Errors
+/// A number of bones that the application has no table for; vertices beyond the mesh.
+pub fn reduced(
+    weights: &NamedWeights,
+    bones: Vec<String>,
+    limit: usize,
+    vertices: usize,
+) -> Result<(NamedWeights, Value), Error> {
+    let influences = Influences::new(&weights.loaded.bones, vertices).map_err(stopped)?;
+    let most = influences.iter().map(<[Influence]>::len).max().unwrap_or(0);
+    if most > 1 && !LIMITS.contains(&limit) {
+        let reason = format!("there is no table of {limit} bones a vertex, only of 1 to 6 and of 13");
+        return Err(super::stops("ValueError", reason));
+    }
+    let more = influences.iter().filter(|of| of.len() > limit).count();
+    let mut lists: BTreeMap<usize, Vec<Entry>> = BTreeMap::new();
+    for (vertex, influences) in (0..).zip(compiled(weights, &bones, limit, vertices)?) {
+        for (bone, weight) in influences.into_iter().filter(|(_, weight)| *weight != 0.0) {
+            lists.entry(bone).or_default().push((vertex, weight));
+        }
+    }
+    let kept = lists.into_iter().map(|(bone, entries)| BoneWeights { bone, entries }).collect();
+    let loaded = LoadedWeights { bones: kept, ..weights.loaded.clone() };
+    let told = json!({ "max_influences": limit, "most_before": most, "vertices_reduced": more });
+    Ok((NamedWeights { names: bones, loaded }, told))
 }
 
 /// The strongest bones of each vertex by name.

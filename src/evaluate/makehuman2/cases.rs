@@ -5,7 +5,7 @@ use std::path::Path;
 use serde_json::{Map, Value};
 
 use super::asset::read_asset;
-use super::skeleton::read_skeleton;
+use super::skeleton::{read_skeleton, read_skeleton_with_joints};
 use super::stops;
 use super::weights::{MOST_VERTICES, WeightLists, read_weights, transferred};
 use crate::diag::Application;
@@ -85,7 +85,7 @@ fn weights(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Ou
 }
 
 fn transfer(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outputs, Error> {
-    let other = read_skeleton(&of.roots.file(inputs::text(case, "rig")?)?)?;
+    let other = read_skeleton_with_joints(&of.roots.file(inputs::text(case, "rig")?)?)?;
     let written = inputs::text(case, "weights")?;
     let path = of.roots.file(written)?;
     let named = inputs::field(case, "base").and_then(Node::as_str).map(str::to_owned);

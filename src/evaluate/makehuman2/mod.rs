@@ -13,7 +13,7 @@ pub(super) mod worn;
 pub use asset::{Asset, read_asset};
 pub(super) use cases::inline_weights;
 pub use macros::macros_json;
-pub use skeleton::read_skeleton;
+pub use skeleton::{read_skeleton, read_skeleton_with_joints};
 pub use weights::{WeightLists, read_weights, to_mhw, transferred};
 
 use super::Error;

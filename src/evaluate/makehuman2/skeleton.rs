@@ -17,13 +17,30 @@ use crate::formats::mhskel::{self, Section};
 pub fn read_skeleton(path: &Path) -> Result<SkeletonFile, Error> {
     let document = read_document(path)?;
     let model = mhskel::read(&document);
-    if model.joints_section != Section::Present || model.bones_section != Section::Present {
-        return Err(Error::file(shown(path), "`joints` or `bones` is missing"));
+    if model.bones_section != Section::Present {
+        return Err(Error::file(shown(path), "`bones` is missing"));
     }
     Ok(SkeletonFile { path: shown(path), model })
 }
 
+/// The same where joints are asked for as well: `MakeHuman` 2 does not do without.
+///
+/// # Errors
+/// A file that cannot be read or is no skeleton.
+pub fn read_skeleton_with_joints(path: &Path) -> Result<SkeletonFile, Error> {
+    let skeleton = read_skeleton(path)?;
+    skeleton.check_joints()?;
+    Ok(skeleton)
+}
+
 impl SkeletonFile {
+    /// # Errors
+    /// No joints.
+    fn check_joints(&self) -> Result<(), Error> {
+        let has_joints = self.model.joints_section == Section::Present;
+        if has_joints { Ok(()) } else { Err(Error::file(&self.path, "`joints` is missing")) }
+    }
+
     /// Name of the bone without parent.
     ///
     /// # Errors
@@ -42,6 +59,7 @@ impl SkeletonFile {
 
 /// Joints and rest matrices on a mesh, or whatever makes the application refuse the skeleton for it.
 pub(in crate::evaluate) fn rest(file: &SkeletonFile, positions: &[Point]) -> Result<RestSkeleton, Error> {
+    file.check_joints()?;
     let bound = skeleton_of(&file.model, positions.len());
     let skeleton = bound.map_err(|reason| Error::file(&file.path, reason))?;
     let joints = skeleton.joint_positions(positions).map_err(stopped)?;

@@ -1,7 +1,9 @@
 //! The data of `MakeHuman` 1 as it sees them. Connected so far: its targets with the modifiers and
 //! sliders that move them, its libraries, which are what is worn with its materials and weights, skins, and poses.
 
+mod expressions;
 mod library;
+mod models;
 mod modifiers;
 mod rigs;
 mod search;
@@ -10,6 +12,7 @@ mod targets;
 mod view;
 
 pub(crate) use library::Asset;
+pub(crate) use models::{SavedModel, Version, material, uuid_of};
 pub(crate) use modifiers::{KnownModifier, SETS, VARIABLES, category};
-pub(crate) use targets::{CUSTOM, NamedTarget, PathClash};
+pub(crate) use targets::{CUSTOM, NamedTarget, PathClash, is_own_target};
 pub(crate) use view::{HIDDEN, View, is_checked, mesh, shows, worn};

@@ -16,10 +16,15 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    /// The first place with the file; without one, the place that comes nearest to it.
+    /// The first place with the file, from its own folder on; without one, the place that comes nearest to it.
     pub(super) fn find(&self, text: &str) -> (String, Resolution<'a>) {
+        self.find_from(&[(self.layer, parent(&self.file.rel))], text)
+    }
+
+    /// The same from other folders on.
+    pub(super) fn find_from(&self, first: &[(&'a Layer, &str)], text: &str) -> (String, Resolution<'a>) {
         let mut nearest: Option<(String, Resolution<'a>)> = None;
-        for (layer, rel, text) in self.places(text) {
+        for (layer, rel, text) in self.places(first, text) {
             let resolution = resolve(&[layer], text, &rel);
             let found = (normalized(&rel).unwrap_or(rel), resolution);
             if matches!(resolution, Resolution::Found(_)) {
@@ -44,12 +49,11 @@ impl<'a> Search<'a> {
         (rel, resolution)
     }
 
-    /// The folder of the material, then the data of the user and of the system; at last the same without `data/` in front.
-    fn places<'w>(&self, text: &'w str) -> Vec<(&'a Layer, String, &'w str)> {
-        let own = parent(&self.file.rel);
+    /// The first folders, then the data of the user and of the system; at last the same without `data/` in front.
+    fn places<'w>(&self, first: &[(&'a Layer, &str)], text: &'w str) -> Vec<(&'a Layer, String, &'w str)> {
         let mut places = Vec::new();
         for text in [Some(text), text.strip_prefix("data/")].into_iter().flatten() {
-            places.push((self.layer, format!("{own}/{text}"), text));
+            places.extend(first.iter().map(|(layer, folder)| (*layer, format!("{folder}/{text}"), text)));
             let shared = self.layers.strongest_first().chain(self.layers.beside);
             places.extend(shared.map(|layer| (layer, text.to_owned(), text)));
         }

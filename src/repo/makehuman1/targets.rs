@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::view::OWN;
-use crate::discover::Kind;
+use crate::discover::{Kind, Layout, Single};
 use crate::formats::target_name::{Clash, TargetName};
 use crate::repo::{FileFacts, Layer, Layers};
 
@@ -106,6 +106,11 @@ fn clashes(system: &Layer) -> Vec<PathClash<'_>> {
         |rel: &str| rel.match_indices('/').any(|(end, _)| rel.get(..end).is_some_and(|up| names.contains(up)));
     let below: BTreeSet<&str> = all.iter().map(|one| one.rel).filter(|rel| is_below(rel)).collect();
     all.into_iter().filter(|one| !below.contains(one.rel)).collect()
+}
+
+/// Whether a path is that of a target that has a slider for itself.
+pub(crate) fn is_own_target(rel: &str) -> bool {
+    (Layout::of(OWN).single)(rel) == Some(Single::OwnTarget)
 }
 
 /// The targets in `custom` of the user, each with the name that its path gives it.

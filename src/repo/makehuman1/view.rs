@@ -2,6 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use super::expressions::{FaceFrames, expressions};
+use super::models::{self, SavedModel, models};
 use super::modifiers::Modifiers;
 use super::rigs::rigs;
 use super::targets::Targets;
@@ -39,6 +41,10 @@ pub(crate) struct View<'a> {
     pub(crate) targets: Targets<'a>,
     /// What its sliders move.
     pub(crate) modifiers: Modifiers<'a>,
+    /// Saved characters, of all layers.
+    pub(crate) models: Vec<SavedModel<'a>>,
+    /// What expressions are made of.
+    pub(crate) face: FaceFrames<'a>,
 }
 
 /// What names of groups begin with that are not shown (§1).
@@ -63,6 +69,9 @@ pub(crate) const fn is_checked(kind: Kind) -> bool {
             | Kind::AssetWeights
             | Kind::Motion
             | Kind::MotionMeta
+            | Kind::Pose
+            | Kind::FaceUnits
+            | Kind::Model
             | Kind::ShaderSource
             | Kind::UvMap
             | Kind::Image
@@ -77,6 +86,8 @@ impl<'a> View<'a> {
         let (mut references, surfaces) = surfaces::read(layers, &worn);
         references.extend(rigs.iter().filter_map(|rig| rig.weights.clone()));
         references.extend(worn.iter().flat_map(|worn| worn.references.iter().flatten()).cloned());
+        let models = models(layers);
+        references.extend(models::references(layers, &models, &worn));
         let mesh = mesh(layers);
         let targets = Targets::of(layers);
         let modifiers = Modifiers::of(layers, &targets);
@@ -91,6 +102,8 @@ impl<'a> View<'a> {
             surfaces,
             modifiers,
             targets,
+            models,
+            face: FaceFrames::of(layers),
         }
     }
 
@@ -143,8 +156,10 @@ impl<'a> View<'a> {
         body.weights = weights.map(|file| self.weights(file)).collect();
         body.add_worn_weights(view.files().filter(|file| file.kind == Kind::AssetWeights));
         body.is_open = self.layers.system.is_none();
-        let listed = view.files().filter(|file| file.kind == Kind::Motion && library_of(&file.rel).is_some());
-        body.motions = listed.filter_map(|file| Some((file, file.motion()?))).collect();
+        let motions = view.files().filter(|file| file.kind == Kind::Motion);
+        body.motions = motions.filter_map(|file| Some((file, file.motion()?))).collect();
+        body.poses = expressions(self.layers);
+        body.pose_units = self.face.files(self.layers);
         body
     }
 

@@ -56,7 +56,7 @@ pub(super) fn units<'a>(layers: Layers<'a>, base: &str) -> [PoseUnitsFile<'a>; 2
         let units = file
             .filter(|file| !file.json.falsy && !file.is_misshapen())
             .and_then(|file| Some((file, file.pose_units()?)));
-        PoseUnitsFile { category, is_there: is_there(&rel), rel, units }
+        PoseUnitsFile { category, is_there: is_there(&rel), rel, units, frames: None }
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::imported::{self, About};
-use super::{INDEX, VALUE};
+use super::{INDEX, VALUE, of_units};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
@@ -39,8 +39,8 @@ const NUMBERS_IGNORED: Case = &[
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     imported::faults(&RULE, About::Frames, body, out);
     for (file, motion) in &body.motions {
-        out.extend(motion.fault.as_ref().and_then(|fault| at_fault(file, motion, fault)));
-        out.extend(timeless(body, file, motion));
+        let stops = motion.fault.as_ref().and_then(|fault| at_fault(file, motion, fault));
+        out.extend(stops.into_iter().chain(timeless(body, file, motion)).map(|one| of_units(body, file, one)));
         out.extend(surplus_frames(file, motion));
         out.extend(surplus_numbers(file, motion));
     }

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::imported::{self, About};
-use super::{INDEX, REJECTED, VALUE};
+use super::{INDEX, REJECTED, VALUE, of_units};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
@@ -33,7 +33,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let is_other = |kind: &FaultKind| kind.is_of_frames() || kind.is_of_channels();
         let Some(fault) = motion.fault.as_ref().filter(|fault| !is_other(&fault.kind)) else { continue };
         let Some((message, case, help)) = words(fault) else { continue };
-        out.push(RULE.at(file, Place::Line(fault.line), message).case(case).help(help));
+        let finding = RULE.at(file, Place::Line(fault.line), message).case(case).help(help);
+        out.push(of_units(body, file, finding));
     }
 }
 

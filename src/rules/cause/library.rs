@@ -8,3 +8,8 @@ pub(in crate::rules) fn empty_uuid(clothes: &Clothes) -> Option<&Entry> {
     let mut head = clothes.entries.iter().filter(|entry| entry.section == Section::Header && !entry.is_comment);
     head.find(is_bare)
 }
+
+/// The skin that MakeHuman 1 starts with, and the eyes that it puts on by itself: that they are missing is told of the
+/// program.
+pub(in crate::rules) const FIRST_SKIN: &str = "skins/default.mhmat";
+pub(in crate::rules) const FIRST_EYES: &str = "eyes/high-poly/high-poly.mhclo";

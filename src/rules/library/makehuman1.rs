@@ -15,12 +15,16 @@ use crate::source::{Guess, is_below};
 pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     for file in view.layers.checked.files.values() {
         let extension = extension(&file.rel);
-        let Some(library) = file.rel.split('/').next().filter(|_| matches!(extension, "mhclo" | "proxy")) else {
-            continue;
+        let place = match extension {
+            "proxy" => "`proxymeshes`",
+            "mhclo" => "`clothes`, `hair` or another folder of its kind",
+            "bvh" => "`poses`",
+            "mhpose" => "`expressions`",
+            "mhskel" => "`rigs`",
+            _ => continue,
         };
+        let library = file.rel.split('/').next().unwrap_or_default();
         let Some(right) = library_extension(library).filter(|right| *right != extension) else { continue };
-        let is_topology = extension == "proxy";
-        let place = if is_topology { "`proxymeshes`" } else { "`clothes`, `hair` or another folder of its kind" };
         let message = format!("a `.{extension}` in `{library}` is not listed, expected in {place}");
         let help = match right {
             "mhclo" | "proxy" => format!("move it to {place}, or rename it to end in `.{right}`"),
@@ -38,13 +42,19 @@ pub(super) fn targets(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     if view.layers.checks_system() || is_shared {
         return;
     }
-    let lost: Vec<&FileFacts> = layer.below("targets").filter(|file| extension(&file.rel) == "target").collect();
-    let Some(first) = lost.first() else { return };
-    let message = format!("{} in `targets` of the user, where none is looked for", counted(lost.len(), "target"));
-    let finding = rule.at(first, Place::File, message).key("targets").case(NO_SLIDER);
-    let finding = finding.parts_in(lost.iter().map(|file| (file.shown(), &file.path)));
-    let finding = finding.evidence(Evidence::of_cases(lost.iter().map(|file| file.shown())));
-    out.push(finding.help("move them to `custom`"));
+    let targets = |folder: &str, is_beside: bool| -> Vec<&FileFacts> {
+        let files = layer.below(folder).filter(|file| file.is_loose == is_beside || layer.is_loose);
+        files.filter(|file| extension(&file.rel) == "target").collect()
+    };
+    let beside = if layer.is_loose { Vec::new() } else { targets(CUSTOM, true) };
+    for (folder, lost) in [("`targets` of the user", targets("targets", false)), ("`custom` beside `data`", beside)] {
+        let Some(first) = lost.first() else { continue };
+        let message = format!("{} in {folder}, where none is looked for", counted(lost.len(), "target"));
+        let finding = rule.at(first, Place::File, message).key("targets").case(NO_SLIDER);
+        let finding = finding.parts_in(lost.iter().map(|file| (file.shown(), &file.path)));
+        let finding = finding.evidence(Evidence::of_cases(lost.iter().map(|file| file.shown())));
+        out.push(finding.help("move them to `custom` in the data folder of the user"));
+    }
 }
 
 const NO_SLIDER: Case = &[(Makehuman1, Level::Error, "shows no slider for them")];
@@ -56,6 +66,44 @@ pub(super) fn targets_in_capitals(rule: &Rule, view: &View<'_>, out: &mut Vec<Fi
     }
     let files = view.layers.checked.below(CUSTOM).filter(|file| mpfb::is_in_capitals(file, "target"));
     out.extend(files.map(|file| mpfb::capitals(rule, file, "target").case(NO_SLIDER)));
+}
+
+/// Targets of a user that are packed, which only MPFB unpacks.
+pub(super) fn packed_targets(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers.checked;
+    if view.layers.checks_system() || layer.layouts.iter().any(|layout| layout.application != Makehuman1) {
+        return;
+    }
+    for file in layer.below(CUSTOM).filter(|file| file.rel.ends_with(".target.gz")) {
+        let message = format!("`{}` is packed, which keeps it out of the sliders", file.file_name());
+        let finding = rule.at(file, Place::File, message).key("packed").case(NO_SLIDER);
+        out.push(finding.help("unpack it to a file that ends in `.target`"));
+    }
+}
+
+/// What stands beside assets under their names.
+const COMPANIONS: [&str; 13] =
+    ["thumb", "png", "jpg", "obj", "mhmat", "mhw", "jsonw", "mhpxy", "npz", "meta", "mhskel", "mhbin", "blend"];
+
+/// Files that are pictured as assets are, and end in something that is not listed.
+pub(super) fn misnamed(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers.checked;
+    let stem = |file: &FileFacts| file.rel.rsplit_once('.').map(|(stem, _)| stem.to_owned());
+    let pictured: BTreeSet<String> =
+        layer.files.values().filter(|file| extension(&file.rel) == "thumb").filter_map(stem).collect();
+    for file in layer.files.values().filter(|file| !file.file_name().starts_with('.')) {
+        let (own, library) = (extension(&file.rel), file.rel.split('/').next().unwrap_or_default());
+        let (Some(right), Some(stem)) = (library_extension(library), stem(file)) else { continue };
+        // An asset of another kind lies in the wrong folder.
+        let is_asset = libraries().any(|library| library_extension(library) == Some(own));
+        let is_other = !own.eq_ignore_ascii_case(right) && !is_asset && !COMPANIONS.contains(&own);
+        let is_meant = pictured.contains(&stem) || (library, own) == ("expressions", "mhupb");
+        if is_other && is_meant && layer.file_ignoring_case(&format!("{stem}.{right}")).is_none() {
+            let message =
+                format!("`{}` must end in `.{right}`: nothing else is listed in `{library}`", file.file_name());
+            out.push(rule.at(file, Place::File, message).key("suffix").help(format!("rename it to end in `.{right}`")));
+        }
+    }
 }
 
 /// Folders with assets that are no library, such as `Clothes` or `hairs`.

@@ -24,7 +24,9 @@ pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(run, of_makehuman
         takes suffixes as they are written: `.mhclo`, not `.MHCLO`.\n\n\
         An asset in a deeper folder, with a suffix in capitals or with another suffix behind its own (`vest.mhclo.txt`, which \
         Windows shows as `vest.mhclo`) is not listed on any system, and models that wear it lose it.\n\n\
-        MakeHuman 1 looks in folders of any depth, but does not list a file with another suffix behind its own, either.\n\n\
+        MakeHuman 1 looks in folders of any depth, but does not list a file with another suffix behind its own, \
+        either, nor one that ends in something else (`smile.mhupb` beside its picture). Targets of a user in `custom` end in \
+        `.target`; packed ones have no slider.\n\n\
         MPFB looks in folders of any depth, too. What ends in capitals it neither lists nor finds by its name: `hat.MHCLO`, \
         `smile.JSON`.\n\n\
         Move the folder of the asset up, or rename the file.",
@@ -78,6 +80,8 @@ fn of_makehuman1(view: &makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Find
     let lost = layer.files.values().filter(|file| double(layer, file).is_some_and(|suffix| of_library(file, suffix)));
     out.extend(lost.map(doubled));
     library::targets_in_capitals(&RULE, view, out);
+    library::packed_targets(&RULE, view, out);
+    library::misnamed(&RULE, view, out);
 }
 
 /// In the folder of another asset it is mostly an older version, or belongs there by mistake.

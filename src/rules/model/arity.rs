@@ -1,30 +1,37 @@
 //! A line of a model has all its words.
 
-use super::super::{Check, Rule, RuleCx, counted, such};
-use super::{own, when};
+use super::super::{Check, Rule, RuleCx, such};
+use super::short_lines::finding;
+use super::{makehuman1, own, when};
 use crate::diag::{
-    Application::{Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Evidence, Finding, Level, Place, RuleInfo,
 };
 use crate::discover::Kind;
-use crate::repo::makehuman2::{Base, SavedModel, View};
+use crate::repo::makehuman2::{Base, View};
 use crate::repo::mpfb;
 
-pub(in crate::rules) static RULE: Rule = Check::Models(run, of_mpfb).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Models(run, |view, _, out| makehuman1::arity::faults(&RULE, view, out), of_mpfb).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "crashes with `IndexError` when the model is loaded"),
+        (Makehuman1, "fails with `IndexError` at the line, and loads the model without it"),
         (Mpfb, "fails with `IndexError` when the model is imported"),
     ],
     docs: "A line of a model (`.mhm`) has too few words: `version`, `uuid`, `skinMaterial` and `skeleton` need a value, \
         `clothes`, `hair` and the other categories name and uuid of an asset, `material` name, uuid and file.\n\n\
         MakeHuman 2 crashes at the line. The figure that was shown before is gone: it has neither assets nor \
         modifiers. The start model of a base crashes it at start.\n\n\
+        MakeHuman 1 loses the line alone. There `camera` needs six numbers, and `subdivide`, `clothesHideFaces`, `pose` and \
+        `expression` a value; without a uuid an asset is not found, which is another fault.\n\n\
         Models that were saved while they wore an asset without uuid have such lines. Complete the line, or remove it.",
     ..RuleInfo::new("model-arity", Level::Error, "a line of a model has too few words")
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    out.extend(own(view, base).filter_map(finding));
+    out.extend(own(view, base).filter_map(|saved| {
+        let finding = finding(&RULE, saved.file, &saved.model.short)?;
+        Some(finding.effect(format!("crashes with `IndexError` {}", when(saved))))
+    }));
 }
 
 /// A line `clothes` alone; what is short of the others has no consequence.
@@ -37,23 +44,4 @@ fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = finding.evidence(Evidence::counted(bare.len()));
         out.push(finding.help("write `clothes`, then name and uuid of the asset, or remove the line"));
     }
-}
-
-fn finding(saved: &SavedModel<'_>) -> Option<Finding> {
-    let short = &saved.model.short;
-    let first = short.first()?;
-    let keyword = &first.keyword.text;
-    let more = such(short.len(), "lines");
-    let message = match (first.found, first.needed) {
-        (1, 2) => format!("`{keyword}` has no value{more}"),
-        (found, needed) => format!("`{keyword}` has {}, expected {}{more}", counted(found - 1, "value"), needed - 1),
-    };
-    let help = match first.needed {
-        2 => format!("add the value of `{keyword}`, or remove the line"),
-        3 => format!("write `{keyword}`, then name and uuid of the asset, or remove the line"),
-        _ => "write `material`, then name and uuid of the asset and the file, or remove the line".to_owned(),
-    };
-    let finding = RULE.at(saved.file, Place::Span(first.keyword.span.clone()), message).help(help);
-    let evidence = Evidence::of_cases(short.iter().map(|line| line.keyword.text.to_string()));
-    Some(finding.evidence(evidence).effect(format!("crashes with `IndexError` {}", when(saved))))
 }

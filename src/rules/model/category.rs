@@ -1,18 +1,27 @@
 //! The word in front of an asset in a model is its category.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::own;
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use super::{makehuman1, own};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo, nearest,
+};
 use crate::formats::mhm::{CATEGORIES, WornLine};
 use crate::repo::makehuman2::{Asset, Base, SavedModel, View};
 
-pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "ignores the line: the asset is missing")],
+pub(in crate::rules) static RULE: Rule = Check::Models(run, |view, cx, out| makehuman1::keyword::faults(&RULE, view, cx, out), |_, _, _| {}).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "ignores the line: the asset is missing"),
+        (Makehuman1, "ignores the line, with a warning in the log"),
+    ],
+    levels: &[(Makehuman1, Level::Warning)],
     docs: "The first word of a line that puts an asset on is the category: `clothes`, `hair`, `eyes`, `eyebrows`, `eyelashes`, \
         `teeth`, `tongue` or `proxy`.\n\n\
         MakeHuman 2 ignores a line with another word, so the asset is missing. If the word is one of these but not the \
         folder of the asset, the asset is worn as something else: hair as clothes is exported to glTF with another way of \
         blending (a warning). Several lines `hair` are all worn (a warning).\n\n\
+        MakeHuman 1 ignores every line whose first word it does not know, with a warning in the log (a warning); capitals \
+        count.\n\n\
         Write the name of the folder that the asset is in.",
     ..RuleInfo::new("model-category", Level::Error, "a model puts an asset on under an unknown or another category")
 });

@@ -3,20 +3,28 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::own;
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use super::{makehuman1, own};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, Place, RuleInfo,
+};
 use crate::formats::mhm::MaterialLine;
 use crate::repo::makehuman2::{Base, SavedModel, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
 
-pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently shows the asset with its default material")],
+pub(in crate::rules) static RULE: Rule = Check::Models(run, |view, cx, out| makehuman1::material::faults(&RULE, view, cx, out), |_, _, _| {}).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "silently shows the asset with its default material"),
+        (Makehuman1, "logs an error, and shows the asset with its own material"),
+    ],
     docs: "A line `material` of a model (`.mhm`) chooses another material for an asset: name and uuid of the asset, exactly as \
         in the line that puts it on, and a `.mhmat`.\n\n\
         The file is looked for in the folder of the asset; if it is missing, the first part of the path is left out and \
         the rest looked for in the folder of the category (`eyes/materials/blue.mhmat`). A blank in the name of the file \
         makes two words of it.\n\n\
         If the asset or the file is not found, MakeHuman 2 silently shows the usual material.\n\n\
+        In MakeHuman 1 the line follows the one that puts the asset on, and the uuid alone counts. The file is looked for in \
+        the folder of the asset, then in the data of the user and of the system.\n\n\
         Write name and uuid as in the other line, and correct the path.",
     ..RuleInfo::new("model-material", Level::Warning, "a material line of a model without effect")
 });

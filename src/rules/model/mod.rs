@@ -3,6 +3,7 @@
 pub(in crate::rules) mod arity;
 pub(in crate::rules) mod category;
 mod known_pattern;
+mod makehuman1;
 pub(in crate::rules) mod material;
 pub(in crate::rules) mod modifier;
 mod modifier_repeated;
@@ -10,9 +11,11 @@ mod modifier_value;
 mod mpfb_asset;
 mod mpfb_lines;
 mod mpfb_modifier;
+mod short_lines;
 pub(in crate::rules) mod syntax;
 pub(in crate::rules) mod tags;
 pub(in crate::rules) mod unknown_asset;
+pub(in crate::rules) mod version;
 
 use super::Rule;
 use crate::repo::makehuman2::{Base, SavedModel, View};
@@ -26,6 +29,7 @@ pub(super) static RULES: &[&Rule] = &[
     &syntax::RULE,
     &tags::RULE,
     &unknown_asset::RULE,
+    &version::RULE,
 ];
 
 /// The characters of a base that are checked.

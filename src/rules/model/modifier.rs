@@ -8,18 +8,22 @@ use super::super::{Check, Rule, RuleCx, counted, did_you_mean, such};
 use super::known_pattern::Known;
 use super::modifier_repeated::repeated;
 use super::modifier_value::{Faulty, faulty};
-use super::{mpfb_modifier, own, when};
+use super::{makehuman1, mpfb_modifier, own, when};
 use crate::diag::{
-    Application::{Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped,
 };
 use crate::formats::mhm::{Modifier, ModifierFault};
 use crate::repo::makehuman2::{Base, SavedModel, View};
-use crate::repo::mpfb;
 
-pub(in crate::rules) static RULE: Rule = Check::Models(run, of_mpfb).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Models(
+    run,
+    |view, cx, out| makehuman1::modifier::faults(&RULE, view, cx, out),
+    |view, cx, out| mpfb_modifier::faults(&RULE, view, cx, out),
+).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "crashes with `ValueError` when the model is loaded"),
+        (Makehuman1, "fails with `ValueError` at the line, and loads the model without it"),
         (Mpfb, "fails with `ValueError` when the model is imported"),
     ],
     docs: "A line `modifier` of a model (`.mhm`) needs exactly the pattern of a slider and a number.\n\n\
@@ -29,6 +33,8 @@ pub(in crate::rules) static RULE: Rule = Check::Models(run, of_mpfb).rule(RuleIn
         0 to 1 (-1 to 1 for a slider with two sides) a shape is exaggerated, and a macro vanishes above 1 (a \
         warning). A negative value of a slider with one side is ignored. Of several lines with one pattern the last counts (a \
         warning).\n\n\
+        MakeHuman 1 loses such a line alone. Unknown names are lost, NaN and values above the limit become the limit, and \
+        races that do not add up to 1 are changed (warnings).\n\n\
         Write the pattern as the slider has it, and a value between 0 and 1.",
     ..RuleInfo::new("model-modifier", Level::Error, "a modifier that is not the pattern of a slider and a value")
 });
@@ -48,10 +54,6 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     if can_tell {
         out.extend(unknown(view, base, cx));
     }
-}
-
-fn of_mpfb(view: &mpfb::View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    mpfb_modifier::faults(&RULE, view, cx, out);
 }
 
 fn broken(saved: &SavedModel<'_>) -> Option<Finding> {

@@ -1,17 +1,22 @@
 //! Tags of a model are separated by semicolons.
 
 use super::super::{Check, Rule, RuleCx};
-use super::own;
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use super::{makehuman1, own};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, Place, RuleInfo,
+};
 use crate::repo::makehuman2::{Base, View};
 
-pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "reads the whole line as one tag")],
-    docs: "The tags of a model (`.mhm`) are separated by semicolons: `tags adult;casual`.\n\n\
+pub(in crate::rules) static RULE: Rule =
+    Check::Models(run, |view, _, out| makehuman1::tags::faults(&RULE, view, out), |_, _, _| {}).rule(RuleInfo {
+        breaks: &[(Makehuman2, "reads the whole line as one tag"), (Makehuman1, "reads the whole line as one tag")],
+        docs: "The tags of a model (`.mhm`) are separated by semicolons: `tags adult;casual`.\n\n\
         With commas MakeHuman 2 takes all of them for one tag, by which nobody finds the model.\n\n\
+        So does MakeHuman 1, which keeps 25 letters of each tag.\n\n\
         Write semicolons.",
-    ..RuleInfo::new("model-tags", Level::Warning, "tags of a model that are separated by commas")
-});
+        ..RuleInfo::new("model-tags", Level::Warning, "tags of a model that are separated by commas")
+    });
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for saved in own(view, base).filter(|saved| !saved.is_start) {

@@ -3,22 +3,31 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::{mpfb_asset, own};
+use super::{makehuman1, mpfb_asset, own};
 use crate::diag::{
-    Application::{Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped,
 };
 use crate::formats::mhm::WornLine;
 use crate::repo::makehuman2::{Asset, Base, SavedModel, View};
-use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, mpfb};
+use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
 
-pub(in crate::rules) static RULE: Rule = Check::Models(run, of_mpfb).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently loads the model without it"), (Mpfb, "imports the model without it")],
+pub(in crate::rules) static RULE: Rule = Check::Models(
+    run,
+    |view, cx, out| makehuman1::assets::faults(&RULE, view, cx, out),
+    |view, cx, out| mpfb_asset::faults(&RULE, view, cx, out),
+).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "silently loads the model without it"),
+        (Makehuman1, "loads the model without it, with a line in the log"),
+        (Mpfb, "imports the model without it"),
+    ],
     docs: "A model (`.mhm`) wears an asset, has a skin or a skeleton that does not exist.\n\n\
         MakeHuman 2 looks for an asset by name and uuid, then by its name alone, whatever the category. The uuid alone is \
         not enough: once an asset was renamed, models lose it. A skin is looked for in `skins/<base>/`, a skeleton \
         directly in `rigs/<base>/`, not in folders below.\n\n\
         Whatever is missing is left out; only a hidden log line says so.\n\n\
+        MakeHuman 1 knows an asset by its uuid alone, in the library of the word in front.\n\n\
         Correct the line, or add what it names.",
     ..RuleInfo::new("model-unknown-asset", Level::Warning, "a model names an asset, skin or skeleton that does not exist")
 });
@@ -46,10 +55,6 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     let missing = files.filter(|one| one.base == base.name && matches!(one.resolution, Resolution::Missing));
     let by_file = grouped(missing.map(|one| ((one.kind, one.rel.as_str()), one)));
     out.extend(by_file.into_values().filter_map(|references| file(view, base, &references, cx)));
-}
-
-fn of_mpfb(view: &mpfb::View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    mpfb_asset::faults(&RULE, view, cx, out);
 }
 
 /// What is known of the assets of a base.

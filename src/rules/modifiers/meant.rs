@@ -6,7 +6,7 @@ use super::super::RuleCx;
 use crate::repo::makehuman1::{KnownModifier, View};
 
 /// Names that no modifier has, and the modifiers that seem to be meant by them.
-pub(super) struct Meant<'v> {
+pub(in crate::rules) struct Meant<'v> {
     /// Modifiers that lack a side or a target, and that no slider sets, by name.
     faulty: BTreeMap<&'v str, &'v KnownModifier<'v>>,
     /// For each of them the slider that seems to mean it.
@@ -15,7 +15,7 @@ pub(super) struct Meant<'v> {
 
 impl<'v> Meant<'v> {
     /// What the sliders mean.
-    pub(super) fn of(view: &'v View<'_>, cx: &RuleCx<'_>) -> Self {
+    pub(in crate::rules) fn of(view: &'v View<'_>, cx: &RuleCx<'_>) -> Self {
         let with_slider = view.modifiers.with_slider();
         let own = view.modifiers.all.iter().filter(|one| one.modifier.variable.is_none() && is_faulty(one));
         let faulty = own.filter(|one| !with_slider.contains(one.name.as_str())).map(|one| (one.name.as_str(), one));
@@ -31,7 +31,7 @@ impl<'v> Meant<'v> {
     }
 
     /// The modifier at fault that is meant by a name.
-    pub(super) fn modifier(&self, name: &str, cx: &RuleCx<'_>) -> Option<&'v KnownModifier<'v>> {
+    pub(in crate::rules) fn modifier(&self, name: &str, cx: &RuleCx<'_>) -> Option<&'v KnownModifier<'v>> {
         if self.faulty.is_empty() {
             return None;
         }

@@ -6,7 +6,7 @@ pub(in crate::rules) mod default_value;
 pub(in crate::rules) mod description;
 pub(in crate::rules) mod duplicate;
 pub(in crate::rules) mod equal_tails;
-mod meant;
+pub(in crate::rules) mod meant;
 pub(in crate::rules) mod merged_boxes;
 pub(in crate::rules) mod no_target;
 pub(in crate::rules) mod renamed;

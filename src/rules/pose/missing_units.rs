@@ -1,15 +1,23 @@
 //! Poses need the units that they are made of.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, RuleInfo,
+};
 use crate::repo::{Body, BodyPose, PoseUnitsFile};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows a message in place of each of these poses")],
+    breaks: &[
+        (Makehuman2, "shows a message in place of each of these poses"),
+        (Makehuman1, "fails when the expressions are opened: it lists them and shows none"),
+    ],
     docs: "A base has poses (`.mhpose`) in `poses/<base>/` but no `base/<base>/body-poses.json`, or expressions in \
         `expressions/<base>/` but no `face-poses.json`. These files say what the units of the poses turn.\n\n\
         Without `body-poses.json` MakeHuman 2 shows a message whenever one of the poses is chosen, and no pose. Without \
         `face-poses.json` expressions silently do nothing (a warning). Motions (`.bvh`) need neither.\n\n\
+        MakeHuman 1 makes expressions of the frames of `poseunits/face-poseunits.bvh`, which have their names in \
+        `face-poseunits.json` beside it. Without either no expression can be shown.\n\n\
         Add the file, or remove the poses.",
     ..RuleInfo::new("pose-missing-units", Level::Error, "the units that poses are made of do not exist")
 });
@@ -21,7 +29,12 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_open {
         return;
     }
+    let mut told = "";
     for units in body.pose_units.iter().filter(|units| !units.is_there) {
+        // Where a folder with both files is missing, that is one fault.
+        if std::mem::replace(&mut told, units.category) == units.category {
+            continue;
+        }
         let is_expression = units.category == "expressions";
         let poses: Vec<&BodyPose<'_>> = body.poses.iter().filter(|pose| pose.is_expression == is_expression).collect();
         let Some(first) = poses.first() else { continue };

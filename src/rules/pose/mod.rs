@@ -2,6 +2,7 @@
 
 pub(in crate::rules) mod folder;
 mod foreign_unit;
+pub(in crate::rules) mod framemapping;
 pub(in crate::rules) mod imported_joint;
 mod licence_spelling;
 pub(in crate::rules) mod matrix;
@@ -31,6 +32,7 @@ pub(super) static RULES: &[&Rule] = &[
     &unknown_unit::RULE,
     &value_range::RULE,
     &folder::RULE,
+    &framemapping::RULE,
     &mpfb::RULE,
 ];
 

@@ -3,19 +3,29 @@
 use super::super::cause::schema::misspelt;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::UNITS;
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, Place, RuleInfo,
+};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `KeyError` when the pose is shown")],
+    breaks: &[
+        (Makehuman2, "crashes with `KeyError` when the pose is shown"),
+        (Makehuman1, "fails with `KeyError` when the expression is chosen"),
+    ],
     docs: "A pose or expression (`.mhpose`) has no `unit_poses`: the units that it sets, with their values.\n\n\
         MakeHuman 2 lists the pose and crashes when it is shown. If `unit_poses` is empty, the pose is the rest pose (an \
         info).\n\n\
+        MakeHuman 1 lists an expression without units, with an empty `unit_poses` as well, and fails when it is chosen.\n\n\
         Add `unit_poses`, or correct its spelling.",
     ..RuleInfo::new("pose-no-units", Level::Error, "a pose has no `unit_poses`")
 });
 
-const REST: Case = &[(Makehuman2, Level::Info, "shows the rest pose")];
+const REST: Case = &[
+    (Makehuman2, Level::Info, "shows the rest pose"),
+    (Makehuman1, Level::Error, "fails with `RuntimeError` when the expression is chosen"),
+];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for pose in body.poses.iter().filter(|pose| !pose.file.is_misshapen() || !pose.pose.has_units) {

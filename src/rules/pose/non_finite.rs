@@ -1,7 +1,7 @@
 //! The numbers of a pose must be finite.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::{UNITS, at, names, turns};
+use super::{UNITS, at, turns};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Evidence, Finding, Level, Place, RuleInfo,
@@ -32,7 +32,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     of_motions(body, out);
     for pose in &body.poses {
         // A unit that does not exist is ignored with its value.
-        let known = body.units_of(pose).map(|(_, units)| names(units));
+        let known = body.unit_names(pose).map(|(_, names)| names);
         let is_used = |unit: &str| known.as_ref().is_none_or(|all| all.contains((pose.renewed)(unit).unwrap_or(unit)));
         let bad = pose.pose.values.iter().filter(|one| one.value.is_some_and(|value| !value.is_finite()));
         let bad = bad.filter(|one| is_used(&one.unit));

@@ -8,6 +8,7 @@ use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
 };
+use crate::discover::library_of;
 use crate::formats::bvh::{Joint, Motion};
 use crate::formats::unfit::NamedAt;
 use crate::repo::{Body, FileFacts, StoredBones};
@@ -38,7 +39,8 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return out.extend(imported_joint::findings(&RULE, body, cx));
     }
     if body.is_makehuman1() {
-        return out.extend(body.motions.iter().filter_map(|(file, motion)| foreign(file, motion)));
+        let listed = body.motions.iter().filter(|(file, _)| library_of(&file.rel).is_some());
+        return out.extend(listed.filter_map(|(file, motion)| foreign(file, motion)));
     }
     let Some((rig, skeleton)) = body.default_rig().and_then(|rig| Some((rig, rig.skeleton()?))) else { return };
     let bones: BTreeSet<&str> = skeleton.bones.iter().map(|bone| bone.name.as_str()).collect();

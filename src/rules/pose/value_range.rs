@@ -4,17 +4,24 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx, such};
 use super::UNITS;
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
+};
 use crate::formats::mhpose::UnitValue;
 use crate::formats::pose_units::Unit;
 use crate::repo::{Body, BodyPose};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "turns the bones of the unit further than it is made for")],
+    breaks: &[
+        (Makehuman2, "turns the bones of the unit further than it is made for"),
+        (Makehuman1, "turns the bones of the unit further than it is made for"),
+    ],
     docs: "A pose sets a unit to a value outside -1 to 1, or to a negative value although the unit has no `reverse`. A value \
         of 1 is the whole unit; often per cent were written.\n\n\
         MakeHuman 2 does not limit the values: 60 turns the bones sixty times as far. A negative value of a unit without \
         `reverse`, and a positive one of a unit without `bones`, does nothing.\n\n\
+        MakeHuman 1 does not limit the values, either; a negative one turns the bones the other way there.\n\n\
         Write a value from -1 to 1, or from 0 to 1 for a unit with one side.",
     ..RuleInfo::new("pose-value-range", Level::Warning, "a pose sets a unit to a value that it does not have")
 });
@@ -30,6 +37,10 @@ enum Fault {
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for pose in &body.poses {
+        if body.is_makehuman1() {
+            out.extend(of_frames(body, pose));
+            continue;
+        }
         let Some((file, units)) = body.units_of(pose) else { continue };
         let by_name: BTreeMap<&str, &Unit> = units.units.iter().map(|unit| (unit.name.as_str(), unit)).collect();
         let values = pose.pose.values.iter();
@@ -51,6 +62,17 @@ fn fault(one: &UnitValue, unit: &Unit) -> Option<Fault> {
         value if value.abs() > 1.0 => Some(Fault::TooFar),
         _ => None,
     }
+}
+
+/// Of frames a value is the way from the rest pose, which may lead to the other side.
+fn of_frames(body: &Body<'_>, pose: &BodyPose<'_>) -> Option<Finding> {
+    let (file, known) = body.unit_names(pose)?;
+    let is_too_far = |one: &&UnitValue| {
+        let value = one.value.filter(|value| value.is_finite());
+        known.contains(&*one.unit) && value.is_some_and(|value| value.abs() > 1.0)
+    };
+    let far: Vec<&UnitValue> = pose.pose.values.iter().filter(is_too_far).collect();
+    finding(pose, &file.path, Fault::TooFar, &far)
 }
 
 fn finding(pose: &BodyPose<'_>, units: &str, fault: Fault, all: &[&UnitValue]) -> Option<Finding> {

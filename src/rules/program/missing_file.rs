@@ -1,6 +1,7 @@
 //! The data folder of the program has the files without which it does not start.
 
 use super::super::cause::consequence::STOPS_AT_START;
+use super::super::cause::library::{FIRST_EYES, FIRST_SKIN};
 use super::super::{Check, Rule, RuleCx};
 use super::mpfb_files;
 use crate::diag::{
@@ -63,11 +64,11 @@ fn holds_program(layer: &Layer) -> bool {
 const OF_MAKEHUMAN1: [(&str, &str, Case); 9] = [
     ("rigs/default.mhskel", "modifiers", STOPS),
     (BASE_MESH, "modifiers", STOPS),
-    ("skins/default.mhmat", "shaders", NO_SKIN),
+    (FIRST_SKIN, "shaders", NO_SKIN),
     ("litspheres/skinmat_african.png", LITSPHERES, NO_BLEND),
     ("litspheres/skinmat_asian.png", LITSPHERES, NO_BLEND),
     ("litspheres/skinmat_caucasian.png", LITSPHERES, NO_BLEND),
-    ("eyes/high-poly/high-poly.mhclo", "eyes", NO_EYES),
+    (FIRST_EYES, "eyes", NO_EYES),
     ("textures/texture_notfound.png", "textures", NO_PLACEHOLDER),
     ("materials/xray.mhmat", "materials", NO_XRAY),
 ];

@@ -1,10 +1,11 @@
 //! What the bones of a skeleton of MakeHuman 1 take of the weights of the base skeleton (formats/makehuman1.md §4).
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::{Rig, rigs};
 use crate::eval::makehuman1::remap::{RemapBone, sources};
-use crate::formats::mhskel::{Bone, Skeleton};
+use crate::formats::bone_references::{BoneReferences, NamedBones};
+use crate::formats::mhskel::Skeleton;
 use crate::repo::Body;
 
 /// A skeleton that takes its weights through references.
@@ -26,28 +27,19 @@ pub(super) fn remapped<'v>(body: &Body<'v>) -> Vec<Remapped<'v>> {
 
 impl<'a> Remapped<'a> {
     fn of(skeleton: &'a Skeleton, rig: Rig<'a>) -> Self {
-        let ordered: Vec<(&str, Option<usize>)> = skeleton
-            .breadth_first()
-            .into_iter()
-            .filter_map(|(place, parent)| Some((skeleton.bones.get(place)?.name.as_str(), parent)))
+        let named = BoneReferences::of(skeleton, rig.skeleton);
+        let bones: Vec<RemapBone<'_>> = named
+            .bones
+            .iter()
+            .map(|NamedBones { same_name, references, is_explicit }| RemapBone {
+                same_name: *same_name,
+                references,
+                is_explicit: *is_explicit,
+            })
             .collect();
-        let places: BTreeMap<&str, usize> =
-            ordered.iter().enumerate().rev().map(|(place, (name, _))| (*name, place)).collect();
-        let parents: Vec<Option<usize>> = ordered.iter().map(|(_, parent)| *parent).collect();
-        let of = |bone: &Bone| -> (Vec<Option<usize>>, bool) {
-            let (names, is_explicit) = bone.weight_references();
-            (names.iter().map(|name| places.get(name).copied()).collect(), is_explicit)
-        };
-        let lists: Vec<(Vec<Option<usize>>, bool)> = rig.skeleton.bones.iter().map(of).collect();
-        let bones = rig.skeleton.bones.iter().zip(&lists).map(|(bone, (references, is_explicit))| RemapBone {
-            same_name: places.get(bone.name.as_str()).copied(),
-            references,
-            is_explicit: *is_explicit,
-        });
-        let bones: Vec<RemapBone<'_>> = bones.collect();
-        let sources = sources(&parents, &bones);
+        let sources = sources(&named.parents, &bones);
         let taken: BTreeSet<usize> = sources.iter().flatten().copied().collect();
-        let untaken = ordered.iter().enumerate().filter(|(place, _)| !taken.contains(place));
-        Self { untaken: untaken.map(|(_, (name, _))| *name).collect(), rig, sources }
+        let untaken = named.base.iter().enumerate().filter(|(place, _)| !taken.contains(place));
+        Self { untaken: untaken.map(|(_, name)| *name).collect(), rig, sources }
     }
 }

@@ -6,7 +6,10 @@ use super::table::{Cell, LOST, Row, Table, anywhere, cell, nothing, row};
 use super::{Consequence, Damage, Moment};
 use crate::diag::Level::{Error, Info, Warning};
 use crate::discover::{Kind, Single};
-use crate::repo::ReferenceKind::{AssetMaterial, AssetMesh, AssetWeights, Texture, UvMap, WeightsFile};
+use crate::repo::ReferenceKind::{
+    AssetMaterial, AssetMesh, AssetWeights, ModelExpression, ModelMaterial, ModelPose, ModelSkeleton, Skin, Texture,
+    UvMap, WeightsFile,
+};
 use Damage::{
     Closed, Dangling, Empty, MarkedComment, MarkedRow, MarkedWord, NotUtf8, Pointer, Refused, Special, Syntax, TooDeep,
 };
@@ -36,6 +39,10 @@ const NO_RIGS: &str = "lists no skeleton at all: one file that cannot be read em
 const NO_RIG: &str = "fails when the skeleton with these weights is chosen";
 const ENGLISH: &str = "logs an error and stays English";
 const NO_EXPRESSION: &str = "lists the expressions and shows none of them";
+pub(super) const NO_EXPRESSIONS: &str = "lists no expression at all: one file that cannot be read empties the list";
+
+const NO_MODELS: &str = "lists no model at all: one file that cannot be read empties the list";
+pub(super) const RESET: &str = "fails because the version is missing, and leaves the default human";
 
 const COMMENT: Cell = cell(MarkedComment, Info, "ignores the first line, which is only a comment");
 const KEYWORD: Cell = cell(MarkedWord, Warning, "does not recognise the first keyword and ignores its line");
@@ -49,6 +56,16 @@ const ROWS: &[Row] = &[
         cell(NotUtf8, Error, STOPS_AT_START),
         cell(MarkedWord, Error, "drops the first vertex, and stops at start"),
         COMMENT,
+    ]),
+    row(Kind::Target, At::Single(Single::OwnTarget), Start, &[
+        cell(Dangling, Error, INERT),
+        cell(Closed, Error, INERT),
+        cell(Pointer, Warning, SILENT),
+        cell(Empty, Warning, SILENT),
+        cell(NotUtf8, Error, INERT),
+        cell(MarkedRow, Error, INERT),
+        cell(MarkedWord, Info, "skips the first line"),
+        cell(MarkedComment, Info, "skips the first line, which is only a comment"),
     ]),
     anywhere(Kind::Target, Start, &[
         cell(Dangling, Info, "finds a target of this name that moves nothing"),
@@ -131,6 +148,24 @@ const ROWS: &[Row] = &[
         cell(Refused, Error, NO_EXPRESSION),
         cell(Syntax, Error, NO_EXPRESSION),
         cell(NotUtf8, Error, NO_EXPRESSION),
+    ]),
+    anywhere(Kind::Pose, Scan, &[
+        cell(Closed, Error, NO_EXPRESSIONS),
+        cell(Pointer, Error, NO_EXPRESSIONS),
+        cell(Refused, Error, NO_EXPRESSIONS),
+        cell(Syntax, Error, NO_EXPRESSIONS),
+        cell(NotUtf8, Error, NO_EXPRESSIONS),
+        cell(TooDeep, Error, NO_EXPRESSIONS),
+        // A NaN in a value has a finding of its own; anywhere else nobody calculates with it.
+        nothing(Special),
+    ]),
+    anywhere(Kind::Model, Scan, &[
+        cell(Closed, Error, NO_MODELS),
+        cell(Pointer, Error, RESET),
+        cell(Empty, Error, RESET),
+        cell(NotUtf8, Error, NO_MODELS),
+        KEYWORD,
+        COMMENT,
     ]),
     anywhere(Kind::Language, Use, &[
         cell(Closed, Warning, ENGLISH),
@@ -251,5 +286,10 @@ const UNFOUND: &[(&[crate::repo::ReferenceKind], Consequence)] = &[
     (&[WeightsFile], Consequence::new(Error, "fails with `FileNotFoundError` when the skeleton is chosen")),
     (&[AssetMaterial], Consequence::new(Warning, "draws the asset with the default white material")),
     (&[Texture], Consequence::new(Warning, "logs an error and shows a placeholder instead of the picture")),
+    (&[Skin], Consequence::new(Warning, "loads the model with the default skin")),
+    (&[ModelSkeleton], Consequence::new(Warning, "loads the model without a skeleton")),
+    (&[ModelPose], Consequence::new(Warning, "logs an error, and loads the model without its pose and in another shape")),
+    (&[ModelExpression], Consequence::new(Warning, "loads the model without the expression")),
+    (&[ModelMaterial], Consequence::new(Warning, "logs an error, and shows the asset with the default white material")),
     (&[UvMap], Consequence::new(Error, "fails with `FileNotFoundError` when the material is used")),
 ];

@@ -23,7 +23,7 @@ use crate::diag::{
 };
 use crate::discover::Kind;
 use crate::json::{SchemaFault, UnknownKey};
-use crate::repo::{FileFacts, ReferenceKind, View};
+use crate::repo::{FileFacts, ReferenceKind, Target, View};
 pub(in crate::rules) use mpfb::{BY_HAND, MACRO_ROWS, NO_PART};
 
 /// When an application opens a file.
@@ -129,14 +129,26 @@ pub(in crate::rules) fn consequence(view: &View<'_>, rel: &str, damage: Damage) 
     if let Some(own) = of_macros.and_then(|_| mpfb::of_macro_target(damage)) {
         return Some(own);
     }
-    // Of macros an empty file is the shape that changes nothing.
-    let is_identity = |file: &FileFacts| view.target(file).used_as == Some(ReferenceKind::MacroTarget);
+    // Of macros an empty file is the shape that changes nothing; what is one is not known without the modifiers.
+    let is_identity = |file: &FileFacts| match view.target(file) {
+        Target { used_as: None, is_unused, .. } => !is_unused,
+        target => target.used_as == Some(ReferenceKind::MacroTarget),
+    };
     let is_empty_target = damage == Damage::Empty && view.is_makehuman1() && view.kind_at(rel) == Kind::Target;
     if is_empty_target && view.layers().checked.file(rel).is_some_and(is_identity) {
         return None;
     }
+    if damage == Damage::MarkedWord && view.layers().checked.file(rel).is_some_and(|file| hides_version(view, file)) {
+        return Some(Consequence::new(Level::Error, makehuman1::RESET));
+    }
     let (table, row, moment) = asked(view, rel);
     table.consequence(row, moment, damage)
+}
+
+/// Whether a byte order mark hides the version of a model, without which MakeHuman 1 does not read it.
+fn hides_version(view: &View<'_>, file: &FileFacts) -> bool {
+    let is_version = || file.encoding.marked_words.first().is_some_and(|word| &**word == "version");
+    view.is_makehuman1() && view.kind_at(&file.rel) == Kind::Model && is_version()
 }
 
 /// What the application does if a name leads to no file; `None` for a name that it does not have.

@@ -1,0 +1,157 @@
+//! What a character wears and has is there.
+
+use super::super::super::cause::library::{FIRST_EYES, FIRST_SKIN};
+use super::super::super::{Rule, RuleCx, did_you_mean, such};
+use super::own;
+use crate::diag::{Evidence, Finding, Place, grouped};
+use crate::discover::{Kind, library_of};
+use crate::formats::mhm::CATEGORIES;
+use crate::formats::mhm_lines::Line;
+use crate::repo::makehuman1::{SavedModel, View, uuid_of};
+use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, Worn};
+
+pub(in super::super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // Without the system nobody knows what there is.
+    if view.layers.system.is_none() {
+        return;
+    }
+    let lines = own(view).flat_map(|model| model.lines.all.iter().map(move |line| (model, line)));
+    let worn = lines.filter(|(_, line)| CATEGORIES.contains(&&*line.keyword.text) && !line.values.is_empty());
+    let lost = worn.filter(|(_, line)| is_lost(view, line));
+    let by_asset = grouped(lost.map(|one| ((&*one.1.keyword.text, one.1.value(0), one.1.value(1)), one)));
+    out.extend(by_asset.into_values().filter_map(|lines| unknown(rule, view, &lines, cx)));
+    let missing = own(view).flat_map(|model| view.references.of_file(model.file));
+    let missing = missing.filter(|one| matches!(one.resolution, Resolution::Missing));
+    // What the program misses itself, and what is there and not listed, has a finding of its own.
+    let missing =
+        missing.filter(|one| one.text.trim_start_matches("data/") != FIRST_SKIN && !is_unlisted_file(view, one));
+    let by_file = grouped(missing.map(|one| ((one.kind, one.text), one)));
+    out.extend(by_file.into_values().filter_map(|references| file(rule, view, &references, cx)));
+}
+
+/// The library of a category.
+fn library(category: &str) -> &str {
+    if category == "proxy" { "proxymeshes" } else { category }
+}
+
+/// The assets that are listed where a category is looked for.
+fn listed<'v, 'a>(view: &'v View<'a>, category: &str) -> impl Iterator<Item = &'v Worn<'a>> {
+    view.worn().iter().filter(move |worn| library_of(&worn.file.rel) == Some(library(category)))
+}
+
+fn name_of<'a>(worn: &Worn<'a>) -> Option<&'a str> {
+    worn.clothes()?.all("name").next_back().map(|entry| &*entry.value)
+}
+
+/// Assets are known by their uuid. One that cannot be read, or has none, has a finding of its own.
+fn is_lost(view: &View<'_>, line: &Line) -> bool {
+    let (name, uuid) = (line.value(0), line.value(1));
+    let may_be_it = |worn: &Worn<'_>| match uuid_of(worn) {
+        Some(own) => own == uuid,
+        None => name_of(worn) == Some(name) || worn.file.stem() == name || worn.clothes().is_none(),
+    };
+    let own = library(&line.keyword.text);
+    let is_first = FIRST_EYES == format!("{own}/{name}/{name}.mhclo");
+    !listed(view, &line.keyword.text).any(may_be_it) && !has_packed(view, own) && !is_first && !is_unlisted(view, name)
+}
+
+/// Whether an asset of this name is there and not listed: in another folder, or with another suffix.
+fn is_unlisted(view: &View<'_>, name: &str) -> bool {
+    let is_worn = |file: &FileFacts| view.worn().iter().any(|worn| std::ptr::eq(worn.file, file));
+    let starts = [".mhclo", ".proxy"].map(|suffix| format!("{name}{suffix}").to_lowercase());
+    let mut files = view.layers.strongest_first().flat_map(|layer| layer.files.values());
+    files.any(|file| starts.iter().any(|start| file.file_name().to_lowercase().starts_with(start)) && !is_worn(file))
+}
+
+/// The same of a file that a character names.
+fn is_unlisted_file(view: &View<'_>, reference: &Reference<'_>) -> bool {
+    let name = reference.text.rsplit('/').next().unwrap_or_default();
+    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    let mut files = view.layers.strongest_first().flat_map(|layer| layer.files.values());
+    let is_picture = |file: &FileFacts| file.kind == Kind::Image || file.kind == Kind::MotionMeta;
+    files.any(|file| file.stem() == stem && library_of(&file.rel).is_none() && !is_picture(file))
+}
+
+/// Whether a library has an asset without its text, which nobody looks into yet.
+fn has_packed(view: &View<'_>, library: &str) -> bool {
+    let mut layers = view.layers.strongest_first();
+    layers.any(|layer| {
+        let mut packed = layer.below(library).filter_map(|file| file.rel.strip_suffix(".mhpxy"));
+        packed.any(|stem| ["mhclo", "proxy"].iter().all(|text| layer.file(&format!("{stem}.{text}")).is_none()))
+    })
+}
+
+fn unknown(rule: &Rule, view: &View<'_>, lines: &[(&SavedModel<'_>, &Line)], cx: &RuleCx<'_>) -> Option<Finding> {
+    let (model, line) = lines.first()?;
+    let (category, name, uuid) = (&*line.keyword.text, line.value(0), line.value(1));
+    let own = library(category);
+    let more = such(lines.len(), "models");
+    let same = listed(view, category).find(|worn| name_of(worn) == Some(name)).and_then(uuid_of);
+    let elsewhere = view.worn().iter().find(|worn| uuid_of(worn) == Some(uuid) && !uuid.is_empty());
+    let elsewhere = elsewhere.and_then(|worn| library_of(&worn.file.rel));
+    let is_cut = line.values.len() > 2 && uuid_is_known(view, line.values.last().map_or("", |word| &word.text));
+    let (message, help) = match (same, elsewhere) {
+        _ if is_cut => (
+            format!("the name of the asset has a blank, so `{uuid}` is read as its uuid{more}"),
+            "name the asset without a blank, here and in its own file".to_owned(),
+        ),
+        _ if uuid.is_empty() => (
+            format!("`{category} {name}` has no uuid{more}"),
+            same.map_or_else(
+                || "write the uuid of the asset behind its name".to_owned(),
+                |uuid| format!("write `{category} {name} {uuid}`"),
+            ),
+        ),
+        (Some(same), _) => {
+            (format!("the asset `{name}` has another uuid{more}"), format!("write `{category} {name} {same}`"))
+        }
+        (None, Some(other)) => {
+            let right = if other == "proxymeshes" { "proxy" } else { other };
+            (format!("`{name}` is not listed in `{own}`, but in `{other}`{more}"), format!("write `{right}`"))
+        }
+        (None, None) => {
+            let near = cx.suggestions.nearest(name, listed(view, category).filter_map(name_of));
+            let otherwise = "add the asset, or check it together with the pack that has it; otherwise remove the line";
+            (format!("no asset in `{own}` has the uuid of `{name}`{more}"), did_you_mean(near, otherwise))
+        }
+    };
+    let place =
+        |line: &Line| Place::Span(line.values.first().map_or(line.keyword.span.clone(), |one| one.span.clone()));
+    let finding = rule.at(model.file, place(line), message).key(format!("{category} {name}")).help(help);
+    let parts = lines.iter().map(|(model, line)| (model.file.shown(), &model.file.path, place(line)));
+    let finding = finding.parts_at(parts);
+    let finding = finding.evidence(Evidence::of_cases(lines.iter().map(|(model, _)| model.file.shown())));
+    Some(finding.effect("loads the model without it, with a line in the log"))
+}
+
+fn uuid_is_known(view: &View<'_>, uuid: &str) -> bool {
+    view.worn().iter().any(|worn| uuid_of(worn) == Some(uuid))
+}
+
+/// A file that characters name and that is not there.
+fn file(rule: &Rule, view: &View<'_>, references: &[&Reference<'_>], cx: &RuleCx<'_>) -> Option<Finding> {
+    let reference = references.first()?;
+    let (what, folder, suffix, effect) = match reference.kind {
+        ReferenceKind::Skin => ("skin", "skins", ".mhmat", "loads the model with the default skin"),
+        ReferenceKind::ModelSkeleton => ("skeleton", "rigs", ".mhskel", "loads the model without a skeleton"),
+        ReferenceKind::ModelPose => {
+            ("pose", "poses", ".bvh", "logs an error, and loads the model without its pose and in another shape")
+        }
+        ReferenceKind::ModelExpression => ("expression", "expressions", ".mhpose", "loads the model without it"),
+        _ => return None,
+    };
+    let files: Vec<&FileFacts> = view.layers.strongest_first().flat_map(|layer| layer.below(folder)).collect();
+    let written = |file: &FileFacts| match reference.kind {
+        ReferenceKind::Skin => Some(file.rel.clone()),
+        _ => Some(file.rel.strip_prefix(folder)?.strip_prefix('/')?.to_owned()),
+    };
+    let names: Vec<String> =
+        files.iter().filter(|file| file.rel.ends_with(suffix)).filter_map(|file| written(file)).collect();
+    let near = cx.suggestions.nearest_file(reference.text, names.iter().map(String::as_str));
+    let help = did_you_mean(near, format!("add the file to `{folder}`, or name one that exists"));
+    let message = format!("{what} `{}` does not exist{}", reference.text, such(references.len(), "models"));
+    let finding = rule.at(reference.from, reference.place.clone(), message).key(reference.text).help(help);
+    let parts = references.iter().map(|one| (one.from.shown(), &one.from.path, one.place.clone()));
+    let finding = finding.parts_at(parts);
+    Some(finding.evidence(Evidence::of_cases(references.iter().map(|one| one.from.shown()))).effect(effect))
+}

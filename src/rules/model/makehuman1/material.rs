@@ -1,0 +1,72 @@
+//! A material line follows the line that puts the asset on, and names a file that exists.
+
+use super::super::super::{Rule, RuleCx, did_you_mean};
+use super::own;
+use crate::diag::{Finding, Place};
+use crate::formats::mhm::{CATEGORIES, Word};
+use crate::repo::makehuman1::{SavedModel, View, material};
+use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
+
+pub(in super::super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for model in own(view) {
+        out.extend(astray(rule, model));
+        if view.layers.system.is_none() {
+            continue;
+        }
+        let named = view.references.of_file(model.file).filter(|one| one.kind == ReferenceKind::ModelMaterial);
+        let missing = named.filter(|one| matches!(one.resolution, Resolution::Missing));
+        out.extend(missing.map(|one| unfound(rule, view, one, cx)));
+    }
+}
+
+/// Lines for what is not worn, or not yet.
+fn astray(rule: &Rule, model: &SavedModel<'_>) -> Vec<Finding> {
+    let lines = &model.lines.all;
+    let is_for = |at: usize, uuid: &str| {
+        let worn = lines.get(at).filter(|line| CATEGORIES.contains(&&*line.keyword.text));
+        worn.is_some_and(|line| line.value(1) == uuid)
+    };
+    let mut found = Vec::new();
+    for (at, line) in lines.iter().enumerate().filter(|(_, line)| &*line.keyword.text == "material") {
+        let Some((_, uuid, path)) = material(line) else { continue };
+        if (0..at).any(|earlier| is_for(earlier, uuid)) {
+            continue;
+        }
+        let later = (at..lines.len()).any(|later| is_for(later, uuid));
+        let name = if line.values.len() > 2 { line.value(0) } else { uuid };
+        let worn = lines.iter().find(|one| CATEGORIES.contains(&&*one.keyword.text) && one.value(0) == name);
+        let (message, help) = match worn {
+            _ if later => (
+                format!("the material of `{name}` stands above the line that puts it on"),
+                "move the line below it".to_owned(),
+            ),
+            Some(worn) => (
+                format!("the uuid differs from that in the line that puts on `{name}`"),
+                format!("write `{}` in place of `{uuid}`", worn.value(1)),
+            ),
+            None => (
+                format!("the model does not wear `{name}`"),
+                "remove the line, or put the asset on with a line of its own".to_owned(),
+            ),
+        };
+        found.push(
+            at_word(rule, model, line.values.first().unwrap_or(path), message).key(format!("stray {uuid}")).help(help),
+        );
+    }
+    found
+}
+
+fn at_word(rule: &Rule, model: &SavedModel<'_>, word: &Word, message: String) -> Finding {
+    rule.at(model.file, Place::Span(word.span.clone()), message)
+}
+
+fn unfound(rule: &Rule, view: &View<'_>, reference: &Reference<'_>, cx: &RuleCx<'_>) -> Finding {
+    let folder = parent(&reference.rel);
+    let files: Vec<&FileFacts> = view.layers.strongest_first().flat_map(|layer| layer.below(folder)).collect();
+    let names = files.iter().filter(|file| file.rel.ends_with(".mhmat"));
+    let near = cx.suggestions.nearest_file(reference.text, names.map(|file| file.file_name()));
+    let message = format!("material `{}` of `{}` does not exist", reference.text, reference.owner);
+    let finding = rule.at(reference.from, reference.place.clone(), message).key(format!("file {}", reference.owner));
+    let finding = finding.effect("logs an error, and shows the asset with the default white material");
+    finding.help(did_you_mean(near, "name a material that exists, or remove the line"))
+}
