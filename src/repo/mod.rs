@@ -5,6 +5,7 @@
 //! here, what one does in its own way is in its folder.
 
 mod body;
+pub(crate) mod extent;
 mod facts;
 mod landmarks;
 mod layer;

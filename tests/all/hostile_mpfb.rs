@@ -7,6 +7,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::sync::Arc;
 
+use crate::scratch::exchanged::{exchanged, pointers};
 use crate::scratch::{content, copy_folder, findings, mhlint, project};
 use mhlint::{Application, Config, Outcome, Tree, trial};
 use rayon::prelude::*;
@@ -32,36 +33,6 @@ fn run(files: &Files, path: &str, bytes: Vec<u8>) -> Outcome {
     assert!(outcome.is_whole(), "{path}: {:?} {:?}", outcome.failed_rules, outcome.failed_files);
     assert!(outcome.findings.iter().all(|finding| !finding.path.is_empty()), "{path}");
     outcome
-}
-
-/// Pointers to every value.
-fn pointers(value: &Value, at: &str, found: &mut Vec<String>) {
-    found.push(at.to_owned());
-    match value {
-        Value::Array(items) => {
-            for (index, item) in items.iter().enumerate().take(3) {
-                pointers(item, &format!("{at}/{index}"), found);
-            }
-        }
-        Value::Object(members) => {
-            for (key, member) in members {
-                pointers(member, &format!("{at}/{}", key.replace('~', "~0").replace('/', "~1")), found);
-            }
-        }
-        _ => {}
-    }
-}
-
-/// A document with one value exchanged, for each value that there is and each that it may become.
-fn exchanged(whole: &Value, others: &[Value]) -> Vec<(String, Value)> {
-    let mut places = Vec::new();
-    pointers(whole, "", &mut places);
-    let damage = |place: &String, other: &Value| {
-        let mut copy = whole.clone();
-        *copy.pointer_mut(place).unwrap() = other.clone();
-        (format!("{other} at {place:?}"), copy)
-    };
-    places.iter().flat_map(|place| others.iter().map(move |other| damage(place, other))).collect()
 }
 
 /// How many of the damages are reported.

@@ -16,8 +16,6 @@ type Files = BTreeMap<String, Arc<[u8]>>;
 const TEXT: [&str; 8] = ["mhclo", "proxy", "mhmat", "obj", "bvh", "meta", "mhm", "txt"];
 /// What else there is of a wardrobe.
 const OTHERS: [&str; 4] = ["mhw", "mhpose", "png", "thumb"];
-/// What is not checked of MakeHuman 1 yet.
-const NOT_CHECKED: [&str; 3] = ["user/models/", "data/expressions/puzzled.", "data/poseunits/"];
 const POINTER: &[u8] = b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393\nsize 12345\n";
 
 /// An example, both its data folders, in memory.
@@ -33,9 +31,7 @@ fn has_extension(path: &str, extensions: &[&str]) -> bool {
 /// Files of a wardrobe: not the pictures of sliders, nor what the body is made of.
 fn worn<'f>(files: &'f Files, extensions: &'f [&str]) -> impl Iterator<Item = (&'f String, &'f Arc<[u8]>)> {
     let folders = ["/base/", "/target/", "/contarget/", "/rigs/", "/shaders/", "/3dobjs/"];
-    let is_worn = move |path: &str| {
-        !folders.iter().any(|folder| path.contains(folder)) && !NOT_CHECKED.iter().any(|start| path.starts_with(start))
-    };
+    let is_worn = move |path: &str| !folders.iter().any(|folder| path.contains(folder));
     files.iter().filter(move |(path, _)| has_extension(path, extensions) && is_worn(path))
 }
 

@@ -22,6 +22,7 @@ mod folders;
 mod generated;
 mod honest;
 mod hostile;
+mod hostile_makehuman1;
 mod hostile_mpfb;
 mod hostile_worn;
 mod ignores;

@@ -11,8 +11,10 @@ use super::{Asset, surfaces};
 use crate::diag::Application;
 use crate::discover::{Kind, library_of};
 use crate::formats::obj::Mesh;
+use crate::repo::extent::{extent, is_plausible};
 use crate::repo::{
-    Body, BodyWeights, FileFacts, Layers, ReferenceKind, References, Rig, Surface, Target, WeightsUse, Worn, parent,
+    Body, BodyWeights, Doubt, FileFacts, Layers, ReferenceKind, References, Rig, Surface, Target, WeightsUse, Worn,
+    parent,
 };
 
 /// Whose uses of a file count here.
@@ -148,6 +150,8 @@ impl<'a> View<'a> {
         body.mesh = self.mesh;
         body.obj = self.mesh;
         body.visible_groups = self.mesh.map(|_| &self.shown);
+        let size = self.mesh.and_then(|(_, mesh)| extent(mesh, shows));
+        body.doubt = size.filter(|size| !is_plausible(*size)).map(|_| Doubt::Misplaced);
         body.rigs = &self.rigs;
         body.worn = &self.worn;
         // On a mesh that stops the program nobody counts vertices.

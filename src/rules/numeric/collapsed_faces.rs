@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, percent, untold};
 use crate::diag::{
-    Application::{Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Confidence, Evidence, Finding, Level, RuleInfo,
 };
 use crate::eval::measures::{Measures, Seen};
@@ -13,6 +13,7 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "shows these faces black or not at all: a face without area has no normal"),
+        (Makehuman1, "shows these faces black or not at all: a face without area has no normal"),
         (Mpfb, "shows these faces black or not at all: a face without area has no normal"),
     ],
     docs: "At some slider setting visible faces have (almost) no area, or a considerable part of the skin turns \

@@ -4,7 +4,7 @@ use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
 use crate::diag::{
-    Application::{Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Confidence, Evidence, Finding, Level, RuleInfo,
 };
 use crate::eval::measures::Measures;
@@ -14,6 +14,7 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "tears such vertices out of the figure, together with their faces, joints and clothes"),
+        (Makehuman1, "tears such vertices out of the figure, together with their faces, joints and clothes"),
         (Mpfb, "tears such vertices out of the figure, together with their faces, joints and clothes"),
     ],
     docs: "At some slider setting a vertex lies outside the box around the default character by more than 0.6 \

@@ -3,13 +3,19 @@
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
-use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Confidence, Evidence, Finding, Level, RuleInfo,
+};
 use crate::eval::measures::Measures;
 use crate::eval::survey::Trouble;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "rotates the limb around a point outside it as soon as the figure is posed")],
+    breaks: &[
+        (Makehuman2, "rotates the limb around a point outside it as soon as the figure is posed"),
+        (Makehuman1, "rotates the limb around a point outside it as soon as the figure is posed"),
+    ],
     docs: "At some slider setting a joint moves away from the skin around it.\n\n\
         A joint is compared with the sixteen vertices of visible skin nearest to it on the default character. Its \
         reach is its distance from the middle of that skin plus the radius of that skin. The distance may grow by \

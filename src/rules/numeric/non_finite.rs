@@ -2,14 +2,17 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, RuleInfo,
+};
 use crate::eval::measures::Measures;
 use crate::eval::skeleton::PARALLEL_SINE;
 use crate::eval::survey::Trouble;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "in pose mode all skin of the bone disappears")],
+    breaks: &[(Makehuman2, "in pose mode all skin of the bone disappears"), (Makehuman1, "draws a torn mesh at this setting")],
     docs: "At some slider setting a vertex or the matrix of a bone is not a number, although all files contain \
         numbers and the default character is fine.\n\n\
         For a bone, the three joints of its rotation plane come to lie on one straight line or at one point. The plane then has \
@@ -36,8 +39,9 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
                 .evidence(Evidence::counted(seen.count)),
         );
     }
-    if let Some(seen) = untold(body, measures, Trouble::FlatPlane).filter(|seen| !is_flat_at_rest(measures, &seen.name))
-    {
+    // What MakeHuman 1 makes of such a plane is not known.
+    let flat = untold(body, measures, Trouble::FlatPlane).filter(|_| !body.is_makehuman1());
+    if let Some(seen) = flat.filter(|seen| !is_flat_at_rest(measures, &seen.name)) {
         let message = format!(
             "the rotation plane of bone `{}` has no normal: its three joints are on one straight line",
             seen.name

@@ -2,14 +2,20 @@
 
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Element, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Element, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::eval::measures::Measures;
 use crate::eval::skeleton::PARALLEL_SINE;
 use crate::eval::survey::SHORTEST_BONE;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "deforms the figure as soon as pose mode is entered, before any pose is loaded")],
+    breaks: &[
+        (Makehuman2, "deforms the figure as soon as pose mode is entered, before any pose is loaded"),
+        (Makehuman1, "deforms the figure in every pose"),
+    ],
     docs: "With every bone at rest, skinning must leave each vertex where it is. Here a vertex of the default \
         character moves by more than 0.001 cm (0.0001), or is not a number afterwards. What the cut-off of small \
         weights takes from a vertex does not count here; it has a rule of its own.\n\n\

@@ -3,16 +3,22 @@
 use super::super::units::centimetres;
 use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, RuleInfo,
+};
 use crate::eval::measures::Measures;
 use crate::eval::survey::Trouble;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(
-        Makehuman2,
-        "divides by zero: the rest matrix is not a number, and in pose mode the skin of the bone disappears",
-    )],
+    breaks: &[
+        (
+            Makehuman2,
+            "divides by zero: the rest matrix is not a number, and in pose mode the skin of the bone disappears",
+        ),
+        (Makehuman1, "fails with `LinAlgError` when the pose changes, if a bone lies below this one"),
+    ],
     docs: "At some slider setting the head and the tail of a bone meet at one point: they are closer than 0.001 cm \
         (0.0001). The bones of MakeHuman's own base keep at least 0.26 cm at every setting.\n\n\
         Joints are the mean positions of their vertices on the morphed mesh, and MakeHuman 2 recomputes them after \

@@ -4,14 +4,20 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::rigs;
-use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Confidence, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::eval::target_measure::cubes_of;
 use crate::formats::mhskel::Joint;
 use crate::formats::obj::Mesh;
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "places such joints off their cubes, and moves them with the wrong vertices")],
+    breaks: &[
+        (Makehuman2, "places such joints off their cubes, and moves them with the wrong vertices"),
+        (Makehuman1, "places such joints off their cubes, and moves them with the wrong vertices"),
+    ],
     docs: "A joint lists only part of its cube together with other vertices. The base mesh marks joints with small \
         cubes, groups whose names begin with `joint-`; a joint lists the vertices of its cube and lies at their \
         mean.\n\n\
@@ -31,13 +37,14 @@ type OffCube<'a> = (&'a Joint, &'a str, usize, usize);
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = body.whole_mesh() else { return };
+    let count = i64::try_from(mesh.positions.len()).unwrap_or(i64::MAX);
     let cubes = cubes(mesh);
     let cube_of: BTreeMap<u32, usize> =
         cubes.iter().enumerate().flat_map(|(cube, (_, all))| all.iter().map(move |vertex| (*vertex, cube))).collect();
     for rig in rigs(body) {
         out.extend(exchanged(rig.file, &rig.skeleton.joints, &cubes, &cube_of));
         let joints = rig.skeleton.joints.iter();
-        let off: Vec<OffCube<'_>> = joints.filter_map(|joint| off_cube(joint, &cubes, &cube_of)).collect();
+        let off: Vec<OffCube<'_>> = joints.filter_map(|joint| off_cube(joint, &cubes, &cube_of, count)).collect();
         let Some((joint, cube, listed, all)) = off.first() else { continue };
         let first = format!("`{}` lists {listed} of the {all} vertices of `{cube}`, and others", joint.name);
         let message = match off.len() {
@@ -118,8 +125,10 @@ fn off_cube<'a>(
     joint: &'a Joint,
     cubes: &'a [(String, Vec<u32>)],
     cube_of: &BTreeMap<u32, usize>,
+    count: i64,
 ) -> Option<OffCube<'a>> {
-    let listed = joint.vertices.as_deref()?;
+    // A vertex that the mesh lacks has a finding of its own.
+    let listed = joint.vertices.as_deref().filter(|listed| listed.iter().all(|vertex| (0..count).contains(vertex)))?;
     let touched = touched(listed.iter().copied(), cube_of);
     let size = |cube: usize| cubes.get(cube).map_or(0, |(_, all)| all.len());
     let (cube, count) = touched.iter().max_by_key(|(_, count)| **count)?;

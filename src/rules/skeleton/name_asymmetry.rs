@@ -5,15 +5,18 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx};
 use super::hierarchy::hierarchy;
 use super::rigs;
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::eval::side;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(
-        Makehuman2,
-        "loads and poses such bones like any other; only tools that mirror by name miss the counterparts",
-    )],
+    breaks: &[
+        (Makehuman2, "loads and poses such bones like any other; only tools that mirror by name miss the counterparts"),
+        (Makehuman1, "loads and poses such bones like any other"),
+    ],
     docs: "A bone of one side has no counterpart on the other. Left and right bones are recognised by their names: \
         `hand.L` and `hand.R`, `hand_l` and `hand_r`, `l-hand` and `r-hand`.\n\n\
         The bone works in MakeHuman 2. Tools that mirror poses by these names leave it out.\n\n\

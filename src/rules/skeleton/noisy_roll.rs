@@ -1,13 +1,19 @@
 //! A bone stands across the normal that gives its roll.
 
 use super::super::{Check, Rule, RuleCx};
-use super::measured::{NO_LENGTH, measured, plane_of};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
+use super::measured::{Measured, NO_LENGTH, measured, plane_of};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, OptionInfo, Place, RuleInfo,
+};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "turns the bone around its own axis by a value that may change with every slider")],
+    breaks: &[
+        (Makehuman2, "turns the bone around its own axis by a value that may change with every slider"),
+        (Makehuman1, "turns the bone around its own axis by a value that may change with every slider"),
+    ],
     docs: "A bone is almost parallel to the normal of its plane. Without `rotation_plane` the normal points \
         straight up (0, 1, 0), so this affects upright bones.\n\n\
         MakeHuman 2 computes the roll from the part of the normal across the bone. If hardly any of it is left, \
@@ -33,7 +39,10 @@ const WITH: &str = "choose three other joints for the `rotation_plane` of these 
 fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let cosine = cx.option(&RULE, "cosine");
     let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
-    for rig in measured(body, measures) {
+    // Other skeletons of MakeHuman 1 copy their axes from the one that it poses.
+    let is_posed = |rig: &Measured<'_>| body.default_rig().is_some_and(|posed| posed.file.path == rig.file.path);
+    let all = measured(body, measures).into_iter();
+    for rig in all.filter(|rig| !body.is_makehuman1() || is_posed(rig)) {
         let noisy = |measure: f64, length: f64| measure < sine && length >= NO_LENGTH;
         let bones: Vec<_> = rig.bones().filter(|(_, bone)| noisy(bone.roll_sine, bone.length)).collect();
         // Exactly parallel has a rule of its own in the application and does not jitter while it lasts.

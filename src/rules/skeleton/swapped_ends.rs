@@ -2,14 +2,20 @@
 
 use super::super::{Check, Rule, RuleCx, bones_in_words};
 use super::measured::{Measured, measured};
-use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Confidence, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::eval::measures::Measures;
 use crate::eval::rig_measure::BoneMeasure;
 use crate::eval::vector::distance;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "rotates the bone around its far end: the limb tears off at the joint")],
+    breaks: &[
+        (Makehuman2, "rotates the bone around its far end: the limb tears off at the joint"),
+        (Makehuman1, "rotates the bone around its far end: the limb tears off at the joint"),
+    ],
     docs: "`head` and `tail` of a bone are swapped. Reported is a bone whose tail is at the tail of its parent, \
         while its head lies farther out and no child continues from its tail. A bone that lies along its parent \
         and ends with it, such as a twist bone, is not reported.\n\n\

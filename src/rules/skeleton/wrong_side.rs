@@ -3,17 +3,26 @@
 use super::super::units::centimetres;
 use super::super::{Check, Rule, RuleCx, bones_in_words};
 use super::measured::{Measured, measured};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::eval::measures::Measures;
 use crate::eval::rig_measure::BoneMeasure;
 use crate::eval::side::{self, Side};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(
-        Makehuman2,
-        "rotates the skin around joints of its left/right counterpart: the smallest bend throws it far off",
-    )],
+    breaks: &[
+        (
+            Makehuman2,
+            "rotates the skin around joints of its left/right counterpart: the smallest bend throws it far off",
+        ),
+        (
+            Makehuman1,
+            "rotates the skin around joints of its left/right counterpart: the smallest bend throws it far off",
+        ),
+    ],
     docs: "A bone whose name says left or right (`hand.L`, `r-thigh`, `LeftFoot` …) has both joints on the \
         opposite half of the body. Left is where x is above 0; joints within 1 cm (0.1) of the middle do not \
         count.\n\n\

@@ -4,7 +4,7 @@ use super::super::units::length;
 use super::super::{Check, Rule, RuleCx, such};
 use super::shown::with_setting;
 use crate::diag::{
-    Application::{Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Element, Evidence, Finding, Level, Place, RuleInfo, grouped,
 };
 use crate::eval::measures::{Measures, PairMeasure};
@@ -12,7 +12,7 @@ use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "gives left and right different shapes for the same slider values"),
+        (Makehuman2, "gives left and right different shapes for the same slider values"), (Makehuman1, "gives left and right different shapes for the same slider values"),
         (Mpfb, "gives left and right different shapes for the same slider values"),
     ],
     docs: "Two targets whose names differ only in `l` and `r` (`left` and `right`) are not mirror images of each \
@@ -28,10 +28,12 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 
 const EXCHANGED: Case = &[
     (Makehuman2, Level::Warning, "moves the left/right counterpart of what the slider says"),
+    (Makehuman1, Level::Warning, "moves the left/right counterpart of what the slider says"),
     (Mpfb, Level::Warning, "moves the left/right counterpart of what the slider says"),
 ];
 const ON_HELPERS: Case = &[
     (Makehuman2, Level::Info, "fits clothes and hair asymmetrically at these helpers; the body is symmetric"),
+    (Makehuman1, Level::Info, "fits clothes and hair asymmetrically at these helpers; the body is symmetric"),
     (Mpfb, Level::Info, "fits clothes and hair asymmetrically at these helpers; the body is symmetric"),
 ];
 

@@ -1,12 +1,18 @@
 //! A target changes something that is seen.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows no change: helpers are hidden and only carry clothes and joints")],
+    breaks: &[
+        (Makehuman2, "shows no change: helpers are hidden and only carry clothes and joints"),
+        (Makehuman1, "shows no change: helpers are hidden and only carry clothes and joints"),
+    ],
     docs: "The target moves helper geometry or joint cubes, but no vertex of the body (`visible groups` of \
         base.json).\n\n\
         This may be intended: a target for what clothes cover, or for the place of a joint. Otherwise the shape \

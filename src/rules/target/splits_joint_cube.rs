@@ -3,13 +3,19 @@
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx, counted};
 use super::shown::with_setting;
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, OptionInfo, Place, RuleInfo,
+};
 use crate::eval::measures::Measures;
 use crate::eval::target_measure::TargetMeasure;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "puts the joint at the mean of the torn cube: the bone ends beside its limb")],
+    breaks: &[
+        (Makehuman2, "puts the joint at the mean of the torn cube: the bone ends beside its limb"),
+        (Makehuman1, "puts the joint at the mean of the torn cube: the bone ends beside its limb"),
+    ],
     docs: "A target moves only some vertices of a joint cube, or moves them by different amounts. Differences of \
         up to 0.02 cm (0.002) come from rounding and are not reported.\n\n\
         A joint lies at the mean of its cube. If a brush caught part of a cube, the joint ends up somewhere in \

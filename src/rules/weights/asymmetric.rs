@@ -4,13 +4,19 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, percent};
 use super::has_unusable_entries;
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::eval::measures::Measures;
 use crate::formats::mhw::Weights;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "bends the left and right side differently in mirrored poses")],
+    breaks: &[
+        (Makehuman2, "bends the left and right side differently in mirrored poses"),
+        (Makehuman1, "bends the left and right side differently in mirrored poses"),
+    ],
     docs: "Left and right bones of the same name (`.L` and `.R`, `_l` and `_r`, `Left` and `Right` …) have \
         different weights for mirrored vertices.\n\n\
         The base mesh shows which vertices mirror each other. Weights are compared as MakeHuman 2 holds them after \

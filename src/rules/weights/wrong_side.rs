@@ -1,7 +1,10 @@
 //! Weights of a bone lie on its side.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::eval::measures::Measures;
 use crate::repo::{Body, FileFacts, WeightsUse};
 
@@ -9,7 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
         "rotates the skin of the left/right counterpart with the bone: the smallest bend throws it far off",
-    )],
+    ), (Makehuman1, "rotates the skin of the left/right counterpart with the bone: the smallest bend throws it far off")],
     docs: "A bone whose name says left or right (`hand.L`, `r-thigh`, `LeftFoot` …) and whose joints are on that \
         side has at least nine tenths of its weights on the opposite half of the mesh. Left is where x is above \
         0.\n\n\
