@@ -55,7 +55,8 @@ fn every_value_of_modifiers_rigs_and_expressions_may_be_anything() {
             !run(&files, vec![(path.to_owned(), bytes)], false).findings.is_empty()
         });
         let (told, all) = (told.count(), damages.len());
-        assert!(told * 2 > all, "{path}: {told} of {all} damages are reported");
+        // What the program never reads, such as a name of the units, may be anything.
+        assert!(told * 3 > all, "{path}: {told} of {all} damages are reported");
     }
 }
 
@@ -103,7 +104,7 @@ fn macros_that_depend_on_each_other_end_with_a_verdict() {
         {
             let mut text = "# ring\n".to_owned();
             (0..20).for_each(|vertex| writeln!(text, "{vertex} 0 .1 0").unwrap());
-            targets.push((format!("data/targets/ring/{name}-{first}-{second}.target"), text.into_bytes()));
+            targets.push((format!("data/targets/{name}-{first}-{second}.target"), text.into_bytes()));
         }
     }
     let names = ["ring-one/Muscle", "ring-two/Weight", "ring-three/BreastSize"];
@@ -118,5 +119,5 @@ fn macros_that_depend_on_each_other_end_with_a_verdict() {
         .extend(files.iter().map(|(name, json)| (format!("data/modifiers/{name}"), serde_json::to_vec(json).unwrap())));
     let outcome = run(&example(), targets, true);
     assert!(of_rule(&outcome, "modifiers-no-target").is_empty());
-    assert!(outcome.findings.iter().all(|one| !one.path.contains("ring/") || !one.rule.starts_with("numeric-")));
+    assert!(outcome.findings.iter().all(|one| !one.path.contains("ring-") || !one.rule.starts_with("numeric-")));
 }

@@ -1,7 +1,7 @@
 //! MakeHuman 1: one base mesh, libraries without a folder for it (formats/makehuman1.md §1, §2.1).
 
-use super::super::Kind;
 use super::super::kind::{SHADER_FILES, extension};
+use super::super::{Candidate, Kind};
 use super::{HM08, HiddenPath, LIBRARIES, Layout, MAKEHUMAN2_BASES, Role, Sign, Single, WORN, worn_shelf};
 use crate::diag::Application;
 
@@ -12,7 +12,7 @@ pub(super) static LAYOUT: Layout = Layout {
     folders: &[&["targets", "modifiers", "3dobjs", "custom"], &LIBRARIES, &WORN],
     sign,
     place,
-    role: |below| Role::of_one(below, Application::Makehuman1, Kind::BaseMesh),
+    role,
     shelf,
     // In a folder `custom` there nobody looks, but it is a usual mistake.
     beside: &["models", "custom"],
@@ -52,6 +52,15 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         }
         _ => None,
     }
+}
+
+/// Only the program has such files: it opens them by their names.
+fn role(below: &[Candidate<'_>]) -> Role {
+    const OWN: [&str; 3] = ["modifiers/modeling_modifiers.json", "rigs/default.mhskel", "3dobjs/base.npz"];
+    let is_own = |one: &Candidate<'_>| {
+        one.kind_in(Application::Makehuman1) == Kind::BaseMesh || OWN.contains(&&*one.rel) && !one.is_loose
+    };
+    if below.iter().any(is_own) { Role::System } else { Role::User }
 }
 
 fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {

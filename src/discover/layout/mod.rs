@@ -121,13 +121,6 @@ pub(crate) enum Role {
     User,
 }
 
-impl Role {
-    /// The role where one file tells the system data.
-    fn of_one(below: &[Candidate<'_>], application: Application, kind: Kind) -> Self {
-        if below.iter().any(|one| one.kind_in(application) == kind) { Self::System } else { Self::User }
-    }
-}
-
 /// A path with a name in it that begins with a point. It may begin above the data root.
 struct HiddenPath<'p> {
     /// What lies above the hidden part.

@@ -66,7 +66,9 @@ fn numbers(text: &str) -> Option<(&str, &str)> {
 /// The characters of all layers that are listed.
 pub(super) fn models(layers: Layers<'_>) -> Vec<SavedModel<'_>> {
     let files = layers.strongest_first().flat_map(|layer| layer.below(LIBRARY));
-    let listed = files.filter(|file| file.kind_in(OWN) == Kind::Model && library_of(&file.rel).is_some());
+    // Beside the data folder, not in it.
+    let beside = files.filter(|file| file.is_loose);
+    let listed = beside.filter(|file| file.kind_in(OWN) == Kind::Model && library_of(&file.rel).is_some());
     // Of what is not UTF-8 nothing is read.
     let read = listed.filter(|file| file.encoding.invalid_utf8_at.is_none());
     let model = |file| {

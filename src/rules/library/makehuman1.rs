@@ -21,11 +21,15 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             "bvh" => "`poses`",
             "mhpose" => "`expressions`",
             "mhskel" => "`rigs`",
+            "mhm" if !file.is_loose => "`models` beside the data folder of the user",
             _ => continue,
         };
         let library = file.rel.split('/').next().unwrap_or_default();
-        let Some(right) = library_extension(library).filter(|right| *right != extension) else { continue };
-        let message = format!("a `.{extension}` in `{library}` is not listed, expected in {place}");
+        let is_model = extension == "mhm";
+        let right = library_extension(library).filter(|right| *right != extension || is_model);
+        let Some(right) = right.or(is_model.then_some("")) else { continue };
+        let here = if is_model { "the data folder".to_owned() } else { format!("`{library}`") };
+        let message = format!("a `.{extension}` in {here} is not listed, expected in {place}");
         let help = match right {
             "mhclo" | "proxy" => format!("move it to {place}, or rename it to end in `.{right}`"),
             _ => format!("move it to {place}"),
@@ -47,10 +51,21 @@ pub(super) fn targets(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         files.filter(|file| extension(&file.rel) == "target").collect()
     };
     let beside = if layer.is_loose { Vec::new() } else { targets(CUSTOM, true) };
-    for (folder, lost) in [("`targets` of the user", targets("targets", false)), ("`custom` beside `data`", beside)] {
+    let mut places = vec![("`targets` of the user".to_owned(), targets("targets", false))];
+    places.push(("`custom` beside `data`".to_owned(), beside));
+    // Folders such as `Custom`.
+    let near = |file: &&FileFacts| {
+        let top = file.rel.split('/').next().unwrap_or_default();
+        let is_other = top != CUSTOM && extension(&file.rel) == "target" && !file.is_loose;
+        is_other && (top.eq_ignore_ascii_case(CUSTOM) || nearest(top, [CUSTOM]).is_some())
+    };
+    for (top, files) in grouped(layer.files.values().filter(near).map(|file| (file.rel.split('/').next(), file))) {
+        places.push((format!("`{}`", top.unwrap_or_default()), files));
+    }
+    for (folder, lost) in places {
         let Some(first) = lost.first() else { continue };
         let message = format!("{} in {folder}, where none is looked for", counted(lost.len(), "target"));
-        let finding = rule.at(first, Place::File, message).key("targets").case(NO_SLIDER);
+        let finding = rule.at(first, Place::File, message).key(format!("targets {folder}")).case(NO_SLIDER);
         let finding = finding.parts_in(lost.iter().map(|file| (file.shown(), &file.path)));
         let finding = finding.evidence(Evidence::of_cases(lost.iter().map(|file| file.shown())));
         out.push(finding.help("move them to `custom` in the data folder of the user"));
@@ -74,11 +89,27 @@ pub(super) fn packed_targets(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding
     if view.layers.checks_system() || layer.layouts.iter().any(|layout| layout.application != Makehuman1) {
         return;
     }
+    for file in layer.below(CUSTOM).filter(|file| is_suffixed(file)) {
+        let (right, last) = file.file_name().split_at(file.file_name().rfind(".target").map_or(0, |at| at + TARGET));
+        let message =
+            format!("`{}` ends in `{last}` behind `.target`, which keeps it out of the sliders", file.file_name());
+        let finding = rule.at(file, Place::File, message).key("suffix").case(NO_SLIDER);
+        out.push(finding.help(format!("rename it to `{right}`")));
+    }
     for file in layer.below(CUSTOM).filter(|file| file.rel.ends_with(".target.gz")) {
         let message = format!("`{}` is packed, which keeps it out of the sliders", file.file_name());
         let finding = rule.at(file, Place::File, message).key("packed").case(NO_SLIDER);
         out.push(finding.help("unpack it to a file that ends in `.target`"));
     }
+}
+
+/// The length of the suffix of targets.
+const TARGET: usize = ".target".len();
+
+/// Whether something stands behind the suffix of a target.
+fn is_suffixed(file: &FileFacts) -> bool {
+    let behind = file.file_name().rfind(".target").and_then(|at| file.file_name().get(at + TARGET..));
+    behind.is_some_and(|behind| !behind.is_empty() && behind != ".gz")
 }
 
 /// What stands beside assets under their names.
@@ -115,10 +146,10 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let is_linked = |file: &FileFacts| file.content_hash.is_some_and(|hash| linked.contains(&(file.file_name(), hash)));
     let tops = layer.files.values().filter_map(|file| Some((file.rel.split('/').next()?, file)));
     let lost = tops.filter(|(top, file)| {
-        let is_worn = matches!(extension(&file.rel), "mhclo" | "proxy");
+        let is_worn = matches!(extension(&file.rel), "mhclo" | "proxy" | "mhskel" | "mhpose");
         let is_near = |top: &str| nearest(top, libraries()).and_then(library_extension) == Some(extension(&file.rel));
         let of_other_case = library_extension(&top.to_lowercase()) == Some(extension(&file.rel)) || is_near(top);
-        file.rel.contains('/')
+        (file.rel.contains('/') || matches!(extension(&file.rel), "mhskel" | "mhpose"))
             && !file.is_loose
             && !is_linked(file)
             && !KNOWN.contains(top)
@@ -127,7 +158,11 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     });
     for (top, files) in grouped(lost) {
         let Some(first) = files.first() else { continue };
-        let message = format!("folder `{top}` is not read ({})", counted(files.len(), "asset"));
+        let message = if first.rel.contains('/') {
+            format!("folder `{top}` is not read ({})", counted(files.len(), "asset"))
+        } else {
+            format!("`{top}` lies in no library, and is not listed")
+        };
         let near = nearest(top, libraries());
         let finding = rule.at(first, Place::File, message).key(format!("folder {top}"));
         let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));

@@ -16,6 +16,7 @@ pub(in crate::rules) mod sliders;
 pub(in crate::rules) mod symmetric;
 pub(in crate::rules) mod tab_clash;
 pub(in crate::rules) mod tails;
+pub(in crate::rules) mod unread;
 pub(in crate::rules) mod unused;
 pub(in crate::rules) mod variable;
 pub(in crate::rules) mod view;
@@ -40,6 +41,7 @@ pub(super) static RULES: &[&Rule] = &[
     &symmetric::RULE,
     &tab_clash::RULE,
     &tails::RULE,
+    &unread::RULE,
     &unused::UNDESCRIBED,
     &unused::WITHOUT_SLIDER,
     &variable::RULE,

@@ -1,9 +1,11 @@
 //! A modifier moves targets that exist.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::meant::Meant;
 use super::{LOST_FILE, LOST_TABS};
-use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::formats::modifier_file::Part;
 use crate::formats::target_name::category_of;
 use crate::repo::makehuman1::{KnownModifier, View, category};
@@ -31,13 +33,41 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     let meant = Meant::of(view, cx);
-    for one in &view.modifiers.all {
+    let bare = bare_groups(view);
+    out.extend(bare.values().filter_map(|all| group_finding(view, all, cx)));
+    for one in view.modifiers.all.iter().filter(|one| !bare.contains_key(one.modifier.group.as_str())) {
         match &one.modifier.variable {
             Some(variable) => out.extend(macro_finding(view, one, &variable.name)),
             None if one.modifier.tails.unpaired().is_none() => out.extend(finding(view, one, &meant, cx)),
             None => {}
         }
     }
+}
+
+/// Groups of several modifiers of which none has a target: the group, or the folder of its targets, has another name.
+fn bare_groups<'v>(view: &'v View<'_>) -> BTreeMap<&'v str, Vec<&'v KnownModifier<'v>>> {
+    let has_none = |one: &&KnownModifier<'_>| one.parts.iter().all(|part| part.targets.is_empty());
+    let mut groups = grouped(view.modifiers.all.iter().map(|one| (one.modifier.group.as_str(), one)));
+    groups.retain(|_, all| all.len() > 1 && all.iter().all(has_none));
+    groups
+}
+
+fn group_finding(view: &View<'_>, all: &[&KnownModifier<'_>], cx: &RuleCx<'_>) -> Option<Finding> {
+    let first = all.first()?;
+    let group = first.modifier.group.as_str();
+    let message = format!("no file makes a target for group `{group}`, which has {} modifiers", all.len());
+    let entry = first.modifier.pointer.split('/').nth(1)?;
+    let finding = RULE.at(first.file, Place::Pointer(format!("/{entry}/group")), message).key(format!("group {group}"));
+    let is_macro = all.iter().any(|one| one.modifier.variable.is_some());
+    let evidence = Evidence::of_cases(all.iter().map(|one| one.name.as_str()));
+    // What names of groups begin with, as far as it has as many words as this one.
+    let words = group.split('-').count();
+    let start = |other: &str| other.split('-').take(words).collect::<Vec<_>>().join("-");
+    let starts: BTreeSet<String> = view.targets.groups().map(start).collect();
+    let same = starts.iter().find(|start| start.eq_ignore_ascii_case(group.trim_end_matches('/')));
+    let near = same.map(String::as_str).or_else(|| cx.suggestions.nearest(group, starts.iter().map(String::as_str)));
+    let finding = finding.evidence(evidence).help(did_you_mean(near, "correct the group, or the names of its targets"));
+    Some(if is_macro { finding.case(STOPPED) } else { finding })
 }
 
 fn macro_finding(view: &View<'_>, one: &KnownModifier<'_>, variable: &str) -> Option<Finding> {
@@ -89,6 +119,11 @@ fn help(view: &View<'_>, one: &KnownModifier<'_>, group: &str, cx: &RuleCx<'_>) 
     let same = |other: &&str| other.eq_ignore_ascii_case(&split) || other.replace("--", "-") == *group;
     let near = view.targets.groups().find(same).or_else(|| cx.suggestions.nearest(group, view.targets.groups()));
     let of_group = near.and_then(|near| view.targets.of_group(near).first()).and_then(|place| view.targets.at(*place));
-    let file = of_group.map(|target| target.file.rel.clone());
-    did_you_mean(file.as_deref(), format!("correct `target` of `{}`, or add the target", one.modifier.group))
+    let otherwise = format!("correct `target` of `{}`, or add the target", one.name);
+    let Some(target) = of_group else { return otherwise };
+    let file = &target.file.rel;
+    match near.and_then(|near| near.strip_prefix(&one.modifier.group)?.strip_prefix('-')) {
+        Some(right) if one.parts.len() == 1 => format!("write `{right}` in `target` for `{file}`"),
+        _ => format!("did you mean `{file}`?"),
+    }
 }

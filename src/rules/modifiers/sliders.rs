@@ -1,9 +1,11 @@
 //! A slider sets a modifier that is loaded.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::LOST_TABS;
 use super::meant::{Meant, exchanged};
-use crate::diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman1, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::formats::unfit::NamedAt;
 use crate::repo::FileFacts;
 use crate::repo::makehuman1::View;
@@ -23,12 +25,45 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     let meant = Meant::of(view, cx);
+    let known: BTreeSet<&str> = view.modifiers.names().map(group_of).collect();
     for (place, set) in view.modifiers.sets.iter().enumerate() {
         let Some((file, sliders)) = set.sliders else { continue };
-        for named in sliders.modifiers() {
-            out.extend(finding(view, place, file, named, &meant, cx));
+        let (lost, others): (Vec<_>, Vec<_>) =
+            sliders.modifiers().partition(|named| !known.contains(group_of(&named.name)));
+        for (group, sliders) in grouped(lost.into_iter().map(|named| (group_of(&named.name), named))) {
+            match sliders.as_slice() {
+                [only] => out.extend(finding(view, place, file, only, &meant, cx)),
+                all => out.extend(of_group(file, group, all, &known, cx)),
+            }
         }
+        out.extend(others.into_iter().filter_map(|named| finding(view, place, file, named, &meant, cx)));
     }
+}
+
+/// What stands in front of the name of a modifier.
+fn group_of(name: &str) -> &str {
+    name.split('/').next().unwrap_or_default()
+}
+
+/// Several sliders for a group that does not exist: it has another name.
+fn of_group(
+    file: &FileFacts,
+    group: &str,
+    sliders: &[&NamedAt],
+    known: &BTreeSet<&str>,
+    cx: &RuleCx<'_>,
+) -> Option<Finding> {
+    let first = sliders.first()?;
+    let message = format!("no modifier is in group `{group}`, which {} sliders name", sliders.len());
+    let finding = RULE.at(file, Place::Pointer(first.pointer.clone()), message).key(format!("group {group}"));
+    let same = known.iter().find(|known| known.eq_ignore_ascii_case(group)).copied();
+    let near = same.or_else(|| cx.suggestions.nearest(group, known.iter().copied()));
+    let evidence = Evidence::of_cases(sliders.iter().map(|named| named.name.as_str()));
+    let help = near.map_or_else(
+        || "correct the group of these modifiers, or remove the sliders".to_owned(),
+        |near| format!("write `{group}` in place of `{near}` in the list of modifiers, or the other way around here"),
+    );
+    Some(finding.evidence(evidence).help(help))
 }
 
 fn finding(

@@ -23,8 +23,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some(right) = library_extension(library).filter(|right| *right != extension(&file.rel)) else { continue };
         let name = format!("{}.{right}", file.stem());
         let twin = layer.file(&format!("{}/{name}", crate::repo::parent(&file.rel)));
-        // Poses and skins are opened as they are called.
-        if twin.is_none() && matches!(library, "poses" | "skins") {
+        // Only what is worn, and topologies, are opened by another name than they are called.
+        if twin.is_none() && matches!(library, "poses" | "skins" | "rigs" | "expressions" | "models") {
             continue;
         }
         let message = format!("`{}` must end in `.{right}`: capitals matter", file.file_name());

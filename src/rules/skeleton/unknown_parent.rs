@@ -22,6 +22,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 const LOST: &str = "drops the bone and all below it with a line in the log; other bones get their weights";
+const NO_BONE: Case =
+    &[(Makehuman1, Level::Error, "drops all bones, and fails with `IndexError` when the skeleton is chosen")];
 const OF_BASE: Case = &[(
     Makehuman1,
     Level::Error,
@@ -42,16 +44,25 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 1 => format!("parent `{parent}` of bone `{first}` does not exist"),
                 count => format!("parent `{parent}` of {count} bones does not exist"),
             };
-            let help = did_you_mean(
-                cx.suggestions.nearest(parent, names()),
-                "name a bone of this skeleton, or write null for the root",
-            );
+            let is_null = matches!(parent, "None" | "none" | "null" | "NULL");
+            let near = if is_null { None } else { cx.suggestions.nearest(parent, names()) };
+            let otherwise = if is_null {
+                "write null without quotes for the root"
+            } else {
+                "name a bone of this skeleton, or write null for the root"
+            };
+            let help = did_you_mean(near, otherwise);
             let finding = RULE
                 .at(rig.file, Place::pointer(["bones", first, "parent"]), message)
                 .key(parent)
                 .help(help)
                 .evidence(Evidence::of_cases(&bones).out_of(rig.skeleton.bones.len()));
-            out.push(if rig.own.is_default { finding.case(OF_BASE) } else { finding });
+            let is_bare = body.is_makehuman1() && rig.skeleton.breadth_first().is_empty();
+            out.push(match rig.own.is_default {
+                true => finding.case(OF_BASE),
+                false if is_bare => finding.case(NO_BONE),
+                false => finding,
+            });
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::formats::target_name::CATEGORIES;
 use crate::repo::makehuman1::{NamedTarget, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "reads it never: the figure lacks it where it is meant for")],
+    breaks: &[(Makehuman1, "never reads it: no macro asks for this name")],
     docs: "A macro target of MakeHuman 1 has a value of each category of its group in its path, such as \
         `asian-female-young.target`: words in small letters, separated by `-`, `_` or `.`.\n\n\
         With a word too few the target acts at every value of the missing category: `african-female.target` at every age, so \

@@ -5,7 +5,7 @@ use crate::diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman1::View;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "reads it never: no modifier can name it")],
+    breaks: &[(Makehuman1, "never reads it: no modifier can name it")],
     docs: "The words of a target's path that are not values of macros make the group by which modifiers name it. A target whose \
         path has such values alone, `targets/female-young.target`, is in no group.\n\nGive it another word, or put it into a \
         folder.",

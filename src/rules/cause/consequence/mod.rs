@@ -22,6 +22,7 @@ use crate::diag::{
     Finding, Level,
 };
 use crate::discover::Kind;
+use crate::formats::target_name::TargetName;
 use crate::json::{SchemaFault, UnknownKey};
 use crate::repo::{FileFacts, ReferenceKind, Target, View};
 pub(in crate::rules) use mpfb::{BY_HAND, MACRO_ROWS, NO_PART};
@@ -131,7 +132,9 @@ pub(in crate::rules) fn consequence(view: &View<'_>, rel: &str, damage: Damage) 
     }
     // Of macros an empty file is the shape that changes nothing; what is one is not known without the modifiers.
     let is_identity = |file: &FileFacts| match view.target(file) {
-        Target { used_as: None, is_unused, .. } => !is_unused,
+        Target { used_as: None, is_unused, .. } => {
+            !is_unused || TargetName::of(&file.rel).is_ok_and(|name| name.is_macro())
+        }
         target => target.used_as == Some(ReferenceKind::MacroTarget),
     };
     let is_empty_target = damage == Damage::Empty && view.is_makehuman1() && view.kind_at(rel) == Kind::Target;

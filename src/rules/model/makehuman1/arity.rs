@@ -3,9 +3,11 @@
 use super::super::super::Rule;
 use super::super::short_lines::finding;
 use super::own;
-use crate::diag::Finding;
+use crate::diag::{Finding, Place};
 use crate::formats::mhm::{CATEGORIES, ShortLine};
 use crate::formats::mhm_lines::Line;
+use crate::formats::python_float;
+use crate::repo::FileFacts;
 use crate::repo::makehuman1::View;
 
 pub(in super::super) fn faults(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
@@ -13,7 +15,18 @@ pub(in super::super) fn faults(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
         let short: Vec<ShortLine> = model.lines.all.iter().filter_map(short).collect();
         let effect = "fails with `IndexError` at the line, and loads the model without it";
         out.extend(finding(rule, model.file, &short).map(|finding| finding.effect(effect)));
+        out.extend(model.lines.of("camera").filter_map(|line| camera(rule, model.file, line)));
     }
+}
+
+/// The first six values of the camera are numbers.
+fn camera(rule: &Rule, file: &FileFacts, line: &Line) -> Option<Finding> {
+    let numbers = line.values.get(..6)?;
+    let word = numbers.iter().find(|word| python_float(word.text.as_bytes()).is_none())?;
+    let message = format!("`{}` of `camera` is not a number", word.text);
+    let finding = rule.at(file, Place::Span(word.span.clone()), message).key("camera");
+    let finding = finding.effect("fails with `ValueError` at the line, and loads the model without it");
+    Some(finding.help("write six numbers with decimal points, or remove the line"))
 }
 
 fn short(line: &Line) -> Option<ShortLine> {

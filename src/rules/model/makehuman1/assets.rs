@@ -3,8 +3,8 @@
 use super::super::super::cause::library::{FIRST_EYES, FIRST_SKIN};
 use super::super::super::{Rule, RuleCx, did_you_mean, such};
 use super::own;
-use crate::diag::{Evidence, Finding, Place, grouped};
-use crate::discover::{Kind, library_of};
+use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped};
+use crate::discover::{Kind, extension, library_of};
 use crate::formats::mhm::CATEGORIES;
 use crate::formats::mhm_lines::Line;
 use crate::repo::makehuman1::{SavedModel, View, uuid_of};
@@ -21,7 +21,9 @@ pub(in super::super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, ou
     let by_asset = grouped(lost.map(|one| ((&*one.1.keyword.text, one.1.value(0), one.1.value(1)), one)));
     out.extend(by_asset.into_values().filter_map(|lines| unknown(rule, view, &lines, cx)));
     let missing = own(view).flat_map(|model| view.references.of_file(model.file));
-    let missing = missing.filter(|one| matches!(one.resolution, Resolution::Missing));
+    let missing: Vec<&Reference<'_>> = missing.collect();
+    out.extend(missing.iter().filter_map(|one| of_other_kind(rule, one)));
+    let missing = missing.into_iter().filter(|one| matches!(one.resolution, Resolution::Missing));
     // What the program misses itself, and what is there and not listed, has a finding of its own.
     let missing =
         missing.filter(|one| one.text.trim_start_matches("data/") != FIRST_SKIN && !is_unlisted_file(view, one));
@@ -67,9 +69,19 @@ fn is_unlisted(view: &View<'_>, name: &str) -> bool {
 fn is_unlisted_file(view: &View<'_>, reference: &Reference<'_>) -> bool {
     let name = reference.text.rsplit('/').next().unwrap_or_default();
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
-    let mut files = view.layers.strongest_first().flat_map(|layer| layer.files.values());
-    let is_picture = |file: &FileFacts| file.kind == Kind::Image || file.kind == Kind::MotionMeta;
-    files.any(|file| file.stem() == stem && library_of(&file.rel).is_none() && !is_picture(file))
+    let suffix = extension(name);
+    view.layers.strongest_first().any(|layer| {
+        layer.files.values().filter(|file| file.stem() == stem && library_of(&file.rel).is_none()).any(|file| {
+            let is_whole = extension(&file.rel) == suffix;
+            let is_pictured = || {
+                layer
+                    .file(&format!("{}.thumb", file.rel.trim_end_matches(extension(&file.rel)).trim_end_matches('.')))
+                    .is_some()
+            };
+            let is_old = || extension(&file.rel) == "mhupb";
+            is_whole || (is_old() || is_pictured()) && !matches!(file.kind, Kind::Image | Kind::MotionMeta)
+        })
+    })
 }
 
 /// Whether a library has an asset without its text, which nobody looks into yet.
@@ -112,7 +124,7 @@ fn unknown(rule: &Rule, view: &View<'_>, lines: &[(&SavedModel<'_>, &Line)], cx:
         (None, None) => {
             let near = cx.suggestions.nearest(name, listed(view, category).filter_map(name_of));
             let otherwise = "add the asset, or check it together with the pack that has it; otherwise remove the line";
-            (format!("no asset in `{own}` has the uuid of `{name}`{more}"), did_you_mean(near, otherwise))
+            (format!("no asset in `{own}` has uuid `{uuid}` (`{name}`){more}"), did_you_mean(near, otherwise))
         }
     };
     let place =
@@ -126,6 +138,27 @@ fn unknown(rule: &Rule, view: &View<'_>, lines: &[(&SavedModel<'_>, &Line)], cx:
 
 fn uuid_is_known(view: &View<'_>, uuid: &str) -> bool {
     view.worn().iter().any(|worn| uuid_of(worn) == Some(uuid))
+}
+
+const UNFIT: Case = &[(Makehuman1, Level::Error, "fails when it reads the file, and loads the model without it")];
+
+/// A file that is there and something else than the line asks for.
+fn of_other_kind(rule: &Rule, reference: &Reference<'_>) -> Option<Finding> {
+    let (what, suffix) = match reference.kind {
+        ReferenceKind::Skin => ("a skin", "mhmat"),
+        ReferenceKind::ModelSkeleton => ("a skeleton", "mhskel"),
+        ReferenceKind::ModelPose => ("a pose", "bvh"),
+        ReferenceKind::ModelExpression => ("an expression", "mhpose"),
+        _ => return None,
+    };
+    let file = reference.found().filter(|file| !extension(&file.rel).eq_ignore_ascii_case(suffix))?;
+    let message = format!("`{}` is not {what}", reference.text);
+    let finding = rule.at(reference.from, reference.place.clone(), message).key(reference.text).case(UNFIT);
+    Some(
+        finding
+            .related(file.path.clone(), Place::File, "this file")
+            .help(format!("name a file that ends in `.{suffix}`")),
+    )
 }
 
 /// A file that characters name and that is not there.

@@ -1,0 +1,45 @@
+//! Modifiers lie where the program opens them.
+
+use super::super::{Check, Rule, RuleCx, counted};
+use crate::diag::{Application::Makehuman1, Evidence, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
+use crate::repo::FileFacts;
+use crate::repo::makehuman1::{SETS, View};
+
+pub(in crate::rules) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
+    breaks: &[(Makehuman1, "never opens the file: it has neither these modifiers nor their sliders")],
+    docs: "MakeHuman 1 opens three lists of modifiers by their names, with their descriptions and sliders: `modeling`, \
+        `bodyshapes` and `measurement` in `modifiers` of its own data. Other files there, and all in a user's folder, are \
+        never read.\n\n\
+        Move what is in them to one of the three, or give a user's target a slider by moving it to `custom`.",
+    ..RuleInfo::new("modifiers-unread", Level::Error, "a list of modifiers that the program does not open")
+});
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers.checked;
+    let is_list = |file: &&FileFacts| {
+        matches!(file.kind, Kind::ModifierFile | Kind::ModifierSliders | Kind::ModifierTexts) && !file.is_loose
+    };
+    let is_opened = |file: &FileFacts| {
+        let (stem, ending) = file.file_name().split_once('_').unwrap_or_default();
+        // One that a set lacks has a finding there: this may be it, under another name.
+        let last = ending.rsplit('_').next().unwrap_or_default();
+        let is_whole = |set: &str| {
+            layer.below("modifiers").any(|own| {
+                own.file_name() == format!("{set}_{last}") || own.file_name() == format!("{set}_modifiers_{last}")
+            })
+        };
+        view.layers.checks_system() && (SETS.contains(&stem) || !SETS.iter().all(|set| is_whole(set)))
+    };
+    let lost: Vec<&FileFacts> = layer.files.values().filter(is_list).filter(|file| !is_opened(file)).collect();
+    let Some(first) = lost.first() else { return };
+    let whose = if view.layers.checks_system() { "of the program" } else { "of the user" };
+    let message = format!("{} in `modifiers` {whose} that nothing opens", counted(lost.len(), "file"));
+    let finding = RULE.at(first, Place::File, message).parts_in(lost.iter().map(|file| (file.shown(), &file.path)));
+    let finding = finding.evidence(Evidence::of_cases(lost.iter().map(|file| file.shown())));
+    out.push(
+        finding.help(
+            "move what is in them to `modeling_modifiers.json` and the files beside it, in the program's own data",
+        ),
+    );
+}
