@@ -221,7 +221,6 @@ fn is_system_of_two(below: &[Candidate<'_>]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::is_read_though_hidden;
     use super::*;
 
     fn kind_and_base(path: &str) -> (Kind, Option<String>) {
@@ -282,7 +281,7 @@ mod tests {
             ("rigs/b/._a.mhw", false, false),
             ("clothes/b/x/._x.mhclo", false, true),
         ] {
-            assert_eq!(is_read_though_hidden(path, is_folder), read, "{path}");
+            assert_eq!(LAYOUT.takes(path, 0, is_folder), read, "{path}");
         }
     }
 
