@@ -20,6 +20,7 @@ mod name_clash;
 mod no_root;
 mod noisy_roll;
 mod remapped;
+mod shared_reference;
 mod swapped_ends;
 mod unclaimed_bones;
 mod unknown_joint;
@@ -48,6 +49,7 @@ pub(super) static RULES: &[&Rule] = &[
     &missing_section::RULE,
     &missing_weights::RULE,
     &mixed_references::RULE,
+    &shared_reference::RULE,
     &multiple_roots::RULE,
     &name_asymmetry::RULE,
     &name_clash::RULE,

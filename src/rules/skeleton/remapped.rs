@@ -14,7 +14,9 @@ pub(super) struct Remapped<'a> {
     pub(super) rig: Rig<'a>,
     /// For each bone places of those of the base skeleton that it takes.
     pub(super) sources: Vec<Vec<usize>>,
-    /// Bones of the base skeleton that no bone takes.
+    /// The names of the base skeleton.
+    pub(super) base: Vec<&'a str>,
+    /// Those of its bones that no bone takes.
     pub(super) untaken: Vec<&'a str>,
 }
 
@@ -40,6 +42,7 @@ impl<'a> Remapped<'a> {
         let sources = sources(&named.parents, &bones);
         let taken: BTreeSet<usize> = sources.iter().flatten().copied().collect();
         let untaken = named.base.iter().enumerate().filter(|(place, _)| !taken.contains(place));
-        Self { untaken: untaken.map(|(_, name)| *name).collect(), rig, sources }
+        let untaken = untaken.map(|(_, name)| *name).collect();
+        Self { rig, sources, untaken, base: named.base }
     }
 }
