@@ -120,7 +120,7 @@ pub(super) struct CheckArgs {
     ///
     /// A zip is checked, without unpacking it to disk, as what MakeHuman 2 imports of it, as what MakeHuman 1 has once it is unpacked, and as what MPFB makes of it if it is asked for or `packs/` is at the top.
     ///
-    /// In data folders files with these extensions are read: bmp bvh gif gz jpeg jpg json jsonw meta mhbin mhclo mhm mhmat mhpose mhpxy mhskel mhuv mhw npz obj png proxy target tga thumb tif tiff toml txt webp zip.
+    /// In data folders files with these extensions are read: bmp bvh gif gz jpeg jpg json jsonw list meta mhbin mhc mhclo mhm mhmat mhpose mhpxy mhscene mhskel mhuv mhw npz obj png proxy target tga thumb tif tiff toml txt webp zip.
     #[arg(value_name = "PATH")]
     pub(super) paths: Vec<PathBuf>,
     /// MakeHuman's own data, used to resolve references.

@@ -121,6 +121,10 @@ pub enum Kind {
     ShaderSource,
     /// `*.mhuv` of MakeHuman 1: texture coordinates for a mesh.
     UvMap,
+    /// `*.mhscene` of MakeHuman 1: lights.
+    Scene,
+    /// `cache/*.mhc` of MakeHuman 1: what is in a library of assets.
+    LibraryCache,
     /// An archive: `*.mhbin`, `*.mhpxy` and the like.
     Packed,
     /// Any other JSON.
@@ -132,7 +136,7 @@ pub enum Kind {
 }
 
 /// Kinds by extension, wherever the file lies. The hooks for pre-commit start on these.
-const BY_EXTENSION: [(Kind, &[&str]); 13] = [
+const BY_EXTENSION: [(Kind, &[&str]); 15] = [
     (Kind::Skeleton, &["mhskel"]),
     (Kind::AssetWeights, &["mhw", "jsonw"]),
     (Kind::Pose, &["mhpose"]),
@@ -144,6 +148,8 @@ const BY_EXTENSION: [(Kind, &[&str]); 13] = [
     (Kind::MotionMeta, &["meta"]),
     (Kind::AssetMesh, &["obj"]),
     (Kind::UvMap, &["mhuv"]),
+    (Kind::Scene, &["mhscene"]),
+    (Kind::LibraryCache, &["mhc"]),
     (Kind::Packed, &["npz", "mhbin", "mhpxy", "zip"]),
     (Kind::Image, &["png", "jpg", "jpeg", "tif", "tiff", "bmp", "gif", "tga", "webp", "thumb"]),
 ];
@@ -228,8 +234,8 @@ pub(crate) fn extension(rel: &str) -> &str {
 mod tests {
     use super::*;
 
-    /// What changes a verdict besides `BY_EXTENSION`: targets, the configuration, sources of shaders.
-    const FURTHER: [&str; 4] = ["target", "gz", "toml", "txt"];
+    /// What changes a verdict besides `BY_EXTENSION`: targets, the configuration, sources of shaders, the list of pictures.
+    const FURTHER: [&str; 5] = ["target", "gz", "toml", "txt", "list"];
 
     #[test]
     fn hooks_start_on_every_extension_that_is_checked() {

@@ -31,11 +31,13 @@ use super::modifier_texts::ModifierTexts;
 use super::npz::Archive;
 use super::obj::Mesh;
 use super::pack_metadata::PackMetadata;
+use super::pickle::Danger;
 use super::picture::Picture;
 use super::pose_units::PoseUnits;
 use super::program::{Shaders, Version};
 use super::proxy_corrections::ProxyCorrections;
 use super::rig::Rig;
+use super::scene::Scene;
 use super::selection_filter::SelectionFilter;
 use super::shader_source::ShaderSource;
 use super::stored_pose::StoredPose;
@@ -132,6 +134,10 @@ pub enum Content {
     ShaderSource(Box<ShaderSource>),
     /// `.mhuv`.
     UvMap(Box<UvMap>),
+    /// `.mhscene`.
+    Scene(Box<Scene>),
+    /// `cache/*.mhc`: what in it imports or calls.
+    LibraryCache(Vec<Danger>),
     /// `.mhpose`.
     Pose(Box<Pose>),
     /// `body-poses.json`, `face-poses.json`.

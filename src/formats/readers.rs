@@ -9,7 +9,7 @@ use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
 use super::{
     Content, bvh, index_table as table, mesh_metadata, meta as metadata, mhbin, mhbin_asset, mhclo, mhm, mhmat, mhpose,
-    mhw, modifier_mapping, npz, obj, picture, shader_source, stored_pose as stored, uv_layer as layer, uv_map,
+    mhw, modifier_mapping, npz, obj, picture, scene, shader_source, stored_pose as stored, uv_layer as layer, uv_map,
 };
 use crate::json::{self, Document, SchemaFaults};
 use crate::source::{Encoding, GzipFault, Limits, gunzip_at_most, zip_bomb};
@@ -214,6 +214,17 @@ pub(super) fn mirror_table(input: &Input<'_>) -> Parsed {
 /// Source of a shader.
 pub(super) fn shader_source(input: &Input<'_>) -> Parsed {
     Parsed { content: Content::ShaderSource(Box::new(shader_source::read(input.bytes))), ..hashed(input) }
+}
+
+/// A scene. One without a byte is empty, and nothing more.
+pub(super) fn scene(input: &Input<'_>) -> Parsed {
+    let read = || Content::Scene(Box::new(scene::read(input.bytes)));
+    Parsed { content: if input.bytes.is_empty() { Content::Unread } else { read() }, ..hashed(input) }
+}
+
+/// What the program remembers of a library.
+pub(super) fn library_cache(input: &Input<'_>) -> Parsed {
+    Parsed { content: Content::LibraryCache(scene::dangers_of_list(input.bytes)), ..hashed(input) }
 }
 
 /// A map of texture coordinates.

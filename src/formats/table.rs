@@ -2,9 +2,9 @@
 
 use super::picture::{HEAD, TAIL};
 use super::readers::{
-    archive, asset_mesh, clothes, index_table, material, mesh, mesh_archive, meta, mirror_table, model,
-    modifier_mapping, motion, packed, picture, pose, shader_source, stored_pose, target, uv_layer, uv_map, weights,
-    zip,
+    archive, asset_mesh, clothes, index_table, library_cache, material, mesh, mesh_archive, meta, mirror_table, model,
+    modifier_mapping, motion, packed, picture, pose, scene, shader_source, stored_pose, target, uv_layer, uv_map,
+    weights, zip,
 };
 use super::{
     Content, Input, Parsed, base_json, face_expression, face_units, geometry, human_preset, importer_preset, ink_layer,
@@ -97,7 +97,7 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 63] = [
+pub(crate) static FORMATS: [Format; 65] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
@@ -192,6 +192,8 @@ pub(crate) static FORMATS: [Format; 63] = [
     read(Kind::AssetMesh, "mesh", Syntax::Text, asset_mesh),
     read(Kind::ShaderSource, "shader", Syntax::Text, shader_source),
     read(Kind::UvMap, "map of texture coordinates", Syntax::Text, uv_map),
+    read(Kind::Scene, "scene", Syntax::Binary, scene),
+    read(Kind::LibraryCache, "list of a library", Syntax::Binary, library_cache),
     Format { needs: Needs::Mesh, ..read(Kind::Packed, "file", Syntax::Binary, zip) },
     plain(Kind::Json, "JSON", Syntax::Json),
     Format { reader: Some(Reader::Ends(picture)), ..plain(Kind::Image, "picture", Syntax::Binary) },

@@ -32,11 +32,13 @@ use crate::formats::modifier_texts::ModifierTexts;
 use crate::formats::npz::Archive;
 use crate::formats::obj::Mesh;
 use crate::formats::pack_metadata::PackMetadata;
+use crate::formats::pickle::Danger;
 use crate::formats::picture::Picture;
 use crate::formats::pose_units::PoseUnits;
 use crate::formats::program::{Shaders, Version};
 use crate::formats::proxy_corrections::ProxyCorrections;
 use crate::formats::rig::Rig;
+use crate::formats::scene::Scene;
 use crate::formats::selection_filter::SelectionFilter;
 use crate::formats::shader_source::ShaderSource;
 use crate::formats::stored_pose::StoredPose;
@@ -313,6 +315,16 @@ impl FileFacts {
     /// The picture, as far as its ends show it.
     pub fn picture(&self) -> Option<&Picture> {
         if let Content::Picture(picture) = &*self.content { Some(picture) } else { None }
+    }
+
+    /// The scene, or why it is none.
+    pub fn scene(&self) -> Option<&Scene> {
+        if let Content::Scene(scene) = &*self.content { Some(scene) } else { None }
+    }
+
+    /// What imports or calls in the list of a library.
+    pub fn library_cache(&self) -> Option<&[Danger]> {
+        if let Content::LibraryCache(dangers) = &*self.content { Some(dangers) } else { None }
     }
 
     /// The motion, as far as it could be read.

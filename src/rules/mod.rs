@@ -34,6 +34,7 @@ mod proxy;
 mod regions;
 mod rig;
 mod rule;
+mod scene;
 mod skeleton;
 mod target;
 mod unfit;
@@ -76,6 +77,7 @@ static FAMILIES: &[&[&Rule]] = &[
     program::RULES,
     proxy::RULES,
     rig::RULES,
+    scene::RULES,
     skeleton::RULES,
     target::RULES,
     uv::RULES,

@@ -81,6 +81,7 @@ fn about(family: &str) -> &'static str {
         "program" => "files of the programs themselves",
         "proxy" => "clothes, hair, eyes and topologies (`.mhclo`, `.proxy`) with what they name",
         "rig" => "rigs of MPFB: bones on the base mesh, those of users, and those of assets (`.mpfbskel`)",
+        "scene" => "scenes of MakeHuman 1 (`.mhscene`), and the lists of its libraries (`cache/*.mhc`)",
         "skeleton" => "skeletons (`.mhskel`)",
         "target" => "targets (`.target`)",
         "uv" => "UV layers of MPFB (`uv_layers/*.json.gz`)",

@@ -15,7 +15,7 @@ pub(super) static LAYOUT: Layout = Layout {
     role,
     shelf,
     // In a folder `custom` there nobody looks, but it is a usual mistake.
-    beside: &["models", "custom"],
+    beside: &["models", "custom", "cache"],
     only_base: Some(HM08),
     joint: Some("upperleg02.L"),
     scans: |rel| library_of(rel).is_some(),
@@ -77,6 +77,8 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["poseunits", FACE_MOTION] => Kind::Motion,
         ["languages", file] if extension(file) == "json" => Kind::Language,
         ["rigs", .., file] if extension(file) == "mhw" => Kind::Weights,
+        // Whatever its list shows is loaded under the name that it has.
+        ["models", .., file] if extension(file).eq_ignore_ascii_case("mhm") => Kind::Model,
         [_, .., file] if SHADER_FILES.iter().any(|ending| file.ends_with(ending)) => Kind::ShaderSource,
         [folder, .., file] => match Kind::by_extension(file) {
             // Elsewhere the program has such files for itself, and opens them by name or never.
@@ -126,6 +128,7 @@ fn single(rel: &str) -> Option<Single> {
         Some("african" | "asian" | "caucasian") => Some(Single::SkinPicture),
         _ if rel == "skins/default.mhmat" => Some(Single::FirstSkin),
         _ if matches!(rel, "rigs/default.mhskel" | "rigs/default_weights.mhw") => Some(Single::FirstRig),
+        _ if rel == "scenes/default.mhscene" => Some(Single::FirstScene),
         _ if extension(rel) == "thumb" => Some(Single::Thumbnail),
         _ if rel.starts_with("custom/") && extension(rel) == "target" => Some(Single::OwnTarget),
         _ => None,

@@ -87,6 +87,8 @@ pub(crate) enum Single {
     FirstSkin,
     /// The skeleton that MakeHuman 1 starts with, and its usual weights.
     FirstRig,
+    /// The scene that MakeHuman 1 starts with.
+    FirstScene,
     /// What a library shows for an asset.
     Thumbnail,
     /// A target of a user of MakeHuman 1, which has a slider for itself.

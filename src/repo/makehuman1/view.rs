@@ -76,6 +76,8 @@ pub(crate) const fn is_checked(kind: Kind) -> bool {
             | Kind::Model
             | Kind::ShaderSource
             | Kind::UvMap
+            | Kind::Scene
+            | Kind::LibraryCache
             | Kind::Image
     )
 }

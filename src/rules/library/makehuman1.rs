@@ -89,7 +89,12 @@ pub(super) fn packed_targets(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding
     if view.layers.checks_system() || layer.layouts.iter().any(|layout| layout.application != Makehuman1) {
         return;
     }
-    for file in layer.below(CUSTOM).filter(|file| is_suffixed(file)) {
+    // Beside the target itself it is a copy.
+    let is_copy = |file: &FileFacts| {
+        let right = file.rel.rfind(".target").and_then(|at| file.rel.get(..at + TARGET));
+        right.is_some_and(|right| layer.file(right).is_some())
+    };
+    for file in layer.below(CUSTOM).filter(|file| is_suffixed(file) && !is_copy(file)) {
         let (right, last) = file.file_name().split_at(file.file_name().rfind(".target").map_or(0, |at| at + TARGET));
         let message =
             format!("`{}` ends in `{last}` behind `.target`, which keeps it out of the sliders", file.file_name());

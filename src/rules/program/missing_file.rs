@@ -18,7 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     ],
     docs: "The data folder of MakeHuman 2 itself needs `makehuman2_version.json` and `shaders/shader.json`. Without the first \
         the program exits at start with code 20, without the second with code 21.\n\n\
-        The rule asks for them only where the folder holds other parts of the program: shaders, or one of the two.\n\nOf the data of MakeHuman 1 the rule asks for the base mesh, the base skeleton, the default skin, its litspheres, the default eyes and the shaders, each only where other files of its folder are there.\n\n\
+        The rule asks for them only where the folder holds other parts of the program: shaders, or one of the two.\n\nOf the data of MakeHuman 1 the rule asks for the base mesh, the base skeleton, the default skin, its litspheres, the default eyes, the first scene and the shaders, each only where other files of its folder are there.\n\n\
         MPFB opens files of its own data by their names: `target.json` and `macro.json`, `base.obj`, the files of \
         `mesh_metadata`, settings and node trees, and the folders `targets/_images` and `textures`. Without the catalogue, the \
         macros, the vertex groups or the icons the add-on cannot be enabled; without the others it fails where it needs them. \
@@ -61,7 +61,7 @@ fn holds_program(layer: &Layer) -> bool {
 
 /// What MakeHuman 1 opens by name, the folder whose other files show that it belongs there, and what is lost with it
 /// (formats/makehuman1-observed.md 4).
-const OF_MAKEHUMAN1: [(&str, &str, Case); 9] = [
+const OF_MAKEHUMAN1: [(&str, &str, Case); 10] = [
     ("rigs/default.mhskel", "modifiers", STOPS),
     (BASE_MESH, "modifiers", STOPS),
     (FIRST_SKIN, "shaders", NO_SKIN),
@@ -69,9 +69,11 @@ const OF_MAKEHUMAN1: [(&str, &str, Case); 9] = [
     ("litspheres/skinmat_asian.png", LITSPHERES, NO_BLEND),
     ("litspheres/skinmat_caucasian.png", LITSPHERES, NO_BLEND),
     (FIRST_EYES, "eyes", NO_EYES),
+    (FIRST_SCENE, "scenes", STOPS),
     ("textures/texture_notfound.png", "textures", NO_PLACEHOLDER),
     ("materials/xray.mhmat", "materials", NO_XRAY),
 ];
+const FIRST_SCENE: &str = "scenes/default.mhscene";
 const LITSPHERES: &str = "litspheres";
 const BASE_MESH: &str = "3dobjs/base.obj";
 const STOPS: Case = &[(Makehuman1, Level::Error, STOPS_AT_START)];
@@ -91,8 +93,12 @@ fn of_makehuman1(view: &View<'_>, system: &Layer, out: &mut Vec<Finding>) {
     let other = |rel: &str| rel.strip_suffix(".mhclo").map(|stem| format!("{stem}.MHCLO"));
     // Without its text the packed mesh does.
     let is_packed = |rel: &str| rel == BASE_MESH && system.file("3dobjs/base.npz").is_some();
+    let is_of_user = |rel: &str| rel == FIRST_SCENE && view.layers().user.is_some_and(|user| exists(user, rel));
     let is_there = |rel: &str| {
-        exists(system, rel) || is_packed(rel) || other(rel).is_some_and(|other| system.file(&other).is_some())
+        exists(system, rel)
+            || is_packed(rel)
+            || is_of_user(rel)
+            || other(rel).is_some_and(|other| system.file(&other).is_some())
     };
     let is_missing = |rel: &str, folder: &str| !is_there(rel) && has(folder);
     let blended = OF_MAKEHUMAN1.iter().filter(|(_, folder, _)| *folder == LITSPHERES);

@@ -41,6 +41,7 @@ const ENGLISH: &str = "logs an error and stays English";
 const NO_EXPRESSION: &str = "lists the expressions and shows none of them";
 pub(super) const NO_EXPRESSIONS: &str = "lists no expression at all: one file that cannot be read empties the list";
 
+const NO_SCENE: &str = "fails with `AttributeError` when the scene is chosen";
 const NO_MODELS: &str = "lists no model at all: one file that cannot be read empties the list";
 pub(super) const RESET: &str = "fails because the version is missing, and leaves the default human";
 
@@ -158,6 +159,24 @@ const ROWS: &[Row] = &[
         cell(TooDeep, Error, NO_EXPRESSIONS),
         // A NaN in a value has a finding of its own; anywhere else nobody calculates with it.
         nothing(Special),
+    ]),
+    row(Kind::Scene, At::Single(Single::FirstScene), Start, &[
+        cell(Dangling, Error, STOPS_AT_START),
+        cell(Closed, Error, STOPS_AT_START),
+        cell(Pointer, Error, STOPS_AT_START),
+        cell(Empty, Error, STOPS_AT_START),
+    ]),
+    anywhere(Kind::Scene, Use, &[
+        cell(Dangling, Error, NO_SCENE),
+        cell(Closed, Error, NO_SCENE),
+        cell(Pointer, Error, NO_SCENE),
+        cell(Empty, Error, NO_SCENE),
+    ]),
+    anywhere(Kind::LibraryCache, Start, &[
+        nothing(Dangling),
+        nothing(Closed),
+        nothing(Pointer),
+        cell(Empty, Info, "makes it again"),
     ]),
     anywhere(Kind::Model, Scan, &[
         cell(Closed, Error, NO_MODELS),
