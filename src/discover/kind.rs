@@ -87,6 +87,10 @@ pub enum Kind {
     PackedPartTarget,
     /// `compressedtargets.npz` of MakeHuman 2.
     TargetArchive,
+    /// `targets.npz` of MakeHuman 1: the same, of all its data.
+    TargetsNpz,
+    /// `images.list` of MakeHuman 1: the pictures of its sliders.
+    PictureList,
     /// A picture of a slider.
     TargetIcon,
     /// `*.mhskel`.

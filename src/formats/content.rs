@@ -33,6 +33,7 @@ use super::obj::Mesh;
 use super::pack_metadata::PackMetadata;
 use super::pickle::Danger;
 use super::picture::Picture;
+use super::picture_list::PictureList;
 use super::pose_units::PoseUnits;
 use super::program::{Shaders, Version};
 use super::proxy_corrections::ProxyCorrections;
@@ -44,6 +45,7 @@ use super::stored_pose::StoredPose;
 use super::target::TargetFacts;
 use super::target_cat::TargetCategories;
 use super::target_catalog::TargetCatalog;
+use super::targets_npz::TargetsNpz;
 use super::unfit::LoaderFaults;
 use super::uv_layer::UvLayer;
 use super::uv_map::UvMap;
@@ -134,6 +136,10 @@ pub enum Content {
     ShaderSource(Box<ShaderSource>),
     /// `.mhuv`.
     UvMap(Box<UvMap>),
+    /// `targets.npz`.
+    TargetsNpz(Box<TargetsNpz>),
+    /// `images.list`.
+    PictureList(Box<PictureList>),
     /// `.mhscene`.
     Scene(Box<Scene>),
     /// `cache/*.mhc`: what in it imports or calls.

@@ -9,7 +9,8 @@ use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
 use super::{
     Content, bvh, index_table as table, mesh_metadata, meta as metadata, mhbin, mhbin_asset, mhclo, mhm, mhmat, mhpose,
-    mhw, modifier_mapping, npz, obj, picture, scene, shader_source, stored_pose as stored, uv_layer as layer, uv_map,
+    mhw, modifier_mapping, npz, obj, picture, picture_list as list, scene, shader_source, stored_pose as stored,
+    targets_npz, uv_layer as layer, uv_map,
 };
 use crate::json::{self, Document, SchemaFaults};
 use crate::source::{Encoding, GzipFault, Limits, gunzip_at_most, zip_bomb};
@@ -294,4 +295,19 @@ pub(super) fn archive(input: &Input<'_>) -> Parsed {
         _ => npz::parse(input.bytes, input.limits),
     };
     Parsed { content: Content::Archive(Box::new(archive)), ..parsed }
+}
+
+/// The archive of all targets of MakeHuman 1.
+pub(super) fn targets_archive(input: &Input<'_>) -> Parsed {
+    let parsed = zip_within(input, &input.limits.of_arrays());
+    let archive = match &parsed.gzip_fault {
+        Some(_) => targets_npz::TargetsNpz { is_bomb: true, ..targets_npz::TargetsNpz::default() },
+        None => targets_npz::parse(input.bytes, input.limits),
+    };
+    Parsed { content: Content::TargetsNpz(Box::new(archive)), ..parsed }
+}
+
+/// The pictures of sliders.
+pub(super) fn picture_list(input: &Input<'_>) -> Parsed {
+    Parsed { content: Content::PictureList(Box::new(list::read(input.bytes))), ..hashed(input) }
 }

@@ -3,8 +3,8 @@
 use super::picture::{HEAD, TAIL};
 use super::readers::{
     archive, asset_mesh, clothes, index_table, library_cache, material, mesh, mesh_archive, meta, mirror_table, model,
-    modifier_mapping, motion, packed, picture, pose, scene, shader_source, stored_pose, target, uv_layer, uv_map,
-    weights, zip,
+    modifier_mapping, motion, packed, picture, picture_list, pose, scene, shader_source, stored_pose, target,
+    targets_archive, uv_layer, uv_map, weights, zip,
 };
 use super::{
     Content, Input, Parsed, base_json, face_expression, face_units, geometry, human_preset, importer_preset, ink_layer,
@@ -97,7 +97,7 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 65] = [
+pub(crate) static FORMATS: [Format; 67] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
@@ -171,6 +171,8 @@ pub(crate) static FORMATS: [Format; 65] = [
     read(Kind::PartTarget, "target of a part", Syntax::Text, target),
     read(Kind::PackedPartTarget, "packed target of a part", Syntax::Binary, packed),
     read(Kind::TargetArchive, "target archive", Syntax::Binary, archive),
+    read(Kind::TargetsNpz, "target archive", Syntax::Binary, targets_archive),
+    read(Kind::PictureList, "list of pictures", Syntax::Binary, picture_list),
     plain(Kind::TargetIcon, "icon", Syntax::Binary),
     json(Kind::Skeleton, "skeleton", "mhskel", |json| Content::Skeleton(Box::new(mhskel::read(json)))),
     mhw(Kind::Weights, Needs::Mesh),

@@ -13,6 +13,7 @@ pub use super::target_blanks::rows as rows_at_blanks;
 pub use super::target_facts::{BlankFacts, Largest, TargetFacts, UnreadableField};
 use super::target_repeats::{moves, repeats};
 use super::target_row::fast_row;
+use super::targets_npz::STEP;
 use super::{python_float, python_int, stored};
 use crate::source::{Encoding, first_line, lines};
 
@@ -234,6 +235,7 @@ impl Parser {
         self.target.facts.rows += 1;
         self.index(line, index);
         self.displacement(line, index, delta);
+        self.sixteen_bits(line, index, delta);
         let Ok(index) = u32::try_from(index) else { return };
         let at = self.target.rows.len();
         let offset = (line as usize).wrapping_sub(at);
@@ -241,6 +243,15 @@ impl Parser {
             self.line_offsets.push((at, offset));
         }
         self.target.rows.push((index, delta));
+    }
+
+    /// What the archive of MakeHuman 1 cannot hold goes around in it.
+    fn sixteen_bits(&mut self, line: u32, index: i64, delta: [f32; 3]) {
+        let most = delta.iter().copied().fold(0.0_f32, |most, part| if part.abs() > most.abs() { part } else { most });
+        let facts = &mut self.target.facts;
+        if facts.beyond_sixteen_bits.is_none() && (most.abs() >= PACKED_PART || index > i64::from(u16::MAX)) {
+            facts.beyond_sixteen_bits = Some((line, index, most));
+        }
     }
 
     fn index(&mut self, line: u32, index: i64) {
@@ -287,6 +298,7 @@ impl Parser {
         self.count_repeats();
         self.measure_lengths();
         self.target.facts.content = ContentHash::of(&self.target.rows);
+        self.target.facts.thousandths = thousandths(&self.target.rows);
         self.target
     }
 
@@ -327,6 +339,20 @@ impl Parser {
         let offset = known.checked_sub(1).and_then(|last| self.line_offsets.get(last)).map_or(0, |(_, offset)| *offset);
         u32::try_from(at.wrapping_add(offset)).unwrap_or(u32::MAX)
     }
+}
+
+/// A part of a displacement, in decimetres, that is too long for 16 bits of thousandths.
+pub const PACKED_PART: f32 = 32.768;
+
+/// Hash over rows as `targets.npz` holds them. Whatever does not fit goes around, as `NumPy` lets it.
+#[expect(clippy::cast_possible_truncation, reason = "what does not fit goes around")]
+fn thousandths(rows: &[Row]) -> u64 {
+    let mut hash = ContentHash::default();
+    for (index, delta) in rows {
+        let part = |part: f32| stored(f64::from((f64::from(part) * 1000.0).round_ties_even() as i64 as i16) * STEP);
+        hash.add(u32::from(*index as u16), delta.map(part));
+    }
+    hash.finish()
 }
 
 #[cfg(test)]

@@ -56,6 +56,10 @@ pub struct TargetFacts {
     pub blanks: Option<Box<BlankFacts>>,
     /// Hash over the decoded rows: equal rows, equal hash.
     pub content: u64,
+    /// Hash over the rows as `targets.npz` holds them: thousandths of a decimetre in 16 bits, and the vertex in 16 bits.
+    pub thousandths: u64,
+    /// The first row with a part that does not fit into these: line, vertex, part in decimetres.
+    pub beyond_sixteen_bits: Option<(u32, i64, f32)>,
     /// Hash over what comes of the rows: without those that move nothing or are replaced.
     pub displacement: u64,
 }

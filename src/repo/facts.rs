@@ -34,6 +34,7 @@ use crate::formats::obj::Mesh;
 use crate::formats::pack_metadata::PackMetadata;
 use crate::formats::pickle::Danger;
 use crate::formats::picture::Picture;
+use crate::formats::picture_list::PictureList;
 use crate::formats::pose_units::PoseUnits;
 use crate::formats::program::{Shaders, Version};
 use crate::formats::proxy_corrections::ProxyCorrections;
@@ -44,6 +45,7 @@ use crate::formats::shader_source::ShaderSource;
 use crate::formats::stored_pose::StoredPose;
 use crate::formats::target::TargetFacts;
 use crate::formats::target_catalog::TargetCatalog;
+use crate::formats::targets_npz::TargetsNpz;
 use crate::formats::unfit::LoaderFaults;
 use crate::formats::uv_layer::UvLayer;
 use crate::formats::uv_map::UvMap;
@@ -315,6 +317,16 @@ impl FileFacts {
     /// The picture, as far as its ends show it.
     pub fn picture(&self) -> Option<&Picture> {
         if let Content::Picture(picture) = &*self.content { Some(picture) } else { None }
+    }
+
+    /// The archive of all targets of MakeHuman 1, or why it is none.
+    pub fn targets_npz(&self) -> Option<&TargetsNpz> {
+        if let Content::TargetsNpz(archive) = &*self.content { Some(archive) } else { None }
+    }
+
+    /// The pictures of sliders that go with it.
+    pub fn picture_list(&self) -> Option<&PictureList> {
+        if let Content::PictureList(list) = &*self.content { Some(list) } else { None }
     }
 
     /// The scene, or why it is none.

@@ -46,6 +46,11 @@ impl<'a> View<'a> {
         matches!(self, Self::Makehuman1(_))
     }
 
+    /// That of MakeHuman 1.
+    pub(crate) fn as_makehuman1(&self) -> Option<&makehuman1::View<'a>> {
+        if let Self::Makehuman1(view) = self { Some(view) } else { None }
+    }
+
     /// Whether it is that of MPFB.
     pub(crate) const fn is_mpfb(&self) -> bool {
         matches!(self, Self::Mpfb(_))

@@ -52,7 +52,7 @@ fn every_rule_has_its_section_on_the_page_of_its_family() {
 fn about(family: &str) -> &'static str {
     match family {
         "archive" => {
-            "archives of targets (`compressedtargets.npz`), of base meshes and of assets (`.mhbin`), and zips of assets"
+            "archives of targets (`compressedtargets.npz`, `targets.npz`), of base meshes and of assets (`.mhbin`), and zips of assets"
         }
         "base" => "the settings of a base mesh: `base.json`, `geometry.json` and what they name",
         "baseline" => "the baseline of mhlint itself",

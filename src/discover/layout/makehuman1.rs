@@ -73,6 +73,8 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["modifiers", file] if file.ends_with("_modifiers_desc.json") => Kind::ModifierTexts,
         ["modifiers", file] if file.ends_with("_sliders.json") => Kind::ModifierSliders,
         ["modifiers", MAPPING] => Kind::ModifierMapping,
+        ["targets.npz"] => Kind::TargetsNpz,
+        ["images.list"] => Kind::PictureList,
         ["poseunits", "face-poseunits.json"] => Kind::FaceUnits,
         ["poseunits", FACE_MOTION] => Kind::Motion,
         ["languages", file] if extension(file) == "json" => Kind::Language,

@@ -8,11 +8,13 @@ mod modifiers;
 mod rigs;
 mod search;
 mod surfaces;
+mod target_archive;
 mod targets;
 mod view;
 
 pub(crate) use library::Asset;
 pub(crate) use models::{SavedModel, Version, material, uuid_of};
 pub(crate) use modifiers::{KnownModifier, SETS, VARIABLES, category};
+pub(crate) use target_archive::{TargetArchive, Unused};
 pub(crate) use targets::{CUSTOM, NamedTarget, PathClash, is_own_target};
 pub(crate) use view::{HIDDEN, View, is_checked, mesh, shows, worn};

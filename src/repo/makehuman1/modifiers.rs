@@ -109,6 +109,12 @@ impl<'a> Modifiers<'a> {
         self.by_name.keys().map(String::as_str)
     }
 
+    /// Whether there are macros, and none of them has a target.
+    pub(super) fn has_no_macro(&self) -> bool {
+        let mut macros = self.all.iter().filter(|one| one.modifier.variable.is_some()).peekable();
+        macros.peek().is_some() && macros.all(|one| one.parts.iter().all(|part| part.targets.is_empty()))
+    }
+
     /// Whether every file of modifiers could be read with all that is in it.
     pub(crate) fn is_whole(&self) -> bool {
         self.is_there && self.sets.iter().all(|set| set.file.is_some_and(|(_, list)| list.is_whole))

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::target_archive::TargetArchive;
 use super::view::OWN;
 use crate::discover::{Kind, Layout, Single};
 use crate::formats::target_name::{Clash, TargetName};
@@ -21,14 +22,22 @@ pub(crate) struct Targets<'a> {
     pub clashes: Vec<PathClash<'a>>,
     /// Those of the user, by path.
     pub custom: Vec<CustomTarget<'a>>,
-    /// Whether an archive stands for those of the system, so that nobody can tell which are found.
+    /// The archive that may stand for those of the system.
+    pub archive: Option<TargetArchive<'a>>,
+    /// Whether it is one of other targets than the modifiers move: none of its macros is there.
+    pub is_foreign: bool,
+    /// Groups of texts that the archive does not have.
+    hidden: BTreeSet<String>,
+    /// Places of those of the system, by path.
+    places: BTreeMap<&'a str, usize>,
+    /// Whether nobody can tell which are found: an archive is there that was not read.
     pub is_packed: bool,
 }
 
 /// A target of the system.
 #[derive(Debug)]
 pub(crate) struct NamedTarget<'a> {
-    /// Its file.
+    /// Its text; the archive, where that alone has it.
     pub file: &'a FileFacts,
     /// What its path tells.
     pub name: TargetName,
@@ -58,16 +67,48 @@ impl<'a> Targets<'a> {
     pub(super) fn of(layers: Layers<'a>) -> Self {
         let mut targets = Self { custom: custom(layers), ..Self::default() };
         let Some(system) = layers.system else { return targets };
-        targets.is_packed = system.file(ARCHIVE).is_some();
+        targets.archive = TargetArchive::of(system);
+        if let Some(archive) = targets.archive.as_ref().filter(|archive| archive.unused.is_none()) {
+            let found: Vec<(String, &FileFacts)> =
+                archive.names().map(|name| (format!("{name}.target"), archive.file)).collect();
+            for (rel, archive) in found {
+                let file = system.file(&rel).unwrap_or(archive);
+                targets.add(&rel, file);
+            }
+            targets.hidden = hidden(system, &targets.places);
+            return targets;
+        }
+        targets.is_packed = targets.archive.is_none() && system.file(TARGETS_NPZ).is_some();
         if !targets.is_packed {
             targets.clashes = clashes(system);
         }
         for file in system.files.values().filter(|file| file.kind_in(OWN) == Kind::Target && !file.is_loose) {
-            let Ok(name) = TargetName::of(&file.rel) else { continue };
-            targets.by_group.entry(name.group()).or_default().push(targets.shipped.len());
-            targets.shipped.push(NamedTarget { file, name });
+            targets.add(&file.rel, file);
         }
+        // An archive that cannot be used and no text: that is told once.
+        targets.is_packed |= targets.shipped.is_empty() && targets.archive.is_some();
         targets
+    }
+
+    /// One that the program finds under this path. One with a clash it does not find.
+    fn add(&mut self, rel: &str, file: &'a FileFacts) {
+        let Ok(name) = TargetName::of(rel) else { return };
+        let place = self.shipped.len();
+        self.by_group.entry(name.group()).or_default().push(place);
+        if file.kind_in(OWN) == Kind::Target {
+            self.places.insert(&file.rel, place);
+        }
+        self.shipped.push(NamedTarget { file, name });
+    }
+
+    /// Whether there is a text for a group, and an archive without it.
+    pub(crate) fn hides(&self, group: &str) -> bool {
+        self.hidden.contains(group)
+    }
+
+    /// Whether the program takes them from an archive.
+    pub(crate) fn are_archived(&self) -> bool {
+        self.archive.as_ref().is_some_and(|archive| archive.unused.is_none())
     }
 
     /// The targets of a group.
@@ -77,7 +118,7 @@ impl<'a> Targets<'a> {
 
     /// The place of a target of the system.
     pub(super) fn place(&self, rel: &str) -> Option<usize> {
-        self.shipped.binary_search_by(|one| one.file.rel.as_str().cmp(rel)).ok()
+        self.places.get(rel).copied()
     }
 
     /// A target by its place.
@@ -91,8 +132,15 @@ impl<'a> Targets<'a> {
     }
 }
 
+/// The groups of texts that are not found.
+fn hidden(system: &Layer, found: &BTreeMap<&str, usize>) -> BTreeSet<String> {
+    let texts = system.files.values().filter(|file| file.kind_in(OWN) == Kind::Target && !file.is_loose);
+    let lost = texts.filter(|file| !found.contains_key(file.rel.as_str()));
+    lost.filter_map(|file| TargetName::of(&file.rel).ok()).map(|name| name.group()).collect()
+}
+
 /// What stands for all targets.
-const ARCHIVE: &str = "targets.npz";
+pub(super) const TARGETS_NPZ: &str = "targets.npz";
 
 /// Folders and targets at which the scan stops. What is below a folder with such a name is not told again.
 fn clashes(system: &Layer) -> Vec<PathClash<'_>> {

@@ -77,6 +77,8 @@ pub(crate) const fn is_checked(kind: Kind) -> bool {
             | Kind::ShaderSource
             | Kind::UvMap
             | Kind::Scene
+            | Kind::TargetsNpz
+            | Kind::PictureList
             | Kind::LibraryCache
             | Kind::Image
     )
@@ -93,8 +95,13 @@ impl<'a> View<'a> {
         let models = models(layers);
         references.extend(models::references(layers, &models, &worn));
         let mesh = mesh(layers);
-        let targets = Targets::of(layers);
+        let mut targets = Targets::of(layers);
         let modifiers = Modifiers::of(layers, &targets);
+        if targets.are_archived() && modifiers.has_no_macro() {
+            targets.is_foreign = true;
+            // Which targets there should be nobody can tell.
+            targets.is_packed = true;
+        }
         let groups = mesh.iter().flat_map(|(_, mesh)| &mesh.groups).map(|group| &group.name);
         Self {
             layers,
@@ -114,7 +121,10 @@ impl<'a> View<'a> {
     /// The targets of the checked layer that the program finds.
     fn own_targets(&self) -> Vec<Target<'a>> {
         let custom = self.targets.custom.iter().map(|one| custom_target(one.file));
-        let shipped = self.targets.shipped.iter().enumerate().map(|(place, one)| self.shipped(place, one.file));
+        let shipped = self.targets.shipped.iter().enumerate();
+        // What only the archive has is no file of its own.
+        let shipped = shipped.filter(|(_, one)| one.file.kind_in(OWN) == Kind::Target);
+        let shipped = shipped.map(|(place, one)| self.shipped(place, one.file));
         custom.chain(shipped).filter(|target| self.layers.is_checked(target.file)).collect()
     }
 
@@ -138,7 +148,14 @@ impl<'a> View<'a> {
     /// What is known of a target of the checked layer.
     pub(in crate::repo) fn target<'v>(&'v self, file: &'v FileFacts) -> Target<'v> {
         let place = self.targets.place(&file.rel).filter(|_| self.layers.checks_system());
-        place.map_or_else(|| custom_target(file), |place| self.shipped(place, file))
+        match place {
+            Some(place) => self.shipped(place, file),
+            // An archive that does not have it hides it.
+            None if self.layers.checks_system() && self.targets.are_archived() => {
+                Target { used_as: None, is_unused: true, ..custom_target(file) }
+            }
+            None => custom_target(file),
+        }
     }
 
     /// The name of the base mesh, if there is one.

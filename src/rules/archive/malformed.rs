@@ -13,7 +13,7 @@ use crate::repo::View;
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "crashes at every start until the archive is deleted by hand"),
-        (Makehuman1, "gets nothing of it: it cannot be unpacked"),
+        (Makehuman1, "takes its targets from the texts; without these it finds none"),
         (Mpfb, "rejects the zip: nothing of it is imported"),
     ],
     docs: "`compressedtargets.npz` is the archive of all targets of a folder: a zip of arrays. If it exists, MakeHuman 2 loads \
@@ -28,15 +28,19 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         warning). Delete the archive, or rebuild it.\n\n\
         `.mhbin` beside an asset is what MakeHuman 2 packs of its text and mesh. The library opens all of them at start: one \
         that is not a zip crashes it, and the next start comes up without any asset. Delete it if the text is beside \
-        it.\n\nA zip of assets given as PATH is tried whole: one that is not a zip, is cut off, or has members that are damaged, encrypted or \
+        it.\n\n\
+        `targets.npz` of MakeHuman 1 stands for all targets of its data, together with `images.list`. If one of the two \
+        cannot be read, or a path in it has two values of a category, the program takes the texts; without texts it finds no \
+        target, and fails at start. The same happens if the archive has other targets than its macros move. Members that \
+        do not fit together stop each update of the figure.\n\nA zip of assets given as PATH is tried whole: one that is not a zip, is cut off, or has members that are damaged, encrypted or \
         packed in a rare way cannot be imported or unpacked. Pack it again.",
     counts: "members",
     ..RuleInfo::new("archive-malformed", Level::Error, "an archive of targets, of a base mesh or of an asset that cannot be loaded, or a zip of assets that cannot be unpacked")
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    // No other application reads archives.
-    if !view.is_makehuman1() && !view.is_mpfb() {
+    // MPFB reads no archives.
+    if !view.is_mpfb() {
         view.files().for_each(|file| report(&RULE, Sort::Malformed, view, file, out));
     }
     pack::report(&RULE, view.layers().checked, out);

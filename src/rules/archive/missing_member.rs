@@ -3,11 +3,14 @@
 use super::super::{Check, Rule, RuleCx};
 use super::Sort;
 use super::report::report;
-use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, RuleInfo,
+};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "refuses the asset with a message: it cannot be put on")],
+    breaks: &[(Makehuman2, "refuses the asset with a message: it cannot be put on"), (Makehuman1, "finds the target no longer, or reads its text")],
     docs: "A member of an archive does not exist. `base.mhbin` of a base mesh needs `header`, `grpNames`, `coord`, `uvs`, \
         `overflow`, `groupinfo`, `vertsperface` and `faceverts`; `.mhbin` of an asset needs the same, `asset` and what \
         that says.\n\n\

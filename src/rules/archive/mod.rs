@@ -4,9 +4,12 @@
 mod malformed;
 mod missing_member;
 mod object_array;
+mod overflow;
 mod pack;
+mod packed_targets;
 mod path_escape;
 mod report;
+mod undiscovered;
 mod words;
 mod worn;
 mod wrong_dtype;
@@ -15,8 +18,15 @@ use super::Rule;
 use crate::formats::npz::NpyFault;
 
 /// The rules of the family.
-pub(super) static RULES: &[&Rule] =
-    &[&malformed::RULE, &missing_member::RULE, &object_array::RULE, &path_escape::RULE, &wrong_dtype::RULE];
+pub(super) static RULES: &[&Rule] = &[
+    &malformed::RULE,
+    &missing_member::RULE,
+    &object_array::RULE,
+    &overflow::RULE,
+    &path_escape::RULE,
+    &undiscovered::RULE,
+    &wrong_dtype::RULE,
+];
 
 /// What is wrong with an archive, each a rule.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

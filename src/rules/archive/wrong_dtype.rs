@@ -3,11 +3,14 @@
 use super::super::{Check, Rule, RuleCx};
 use super::Sort;
 use super::report::report;
-use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, RuleInfo,
+};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes at every start until the archive is deleted by hand")],
+    breaks: &[(Makehuman2, "crashes at every start until the archive is deleted by hand"), (Makehuman1, "stops each update of the figure that uses the target")],
     docs: "An array in an archive lacks a field, or has fields of another type than MakeHuman 2 reads: a target needs `index` and \
         `vector`, for example. Archives from another program or version look like this.\n\n\
         MakeHuman 2 crashes when it loads the archive: at every start for targets and base meshes, when it is put on for \

@@ -35,7 +35,12 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let meant = Meant::of(view, cx);
     let bare = bare_groups(view);
     out.extend(bare.values().filter_map(|all| group_finding(view, all, cx)));
-    for one in view.modifiers.all.iter().filter(|one| !bare.contains_key(one.modifier.group.as_str())) {
+    // What an archive hides has a finding of its own.
+    let is_hidden = |one: &KnownModifier<'_>| {
+        one.parts.iter().any(|part| part.targets.is_empty() && view.targets.hides(&part.group))
+    };
+    let others = view.modifiers.all.iter().filter(|one| !bare.contains_key(one.modifier.group.as_str()));
+    for one in others.filter(|one| !is_hidden(one)) {
         match &one.modifier.variable {
             Some(variable) => out.extend(macro_finding(view, one, &variable.name)),
             None if one.modifier.tails.unpaired().is_none() => out.extend(finding(view, one, &meant, cx)),

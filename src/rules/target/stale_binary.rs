@@ -1,13 +1,22 @@
 //! `compressedtargets.npz` and the text files it was made from say the same.
 
-use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use super::super::{Check, Rule, RuleCx, and_more};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::discover::Kind;
 use crate::formats::npz::Archive;
-use crate::repo::{FileFacts, Layer, View, parent};
+use crate::formats::target::TargetFacts;
+use crate::formats::targets_npz::PackedTarget;
+use crate::repo::{FileFacts, Layer, View, makehuman1, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "applies the numbers in the archive and ignores the text file, whichever is newer")],
+    breaks: &[
+        (Makehuman2, "applies the numbers in the archive and ignores the text file, whichever is newer"),
+        (Makehuman1, "applies the numbers in the archive and ignores the text file, whichever is newer"),
+    ],
+    levels: &[(Makehuman1, Level::Warning)],
     docs: "`compressedtargets.npz` differs from the text files it was built from.\n\n\
         MakeHuman 2 packs all targets of a folder into `compressedtargets.npz` if it does not exist, and from then \
         on loads each target from there. It does not compare dates: an edited text file silently has no effect \
@@ -16,7 +25,9 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         text file no longer exists (warning: the target exists only in the archive), and text files missing from \
         the archive (info: they are read as text). Numbers are compared as 32-bit floats, as MakeHuman 2 stores \
         them.\n\n\
-        Delete the archive; MakeHuman 2 rebuilds it. Do not keep it in version control.",
+        MakeHuman 1 does the same with `targets.npz`, in which numbers are rounded to thousandths of a decimetre: an edited text \
+        has no effect as long as the archive is there. What only one of the two has, `archive-undiscovered` tells.\n\n\
+        Delete the archive; MakeHuman 2 rebuilds it, and MakeHuman 1 reads the texts. Do not keep it in version control.",
     counts: "targets",
     ..RuleInfo::new("target-stale-binary", Level::Error, "an archive of targets differs from the text files")
 });
@@ -37,6 +48,9 @@ struct Stale<'a> {
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
+    if let Some(own) = view.as_makehuman1() {
+        return out.extend(of_makehuman1(own));
+    }
     for file in layer.files.values().filter(|file| file.kind == Kind::TargetArchive) {
         // What cannot be read as a whole cannot be compared.
         if let Some(archive) = file.archive().filter(|archive| archive.is_sound()) {
@@ -63,6 +77,23 @@ fn compare<'a>(layer: &'a Layer, folder: &str, archive: &'a Archive) -> Stale<'a
         }
     }
     stale
+}
+
+/// The targets of `targets.npz` with other numbers than their texts.
+fn of_makehuman1(view: &makehuman1::View<'_>) -> Option<Finding> {
+    let archive = view.targets.archive.as_ref().filter(|archive| archive.unused.is_none())?;
+    let text = |name: &str| view.layers.checked.file(&format!("{name}.target")).filter(|_| view.layers.checks_system());
+    let is_whole = |facts: &&TargetFacts| facts.unreadable_rows == 0 && facts.negative.count == 0;
+    let differs = |(name, own): &(&String, &PackedTarget)| {
+        let facts = text(name).and_then(FileFacts::target).filter(is_whole);
+        own.is_sound() && facts.is_some_and(|facts| own.content != Some(facts.thousandths))
+    };
+    let stale: Vec<&String> = archive.content.targets.iter().filter(differs).map(|(name, _)| name).collect();
+    let first = stale.first()?;
+    let message = format!("`{first}` has other numbers than its text{}", and_more(stale.len(), "target"));
+    let finding = RULE.at(archive.file, Place::File, message);
+    let finding = finding.evidence(Evidence::of_cases(&stale).out_of(archive.content.targets.len()));
+    Some(finding.help("make the archive again, or delete `targets.npz` and `images.list`: then the texts are read"))
 }
 
 /// A text that cannot be read completely has a finding of its own.

@@ -43,7 +43,11 @@ impl Asked {
     /// From `check PATH… --system FOLDER --only RULES --base NAME`; none where an argument or the case needs a disk.
     pub fn of(case: &Case) -> Option<Self> {
         let hidden = |path: &String| path.split('/').any(|part| part.starts_with('.'));
-        if !case.link.is_empty() || !case.zip.is_empty() || case.write.iter().any(|write| hidden(&write.file)) {
+        if !case.link.is_empty()
+            || !case.zip.is_empty()
+            || !case.targets.is_empty()
+            || case.write.iter().any(|write| hidden(&write.file))
+        {
             return None;
         }
         let settings = case.write.iter().find(|write| write.file == "mhlint.toml");

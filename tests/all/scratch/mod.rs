@@ -5,6 +5,7 @@ pub mod exchanged;
 pub mod memory;
 pub mod pack;
 mod pack_asset;
+mod target_archive;
 pub mod zipped;
 
 use std::collections::BTreeMap;
@@ -45,6 +46,9 @@ pub struct Case {
     /// Meshes to pack as MakeHuman 2 does.
     #[serde(default)]
     pub pack: Vec<pack::Pack>,
+    /// Archives of targets to make as MakeHuman 1 does.
+    #[serde(default)]
+    pub targets: Vec<target_archive::TargetArchive>,
     /// Symbolic links: path, then what it points to.
     #[serde(default)]
     pub link: Vec<[String; 2]>,
@@ -111,6 +115,9 @@ impl Case {
         for pack in &self.pack {
             make_parent(&root.join(&pack.file));
             fs::write(root.join(&pack.file), pack.bytes()).unwrap();
+        }
+        for archive in &self.targets {
+            archive.apply(root);
         }
         for edit in &self.edit {
             edit.apply(root);

@@ -41,6 +41,8 @@ const ENGLISH: &str = "logs an error and stays English";
 const NO_EXPRESSION: &str = "lists the expressions and shows none of them";
 pub(super) const NO_EXPRESSIONS: &str = "lists no expression at all: one file that cannot be read empties the list";
 
+const FROM_TEXTS: &str = "takes its targets from the texts";
+const NO_PICTURES: &str = "shows its sliders without pictures";
 const NO_SCENE: &str = "fails with `AttributeError` when the scene is chosen";
 const NO_MODELS: &str = "lists no model at all: one file that cannot be read empties the list";
 pub(super) const RESET: &str = "fails because the version is missing, and leaves the default human";
@@ -159,6 +161,18 @@ const ROWS: &[Row] = &[
         cell(TooDeep, Error, NO_EXPRESSIONS),
         // A NaN in a value has a finding of its own; anywhere else nobody calculates with it.
         nothing(Special),
+    ]),
+    anywhere(Kind::TargetsNpz, Start, &[
+        cell(Dangling, Info, FROM_TEXTS),
+        cell(Closed, Info, FROM_TEXTS),
+        cell(Pointer, Info, FROM_TEXTS),
+        cell(Empty, Info, FROM_TEXTS),
+    ]),
+    anywhere(Kind::PictureList, Start, &[
+        cell(Dangling, Info, FROM_TEXTS),
+        cell(Closed, Info, FROM_TEXTS),
+        cell(Pointer, Warning, NO_PICTURES),
+        cell(Empty, Warning, NO_PICTURES),
     ]),
     row(Kind::Scene, At::Single(Single::FirstScene), Start, &[
         cell(Dangling, Error, STOPS_AT_START),
