@@ -4,9 +4,11 @@
 //! A zip of `.npy`. Gets bytes, limits and the size of the base mesh; returns what the text is compared with, or why it
 //! cannot be loaded. Keeps no rows.
 
-use super::asset_mesh::MeshPrint;
+use super::asset_mesh::{AssetMesh, MeshPrint};
+use super::mesh_npz;
 use super::mhbin::{self, MeshFault};
 use super::mhclo::{Reference, RowFacts};
+use super::mhpxy::{self, PackedProxy};
 use super::npy::NpyFault;
 use super::npy_table::{self, Cell, Table};
 use super::npz::{self, ArchiveFault, Zip};
@@ -23,6 +25,10 @@ pub enum Packed {
     Other,
     /// That of an asset.
     Asset(Box<PackedAsset>),
+    /// What MakeHuman 1 makes of something worn.
+    Proxy(Box<PackedProxy>),
+    /// What MakeHuman 1 makes of a mesh.
+    Mesh(Result<Box<AssetMesh>, MeshFault>),
 }
 
 /// An asset as it is packed.
@@ -91,11 +97,22 @@ pub fn parse(bytes: &[u8], limits: &Limits, size: Option<MeshSize>) -> Packed {
     };
     let names: Vec<String> = (0..zip.len()).map(|index| npz::member_name(&zip, index)).collect();
     if !names.iter().any(|name| name == "asset") {
-        return Packed::Other;
+        return of_makehuman1(zip, names, bytes, limits, size);
     }
     let room = limits.of_arrays().unpacked_limit(bytes.len() as u64);
     let mut members = Members { zip, names, room };
     Packed::Asset(Box::new(asset(&mut members, bytes, limits, size)))
+}
+
+/// What `MakeHuman` 1 packs has no member of that name.
+fn of_makehuman1(zip: Zip<'_>, names: Vec<String>, bytes: &[u8], limits: &Limits, size: Option<MeshSize>) -> Packed {
+    if mhpxy::is_proxy(&names) {
+        return Packed::Proxy(Box::new(mhpxy::parse(zip, names, mhpxy::room(bytes.len(), limits), size)));
+    }
+    if mesh_npz::is_mesh(&names) {
+        return Packed::Mesh(mesh_npz::parse(bytes, limits).map(Box::new));
+    }
+    Packed::Other
 }
 
 /// The members that are asked for one by one.

@@ -32,8 +32,18 @@ pub(super) struct Table {
 
 /// Reads an array to its end.
 pub(super) fn read(reader: &mut impl Read, cells: &[Cell]) -> Result<Table, NpyFault> {
+    read_shaped(reader, cells, false)
+}
+
+/// The same, where a single value without a shape is one row.
+pub(super) fn read_any(reader: &mut impl Read, cells: &[Cell]) -> Result<Table, NpyFault> {
+    read_shaped(reader, cells, true)
+}
+
+fn read_shaped(reader: &mut impl Read, cells: &[Cell], takes_values: bool) -> Result<Table, NpyFault> {
     let layout = read_layout(reader)?;
     let (rows, width) = match *layout.shape.as_slice() {
+        [] if takes_values => (1, 1),
         [rows] => (rows, 1),
         [rows, width] if layout.is_plain() && cells.len() > 1 => (rows, width),
         _ => return Err(NpyFault::Shape),

@@ -260,7 +260,7 @@ mod tests {
     #[test]
     fn values_that_are_shared_stay_small() {
         // A tuple of two times the tuple before, sixty times.
-        let doubled = [b"K\x01q\x00".repeat(1), b"h\x00h\x00\x86q\x00".repeat(60)].concat();
+        let doubled = [b"K\x01q\x00".to_vec(), b"h\x00h\x00\x86q\x00".repeat(60)].concat();
         let bomb = [b"\x80\x02K\x05.\x80\x02".to_vec(), doubled, b".".to_vec()].concat();
         assert!(matches!(read(&bomb).fault, Some(SceneFault::Value(..))));
         // A dictionary of many members, given to a colour again and again.

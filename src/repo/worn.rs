@@ -19,6 +19,8 @@ pub(crate) struct Worn<'a> {
     pub binary: Option<&'a FileFacts>,
     /// What it names, with what is there; `None` where that cannot be read.
     pub references: Option<Vec<Reference<'a>>>,
+    /// The archive of its mesh, which MakeHuman 1 reads in the place of the OBJ.
+    pub packed_mesh: Option<(&'a FileFacts, &'a AssetMesh)>,
     /// Whether the application drops bytes that are not UTF-8 and reads the rest.
     pub(super) drops_bytes: bool,
 }
@@ -67,7 +69,7 @@ impl<'a> Worn<'a> {
         });
         let references = references.or_else(|| packed_references(layer, file, base));
         let binary = layer.file(&format!("{own}/{}.mhbin", file.stem()));
-        Self { file, base, binary, references, drops_bytes: false }
+        Self { file, base, binary, references, packed_mesh: None, drops_bytes: false }
     }
 
     /// The same, where a loose asset may have been made beside those of the system: what it names there, outside of its
@@ -107,6 +109,9 @@ impl<'a> Worn<'a> {
 
     /// Its mesh, if that could be read at all.
     pub(crate) fn mesh(&self) -> Option<(&'a FileFacts, &'a AssetMesh)> {
+        if self.packed_mesh.is_some() {
+            return self.packed_mesh;
+        }
         let file = self.reference(ReferenceKind::AssetMesh)?.meant()?;
         Some((file, file.asset_mesh().filter(|_| file.encoding.invalid_utf8_at.is_none())?))
     }

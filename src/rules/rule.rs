@@ -24,13 +24,13 @@ pub(crate) enum Check {
     Makehuman2(fn(&makehuman2::View<'_>, &makehuman2::Base<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
     /// The data of `MakeHuman` 2 as a whole: what its lists show.
     Makehuman2Library(fn(&makehuman2::View<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
-    /// The saved characters of each base mesh of `MakeHuman` 2, those of `MakeHuman` 1, and those that MPFB imports.
-    Models(
+    /// Each base mesh of `MakeHuman` 2 with what is for it, the data of `MakeHuman` 1, and those of MPFB.
+    EachBase(
         fn(&makehuman2::View<'_>, &makehuman2::Base<'_>, &RuleCx<'_>, &mut Vec<Finding>),
         fn(&makehuman1::View<'_>, &RuleCx<'_>, &mut Vec<Finding>),
         fn(&mpfb::View<'_>, &RuleCx<'_>, &mut Vec<Finding>),
     ),
-    /// What the lists of `MakeHuman` 2 show, and those of `MakeHuman` 1.
+    /// The data of `MakeHuman` 2 as a whole, and those of `MakeHuman` 1: what their lists show.
     Libraries(
         fn(&makehuman2::View<'_>, &RuleCx<'_>, &mut Vec<Finding>),
         fn(&makehuman1::View<'_>, &RuleCx<'_>, &mut Vec<Finding>),

@@ -30,6 +30,8 @@ pub(super) struct Case {
     copy: Vec<[String; 2]>,
     write: Vec<Written>,
     pack: Vec<Packed>,
+    compiled: Vec<Packed>,
+    targets: Vec<TargetArchive>,
     link: Vec<[String; 2]>,
     folder: Vec<String>,
     zip: Vec<Zipped>,
@@ -61,6 +63,21 @@ struct Packed {
     find: String,
     replace: String,
     without: Vec<String>,
+    alone: bool,
+    cut: usize,
+}
+
+/// An archive of targets that is made.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default)]
+struct TargetArchive {
+    data: String,
+    without: Vec<String>,
+    member: Vec<Member>,
+    prefix: String,
+    no_list: bool,
+    list: Option<Vec<String>>,
+    removed: Vec<String>,
 }
 
 /// A zip that is made.
@@ -105,6 +122,8 @@ impl Case {
         lines.extend(self.remove.iter().map(|path| format!("  {path} removed")));
         self.write.iter().for_each(|written| written.push_lines(&mut lines));
         self.pack.iter().for_each(|packed| packed.push_lines(&mut lines));
+        self.compiled.iter().for_each(|packed| packed.push_lines(&mut lines));
+        self.targets.iter().for_each(|archive| archive.push_lines(&mut lines));
         self.edit.iter().for_each(|edit| edit.push_lines(&mut lines));
         lines.extend(self.folder.iter().map(|path| format!("  {path}/ created")));
         lines.extend(self.link.iter().map(|[path, to]| format!("  {path} linked to {to}")));
@@ -159,12 +178,37 @@ impl Packed {
             [] => String::new(),
             members => format!(", without `{}`", members.join("`, `")),
         };
-        lines.push(format!("  {} (packed from {}{without})", self.file, self.from));
+        let cut = if self.cut > 0 { ", cut off" } else { "" };
+        lines.push(format!("  {} (packed from {}{without}{cut})", self.file, self.from));
+        if self.alone {
+            lines.push(format!("  {} removed", self.from));
+        }
         if !self.find.is_empty() {
             lines.push("    with".to_owned());
             lines.extend(self.find.lines().map(|line| format!("    - {}", shorten(line))));
             lines.extend(self.replace.lines().map(|line| format!("    + {}", shorten(line))));
         }
+    }
+}
+
+impl TargetArchive {
+    fn push_lines(&self, lines: &mut Vec<String>) {
+        let data = &self.data;
+        lines.push(format!("  {data}/targets.npz made of the targets"));
+        if !self.prefix.is_empty() {
+            lines.push(format!("    each under {}", self.prefix));
+        }
+        lines.extend(self.without.iter().map(|name| format!("    without {name}")));
+        lines.extend(self.member.iter().map(|member| format!("    with another {}", member.name)));
+        match &self.list {
+            _ if self.no_list => lines.push("    without images.list".to_owned()),
+            Some(list) => lines.push(format!("  {data}/images.list with {}", count(list.len(), "line"))),
+            None => {}
+        }
+        lines.extend(self.removed.iter().map(|path| match path.as_str() {
+            "*" => "  all texts of targets removed".to_owned(),
+            path => format!("  {data}/{path}.target removed"),
+        }));
     }
 }
 

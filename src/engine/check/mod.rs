@@ -145,7 +145,7 @@ fn run_rule(rule: &Rule, checked: &Checked<'_>, options: &Config, out: &mut Vec<
     let bodies = || checked.bodies.iter().filter(|body| asked(body.name));
     match (&rule.check, checked.view) {
         (Check::Body(run), _) => bodies().for_each(|body| run(body, cx, out)),
-        (Check::Makehuman2(run) | Check::Models(run, ..), View::Makehuman2(view)) => {
+        (Check::Makehuman2(run) | Check::EachBase(run, ..), View::Makehuman2(view)) => {
             let compares_macros = rule.info.family() == MACROS;
             let bases = view.bases.iter().filter(|base| asked(base.name));
             let bases = bases.filter(|base| !(compares_macros && base.has_too_many_macros()));
@@ -156,11 +156,11 @@ fn run_rule(rule: &Rule, checked: &Checked<'_>, options: &Config, out: &mut Vec<
         (
             Check::Libraries(_, run)
             | Check::LibrariesOfAll(_, run, _)
-            | Check::Models(_, run, _)
+            | Check::EachBase(_, run, _)
             | Check::Makehuman1(run),
             View::Makehuman1(view),
         ) => run(view, cx, out),
-        (Check::Mpfb(run) | Check::Models(.., run) | Check::LibrariesOfAll(.., run), View::Mpfb(view)) => {
+        (Check::Mpfb(run) | Check::EachBase(.., run) | Check::LibrariesOfAll(.., run), View::Mpfb(view)) => {
             run(view, cx, out);
         }
         (Check::Numeric(run), _) => {

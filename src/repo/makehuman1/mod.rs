@@ -18,3 +18,4 @@ pub(crate) use modifiers::{KnownModifier, SETS, VARIABLES, category};
 pub(crate) use target_archive::{TargetArchive, Unused};
 pub(crate) use targets::{CUSTOM, NamedTarget, PathClash, is_own_target};
 pub(crate) use view::{HIDDEN, View, is_checked, mesh, shows, worn};
+pub(crate) use view::{mesh_archive, text_of_packed};

@@ -10,11 +10,13 @@ use super::targets::Targets;
 use super::{Asset, surfaces};
 use crate::diag::Application;
 use crate::discover::{Kind, library_of};
+use crate::formats::asset_mesh::AssetMesh;
+use crate::formats::mhbin_asset::Packed;
 use crate::formats::obj::Mesh;
 use crate::repo::extent::{extent, is_plausible};
 use crate::repo::{
-    Body, BodyWeights, Doubt, FileFacts, Layers, ReferenceKind, References, Rig, Surface, Target, WeightsUse, Worn,
-    parent,
+    Body, BodyWeights, Doubt, FileFacts, Layer, Layers, ReferenceKind, References, Rig, Surface, Target, WeightsUse,
+    Worn, parent,
 };
 
 /// Whose uses of a file count here.
@@ -77,6 +79,7 @@ pub(crate) const fn is_checked(kind: Kind) -> bool {
             | Kind::ShaderSource
             | Kind::UvMap
             | Kind::Scene
+            | Kind::Packed
             | Kind::TargetsNpz
             | Kind::PictureList
             | Kind::LibraryCache
@@ -223,9 +226,34 @@ pub(crate) fn worn(layers: Layers<'_>) -> Vec<Worn<'_>> {
     let worn = |layer| {
         let listed = Worn::all(layer, OWN).filter(|(file, _)| library_of(&file.rel).is_some());
         let of = move |(file, base)| Worn::of(layer, file, base, |name| !name.has_colon, false);
-        listed.map(move |one| Worn { drops_bytes: true, ..of(one) }.beside_system(layers))
+        listed.map(move |one| {
+            let worn = Worn { drops_bytes: true, ..of(one) }.beside_system(layers);
+            Worn { packed_mesh: packed_mesh(layers, &worn), ..worn }
+        })
     };
     layers.strongest_first().flat_map(worn).collect()
+}
+
+/// The mesh that the program reads in place of an OBJ: the archive beside it, if that is sound.
+fn packed_mesh<'a>(layers: Layers<'a>, worn: &Worn<'a>) -> Option<(&'a FileFacts, &'a AssetMesh)> {
+    let reference = worn.reference(ReferenceKind::AssetMesh)?;
+    layers.strongest_first().find_map(|layer| mesh_archive(layer, &reference.rel))
+}
+
+/// The archive beside an OBJ, if it can be loaded.
+pub(crate) fn mesh_archive<'a>(layer: &'a Layer, rel: &str) -> Option<(&'a FileFacts, &'a AssetMesh)> {
+    let file = layer.file(&format!("{}.npz", rel.rsplit_once('.')?.0))?;
+    match file.packed()? {
+        Packed::Mesh(Ok(mesh)) if mesh.is_sound() => Some((file, mesh)),
+        _ => None,
+    }
+}
+
+/// The text that an archive stands for, of something worn or of a mesh.
+pub(crate) fn text_of_packed<'a>(layer: &'a Layer, rel: &str) -> Option<&'a FileFacts> {
+    let (stem, extension) = rel.rsplit_once('.')?;
+    let texts: &[&str] = if extension == "mhpxy" { &["mhclo", "proxy"] } else { &["obj"] };
+    texts.iter().find_map(|own| layer.file(&format!("{stem}.{own}")))
 }
 
 /// The base mesh, which only the system has.

@@ -1,7 +1,7 @@
 //! The findings on an archive that cannot be loaded, of one sort each.
 
 use super::super::Rule;
-use super::{Sort, packed_targets, words, worn};
+use super::{Sort, compiled, packed_targets, words, worn};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place};
 use crate::formats::npz::{Archive, ArchiveFault, Member, NpyFault};
 use crate::repo::{FileFacts, View};
@@ -12,7 +12,8 @@ const EMPTY: Case =
 /// What is wrong of this sort.
 pub(super) fn report(rule: &Rule, sort: Sort, view: &View<'_>, file: &FileFacts, out: &mut Vec<Finding>) {
     if let Some(own) = view.as_makehuman1() {
-        return packed_targets::report(rule, sort, own, file, out);
+        packed_targets::report(rule, sort, own, file, out);
+        return compiled::report(rule, sort, own, file, out);
     }
     let is_own = |(own, ..): &(Sort, String, Case)| *own == sort;
     if let Some((_, message, case)) = file.mesh_fault().and_then(words::of_mesh).filter(is_own) {

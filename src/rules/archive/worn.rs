@@ -34,7 +34,7 @@ pub(super) fn fault(view: &View<'_>, file: &FileFacts) -> Option<(Sort, String, 
         // `file-empty` has it.
         Packed::Unopened(ArchiveFault::Empty) => None,
         Packed::Unopened(ArchiveFault::NotZip(reason)) => Some((Sort::Malformed, not_zip(reason), NOT_ZIP)),
-        Packed::Other => {
+        Packed::Other | Packed::Proxy(_) | Packed::Mesh(_) => {
             let message = "member `asset` is missing: this is not the archive of an asset".to_owned();
             Some((Sort::MissingMember, message, NO_ASSET))
         }

@@ -12,6 +12,7 @@ mod no_faces;
 mod no_uv;
 mod non_finite;
 mod not_manifold;
+mod packed_mesh;
 mod partial_uv;
 mod pole;
 mod reopened_group;
@@ -26,6 +27,7 @@ use super::proxy::{STOPS_WITH_INDEX, STOPS_WITH_OVERFLOW};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level};
 use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::obj::MeshFacts;
+use crate::repo::makehuman1::mesh_archive;
 use crate::repo::{FileFacts, ReferenceKind, View};
 
 /// The rules of the family.
@@ -73,7 +75,10 @@ fn read<'f>(view: &View<'_>, file: &'f FileFacts) -> Option<ReadMesh<'f>> {
 /// The mesh of an asset, if some asset names it.
 fn of_asset<'f>(view: &View<'_>, file: &'f FileFacts) -> Option<&'f AssetMesh> {
     let is_named = |_: &&AssetMesh| view.references().to_file(file).any(|one| one.kind == ReferenceKind::AssetMesh);
-    file.asset_mesh().filter(|_| file.encoding.invalid_utf8_at.is_none()).filter(is_named)
+    // An archive beside it is read in its place.
+    let is_packed = |_: &&AssetMesh| view.is_makehuman1() && mesh_archive(view.layers().checked, &file.rel).is_some();
+    let mesh = file.asset_mesh().filter(|_| file.encoding.invalid_utf8_at.is_none()).filter(is_named);
+    mesh.filter(|mesh| !is_packed(mesh))
 }
 
 impl ReadMesh<'_> {

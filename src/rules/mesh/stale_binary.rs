@@ -2,14 +2,21 @@
 
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use super::packed_mesh;
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::mesh_difference::MeshDifference;
 use crate::formats::obj::Mesh;
 use crate::repo::makehuman2::{Base, Lies, UnreadMesh, View};
 use crate::repo::{FileFacts, Landmarks};
 
-pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "loads the mesh from the archive and ignores the OBJ, whichever is newer")],
+pub(in crate::rules) static RULE: Rule = Check::EachBase(run, |view, _, out| packed_mesh::findings(&RULE, view, out), |_, _, _| {}).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "loads the mesh from the archive and ignores the OBJ, whichever is newer"),
+        (Makehuman1, "loads the mesh from the archive, unless the OBJ is newer"),
+    ],
     docs: "`base.mhbin` differs from the `base.obj` it should have been packed from.\n\n\
         MakeHuman 2 looks for the user's base.mhbin, then that of the system data, and only then for a base.obj; a base.mhbin \
         beside a chosen OBJ is loaded instead. It does not compare dates: a newly exported OBJ silently has no \
@@ -21,7 +28,9 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         A user's OBJ is also ignored if the system data has an archive. A user's archive over the OBJ of the system data may be \
         intended and is reported as info. If the archive has another number of vertices than everything else \
         expects, see `base-vertex-count`.\n\n\
-        Delete the archive, or rebuild it with `compile_meshes.py`.",
+        MakeHuman 1 reads the `.npz` beside an OBJ in its place if it is not older. After a download or a checkout all files are of \
+        one age, so the archive wins. Of the meshes of assets only the number of vertices and the faces count.\n\n\
+        Delete the archive, or rebuild it: MakeHuman 2 does so with `compile_meshes.py`.",
     counts: "vertices",
     ..RuleInfo::new("mesh-stale-binary", Level::Warning, "a packed base mesh differs from its OBJ")
 });

@@ -11,7 +11,7 @@ use crate::discover::Kind;
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::mpfb;
 
-pub(in crate::rules) static RULE: Rule = Check::Models(run, |view, _, out| makehuman1::arity::faults(&RULE, view, out), of_mpfb).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::EachBase(run, |view, _, out| makehuman1::arity::faults(&RULE, view, out), of_mpfb).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "crashes with `IndexError` when the model is loaded"),
         (Makehuman1, "fails with `IndexError` at the line, and loads the model without it"),

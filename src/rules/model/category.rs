@@ -9,7 +9,7 @@ use crate::diag::{
 use crate::formats::mhm::{CATEGORIES, WornLine};
 use crate::repo::makehuman2::{Asset, Base, SavedModel, View};
 
-pub(in crate::rules) static RULE: Rule = Check::Models(run, |view, cx, out| makehuman1::keyword::faults(&RULE, view, cx, out), |_, _, _| {}).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::EachBase(run, |view, cx, out| makehuman1::keyword::faults(&RULE, view, cx, out), |_, _, _| {}).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "ignores the line: the asset is missing"),
         (Makehuman1, "ignores the line, with a warning in the log"),

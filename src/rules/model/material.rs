@@ -12,7 +12,7 @@ use crate::formats::mhm::MaterialLine;
 use crate::repo::makehuman2::{Base, SavedModel, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
 
-pub(in crate::rules) static RULE: Rule = Check::Models(run, |view, cx, out| makehuman1::material::faults(&RULE, view, cx, out), |_, _, _| {}).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::EachBase(run, |view, cx, out| makehuman1::material::faults(&RULE, view, cx, out), |_, _, _| {}).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "silently shows the asset with its default material"),
         (Makehuman1, "logs an error, and shows the asset with its own material"),

@@ -16,7 +16,7 @@ use crate::diag::{
 use crate::formats::mhm::{Modifier, ModifierFault};
 use crate::repo::makehuman2::{Base, SavedModel, View};
 
-pub(in crate::rules) static RULE: Rule = Check::Models(
+pub(in crate::rules) static RULE: Rule = Check::EachBase(
     run,
     |view, cx, out| makehuman1::modifier::faults(&RULE, view, cx, out),
     |view, cx, out| mpfb_modifier::faults(&RULE, view, cx, out),

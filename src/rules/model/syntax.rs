@@ -11,7 +11,7 @@ use crate::repo::makehuman2::{Base, View};
 use crate::repo::mpfb;
 use crate::source::Encoding;
 
-pub(in crate::rules) static RULE: Rule = Check::Models(run, |_, _, _| {}, of_mpfb).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::EachBase(run, |_, _, _| {}, of_mpfb).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "loads it as the naked default figure, without a message"),
         (Mpfb, "imports the default character without a name, without a message"),

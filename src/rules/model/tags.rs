@@ -9,7 +9,7 @@ use crate::diag::{
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule =
-    Check::Models(run, |view, _, out| makehuman1::tags::faults(&RULE, view, out), |_, _, _| {}).rule(RuleInfo {
+    Check::EachBase(run, |view, _, out| makehuman1::tags::faults(&RULE, view, out), |_, _, _| {}).rule(RuleInfo {
         breaks: &[(Makehuman2, "reads the whole line as one tag"), (Makehuman1, "reads the whole line as one tag")],
         docs: "The tags of a model (`.mhm`) are separated by semicolons: `tags adult;casual`.\n\n\
         With commas MakeHuman 2 takes all of them for one tag, by which nobody finds the model.\n\n\

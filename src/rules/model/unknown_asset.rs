@@ -12,7 +12,7 @@ use crate::formats::mhm::WornLine;
 use crate::repo::makehuman2::{Asset, Base, SavedModel, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
 
-pub(in crate::rules) static RULE: Rule = Check::Models(
+pub(in crate::rules) static RULE: Rule = Check::EachBase(
     run,
     |view, cx, out| makehuman1::assets::faults(&RULE, view, cx, out),
     |view, cx, out| mpfb_asset::faults(&RULE, view, cx, out),

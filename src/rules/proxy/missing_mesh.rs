@@ -34,7 +34,8 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
         return blender::names::mesh(&RULE, body, cx, out);
     }
-    for text in texts(body) {
+    // MakeHuman 1 reads the archive of a mesh, be the OBJ there or not.
+    for text in texts(body).filter(|text| text.worn.packed_mesh.is_none()) {
         let finding = match text.worn.reference(ReferenceKind::AssetMesh) {
             Some(reference) => absent(body, &text, reference, cx),
             None => missing(&text, "obj_file", "file name of the mesh")

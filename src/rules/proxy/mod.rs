@@ -31,6 +31,7 @@ mod missing_weights;
 mod non_finite;
 mod offsets_lost;
 mod older;
+mod packed_proxy;
 mod ranges_before_verts;
 mod rows_reordered;
 mod scale;
@@ -325,3 +326,12 @@ const OVERFLOW: Case = &[
     (Makehuman2, Level::Error, STOPS_WITH_OVERFLOW),
     (Makehuman1, Level::Error, "does not put the asset on: no vertex has this number"),
 ];
+
+/// Words one after the other.
+fn listed(kinds: &[&str]) -> String {
+    match kinds.split_last() {
+        Some((last, [])) => (*last).to_owned(),
+        Some((last, rest)) => format!("{} and {last}", rest.join(", ")),
+        None => String::new(),
+    }
+}

@@ -3,15 +3,21 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use super::{Archive, Text, archives, texts};
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, grouped};
+use super::{Archive, Text, archives, listed, packed_proxy, texts};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, Place, RuleInfo, grouped,
+};
 use crate::formats::mhbin_asset::PackedAsset;
 use crate::formats::mhclo::{Clothes, Scanned};
 use crate::formats::python_int;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "loads the archive unless the text is newer; until then the text has no effect")],
+    breaks: &[
+        (Makehuman2, "loads the archive unless the text is newer; until then the text has no effect"),
+        (Makehuman1, "loads the archive unless the text is newer; until then the text has no effect"),
+    ],
     docs: "The `.mhbin` of an asset differs from the text beside it.\n\n\
         MakeHuman 2 writes the archive when the asset is put on, and loads it in place of the text from then on, as \
         long as the text is not newer. After a download or a checkout all files are of one age, so the archive wins. \
@@ -19,7 +25,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         There is one finding per archive, which lists what differs. Texture coordinates are not compared. If an asset was \
         copied with its archive, the archive still has the old name and uuid, and one of the two assets is not listed: an \
         error.\n\n\
-        Delete the archive; MakeHuman 2 writes it again. It does not belong in version control.",
+        MakeHuman 1 does the same with `.mhpxy`. One that was copied from another asset names a mesh that is not in its folder, \
+        and the asset cannot be put on: an error.\n\n\
+        Delete the archive; the program writes it again. It does not belong in version control.",
     ..RuleInfo::new("proxy-stale-binary", Level::Warning, "a packed asset differs from its text")
 });
 
@@ -31,6 +39,9 @@ const COPY: Case = &[(
 )];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if body.is_makehuman1() {
+        return out.extend(body.worn.iter().filter_map(|worn| packed_proxy::finding(&RULE, body, worn)));
+    }
     let known = identities(body);
     for archive in archives(body) {
         let Some(text) = archive.text.filter(|text| !text.stops()) else { continue };
@@ -65,14 +76,6 @@ fn identities<'v>(body: &Body<'v>) -> BTreeMap<Identity<'v>, Vec<&'v str>> {
         Some(((&*name.as_ref()?.text, &*uuid.as_ref()?.text), text.file.path.as_str()))
     });
     grouped(known)
-}
-
-fn listed(kinds: &[&str]) -> String {
-    match kinds.split_last() {
-        Some((last, [])) => (*last).to_owned(),
-        Some((last, rest)) => format!("{} and {last}", rest.join(", ")),
-        None => String::new(),
-    }
 }
 
 /// Everything that differs.

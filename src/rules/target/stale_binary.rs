@@ -9,9 +9,9 @@ use crate::discover::Kind;
 use crate::formats::npz::Archive;
 use crate::formats::target::TargetFacts;
 use crate::formats::targets_npz::PackedTarget;
-use crate::repo::{FileFacts, Layer, View, makehuman1, parent};
+use crate::repo::{FileFacts, Layer, makehuman1, makehuman2, parent};
 
-pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Libraries(run, |view, _, out| out.extend(of_makehuman1(view))).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "applies the numbers in the archive and ignores the text file, whichever is newer"),
         (Makehuman1, "applies the numbers in the archive and ignores the text file, whichever is newer"),
@@ -46,11 +46,8 @@ struct Stale<'a> {
     without_member: Vec<&'a str>,
 }
 
-fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let layer = view.layers().checked;
-    if let Some(own) = view.as_makehuman1() {
-        return out.extend(of_makehuman1(own));
-    }
+fn run(view: &makehuman2::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers.checked;
     for file in layer.files.values().filter(|file| file.kind == Kind::TargetArchive) {
         // What cannot be read as a whole cannot be compared.
         if let Some(archive) = file.archive().filter(|archive| archive.is_sound()) {

@@ -46,6 +46,7 @@ impl Asked {
         if !case.link.is_empty()
             || !case.zip.is_empty()
             || !case.targets.is_empty()
+            || !case.compiled.is_empty()
             || case.write.iter().any(|write| hidden(&write.file))
         {
             return None;

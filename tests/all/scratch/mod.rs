@@ -1,6 +1,7 @@
 //! Throw-away copies of the example repository, damaged as a `case.toml` says, and the real binary on them.
 #![allow(unreachable_pub, reason = "a program has no other crates")]
 
+mod compiled;
 pub mod exchanged;
 pub mod memory;
 pub mod pack;
@@ -46,6 +47,9 @@ pub struct Case {
     /// Meshes to pack as MakeHuman 2 does.
     #[serde(default)]
     pub pack: Vec<pack::Pack>,
+    /// What is worn, and meshes, to pack as MakeHuman 1 does.
+    #[serde(default)]
+    pub compiled: Vec<compiled::Compiled>,
     /// Archives of targets to make as MakeHuman 1 does.
     #[serde(default)]
     pub targets: Vec<target_archive::TargetArchive>,
@@ -115,6 +119,9 @@ impl Case {
         for pack in &self.pack {
             make_parent(&root.join(&pack.file));
             fs::write(root.join(&pack.file), pack.bytes()).unwrap();
+        }
+        for compiled in &self.compiled {
+            compiled.apply(root);
         }
         for archive in &self.targets {
             archive.apply(root);

@@ -42,6 +42,8 @@ const NO_EXPRESSION: &str = "lists the expressions and shows none of them";
 pub(super) const NO_EXPRESSIONS: &str = "lists no expression at all: one file that cannot be read empties the list";
 
 const FROM_TEXTS: &str = "takes its targets from the texts";
+const MADE_AGAIN: &str = "makes it again";
+const BESIDE: &str = "reads the text beside it, with a warning in the log";
 const NO_PICTURES: &str = "shows its sliders without pictures";
 const NO_SCENE: &str = "fails with `AttributeError` when the scene is chosen";
 const NO_MODELS: &str = "lists no model at all: one file that cannot be read empties the list";
@@ -174,6 +176,12 @@ const ROWS: &[Row] = &[
         cell(Pointer, Warning, NO_PICTURES),
         cell(Empty, Warning, NO_PICTURES),
     ]),
+    anywhere(Kind::Packed, Scan, &[
+        cell(Dangling, Info, BESIDE),
+        cell(Closed, Info, BESIDE),
+        cell(Pointer, Info, BESIDE),
+        cell(Empty, Info, BESIDE),
+    ]),
     row(Kind::Scene, At::Single(Single::FirstScene), Start, &[
         cell(Dangling, Error, STOPS_AT_START),
         cell(Closed, Error, STOPS_AT_START),
@@ -187,10 +195,10 @@ const ROWS: &[Row] = &[
         cell(Empty, Error, NO_SCENE),
     ]),
     anywhere(Kind::LibraryCache, Start, &[
-        nothing(Dangling),
-        nothing(Closed),
-        nothing(Pointer),
-        cell(Empty, Info, "makes it again"),
+        cell(Dangling, Info, MADE_AGAIN),
+        cell(Closed, Info, MADE_AGAIN),
+        cell(Pointer, Info, MADE_AGAIN),
+        cell(Empty, Info, MADE_AGAIN),
     ]),
     anywhere(Kind::Model, Scan, &[
         cell(Closed, Error, NO_MODELS),

@@ -1,0 +1,122 @@
+//! `.npz` beside an OBJ: the mesh as MakeHuman 1 packs it, and reads it in place of the text (formats/makehuman1.md §11).
+//!
+//! A zip of `.npy`. Gets bytes and limits, returns the mesh as its OBJ would give it, but for where texture coordinates lie, or why it
+//! cannot be loaded.
+
+use super::asset_mesh::AssetMesh;
+use super::mhbin::MeshFault;
+use super::npy_table::{self, Cell, Table};
+use super::npz;
+use super::obj::{Group, Mesh, NO_UV};
+use super::stored;
+use crate::source::Limits;
+
+/// Everything that the program asks for.
+const MEMBERS: [&str; 9] = ["coord", "vface", "nfaces", "texco", "fvert", "group", "fgstr", "fgidx", "MAX_FACES"];
+
+/// Whether an archive with these members is a mesh.
+pub(super) fn is_mesh(names: &[String]) -> bool {
+    ["coord", "fvert"].iter().all(|own| names.iter().any(|name| name == own))
+}
+
+/// Reads a packed mesh within `limits`, which are those of arrays.
+///
+/// # Errors
+/// When the application could not load it.
+pub fn parse(bytes: &[u8], limits: &Limits) -> Result<AssetMesh, MeshFault> {
+    let mut zip = npz::open(bytes).map_err(MeshFault::Archive)?;
+    let names: Vec<String> = (0..zip.len()).map(|place| npz::member_name(&zip, place)).collect();
+    let place = |member: &str| names.iter().rposition(|name| name == member);
+    let missing: Vec<&str> = MEMBERS.into_iter().filter(|name| place(name).is_none()).collect();
+    if !missing.is_empty() {
+        return Err(MeshFault::Missing(missing));
+    }
+    let mut room = limits.of_arrays().unpacked_limit(bytes.len() as u64);
+    let mut read = |name: &'static str, cells: &[Cell]| {
+        let place = place(name).unwrap_or_default();
+        let (table, used) = npz::read_member(&mut zip, place, room, |reader| npy_table::read(reader, cells));
+        room = room.checked_sub(used).ok_or(MeshFault::Oversized)?;
+        table.map_err(|fault| MeshFault::Member(name, fault))
+    };
+    let coord = read("coord", &[Cell::Number; 3])?;
+    let faces = read("fvert", &[Cell::Integer; 4])?;
+    let uvs = read("texco", &[Cell::Number; 2])?.rows;
+    // Without texture coordinates there is no such member.
+    let of_faces = if place("fuvs").is_some() { Some(read("fuvs", &[Cell::Integer; 4])?) } else { None };
+    Ok(AssetMesh::of(build(&coord, &faces, uvs, of_faces.as_ref())))
+}
+
+/// Triangles have their first vertex once more at the end.
+fn build(coord: &Table, faces: &Table, uvs: usize, of_faces: Option<&Table>) -> Mesh {
+    let cell = |row, cell| coord.number(row, cell).map_or(0.0, stored);
+    let positions: Vec<[f32; 3]> = (0..coord.rows).map(|row| [0, 1, 2].map(|axis| cell(row, axis))).collect();
+    let vertices = positions.len();
+    // Where the coordinates lie nobody asks.
+    let mut mesh = Mesh { positions, uvs: vec![[0.0; 2]; uvs], ..Mesh::default() };
+    mesh.groups.push(Group { name: String::new(), line: 0, faces: 0, vertices: None });
+    for row in 0..faces.rows {
+        let corners = [0, 1, 2, 3].map(|corner| faces.integer(row, corner).unwrap_or(-1));
+        let count = if corners[0] == corners[3] { 3 } else { 4 };
+        let known = |corner: &i64| u32::try_from(*corner).ok().filter(|own| (*own as usize) < vertices);
+        let corners: Option<Vec<u32>> = corners.iter().take(count).map(known).collect();
+        match corners {
+            Some(corners) => {
+                let first = mesh.corners.len();
+                let uv = |corner| u32::try_from(of_faces?.integer(row, corner)?).ok();
+                mesh.corner_uvs.extend((0..count).map(|corner| uv(corner).unwrap_or(NO_UV)));
+                mesh.corners.extend(corners);
+                mesh.push_face(first, 0);
+            }
+            None => mesh.facts.face_out_of_range.add(0, i64::try_from(row).unwrap_or(i64::MAX)),
+        }
+    }
+    let mut counts = std::mem::take(&mut mesh.facts);
+    counts.complete(&mesh, &vec![0; mesh.faces.len()]);
+    mesh.facts = counts;
+    mesh
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formats::npz_samples::{npy, zip_of};
+    use crate::formats::obj;
+
+    fn members() -> Vec<(&'static str, Vec<u8>)> {
+        let floats = |numbers: &[f32]| numbers.iter().flat_map(|own| own.to_le_bytes()).collect::<Vec<u8>>();
+        let numbers = |numbers: &[u32]| numbers.iter().flat_map(|own| own.to_le_bytes()).collect::<Vec<u8>>();
+        let rest = ["vface", "nfaces", "texco", "group", "fgstr", "fgidx", "MAX_FACES"];
+        let coord = floats(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0]);
+        let mut members = vec![
+            ("coord.npy", npy("'<f4'", "(4, 3)", &coord)),
+            ("fvert.npy", npy("'<u4'", "(2, 4)", &numbers(&[0, 1, 2, 3, 0, 1, 2, 0]))),
+        ];
+        let names = rest.map(|name| format!("{name}.npy"));
+        members.extend(names.map(|name| (&*name.leak(), npy("'<f4'", "(0, 2)", b""))));
+        members
+    }
+
+    #[test]
+    fn it_is_the_mesh_of_its_text() {
+        let mesh = parse(&zip_of(&members()), &Limits::default()).unwrap();
+        let text = AssetMesh::of(obj::parse(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2 3\n"));
+        assert_eq!((mesh.print, mesh.positions), (text.print, text.positions));
+    }
+
+    #[test]
+    fn what_cannot_be_loaded_is_named() {
+        let mut short = members();
+        short.pop();
+        assert_eq!(parse(&zip_of(&short), &Limits::default()), Err(MeshFault::Missing(vec!["MAX_FACES"])));
+        let mut beyond = members();
+        beyond[1].1 = npy("'<u4'", "(1, 4)", &[9; 16]);
+        assert!(!parse(&zip_of(&beyond), &Limits::default()).unwrap().is_sound());
+        let bytes = zip_of(&members());
+        for at in 0..bytes.len() {
+            let mut changed = bytes.clone();
+            changed[at] ^= 0xff;
+            drop(parse(&changed, &Limits::default()));
+            assert!(parse(&bytes[..at], &Limits::default()).is_err());
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! What is wrong with the packed assets of MakeHuman 1: `.mhpxy` of what is worn, `.npz` of meshes (makehuman1-observed.md 4.6
+//! to 4.8).
+
+use super::super::Rule;
+use super::{Sort, words};
+use crate::diag::{Application::Makehuman1, Case, Finding, Level, Place};
+use crate::formats::mhbin::MeshFault;
+use crate::formats::mhbin_asset::Packed;
+use crate::formats::npz::ArchiveFault;
+use crate::repo::FileFacts;
+use crate::repo::makehuman1::{View, text_of_packed};
+
+const TEXT: Case = &[(Makehuman1, Level::Info, "reads the text beside it, with a warning in the log")];
+const NOT_WORN: Case = &[(Makehuman1, Level::Error, "does not put the asset on")];
+
+/// What is wrong of this sort.
+pub(super) fn report(rule: &Rule, sort: Sort, view: &View<'_>, file: &FileFacts, out: &mut Vec<Finding>) {
+    let text = text_of_packed(view.layers.checked, &file.rel);
+    // Beside a text an empty file, or a pointer, has a finding of its own, and that is all.
+    let is_blank = file.size == 0 || file.encoding.lfs_pointer;
+    let blank = || (Sort::Malformed, "the archive has nothing in it, and there is no text beside it".to_owned());
+    let found = fault(file).or_else(|| (is_blank && text.is_none()).then(blank));
+    let Some((_, message)) = found.filter(|(own, _)| *own == sort) else { return };
+    // A zip of something else beside an asset is nobody's.
+    if text.is_none() && !file.rel.ends_with(".mhpxy") {
+        return;
+    }
+    let (case, help) = match text {
+        Some(_) => (TEXT, "delete it: the text is read instead"),
+        None => (NOT_WORN, "restore it, or the text that it was made from"),
+    };
+    out.push(rule.at(file, Place::File, message).case(case).help(help));
+}
+
+fn fault(file: &FileFacts) -> Option<(Sort, String)> {
+    match file.packed()? {
+        Packed::Unopened(ArchiveFault::Empty) => None,
+        Packed::Unopened(ArchiveFault::NotZip(reason)) => Some((Sort::Malformed, words::not_zip(reason))),
+        Packed::Other | Packed::Asset(_) => {
+            Some((Sort::Malformed, "has neither the members of something worn nor those of a mesh".to_owned()))
+        }
+        Packed::Proxy(proxy) => proxy.fault.as_ref().map(|(member, fault)| match fault {
+            Some(fault) => (Sort::of(fault), format!("member `{member}` {}", words::of_member(fault))),
+            None => (Sort::MissingMember, words::missing(&[member])),
+        }),
+        Packed::Mesh(Err(MeshFault::Missing(members))) => Some((Sort::MissingMember, words::missing(members))),
+        Packed::Mesh(Err(fault)) => words::of_mesh(fault).map(|(sort, message, _)| (sort, message)),
+        Packed::Mesh(Ok(_)) => None,
+    }
+}

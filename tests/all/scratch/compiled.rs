@@ -1,0 +1,125 @@
+//! `[[compiled]]`: something worn, or a mesh, packed as MakeHuman 1 does it.
+
+use std::fs;
+use std::path::Path;
+
+use serde::Deserialize;
+
+use super::pack::{npy, single};
+use super::zipped::{named, zip};
+
+/// An archive to make of a text as it is before the edits of the case.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Compiled {
+    /// The archive.
+    file: String,
+    /// The text: a mesh if it is an OBJ.
+    from: String,
+    /// Members that are left out.
+    #[serde(default)]
+    without: Vec<String>,
+    /// Whether the text is removed.
+    #[serde(default)]
+    alone: bool,
+    /// How many bytes are cut off its end.
+    #[serde(default)]
+    cut: usize,
+}
+
+impl Compiled {
+    pub fn apply(&self, root: &Path) {
+        let text = fs::read_to_string(root.join(&self.from)).unwrap();
+        let members = if self.from.ends_with(".obj") { mesh(&text) } else { worn(&text) };
+        let members = members.into_iter().filter(|(name, _)| !self.without.iter().any(|own| own == name));
+        let members: Vec<_> = members.map(|(name, bytes)| (named(&format!("{name}.npy")), bytes)).collect();
+        let all: Vec<_> = members.iter().map(|(name, bytes)| (name.clone(), bytes.as_slice())).collect();
+        let mut bytes = zip(&all);
+        bytes.truncate(bytes.len() - self.cut);
+        fs::write(root.join(&self.file), bytes).unwrap();
+        if self.alone {
+            fs::remove_file(root.join(&self.from)).unwrap();
+        }
+    }
+}
+
+fn floats(numbers: impl Iterator<Item = f64>) -> impl Iterator<Item = u8> {
+    numbers.flat_map(|number| single(number).to_le_bytes())
+}
+
+fn whole(number: u32) -> [u8; 4] {
+    number.to_le_bytes()
+}
+
+fn text_of(text: &str) -> Vec<u8> {
+    npy("'|S1'", &format!("({},)", text.len()), text.bytes())
+}
+
+fn mesh(text: &str) -> Vec<(&'static str, Vec<u8>)> {
+    let lines = |keyword: &'static str| {
+        text.lines()
+            .map(|line| line.split_whitespace())
+            .filter_map(move |mut words| (words.next()? == keyword).then_some(words))
+    };
+    let positions: Vec<f64> = lines("v").flat_map(|words| words.take(3).map(|word| word.parse().unwrap())).collect();
+    let mut corners: Vec<u32> = Vec::new();
+    for face in lines("f") {
+        let own: Vec<u32> = face.map(|word| word.split('/').next().unwrap().parse::<u32>().unwrap() - 1).collect();
+        corners.extend(own.iter().chain([&own[0]]).take(4));
+    }
+    let (vertices, faces) = (positions.len() / 3, corners.len() / 4);
+    let texture: Vec<f64> = lines("vt").flat_map(|words| words.take(2).map(|word| word.parse().unwrap())).collect();
+    let uvs = texture.len() / 2;
+    let rest = ["vface", "nfaces", "group", "fgstr", "fgidx", "MAX_FACES"];
+    let mut members = vec![
+        ("coord", npy("'<f4'", &format!("({vertices}, 3)"), floats(positions.into_iter()))),
+        ("fvert", npy("'<u4'", &format!("({faces}, 4)"), corners.into_iter().flat_map(whole))),
+        ("texco", npy("'<f4'", &format!("({uvs}, 2)"), floats(texture.into_iter()))),
+        // Which of them a corner has nobody asks.
+        ("fuvs", npy("'<u4'", &format!("({faces}, 4)"), std::iter::repeat_n(0, 16 * faces))),
+    ];
+    members.extend(rest.map(|name| (name, npy("'<u4'", "(0,)", std::iter::empty()))));
+    members
+}
+
+fn worn(text: &str) -> Vec<(&'static str, Vec<u8>)> {
+    let word = |keyword: &str| {
+        let mut lines = text.lines().filter_map(|line| line.strip_prefix(keyword)?.strip_prefix(' '));
+        lines.next_back().unwrap_or_default().trim().to_owned()
+    };
+    let rows = text.lines().map(|line| line.split_whitespace().map(str::parse).collect::<Result<Vec<f64>, _>>());
+    let rows: Vec<Vec<f64>> = rows.filter_map(Result::ok).filter(|row| matches!(row.len(), 1 | 6 | 9)).collect();
+    let full: Vec<[f64; 9]> = rows
+        .iter()
+        .map(|row| match row.as_slice() {
+            [vertex] => [*vertex, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+            row => std::array::from_fn(|at| row.get(at).copied().unwrap_or_default()),
+        })
+        .collect();
+    let is_exact = full.iter().all(|row| row[4] == 0.0 && row[5] == 0.0);
+    let width = if is_exact { 1 } else { 3 };
+    let shape = if is_exact { format!("({},)", full.len()) } else { format!("({}, 3)", full.len()) };
+    let part = |from: usize| full.iter().flat_map(move |row| row[from..from + width].to_vec());
+    let scalar = |number: u32| npy("'<i4'", "()", whole(number).into_iter());
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "vertices of a sample")]
+    let vertices = part(0).flat_map(|number| whole(number as u32));
+    let depth = word("z_depth").parse().unwrap_or(50);
+    let mut members = vec![
+        ("name", text_of(&word("name"))),
+        ("uuid", text_of(&word("uuid"))),
+        ("obj_file", text_of(&word("obj_file"))),
+        ("z_depth", scalar(depth)),
+        ("num_refverts", scalar(if is_exact { 1 } else { 3 })),
+        ("ref_vIdxs", npy("'<u4'", &shape, vertices)),
+        ("weights", npy("'<f4'", &shape, floats(part(3)))),
+    ];
+    if !is_exact {
+        members.push(("offsets", npy("'<f4'", &shape, floats(part(6)))));
+    }
+    for (member, keyword) in [("material_file", "material"), ("vertexBoneWeights_file", "vertexboneweights_file")] {
+        if !word(keyword).is_empty() {
+            members.push((member, text_of(&word(keyword))));
+        }
+    }
+    members
+}
