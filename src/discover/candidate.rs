@@ -78,14 +78,19 @@ pub(crate) fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) ->
     found
 }
 
-/// The files that an application has in folders beside its data root. What it has no use for is somebody else's.
+/// The files that an application has beside its data root, most of them in folders. What it has no use for is somebody else's.
 fn beside<'t>(tree: &'t Tree, root: &str, layout: &Layout) -> Vec<Candidate<'t>> {
     let (above, name) = root.rsplit_once('/').unwrap_or(("", root));
     let folders = layout.beside.iter().filter(|_| name == "data");
     let of_folder = |folder: &&str| {
         let path = if above.is_empty() { (*folder).to_owned() } else { format!("{above}/{folder}") };
         let below = tree.entries().iter().filter(|entry| entry.kind != EntryKind::Folder);
-        let files = below.filter_map(|entry| Some((entry, format!("{folder}/{}", inside(&entry.path, &path)?))));
+        // A file of that name belongs to it as well.
+        let rel = |entry: &Entry| match inside(&entry.path, &path) {
+            Some(rel) => Some(format!("{folder}/{rel}")),
+            None => (entry.path == path).then(|| (*folder).to_owned()),
+        };
+        let files = below.filter_map(|entry| Some((entry, rel(entry)?)));
         let candidates = files.map(|(entry, rel)| Candidate::loose(entry, rel, layout));
         candidates.filter(|one| one.kind() != Kind::Other).collect::<Vec<_>>()
     };

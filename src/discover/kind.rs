@@ -125,6 +125,8 @@ pub enum Kind {
     ShaderSource,
     /// `*.mhuv` of MakeHuman 1: texture coordinates for a mesh.
     UvMap,
+    /// `settings.ini` of a user of MakeHuman 1, a JSON.
+    ProgramSettings,
     /// `*.mhscene` of MakeHuman 1: lights.
     Scene,
     /// `cache/*.mhc` of MakeHuman 1: what is in a library of assets.
@@ -195,6 +197,8 @@ impl Kind {
         let is_own = |kind: Self, own: &str| match kind {
             // Whatever names one opens it as it is written, in whatever capitals.
             Self::AssetMesh | Self::Image if own != "thumb" => own.eq_ignore_ascii_case(extension),
+            // Its list takes any capitals, and what it shows is loaded.
+            Self::Scene => own.eq_ignore_ascii_case(extension),
             _ => own == extension,
         };
         let row = BY_EXTENSION.iter().find(|(kind, extensions)| extensions.iter().any(|own| is_own(*kind, own)));

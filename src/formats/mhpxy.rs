@@ -24,6 +24,8 @@ pub struct PackedProxy {
     pub rows: RowFacts,
     /// Whether only the first vertex of each row is kept.
     pub is_exact: bool,
+    /// For each axis that is scaled two vertices and their distance.
+    pub scale: [Option<([i64; 2], f32)>; 3],
     /// Runs of vertices that it hides, and of how many.
     pub mask: Option<(usize, Vec<std::ops::Range<usize>>)>,
     /// What it lacks, or cannot be used of it, with the first reason.
@@ -95,6 +97,7 @@ fn fill(members: &mut Members<'_>, proxy: &mut PackedProxy, size: Option<MeshSiz
     proxy.z_depth = members.integer("z_depth")?;
     proxy.is_exact = members.integer("num_refverts")? == 1;
     rows(members, proxy, size)?;
+    scale(members, proxy)?;
     if members.has("deleteVerts") {
         let flags = members.read("deleteVerts", &[Cell::Flag])?;
         proxy.mask = Some((flags.rows, runs(&flags)));
@@ -125,6 +128,21 @@ fn rows(members: &mut Members<'_>, proxy: &mut PackedProxy, size: Option<MeshSiz
         };
         proxy.rows.count(&reference, !proxy.is_exact);
     }
+    Ok(())
+}
+
+/// An axis without a scale is no number.
+fn scale(members: &mut Members<'_>, proxy: &mut PackedProxy) -> Result<(), Fault> {
+    if !members.has("tmat_scale") {
+        return Ok(());
+    }
+    let distances = members.read("tmat_scale", &[Cell::Number])?;
+    let vertices = members.read("tmat_scale_idx", &[Cell::Integer])?;
+    let axis = |axis: usize| {
+        let distance = distances.number(axis, 0).map(stored).filter(|distance| !distance.is_nan())?;
+        Some(([vertices.integer(2 * axis, 0)?, vertices.integer(2 * axis + 1, 0)?], distance))
+    };
+    proxy.scale = [0, 1, 2].map(axis);
     Ok(())
 }
 

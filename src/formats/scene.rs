@@ -188,11 +188,14 @@ impl Reader<'_> {
     }
 }
 
-/// What the program puts into the lists of its libraries: plain values, and sets of tags. To make one of these runs
-/// nothing of a stranger.
+/// What the program can put into the lists of its libraries: plain values, sets of tags, classes of its own module for them.
+/// To make one of these runs nothing of a stranger.
 fn is_plain(module: &str, name: &str) -> bool {
     matches!(module, "builtins" | "__builtin__") && matches!(name, "set" | "frozenset" | "dict" | "list" | "tuple")
         || (module, name) == ("collections", "OrderedDict")
+        || matches!(module, "filecache" | "shared.filecache")
+            && name.starts_with(|first: char| first.is_ascii_uppercase())
+            && !name.contains('.')
 }
 
 /// Instructions in the list of a library that import or call something else. What is damaged in it is made again.

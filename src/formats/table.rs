@@ -97,7 +97,7 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 67] = [
+pub(crate) static FORMATS: [Format; 68] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
@@ -194,6 +194,7 @@ pub(crate) static FORMATS: [Format; 67] = [
     read(Kind::AssetMesh, "mesh", Syntax::Text, asset_mesh),
     read(Kind::ShaderSource, "shader", Syntax::Text, shader_source),
     read(Kind::UvMap, "map of texture coordinates", Syntax::Text, uv_map),
+    plain(Kind::ProgramSettings, "settings of the program", Syntax::Json),
     read(Kind::Scene, "scene", Syntax::Binary, scene),
     read(Kind::LibraryCache, "list of a library", Syntax::Binary, library_cache),
     Format { needs: Needs::Mesh, ..read(Kind::Packed, "file", Syntax::Binary, zip) },

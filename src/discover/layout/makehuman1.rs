@@ -15,7 +15,8 @@ pub(super) static LAYOUT: Layout = Layout {
     role,
     shelf,
     // In a folder `custom` there nobody looks, but it is a usual mistake.
-    beside: &["models", "custom", "cache"],
+    beside: &["models", "custom", CACHE, SETTINGS],
+    is_folder: |rel, _| rel == CACHE,
     only_base: Some(HM08),
     joint: Some("upperleg02.L"),
     scans: |rel| library_of(rel).is_some(),
@@ -75,6 +76,8 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["modifiers", MAPPING] => Kind::ModifierMapping,
         ["targets.npz"] => Kind::TargetsNpz,
         ["images.list"] => Kind::PictureList,
+        [CACHE] => Kind::LibraryCache,
+        [SETTINGS] => Kind::ProgramSettings,
         ["poseunits", "face-poseunits.json"] => Kind::FaceUnits,
         ["poseunits", FACE_MOTION] => Kind::Motion,
         ["languages", file] if extension(file) == "json" => Kind::Language,
@@ -130,12 +133,17 @@ fn single(rel: &str) -> Option<Single> {
         Some("african" | "asian" | "caucasian") => Some(Single::SkinPicture),
         _ if rel == "skins/default.mhmat" => Some(Single::FirstSkin),
         _ if matches!(rel, "rigs/default.mhskel" | "rigs/default_weights.mhw") => Some(Single::FirstRig),
+        _ if rel == CACHE => Some(Single::CacheFolder),
         _ if rel == "scenes/default.mhscene" => Some(Single::FirstScene),
         _ if extension(rel) == "thumb" => Some(Single::Thumbnail),
         _ if rel.starts_with("custom/") && extension(rel) == "target" => Some(Single::OwnTarget),
         _ => None,
     }
 }
+
+/// What is beside the data of a user: the lists of libraries, and the settings of the program.
+const CACHE: &str = "cache";
+const SETTINGS: &str = "settings.ini";
 
 /// The names of modifiers in older models.
 const MAPPING: &str = "mh_1-0_modifier_mapping.csv";

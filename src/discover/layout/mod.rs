@@ -45,7 +45,7 @@ pub(crate) struct Layout {
     pub joint: Option<&'static str>,
     /// The library in which files are opened that only its own folder may hold.
     pub flat: &'static str,
-    /// Folders beside a data root that is called `data`, with files that belong to it.
+    /// Folders and files beside a data root that is called `data` that belong to it.
     pub beside: &'static [&'static str],
     /// Another application whose users' folders are its own, too, where it is asked for or has data at hand.
     pub shares_roots_of: Option<Application>,
@@ -87,6 +87,8 @@ pub(crate) enum Single {
     FirstSkin,
     /// The skeleton that MakeHuman 1 starts with, and its usual weights.
     FirstRig,
+    /// Where MakeHuman 1 keeps the lists of its libraries.
+    CacheFolder,
     /// The scene that MakeHuman 1 starts with.
     FirstScene,
     /// What a library shows for an asset.

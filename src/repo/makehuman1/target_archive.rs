@@ -30,6 +30,8 @@ pub(crate) enum Unused<'a> {
     Closed,
     /// There is no list of pictures that can be read.
     NoPictures,
+    /// A member with backslashes in its path, which only Windows takes for folders.
+    Backslashes(&'a str),
     /// Two values of one category in the path of a member.
     Member(&'a str, Clash),
     /// The same for a picture.
@@ -76,6 +78,9 @@ fn unused<'a>(content: &'a TargetsNpz, pictures: Option<&'a PictureList>) -> Opt
     }
     let Some(pictures) = pictures else { return Some(Unused::NoPictures) };
     let listed = content.targets.iter().filter(|(_, own)| own.index.is_some()).map(|(name, _)| name.as_str());
+    if let Some(name) = content.targets.keys().find(|name| name.contains('\\')) {
+        return Some(Unused::Backslashes(name));
+    }
     let mut members = listed.filter_map(|name| Some((name, TargetName::of(name).err()?)));
     if let Some((name, clash)) = members.next() {
         return Some(Unused::Member(name, clash));

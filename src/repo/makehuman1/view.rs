@@ -79,6 +79,7 @@ pub(crate) const fn is_checked(kind: Kind) -> bool {
             | Kind::ShaderSource
             | Kind::UvMap
             | Kind::Scene
+            | Kind::ProgramSettings
             | Kind::Packed
             | Kind::TargetsNpz
             | Kind::PictureList

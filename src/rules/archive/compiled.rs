@@ -6,7 +6,7 @@ use super::{Sort, words};
 use crate::diag::{Application::Makehuman1, Case, Finding, Level, Place};
 use crate::formats::mhbin::MeshFault;
 use crate::formats::mhbin_asset::Packed;
-use crate::formats::npz::ArchiveFault;
+use crate::formats::npz::{ArchiveFault, NpyFault};
 use crate::repo::FileFacts;
 use crate::repo::makehuman1::{View, text_of_packed};
 
@@ -19,17 +19,51 @@ pub(super) fn report(rule: &Rule, sort: Sort, view: &View<'_>, file: &FileFacts,
     // Beside a text an empty file, or a pointer, has a finding of its own, and that is all.
     let is_blank = file.size == 0 || file.encoding.lfs_pointer;
     let blank = || (Sort::Malformed, "the archive has nothing in it, and there is no text beside it".to_owned());
-    let found = fault(file).or_else(|| (is_blank && text.is_none()).then(blank));
+    let found = fault(file).or_else(|| of_numbers(file)).or_else(|| (is_blank && text.is_none()).then(blank));
     let Some((_, message)) = found.filter(|(own, _)| *own == sort) else { return };
     // A zip of something else beside an asset is nobody's.
-    if text.is_none() && !file.rel.ends_with(".mhpxy") {
+    let is_base = file.rel == BASE;
+    if text.is_none() && !file.rel.ends_with(".mhpxy") && !is_base {
         return;
     }
+    // What can be read is not read anew.
+    let is_read = is_read(file);
     let (case, help) = match text {
-        Some(_) => (TEXT, "delete it: the text is read instead"),
-        None => (NOT_WORN, "restore it, or the text that it was made from"),
+        Some(_) if !is_read => (TEXT, "delete it: the text is read instead"),
+        Some(_) => (if is_base { STOPS } else { NOT_WORN }, "delete it: the text is read instead"),
+        None => (if is_base { STOPS } else { NOT_WORN }, "restore it, or the text that it was made from"),
     };
+    let case = if sort == Sort::ObjectArray { &[] } else { case };
     out.push(rule.at(file, Place::File, message).case(case).help(help));
+}
+
+/// The archive of the base mesh.
+const BASE: &str = "3dobjs/base.npz";
+const STOPS: Case = &[(Makehuman1, Level::Error, "stops at start: only the splash picture stays on the screen")];
+
+/// Whether the program takes it in place of the text, and fails with it later.
+fn is_read(file: &FileFacts) -> bool {
+    match file.packed() {
+        Some(Packed::Proxy(proxy)) => proxy
+            .fault
+            .as_ref()
+            .is_none_or(|(_, fault)| matches!(fault, Some(NpyFault::WrongType(..) | NpyFault::Shape))),
+        Some(Packed::Mesh(mesh)) => mesh.is_ok(),
+        _ => false,
+    }
+}
+
+/// Vertices that the base mesh does not have, or a face of those that the mesh does not have.
+fn of_numbers(file: &FileFacts) -> Option<(Sort, String)> {
+    let message = match file.packed()? {
+        Packed::Proxy(proxy) if proxy.fault.is_none() => {
+            let (_, vertex) = proxy.rows.out_of_range.first.first()?;
+            format!("a row names vertex {vertex}, which the base mesh does not have")
+        }
+        Packed::Mesh(Ok(mesh)) if !mesh.is_sound() => "has no vertex, or a face of one that does not exist".to_owned(),
+        _ => return None,
+    };
+    Some((Sort::Malformed, message))
 }
 
 fn fault(file: &FileFacts) -> Option<(Sort, String)> {

@@ -58,6 +58,7 @@ fn of_unused(rule: &Rule, view: &View<'_>, archive: &TargetArchive<'_>, unused: 
             None => "unpacks to more data than any archive of its size".to_owned(),
         },
         Unused::NoPictures => "there is no `images.list` beside the archive that can be read".to_owned(),
+        Unused::Backslashes(path) => format!("member `{path}` has backslashes in its path"),
         Unused::Member(path, own) => clash("member", path, own),
         Unused::Picture(path, own) => clash("the picture in `images.list`", path, own),
     };

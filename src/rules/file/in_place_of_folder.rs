@@ -3,7 +3,7 @@
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{
-    Application::{Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, RuleInfo,
 };
 use crate::discover::Kind;
@@ -12,12 +12,13 @@ use crate::repo::View;
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "cannot open it, and may crash at start"),
+        (Makehuman1, "cannot store anything in it"),
         (Mpfb, "finds nothing in it, or fails with an exception when it lists the folder"),
     ],
     docs: "A file has the name of a folder that an application looks into, or a folder has the name of a file \
         that it opens.\n\nMakeHuman 2 crashes at start where it lists or fills such a folder, and treats a JSON \
         that is a folder as missing. If the user's `target/<base>` is a file, it rejects the base mesh (\"File \
-        exists instead of folder\").\n\nRemove or rename it.",
+        exists instead of folder\").\n\nIn the data of a user of MakeHuman 1 that is `cache`.\n\nRemove or rename it.",
     ..RuleInfo::new(
         "file-in-place-of-folder",
         Level::Error,
@@ -42,9 +43,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     // What looks like a target and is a folder, MPFB passes over.
     let is_listed = |kind: Kind| view.is_mpfb() && matches!(kind, Kind::Target | Kind::PackedTarget);
+    // The lists of MakeHuman 1 pass over folders, whatever they are called.
     let is_opened = |folder: &str| {
         let kind = view.kind_at(folder);
-        is_file(kind) && !is_listed(kind) || is_archive(view, folder)
+        !view.is_makehuman1() && (is_file(kind) && !is_listed(kind) || is_archive(view, folder))
     };
     for folder in layer.folders.iter().filter(|folder| is_opened(folder)) {
         out.extend(finding(folder, "folder", "file", "rename the folder, or replace it with the file"));

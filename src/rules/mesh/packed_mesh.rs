@@ -1,7 +1,7 @@
 //! The archive of a mesh that MakeHuman 1 reads in the place of an OBJ (`.npz`), against that (makehuman1-observed.md 3, 4.11).
 
 use super::super::{Rule, counted, units::length};
-use crate::diag::{Finding, Place};
+use crate::diag::{Application::Makehuman1, Case, Finding, Level, Place};
 use crate::formats::asset_mesh::{AssetMesh, MeshPrint};
 use crate::repo::FileFacts;
 use crate::repo::makehuman1::{View, mesh_archive, text_of_packed};
@@ -36,8 +36,17 @@ fn finding(rule: &Rule, file: &FileFacts, mesh: &AssetMesh, text: &FileFacts) ->
     let message = format!("differs from `{}`: {}", text.file_name(), words.join("; "));
     let finding = rule.at(file, Place::File, message).parts(found.iter().map(|(kind, _)| *kind));
     let finding = finding.related(text.path.clone(), Place::File, "the text");
+    // Of a base mesh with other vertices nothing fits.
+    let stops = of_base.is_some() && mesh.print.vertices != print.vertices;
+    let finding = if stops { finding.case(STOPS) } else { finding };
     Some(finding.help("if the OBJ is the right one, delete the `.npz`"))
 }
+
+const STOPS: Case = &[(
+    Makehuman1,
+    Level::Error,
+    "stops at start, unless the OBJ is newer: only the splash picture stays on the screen",
+)];
 
 /// Lengths below this are those of rounding, in decimetres.
 const ROUNDING: f32 = 0.0001;

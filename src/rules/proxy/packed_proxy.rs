@@ -7,6 +7,7 @@ use crate::formats::mhbin_asset::Packed;
 use crate::formats::mhclo::Clothes;
 use crate::formats::mhpxy::PackedProxy;
 use crate::formats::python_int;
+use crate::repo::makehuman1::text_of_packed;
 use crate::repo::{Body, FileFacts, Layer, Worn, parent};
 
 const FOREIGN: Case = &[(Makehuman1, Level::Error, "does not put the asset on, unless the text is newer")];
@@ -27,19 +28,45 @@ pub(super) fn finding(rule: &Rule, body: &Body<'_>, worn: &Worn<'_>) -> Option<F
             MakeHuman 1 packs it again",
         )
     };
-    let [mesh, ..] = &proxy.files;
-    if let Some(missing) = Some(mesh).filter(|mesh| !has_mesh(body, layer, file, mesh)) {
-        return Some(
-            at(format!("its mesh `{missing}` does not exist: it is that of another asset")).key("mesh").case(FOREIGN),
-        );
+    if let Some(message) = unfit(body, layer, file, proxy) {
+        return Some(at(message).key("mesh").case(FOREIGN));
+    }
+    if let Some((_, mesh)) = worn.mesh().filter(|(_, mesh)| mesh.is_sound() && mesh.facts.vertices != proxy.rows.count)
+    {
+        let message = format!("has {} rows for {} vertices of its mesh", proxy.rows.count, mesh.facts.vertices);
+        return Some(at(message).key("mesh").case(FOREIGN));
     }
     let kinds = kinds(proxy, clothes);
     let differs = (!kinds.is_empty()).then(|| format!("differs from `{}`: {}", worn.file.file_name(), listed(&kinds)));
     differs.map(|message| at(message).parts(kinds.iter().copied()))
 }
 
+/// Archives without a text that name what is not there.
+pub(super) fn lone(rule: &Rule, body: &Body<'_>, out: &mut Vec<Finding>) {
+    let layer = body.layers.checked;
+    for file in layer.files.values().filter(|file| file.rel.ends_with(".mhpxy")) {
+        if text_of_packed(layer, &file.rel).is_some() {
+            continue;
+        }
+        let Some(Packed::Proxy(proxy)) = file.packed() else { continue };
+        let message = unfit(body, layer, file, proxy).filter(|_| proxy.fault.is_none());
+        let finding = message.map(|message| rule.at(file, Place::File, message).key("mesh").case(FOREIGN));
+        out.extend(finding.map(|finding| finding.help("move it back to its folder, or restore what it names")));
+    }
+}
+
+/// What it names and is not there.
+fn unfit(body: &Body<'_>, layer: &Layer, file: &FileFacts, proxy: &PackedProxy) -> Option<String> {
+    let [mesh, _, weights] = &proxy.files;
+    if !has_file(body, layer, file, mesh) {
+        return Some(format!("its mesh `{mesh}` does not exist: it was packed in another place"));
+    }
+    let is_lost = !weights.is_empty() && !has_file(body, layer, file, weights);
+    is_lost.then(|| format!("its bone weights `{weights}` do not exist"))
+}
+
 /// Names lead on from the folder of the archive, then from the data of the user and of the system; a packed mesh does as well.
-fn has_mesh(body: &Body<'_>, layer: &Layer, file: &FileFacts, mesh: &str) -> bool {
+fn has_file(body: &Body<'_>, layer: &Layer, file: &FileFacts, mesh: &str) -> bool {
     let rel = format!("{}/{mesh}", parent(&file.rel));
     let is_there = |layer: &Layer, rel: &str| {
         let packed = rel.rsplit_once('.').map(|(stem, _)| format!("{stem}.npz"));
@@ -65,6 +92,7 @@ fn kinds(proxy: &PackedProxy, clothes: &Clothes) -> Vec<&'static str> {
         ("material", file_name(material) != file_name(word("material"))),
         ("bone weights", file_name(weights) != file_name(word("vertexboneweights_file"))),
         ("z_depth", depth.is_some_and(|depth| depth >= 0 && depth != proxy.z_depth)),
+        ("scale", has_other_scale(proxy, clothes)),
         ("vertex rows", has_other_rows(proxy, clothes)),
         ("hidden vertices", has_other_mask(proxy, clothes)),
     ];
@@ -75,6 +103,12 @@ fn has_other_rows(proxy: &PackedProxy, clothes: &Clothes) -> bool {
     let (packed, text) = (&proxy.rows, &clothes.rows);
     let ([all, first], [own, own_first]) = (packed.prints, text.prints);
     packed.count != text.count || if proxy.is_exact { first != own_first } else { all != own }
+}
+
+fn has_other_scale(proxy: &PackedProxy, clothes: &Clothes) -> bool {
+    let written = clothes.scales.map(|scale| scale.map(|scale| (scale.vertices, scale.distance)));
+    // Without all three nothing can be fitted, which has a finding of its own.
+    written.iter().all(Option::is_some) && written != proxy.scale
 }
 
 fn has_other_mask(proxy: &PackedProxy, clothes: &Clothes) -> bool {

@@ -40,6 +40,7 @@ const COPY: Case = &[(
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_makehuman1() {
+        packed_proxy::lone(&RULE, body, out);
         return out.extend(body.worn.iter().filter_map(|worn| packed_proxy::finding(&RULE, body, worn)));
     }
     let known = identities(body);

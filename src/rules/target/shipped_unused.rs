@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use super::super::{Rule, RuleCx, such};
 use super::macro_group::macro_groups;
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped};
+use crate::discover::Kind;
 use crate::repo::FileFacts;
 use crate::repo::makehuman1::View;
 
@@ -24,7 +25,9 @@ pub(super) fn unused(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Ve
         let group = target.name.group();
         let is_of_side = group.rsplit_once('-').is_some_and(|(stem, _)| lacking.contains(stem));
         let is_told = strays.contains(target.file.rel.as_str()) || meant.contains(&group) || is_of_side;
-        !used.contains_key(place) && !is_told && !target.name.key.is_empty()
+        // What only an archive has is no file that could be kept elsewhere.
+        let is_file = target.file.kind_in(Makehuman1) == Kind::Target;
+        is_file && !used.contains_key(place) && !is_told && !target.name.key.is_empty()
     });
     let folders = grouped(idle.map(|(_, target)| (folder(target.file), target.file)));
     for (folder, files) in folders {

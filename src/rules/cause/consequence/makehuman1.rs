@@ -43,6 +43,7 @@ pub(super) const NO_EXPRESSIONS: &str = "lists no expression at all: one file th
 
 const FROM_TEXTS: &str = "takes its targets from the texts";
 const MADE_AGAIN: &str = "makes it again";
+const NO_SETTINGS: &str = "logs an error at each start, and uses its default settings";
 const BESIDE: &str = "reads the text beside it, with a warning in the log";
 const NO_PICTURES: &str = "shows its sliders without pictures";
 const NO_SCENE: &str = "fails with `AttributeError` when the scene is chosen";
@@ -123,7 +124,7 @@ const ROWS: &[Row] = &[
         cell(Syntax, Error, STOPS_AT_START),
         cell(NotUtf8, Error, STOPS_AT_START),
     ]),
-    anywhere(Kind::Skeleton, Use, &[
+    anywhere(Kind::Skeleton, Scan, &[
         cell(Dangling, Error, NO_RIGS),
         cell(Closed, Error, NO_RIGS),
         cell(Pointer, Error, NO_RIGS),
@@ -193,6 +194,17 @@ const ROWS: &[Row] = &[
         cell(Closed, Error, NO_SCENE),
         cell(Pointer, Error, NO_SCENE),
         cell(Empty, Error, NO_SCENE),
+    ]),
+    anywhere(Kind::ProgramSettings, Start, &[
+        cell(Closed, Warning, NO_SETTINGS),
+        cell(Pointer, Warning, NO_SETTINGS),
+        cell(Refused, Warning, NO_SETTINGS),
+        cell(Syntax, Warning, NO_SETTINGS),
+        cell(NotUtf8, Warning, NO_SETTINGS),
+        cell(TooDeep, Warning, NO_SETTINGS),
+    ]),
+    row(Kind::LibraryCache, At::Single(Single::CacheFolder), Use, &[
+        cell(Closed, Error, "fails with `FileExistsError` for each library when it ends: no list is ever stored"),
     ]),
     anywhere(Kind::LibraryCache, Start, &[
         cell(Dangling, Info, MADE_AGAIN),
