@@ -85,10 +85,10 @@ fn beside<'t>(tree: &'t Tree, root: &str, layout: &Layout) -> Vec<Candidate<'t>>
     let of_folder = |folder: &&str| {
         let path = if above.is_empty() { (*folder).to_owned() } else { format!("{above}/{folder}") };
         let below = tree.entries().iter().filter(|entry| entry.kind != EntryKind::Folder);
-        // A file of that name belongs to it as well.
+        // A file of that name belongs to it as well. In the data folder the same name means nothing.
         let rel = |entry: &Entry| match inside(&entry.path, &path) {
             Some(rel) => Some(format!("{folder}/{rel}")),
-            None => (entry.path == path).then(|| (*folder).to_owned()),
+            None => (entry.path == path).then(|| format!("../{folder}")),
         };
         let files = below.filter_map(|entry| Some((entry, rel(entry)?)));
         let candidates = files.map(|(entry, rel)| Candidate::loose(entry, rel, layout));

@@ -1,49 +1,44 @@
 //! `.npz` beside an OBJ: the mesh as MakeHuman 1 packs it, and reads it in place of the text (formats/makehuman1.md §11).
 //!
-//! A zip of `.npy`. Gets bytes and limits, returns the mesh as its OBJ would give it, but for where texture coordinates lie, or why it
+//! A zip of `.npy`. Gets its members, returns the mesh as its OBJ would give it, but for where texture coordinates lie, or why it
 //! cannot be loaded.
 
 use super::asset_mesh::AssetMesh;
 use super::mhbin::MeshFault;
 use super::npy_table::{self, Cell, Table};
-use super::npz;
+use super::npz::Members;
 use super::obj::{Group, Mesh, NO_UV};
 use super::stored;
-use crate::source::Limits;
 
 /// Everything that the program asks for.
 const MEMBERS: [&str; 9] = ["coord", "vface", "nfaces", "texco", "fvert", "group", "fgstr", "fgidx", "MAX_FACES"];
 
-/// Whether an archive with these members is a mesh.
-pub(super) fn is_mesh(names: &[String]) -> bool {
-    ["coord", "fvert"].iter().all(|own| names.iter().any(|name| name == own))
+/// Whether an archive is a mesh.
+pub(super) fn is_mesh(members: &Members<'_>) -> bool {
+    members.has("coord") && members.has("fvert")
 }
 
-/// Reads a packed mesh within `limits`, which are those of arrays.
+/// Reads a packed mesh that [`is_mesh`] says is one.
 ///
 /// # Errors
 /// When the application could not load it.
-pub fn parse(bytes: &[u8], limits: &Limits) -> Result<AssetMesh, MeshFault> {
-    let mut zip = npz::open(bytes).map_err(MeshFault::Archive)?;
-    let names: Vec<String> = (0..zip.len()).map(|place| npz::member_name(&zip, place)).collect();
-    let place = |member: &str| names.iter().rposition(|name| name == member);
-    let missing: Vec<&str> = MEMBERS.into_iter().filter(|name| place(name).is_none()).collect();
+pub(super) fn read(members: &mut Members<'_>) -> Result<AssetMesh, MeshFault> {
+    let missing: Vec<&str> = MEMBERS.into_iter().filter(|name| !members.has(name)).collect();
     if !missing.is_empty() {
         return Err(MeshFault::Missing(missing));
     }
-    let mut room = limits.of_arrays().unpacked_limit(bytes.len() as u64);
-    let mut read = |name: &'static str, cells: &[Cell]| {
-        let place = place(name).unwrap_or_default();
-        let (table, used) = npz::read_member(&mut zip, place, room, |reader| npy_table::read(reader, cells));
-        room = room.checked_sub(used).ok_or(MeshFault::Oversized)?;
-        table.map_err(|fault| MeshFault::Member(name, fault))
-    };
-    let coord = read("coord", &[Cell::Number; 3])?;
-    let faces = read("fvert", &[Cell::Integer; 4])?;
-    let uvs = read("texco", &[Cell::Number; 2])?.rows;
+    let coord = table(members, "coord", &[Cell::Number; 3])?;
+    let faces = table(members, "fvert", &[Cell::Integer; 4])?;
+    let uvs = table(members, "texco", &[Cell::Number; 2])?.rows;
     // Without texture coordinates there is no such member.
-    let of_faces = if place("fuvs").is_some() { Some(read("fuvs", &[Cell::Integer; 4])?) } else { None };
+    let of_faces = if members.has("fuvs") { Some(table(members, "fuvs", &[Cell::Integer; 4])?) } else { None };
     Ok(AssetMesh::of(build(&coord, &faces, uvs, of_faces.as_ref())))
+}
+
+fn table(members: &mut Members<'_>, name: &'static str, cells: &[Cell]) -> Result<Table, MeshFault> {
+    let table = members.read(name, |reader| npy_table::read(reader, cells));
+    let table = table.ok_or_else(|| MeshFault::Missing(vec![name]))?;
+    table.map_err(|fault| MeshFault::Member(name, fault))
 }
 
 /// Triangles have their first vertex once more at the end.
@@ -79,8 +74,10 @@ fn build(coord: &Table, faces: &Table, uvs: usize, of_faces: Option<&Table>) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::formats::mhbin_asset::{self, Packed};
     use crate::formats::npz_samples::{npy, zip_of};
     use crate::formats::obj;
+    use crate::source::Limits;
 
     fn members() -> Vec<(&'static str, Vec<u8>)> {
         let floats = |numbers: &[f32]| numbers.iter().flat_map(|own| own.to_le_bytes()).collect::<Vec<u8>>();
@@ -96,9 +93,17 @@ mod tests {
         members
     }
 
+    fn parse(bytes: &[u8]) -> Result<AssetMesh, MeshFault> {
+        match mhbin_asset::parse(bytes, &Limits::default(), None) {
+            Packed::Mesh(mesh) => mesh.map(|mesh| *mesh),
+            Packed::Unopened(fault) => Err(MeshFault::Archive(fault)),
+            _ => Err(MeshFault::Missing(Vec::new())),
+        }
+    }
+
     #[test]
     fn it_is_the_mesh_of_its_text() {
-        let mesh = parse(&zip_of(&members()), &Limits::default()).unwrap();
+        let mesh = parse(&zip_of(&members())).unwrap();
         let text = AssetMesh::of(obj::parse(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2 3\n"));
         assert_eq!((mesh.print, mesh.positions), (text.print, text.positions));
     }
@@ -107,16 +112,16 @@ mod tests {
     fn what_cannot_be_loaded_is_named() {
         let mut short = members();
         short.pop();
-        assert_eq!(parse(&zip_of(&short), &Limits::default()), Err(MeshFault::Missing(vec!["MAX_FACES"])));
+        assert_eq!(parse(&zip_of(&short)), Err(MeshFault::Missing(vec!["MAX_FACES"])));
         let mut beyond = members();
         beyond[1].1 = npy("'<u4'", "(1, 4)", &[9; 16]);
-        assert!(!parse(&zip_of(&beyond), &Limits::default()).unwrap().is_sound());
+        assert!(!parse(&zip_of(&beyond)).unwrap().is_sound());
         let bytes = zip_of(&members());
         for at in 0..bytes.len() {
             let mut changed = bytes.clone();
             changed[at] ^= 0xff;
-            drop(parse(&changed, &Limits::default()));
-            assert!(parse(&bytes[..at], &Limits::default()).is_err());
+            drop(parse(&changed));
+            assert!(parse(&bytes[..at]).is_err());
         }
     }
 }

@@ -5,13 +5,14 @@
 //! cannot be loaded. Keeps no rows.
 
 use super::asset_mesh::{AssetMesh, MeshPrint};
+use super::fitting_columns::{self, Columns};
 use super::mesh_npz;
 use super::mhbin::{self, MeshFault};
-use super::mhclo::{Reference, RowFacts};
+use super::mhclo::RowFacts;
 use super::mhpxy::{self, PackedProxy};
 use super::npy::NpyFault;
 use super::npy_table::{self, Cell, Table};
-use super::npz::{self, ArchiveFault, Zip};
+use super::npz::{ArchiveFault, Members};
 use super::stored;
 use super::target::MeshSize;
 use crate::source::Limits;
@@ -91,53 +92,26 @@ const ASSET: [Cell; 10] = [
 
 /// Reads an archive within `limits`.
 pub fn parse(bytes: &[u8], limits: &Limits, size: Option<MeshSize>) -> Packed {
-    let zip = match npz::open(bytes) {
-        Ok(zip) => zip,
+    let mut members = match Members::open(bytes, limits) {
+        Ok(members) => members,
         Err(fault) => return Packed::Unopened(fault),
     };
-    let names: Vec<String> = (0..zip.len()).map(|index| npz::member_name(&zip, index)).collect();
-    if !names.iter().any(|name| name == "asset") {
-        return of_makehuman1(zip, names, bytes, limits, size);
+    if members.has("asset") {
+        return Packed::Asset(Box::new(asset(&mut members, bytes, limits, size)));
     }
-    let room = limits.of_arrays().unpacked_limit(bytes.len() as u64);
-    let mut members = Members { zip, names, room };
-    Packed::Asset(Box::new(asset(&mut members, bytes, limits, size)))
-}
-
-/// What `MakeHuman` 1 packs has no member of that name.
-fn of_makehuman1(zip: Zip<'_>, names: Vec<String>, bytes: &[u8], limits: &Limits, size: Option<MeshSize>) -> Packed {
-    if mhpxy::is_proxy(&names) {
-        return Packed::Proxy(Box::new(mhpxy::parse(zip, names, mhpxy::room(bytes.len(), limits), size)));
+    // What MakeHuman 1 packs has no member of that name.
+    if mhpxy::is_proxy(&members) {
+        return Packed::Proxy(Box::new(mhpxy::read(&mut members, size)));
     }
-    if mesh_npz::is_mesh(&names) {
-        return Packed::Mesh(mesh_npz::parse(bytes, limits).map(Box::new));
+    if mesh_npz::is_mesh(&members) {
+        return Packed::Mesh(mesh_npz::read(&mut members).map(Box::new));
     }
     Packed::Other
 }
 
-/// The members that are asked for one by one.
-struct Members<'b> {
-    zip: Zip<'b>,
-    names: Vec<String>,
-    room: u64,
-}
-
-impl Members<'_> {
-    fn has(&self, name: &str) -> bool {
-        self.names.iter().any(|own| own == name)
-    }
-
-    fn read(&mut self, name: &'static str, cells: &[Cell]) -> Result<Table, PackedFault> {
-        let place = self.names.iter().rposition(|own| own == name).ok_or(PackedFault::Missing(name))?;
-        let read = |reader: &mut npz::Unpacked<'_, '_>| npy_table::read(reader, cells);
-        let (table, used) = npz::read_member(&mut self.zip, place, self.room, read);
-        self.room = self.room.saturating_sub(used);
-        let fault = if name == "asset" { PackedFault::Asset } else { |fault| PackedFault::Member("", fault) };
-        table.map_err(|cause| match fault(cause) {
-            PackedFault::Member(_, cause) => PackedFault::Member(name, cause),
-            other => other,
-        })
-    }
+fn read(members: &mut Members<'_>, name: &'static str, cells: &[Cell]) -> Result<Table, PackedFault> {
+    let table = members.read(name, |reader| npy_table::read(reader, cells)).ok_or(PackedFault::Missing(name))?;
+    table.map_err(|fault| if name == "asset" { PackedFault::Asset(fault) } else { PackedFault::Member(name, fault) })
 }
 
 fn asset(members: &mut Members<'_>, bytes: &[u8], limits: &Limits, size: Option<MeshSize>) -> PackedAsset {
@@ -155,14 +129,14 @@ fn asset(members: &mut Members<'_>, bytes: &[u8], limits: &Limits, size: Option<
 }
 
 fn head(members: &mut Members<'_>, asset: &mut PackedAsset) -> Result<(), PackedFault> {
-    let table = members.read("asset", &ASSET)?;
+    let table = read(members, "asset", &ASSET)?;
     if table.rows == 0 {
         return Err(PackedFault::Asset(NpyFault::Shape));
     }
     asset.texts = [0, 1, 2, 3, 8].map(|cell| text(&table, cell));
     asset.is_exact = table.integer(0, 5) != Some(3);
     asset.z_depth = table.integer(0, 7).unwrap_or_default();
-    let files = members.read("files", &[Cell::Text, Cell::Text])?;
+    let files = read(members, "files", &[Cell::Text, Cell::Text])?;
     asset.files = [0, 1].map(|cell| text(&files, cell));
     Ok(())
 }
@@ -172,11 +146,10 @@ fn text(table: &Table, cell: usize) -> Box<str> {
 }
 
 fn rows(members: &mut Members<'_>, asset: &mut PackedAsset, size: Option<MeshSize>) -> Result<(), PackedFault> {
-    let (integers, numbers): (&[Cell], &[Cell]) =
-        if asset.is_exact { (&[Cell::Integer], &[Cell::Number]) } else { (&[Cell::Integer; 3], &[Cell::Number; 3]) };
-    let vertices = members.read("ref_vIdxs", integers)?;
-    let weights = members.read("weights", numbers)?;
-    let offsets = if asset.is_exact { None } else { Some(members.read("offsets", numbers)?) };
+    let (integers, numbers) = fitting_columns::cells(asset.is_exact);
+    let vertices = read(members, "ref_vIdxs", integers)?;
+    let weights = read(members, "weights", numbers)?;
+    let offsets = if asset.is_exact { None } else { Some(read(members, "offsets", numbers)?) };
     // The weights of single vertices are copied into a column of that length.
     let fits = match &offsets {
         Some(offsets) => offsets.rows.min(weights.rows) >= vertices.rows,
@@ -185,19 +158,7 @@ fn rows(members: &mut Members<'_>, asset: &mut PackedAsset, size: Option<MeshSiz
     if !fits {
         return Err(PackedFault::Member("weights", NpyFault::Shape));
     }
-    asset.rows = RowFacts { mesh: size, ..RowFacts::default() };
-    let axes = [0, 1, 2];
-    for row in 0..vertices.rows {
-        let of = |table: &Table, cell| table.number(row, cell).map_or(0.0, stored);
-        let vertex = |cell| vertices.integer(row, cell).unwrap_or_default();
-        let reference = if asset.is_exact {
-            Reference { vertices: [vertex(0); 3], weights: [of(&weights, 0), 0.0, 0.0], offset: [0.0; 3], line: 0 }
-        } else {
-            let offset = offsets.as_ref().map_or([0.0; 3], |offsets| axes.map(|axis| of(offsets, axis)));
-            Reference { vertices: axes.map(vertex), weights: axes.map(|axis| of(&weights, axis)), offset, line: 0 }
-        };
-        asset.rows.count(&reference, !asset.is_exact);
-    }
+    asset.rows = Columns { vertices, weights, offsets }.count(size);
     Ok(())
 }
 
@@ -205,7 +166,7 @@ fn scale(members: &mut Members<'_>, asset: &mut PackedAsset) -> Result<(), Packe
     if !members.has("scale") {
         return Ok(());
     }
-    let table = members.read("scale", &[Cell::Integer, Cell::Integer, Cell::Number])?;
+    let table = read(members, "scale", &[Cell::Integer, Cell::Integer, Cell::Number])?;
     let axis = |row| {
         let vertex = |cell| table.integer(row, cell).unwrap_or_default();
         (vertex(0), vertex(1), table.number(row, 2).map_or(0.0, stored))
@@ -218,15 +179,8 @@ fn mask(members: &mut Members<'_>, asset: &mut PackedAsset) -> Result<(), Packed
     if !members.has("deleteVerts") {
         return Ok(());
     }
-    let table = members.read("deleteVerts", &[Cell::Flag])?;
-    let mut mask = Mask { length: table.rows, runs: Vec::new() };
-    for vertex in (0..table.rows).filter(|vertex| table.number(*vertex, 0).is_some_and(|flag| flag != 0.0)) {
-        match mask.runs.last_mut().filter(|run| run.end == vertex) {
-            Some(run) => run.end = vertex + 1,
-            None => mask.runs.push(vertex..vertex + 1),
-        }
-    }
-    asset.mask = Some(mask);
+    let table = read(members, "deleteVerts", &[Cell::Flag])?;
+    asset.mask = Some(Mask { length: table.rows, runs: fitting_columns::runs(&table) });
     Ok(())
 }
 

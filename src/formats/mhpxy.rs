@@ -1,15 +1,15 @@
 //! `.mhpxy`: what is worn as MakeHuman 1 packs it, and reads it in place of the text (formats/makehuman1.md §10.5).
 //!
-//! A zip of `.npy`. Gets bytes, limits and the size of the base mesh; returns what the text is compared with, or why it cannot
+//! A zip of `.npy`. Gets its members and the size of the base mesh; returns what the text is compared with, or why it cannot
 //! be loaded. Keeps no rows.
 
-use super::mhclo::{Reference, RowFacts};
+use super::fitting_columns::{self, Columns};
+use super::mhclo::RowFacts;
 use super::npy::NpyFault;
 use super::npy_table::{self, Cell, Table};
-use super::npz::{self, Zip};
+use super::npz::Members;
 use super::stored;
 use super::target::MeshSize;
-use crate::source::Limits;
 
 /// What is worn, as it is packed.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -32,102 +32,65 @@ pub struct PackedProxy {
     pub fault: Option<(&'static str, Option<NpyFault>)>,
 }
 
-/// Whether an archive with these members is that of something worn.
-pub(super) fn is_proxy(names: &[String]) -> bool {
-    names.iter().any(|name| name == "num_refverts")
+/// Whether an archive is that of something worn.
+pub(super) fn is_proxy(members: &Members<'_>) -> bool {
+    members.has("num_refverts")
 }
 
-/// Reads an archive that [`is_proxy`] says is one, within `limits`.
-pub(super) fn parse(zip: Zip<'_>, names: Vec<String>, room: u64, size: Option<MeshSize>) -> PackedProxy {
+/// Reads an archive that [`is_proxy`] says is one.
+pub(super) fn read(members: &mut Members<'_>, size: Option<MeshSize>) -> PackedProxy {
     let mut proxy = PackedProxy::default();
-    let mut members = Members { zip, names, room };
-    if let Err(fault) = fill(&mut members, &mut proxy, size) {
-        proxy.fault = Some(fault);
-    }
+    proxy.fault = fill(members, &mut proxy, size).err();
     proxy
-}
-
-/// How much may be unpacked of an archive of so many bytes.
-pub(super) fn room(bytes: usize, limits: &Limits) -> u64 {
-    limits.of_arrays().unpacked_limit(bytes as u64)
 }
 
 type Fault = (&'static str, Option<NpyFault>);
 
-struct Members<'b> {
-    zip: Zip<'b>,
-    names: Vec<String>,
-    room: u64,
+fn table(members: &mut Members<'_>, name: &'static str, cells: &[Cell]) -> Result<Table, Fault> {
+    let table = members.read(name, |reader| npy_table::read_any(reader, cells)).ok_or((name, None))?;
+    table.map_err(|fault| (name, Some(fault)))
 }
 
-impl Members<'_> {
-    fn has(&self, name: &str) -> bool {
-        self.names.iter().any(|own| own == name)
-    }
+/// A text, of which each byte is an element.
+fn text(members: &mut Members<'_>, name: &'static str) -> Result<Box<str>, Fault> {
+    let table = table(members, name, &[Cell::Text])?;
+    let bytes: Vec<u8> = (0..table.rows).flat_map(|row| table.text(row, 0).unwrap_or_default()).copied().collect();
+    Ok(String::from_utf8_lossy(&bytes).into())
+}
 
-    fn read(&mut self, name: &'static str, cells: &[Cell]) -> Result<Table, Fault> {
-        let place = self.names.iter().rposition(|own| own == name).ok_or((name, None))?;
-        let (table, used) =
-            npz::read_member(&mut self.zip, place, self.room, |reader| npy_table::read_any(reader, cells));
-        self.room = self.room.saturating_sub(used);
-        table.map_err(|fault| (name, Some(fault)))
-    }
+fn text_if_any(members: &mut Members<'_>, name: &'static str) -> Result<Box<str>, Fault> {
+    if members.has(name) { text(members, name) } else { Ok(Box::default()) }
+}
 
-    /// A text, of which each byte is an element.
-    fn text(&mut self, name: &'static str) -> Result<Box<str>, Fault> {
-        let table = self.read(name, &[Cell::Text])?;
-        let bytes: Vec<u8> = (0..table.rows).flat_map(|row| table.text(row, 0).unwrap_or_default()).copied().collect();
-        Ok(String::from_utf8_lossy(&bytes).into())
-    }
-
-    fn text_if_any(&mut self, name: &'static str) -> Result<Box<str>, Fault> {
-        if self.has(name) { self.text(name) } else { Ok(Box::default()) }
-    }
-
-    fn integer(&mut self, name: &'static str) -> Result<i64, Fault> {
-        let table = self.read(name, &[Cell::Integer])?;
-        table.integer(0, 0).ok_or((name, Some(NpyFault::Shape)))
-    }
+fn integer(members: &mut Members<'_>, name: &'static str) -> Result<i64, Fault> {
+    table(members, name, &[Cell::Integer])?.integer(0, 0).ok_or((name, Some(NpyFault::Shape)))
 }
 
 fn fill(members: &mut Members<'_>, proxy: &mut PackedProxy, size: Option<MeshSize>) -> Result<(), Fault> {
-    proxy.identity = [members.text("name")?, members.text("uuid")?];
-    let mesh = members.text("obj_file")?;
-    proxy.files = [mesh, members.text_if_any("material_file")?, members.text_if_any("vertexBoneWeights_file")?];
-    proxy.z_depth = members.integer("z_depth")?;
-    proxy.is_exact = members.integer("num_refverts")? == 1;
+    proxy.identity = [text(members, "name")?, text(members, "uuid")?];
+    let mesh = text(members, "obj_file")?;
+    proxy.files = [mesh, text_if_any(members, "material_file")?, text_if_any(members, "vertexBoneWeights_file")?];
+    proxy.z_depth = integer(members, "z_depth")?;
+    proxy.is_exact = integer(members, "num_refverts")? == 1;
     rows(members, proxy, size)?;
     scale(members, proxy)?;
     if members.has("deleteVerts") {
-        let flags = members.read("deleteVerts", &[Cell::Flag])?;
-        proxy.mask = Some((flags.rows, runs(&flags)));
+        let flags = table(members, "deleteVerts", &[Cell::Flag])?;
+        proxy.mask = Some((flags.rows, fitting_columns::runs(&flags)));
     }
     Ok(())
 }
 
 fn rows(members: &mut Members<'_>, proxy: &mut PackedProxy, size: Option<MeshSize>) -> Result<(), Fault> {
-    let (integers, numbers): (&[Cell], &[Cell]) =
-        if proxy.is_exact { (&[Cell::Integer], &[Cell::Number]) } else { (&[Cell::Integer; 3], &[Cell::Number; 3]) };
-    let vertices = members.read("ref_vIdxs", integers)?;
-    let weights = members.read("weights", numbers)?;
-    let offsets = if proxy.is_exact { None } else { Some(members.read("offsets", numbers)?) };
+    let (integers, numbers) = fitting_columns::cells(proxy.is_exact);
+    let vertices = table(members, "ref_vIdxs", integers)?;
+    let weights = table(members, "weights", numbers)?;
+    let offsets = if proxy.is_exact { None } else { Some(table(members, "offsets", numbers)?) };
     let fits = weights.rows == vertices.rows && offsets.as_ref().is_none_or(|own| own.rows == vertices.rows);
     if !fits {
         return Err(("weights", Some(NpyFault::Shape)));
     }
-    proxy.rows = RowFacts { mesh: size, ..RowFacts::default() };
-    for row in 0..vertices.rows {
-        let of = |table: &Table, cell| table.number(row, cell).map_or(0.0, stored);
-        let vertex = |cell| vertices.integer(row, cell).unwrap_or_default();
-        let axes = [0, 1, 2];
-        let reference = if proxy.is_exact {
-            Reference { vertices: [vertex(0); 3], weights: [of(&weights, 0), 0.0, 0.0], offset: [0.0; 3], line: 0 }
-        } else {
-            let offset = offsets.as_ref().map_or([0.0; 3], |offsets| axes.map(|axis| of(offsets, axis)));
-            Reference { vertices: axes.map(vertex), weights: axes.map(|axis| of(&weights, axis)), offset, line: 0 }
-        };
-        proxy.rows.count(&reference, !proxy.is_exact);
-    }
+    proxy.rows = Columns { vertices, weights, offsets }.count(size);
     Ok(())
 }
 
@@ -136,24 +99,12 @@ fn scale(members: &mut Members<'_>, proxy: &mut PackedProxy) -> Result<(), Fault
     if !members.has("tmat_scale") {
         return Ok(());
     }
-    let distances = members.read("tmat_scale", &[Cell::Number])?;
-    let vertices = members.read("tmat_scale_idx", &[Cell::Integer])?;
+    let distances = table(members, "tmat_scale", &[Cell::Number])?;
+    let vertices = table(members, "tmat_scale_idx", &[Cell::Integer])?;
     let axis = |axis: usize| {
         let distance = distances.number(axis, 0).map(stored).filter(|distance| !distance.is_nan())?;
         Some(([vertices.integer(2 * axis, 0)?, vertices.integer(2 * axis + 1, 0)?], distance))
     };
     proxy.scale = [0, 1, 2].map(axis);
     Ok(())
-}
-
-/// Runs of flags that are set.
-fn runs(flags: &Table) -> Vec<std::ops::Range<usize>> {
-    let mut runs: Vec<std::ops::Range<usize>> = Vec::new();
-    for vertex in (0..flags.rows).filter(|row| flags.number(*row, 0).is_some_and(|flag| flag != 0.0)) {
-        match runs.last_mut().filter(|last| last.end == vertex) {
-            Some(last) => last.end += 1,
-            None => runs.push(vertex..vertex + 1),
-        }
-    }
-    runs
 }

@@ -134,6 +134,39 @@ pub(super) fn read_member<'b, T>(
     }
 }
 
+/// The members of an archive that are asked for one by one, within what may be unpacked of it.
+pub(super) struct Members<'b> {
+    zip: Zip<'b>,
+    names: Vec<String>,
+    room: u64,
+}
+
+impl<'b> Members<'b> {
+    /// Opens an archive.
+    pub(super) fn open(bytes: &'b [u8], limits: &Limits) -> Result<Self, ArchiveFault> {
+        let zip = open(bytes)?;
+        let names = (0..zip.len()).map(|index| member_name(&zip, index)).collect();
+        Ok(Self { zip, names, room: limits.of_arrays().unpacked_limit(bytes.len() as u64) })
+    }
+
+    /// Whether there is a member of this name.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.names.iter().any(|own| own == name)
+    }
+
+    /// What `read` makes of a member, of equal names the last; nothing if it is not there.
+    pub(super) fn read<T>(
+        &mut self,
+        name: &str,
+        read: impl FnOnce(&mut Unpacked<'_, 'b>) -> Result<T, NpyFault>,
+    ) -> Option<Result<T, NpyFault>> {
+        let place = self.names.iter().rposition(|own| own == name)?;
+        let (found, used) = read_member(&mut self.zip, place, self.room, read);
+        self.room = self.room.saturating_sub(used);
+        Some(found)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;

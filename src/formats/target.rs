@@ -8,12 +8,12 @@ use super::content_hash::ContentHash;
 use super::faulty_rows::row_name;
 use super::fields::fields;
 use super::inline_ignore::{self, InlineIgnore};
+use super::packed_print::PackedPrint;
 use super::target_blanks;
 pub use super::target_blanks::rows as rows_at_blanks;
 pub use super::target_facts::{BlankFacts, Largest, TargetFacts, UnreadableField};
 use super::target_repeats::{moves, repeats};
 use super::target_row::fast_row;
-use super::targets_npz::STEP;
 use super::{python_float, python_int, stored};
 use crate::source::{Encoding, first_line, lines};
 
@@ -235,7 +235,6 @@ impl Parser {
         self.target.facts.rows += 1;
         self.index(line, index);
         self.displacement(line, index, delta);
-        self.sixteen_bits(line, index, delta);
         let Ok(index) = u32::try_from(index) else { return };
         let at = self.target.rows.len();
         let offset = (line as usize).wrapping_sub(at);
@@ -243,15 +242,6 @@ impl Parser {
             self.line_offsets.push((at, offset));
         }
         self.target.rows.push((index, delta));
-    }
-
-    /// What the archive of MakeHuman 1 cannot hold goes around in it.
-    fn sixteen_bits(&mut self, line: u32, index: i64, delta: [f32; 3]) {
-        let most = delta.iter().copied().fold(0.0_f32, |most, part| if part.abs() > most.abs() { part } else { most });
-        let facts = &mut self.target.facts;
-        if facts.beyond_sixteen_bits.is_none() && (most.abs() >= PACKED_PART || index > i64::from(u16::MAX)) {
-            facts.beyond_sixteen_bits = Some((line, index, most));
-        }
     }
 
     fn index(&mut self, line: u32, index: i64) {
@@ -299,7 +289,23 @@ impl Parser {
         self.measure_lengths();
         self.target.facts.content = ContentHash::of(&self.target.rows);
         self.target.facts.thousandths = thousandths(&self.target.rows);
+        self.target.facts.beyond_sixteen_bits = self.beyond_sixteen_bits();
         self.target
+    }
+
+    /// The first row that the archive of MakeHuman 1 cannot hold. There is none where the longest displacement fits.
+    fn beyond_sixteen_bits(&self) -> Option<(u32, i64, f32)> {
+        let facts = &self.target.facts;
+        let fits = facts.largest.is_none_or(|largest| largest.length < PACKED_PART);
+        if fits && facts.max_index.is_none_or(|most| most <= i64::from(u16::MAX)) {
+            return None;
+        }
+        let longest = |delta: &[f32; 3]| {
+            delta.iter().copied().fold(0.0_f32, |most, part| if part.abs() > most.abs() { part } else { most })
+        };
+        let is_beyond = |row: &Row| longest(&row.1).abs() >= PACKED_PART || row.0 > u32::from(u16::MAX);
+        let (at, row) = self.target.rows.iter().enumerate().find(|(_, row)| is_beyond(row))?;
+        Some((self.line_of(at), i64::from(row.0), longest(&row.1)))
     }
 
     fn measure_lengths(&mut self) {
@@ -344,15 +350,11 @@ impl Parser {
 /// A part of a displacement, in decimetres, that is too long for 16 bits of thousandths.
 pub const PACKED_PART: f32 = 32.768;
 
-/// Hash over rows as `targets.npz` holds them. Whatever does not fit goes around, as `NumPy` lets it.
-#[expect(clippy::cast_possible_truncation, reason = "what does not fit goes around")]
+/// What rows are compared by in `targets.npz`.
 fn thousandths(rows: &[Row]) -> u64 {
-    let mut hash = ContentHash::default();
-    for (index, delta) in rows {
-        let part = |part: f32| stored(f64::from((f64::from(part) * 1000.0).round_ties_even() as i64 as i16) * STEP);
-        hash.add(u32::from(*index as u16), delta.map(part));
-    }
-    hash.finish()
+    let mut print = PackedPrint::default();
+    rows.iter().for_each(|(index, delta)| print.add(*index, delta.map(|part| f64::from(part) * 1000.0)));
+    print.finish()
 }
 
 #[cfg(test)]

@@ -5,11 +5,10 @@
 
 use std::collections::BTreeMap;
 
-use super::content_hash::ContentHash;
 use super::npy::NpyFault;
 use super::npy_table::{self, Cell, Table};
 use super::npz::{self, ArchiveFault};
-use super::stored;
+use super::packed_print::PackedPrint;
 use crate::source::Limits;
 
 /// A parsed archive.
@@ -37,9 +36,6 @@ pub struct PackedTarget {
     /// The highest vertex.
     pub max_index: Option<i64>,
 }
-
-/// Steps of a decimetre that the archive counts in.
-pub(super) const STEP: f64 = 0.001;
 
 impl PackedTarget {
     /// Whether the program takes it from the archive and can use it.
@@ -124,14 +120,14 @@ impl PackedTarget {
         if index.rows != vector.rows {
             return;
         }
-        let mut hash = ContentHash::default();
+        let mut print = PackedPrint::default();
         for row in 0..index.rows {
             let vertex = index.integer(row, 0).unwrap_or_default();
             self.max_index = self.max_index.max(Some(vertex));
-            let delta = [0, 1, 2].map(|axis| stored(vector.number(row, axis).unwrap_or_default() * STEP));
-            hash.add(u32::try_from(vertex).unwrap_or(u32::MAX), delta);
+            let parts = [0, 1, 2].map(|axis| vector.number(row, axis).unwrap_or_default());
+            print.add(u32::try_from(vertex).unwrap_or(u32::MAX), parts);
         }
-        self.content = Some(hash.finish());
+        self.content = Some(print.finish());
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 
 use unicode_normalization::{UnicodeNormalization, is_nfc};
 
-use super::{FileFacts, Pack};
+use super::{FileFacts, Pack, parent};
 use crate::diag::Application;
 use crate::discover::{Kind, Layout, kind_in, uses_of};
 use crate::source::{WalkFault, inside, is_below};
@@ -89,10 +89,15 @@ impl Layer {
         self.folders.binary_search_by(|folder| folder.as_str().cmp(rel)).is_ok()
     }
 
-    /// The text of an asset that an archive at a path is made from: it lies beside it.
+    /// The text of an asset, or of a mesh, that an archive at a path is made from: it lies beside it.
     pub(crate) fn text_of_archive(&self, rel: &str) -> Option<&FileFacts> {
-        let stem = rel.strip_suffix("mhbin")?;
-        ["mhclo", "proxy"].iter().find_map(|suffix| self.file(&format!("{stem}{suffix}")))
+        let (stem, extension) = rel.rsplit_once('.')?;
+        let texts: &[&str] = match extension {
+            "mhbin" | "mhpxy" => &["mhclo", "proxy"],
+            "npz" => &["obj"],
+            _ => &[],
+        };
+        texts.iter().find_map(|suffix| self.file(&format!("{stem}.{suffix}")))
     }
 
     /// What the file at a path is for to an application, or would be if there were one.
@@ -162,6 +167,10 @@ impl Layer {
         if let Some(folder) = self.below(rel).next().filter(|file| file.is_loose).map(FileFacts::folder) {
             return if folder.is_empty() { ".".to_owned() } else { folder.to_owned() };
         }
+        if let Some(beside) = rel.strip_prefix("../") {
+            let above = parent(&self.path);
+            return if above.is_empty() { beside.to_owned() } else { format!("{above}/{beside}") };
+        }
         match (self.path.is_empty(), rel.is_empty()) {
             (true, _) => rel.to_owned(),
             (_, true) => self.path.clone(),
@@ -195,6 +204,15 @@ impl Layer {
     /// The part of a printed path below this root.
     pub(crate) fn relative<'p>(&'p self, path: &'p str) -> Option<&'p str> {
         let supposed = || self.loose().get(path).map(String::as_str);
-        if self.is_loose && path == self.path { Some("") } else { inside(path, &self.path).or_else(supposed) }
+        if self.is_loose && path == self.path {
+            return Some("");
+        }
+        inside(path, &self.path).or_else(supposed).or_else(|| self.fault_beside(path))
+    }
+
+    /// What could not be walked and lies beside the root.
+    fn fault_beside(&self, path: &str) -> Option<&str> {
+        let mut beside = self.walk_faults.iter().map(|fault| fault.path.as_str()).filter(|rel| rel.starts_with("../"));
+        beside.find(|rel| self.display(rel) == path)
     }
 }

@@ -15,7 +15,7 @@ pub(crate) struct Worn<'a> {
     pub file: &'a FileFacts,
     /// The body that it is for.
     pub base: &'a str,
-    /// The archive beside it, which MakeHuman 2 reads in its place unless the text is newer.
+    /// The archive beside it, which MakeHuman 1 and 2 read in its place unless the text is newer.
     pub binary: Option<&'a FileFacts>,
     /// What it names, with what is there; `None` where that cannot be read.
     pub references: Option<Vec<Reference<'a>>>,

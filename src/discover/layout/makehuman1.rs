@@ -16,7 +16,7 @@ pub(super) static LAYOUT: Layout = Layout {
     shelf,
     // In a folder `custom` there nobody looks, but it is a usual mistake.
     beside: &["models", "custom", CACHE, SETTINGS],
-    is_folder: |rel, _| rel == CACHE,
+    is_folder: |rel, _| is_beside(rel, CACHE),
     only_base: Some(HM08),
     joint: Some("upperleg02.L"),
     scans: |rel| library_of(rel).is_some(),
@@ -76,8 +76,8 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["modifiers", MAPPING] => Kind::ModifierMapping,
         ["targets.npz"] => Kind::TargetsNpz,
         ["images.list"] => Kind::PictureList,
-        [CACHE] => Kind::LibraryCache,
-        [SETTINGS] => Kind::ProgramSettings,
+        ["..", CACHE] => Kind::LibraryCache,
+        ["..", SETTINGS] => Kind::ProgramSettings,
         ["poseunits", "face-poseunits.json"] => Kind::FaceUnits,
         ["poseunits", FACE_MOTION] => Kind::Motion,
         ["languages", file] if extension(file) == "json" => Kind::Language,
@@ -89,6 +89,8 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
             // Elsewhere the program has such files for itself, and opens them by name or never.
             Kind::Clothes | Kind::AssetMesh | Kind::AssetWeights if !holds_worn(folder) => Kind::Other,
             Kind::Motion | Kind::MotionMeta if *folder != "poses" => Kind::Other,
+            // What MakeHuman 2 packs is nothing to it, nor is any other archive.
+            Kind::Packed if !matches!(extension(file), "mhpxy" | "npz") => Kind::Other,
             kind => kind,
         },
         // What lists show for assets without a picture.
@@ -133,7 +135,7 @@ fn single(rel: &str) -> Option<Single> {
         Some("african" | "asian" | "caucasian") => Some(Single::SkinPicture),
         _ if rel == "skins/default.mhmat" => Some(Single::FirstSkin),
         _ if matches!(rel, "rigs/default.mhskel" | "rigs/default_weights.mhw") => Some(Single::FirstRig),
-        _ if rel == CACHE => Some(Single::CacheFolder),
+        _ if is_beside(rel, CACHE) => Some(Single::CacheFolder),
         _ if rel == "scenes/default.mhscene" => Some(Single::FirstScene),
         _ if extension(rel) == "thumb" => Some(Single::Thumbnail),
         _ if rel.starts_with("custom/") && extension(rel) == "target" => Some(Single::OwnTarget),
@@ -144,6 +146,10 @@ fn single(rel: &str) -> Option<Single> {
 /// What is beside the data of a user: the lists of libraries, and the settings of the program.
 const CACHE: &str = "cache";
 const SETTINGS: &str = "settings.ini";
+
+fn is_beside(rel: &str, name: &str) -> bool {
+    rel.strip_prefix("../") == Some(name)
+}
 
 /// The names of modifiers in older models.
 const MAPPING: &str = "mh_1-0_modifier_mapping.csv";
@@ -156,6 +162,8 @@ const TOPOLOGIES: &str = "proxymeshes";
 
 /// The library that a file is listed in: at any depth, in whatever capitals its extension is (§2.1).
 pub(crate) fn library_of(rel: &str) -> Option<&str> {
+    // Those of a user's models lie beside the data.
+    let rel = rel.strip_prefix("../").unwrap_or(rel);
     let (library, _) = rel.split_once('/')?;
     let extension = extension(rel);
     let is_listed = library_extension(library).is_some_and(|own| own.eq_ignore_ascii_case(extension));

@@ -14,7 +14,7 @@ use super::data::Loaded;
 use super::place::Place;
 use super::read;
 use crate::diag::grouped;
-use crate::discover::{Candidate, Kind};
+use crate::discover::{Candidate, Kind, Layout, Role};
 use crate::evaluate::Rows;
 use crate::formats::Needs;
 use crate::formats::obj::Mesh;
@@ -151,13 +151,31 @@ fn is_compared(file: &FileFacts) -> bool {
     matches!(file.kind, Kind::Image | Kind::TargetIcon) && file.content_hash.is_none() && file.size > 0
 }
 
+/// Whether what is at a path belongs to the data root although it lies beside it.
+fn belongs_beside(place: &Place<'_>, path: &str) -> bool {
+    let rel = relative_beside(&place.root, path);
+    let top = rel.as_deref().and_then(|rel| rel.strip_prefix("../")?.split('/').next());
+    let has = |layout: &&&Layout| top.is_some_and(|top| layout.beside.contains(&top));
+    place.layouts.iter().filter(has).any(|layout| (layout.role)(&place.below) == Role::User)
+}
+
+/// The path from a data root called `data` to what lies beside it.
+fn relative_beside(root: &str, path: &str) -> Option<String> {
+    let (above, name) = root.rsplit_once('/').map_or(("", root), |(above, name)| (above, name));
+    let rel = if above.is_empty() { path } else { path.strip_prefix(above)?.strip_prefix('/')? };
+    (name == "data").then(|| format!("../{rel}"))
+}
+
 fn faults_below(place: &Place<'_>) -> Vec<WalkFault> {
     // What is damaged outside of data roots is none of ours.
     if place.is_loose {
         return Vec::new();
     }
     let prefix = if place.root.is_empty() { String::new() } else { format!("{}/", place.root) };
-    let relative = |path: &str| path.strip_prefix(&prefix).map(str::to_owned);
+    let relative = |path: &str| {
+        let beside = || belongs_beside(place, path).then(|| relative_beside(&place.root, path)).flatten();
+        path.strip_prefix(&prefix).map(str::to_owned).or_else(beside)
+    };
     let faults = place.tree.faults().iter();
     faults
         .filter_map(|fault| {

@@ -229,7 +229,8 @@ pub(crate) fn worn(layers: Layers<'_>) -> Vec<Worn<'_>> {
         let of = move |(file, base)| Worn::of(layer, file, base, |name| !name.has_colon, false);
         listed.map(move |one| {
             let worn = Worn { drops_bytes: true, ..of(one) }.beside_system(layers);
-            Worn { packed_mesh: packed_mesh(layers, &worn), ..worn }
+            let binary = layer.file(&format!("{}/{}.mhpxy", parent(&worn.file.rel), worn.file.stem()));
+            Worn { packed_mesh: packed_mesh(layers, &worn), binary, ..worn }
         })
     };
     layers.strongest_first().flat_map(worn).collect()
@@ -248,13 +249,6 @@ pub(crate) fn mesh_archive<'a>(layer: &'a Layer, rel: &str) -> Option<(&'a FileF
         Packed::Mesh(Ok(mesh)) if mesh.is_sound() => Some((file, mesh)),
         _ => None,
     }
-}
-
-/// The text that an archive stands for, of something worn or of a mesh.
-pub(crate) fn text_of_packed<'a>(layer: &'a Layer, rel: &str) -> Option<&'a FileFacts> {
-    let (stem, extension) = rel.rsplit_once('.')?;
-    let texts: &[&str] = if extension == "mhpxy" { &["mhclo", "proxy"] } else { &["obj"] };
-    texts.iter().find_map(|own| layer.file(&format!("{stem}.{own}")))
 }
 
 /// The base mesh, which only the system has.

@@ -8,14 +8,14 @@ use crate::formats::mhbin::MeshFault;
 use crate::formats::mhbin_asset::Packed;
 use crate::formats::npz::{ArchiveFault, NpyFault};
 use crate::repo::FileFacts;
-use crate::repo::makehuman1::{View, text_of_packed};
+use crate::repo::makehuman1::View;
 
 const TEXT: Case = &[(Makehuman1, Level::Info, "reads the text beside it, with a warning in the log")];
 const NOT_WORN: Case = &[(Makehuman1, Level::Error, "does not put the asset on")];
 
 /// What is wrong of this sort.
 pub(super) fn report(rule: &Rule, sort: Sort, view: &View<'_>, file: &FileFacts, out: &mut Vec<Finding>) {
-    let text = text_of_packed(view.layers.checked, &file.rel);
+    let text = view.layers.checked.text_of_archive(&file.rel);
     // Beside a text an empty file, or a pointer, has a finding of its own, and that is all.
     let is_blank = file.size == 0 || file.encoding.lfs_pointer;
     let blank = || (Sort::Malformed, "the archive has nothing in it, and there is no text beside it".to_owned());

@@ -10,7 +10,7 @@ use crate::diag::{
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes at every start until the archive is deleted by hand"), (Makehuman1, "refuses the array, and reads the text of the target")],
+    breaks: &[(Makehuman2, "crashes at every start until the archive is deleted by hand"), (Makehuman1, "reads the text in its place; a program that unpickles the array runs whatever is in it")],
     docs: "An array in an archive contains Python objects. To load them is to unpickle them, which can run any code. NumPy \
         refuses that, and MakeHuman 2 crashes. mhlint reads only the header of such an array.\n\n\
         Do not load the archive with other programs. Delete it; MakeHuman 2 rebuilds it from the texts.",

@@ -4,7 +4,7 @@ use super::super::{Rule, counted, units::length};
 use crate::diag::{Application::Makehuman1, Case, Finding, Level, Place};
 use crate::formats::asset_mesh::{AssetMesh, MeshPrint};
 use crate::repo::FileFacts;
-use crate::repo::makehuman1::{View, mesh_archive, text_of_packed};
+use crate::repo::makehuman1::{View, mesh_archive};
 
 /// One finding for each archive that differs from its OBJ.
 pub(super) fn findings(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
@@ -12,7 +12,7 @@ pub(super) fn findings(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let packed = layer.files.values().filter(|file| file.rel.ends_with(".npz"));
     for file in packed {
         let Some((_, mesh)) = mesh_archive(layer, &file.rel) else { continue };
-        out.extend(text_of_packed(layer, &file.rel).and_then(|text| finding(rule, file, mesh, text)));
+        out.extend(layer.text_of_archive(&file.rel).and_then(|text| finding(rule, file, mesh, text)));
     }
 }
 

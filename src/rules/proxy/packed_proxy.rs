@@ -7,19 +7,14 @@ use crate::formats::mhbin_asset::Packed;
 use crate::formats::mhclo::Clothes;
 use crate::formats::mhpxy::PackedProxy;
 use crate::formats::python_int;
-use crate::repo::makehuman1::text_of_packed;
 use crate::repo::{Body, FileFacts, Layer, Worn, parent};
 
 const FOREIGN: Case = &[(Makehuman1, Level::Error, "does not put the asset on, unless the text is newer")];
 
 /// What differs, or that its mesh is not there.
 pub(super) fn finding(rule: &Rule, body: &Body<'_>, worn: &Worn<'_>) -> Option<Finding> {
-    let layer = body
-        .layers
-        .strongest_first()
-        .find(|layer| layer.file(&worn.file.rel).is_some_and(|own| std::ptr::eq(own, worn.file)))?;
-    let file = layer.file(&format!("{}/{}.mhpxy", parent(&worn.file.rel), worn.file.stem()))?;
-    let Packed::Proxy(proxy) = file.packed().filter(|_| body.layers.is_checked(file))? else { return None };
+    let file = worn.binary.filter(|file| body.layers.is_checked(file))?;
+    let Packed::Proxy(proxy) = file.packed()? else { return None };
     let clothes = worn.clothes().filter(|_| proxy.fault.is_none())?;
     let at = |message: String| {
         let finding = rule.at(file, Place::File, message).related(worn.file.path.clone(), Place::File, "the text");
@@ -28,7 +23,7 @@ pub(super) fn finding(rule: &Rule, body: &Body<'_>, worn: &Worn<'_>) -> Option<F
             MakeHuman 1 packs it again",
         )
     };
-    if let Some(message) = unfit(body, layer, file, proxy) {
+    if let Some(message) = unfit(body, file, proxy) {
         return Some(at(message).key("mesh").case(FOREIGN));
     }
     if let Some((_, mesh)) = worn.mesh().filter(|(_, mesh)| mesh.is_sound() && mesh.facts.vertices != proxy.rows.count)
@@ -45,35 +40,37 @@ pub(super) fn finding(rule: &Rule, body: &Body<'_>, worn: &Worn<'_>) -> Option<F
 pub(super) fn lone(rule: &Rule, body: &Body<'_>, out: &mut Vec<Finding>) {
     let layer = body.layers.checked;
     for file in layer.files.values().filter(|file| file.rel.ends_with(".mhpxy")) {
-        if text_of_packed(layer, &file.rel).is_some() {
+        if layer.text_of_archive(&file.rel).is_some() {
             continue;
         }
         let Some(Packed::Proxy(proxy)) = file.packed() else { continue };
-        let message = unfit(body, layer, file, proxy).filter(|_| proxy.fault.is_none());
+        let message = unfit(body, file, proxy).filter(|_| proxy.fault.is_none());
         let finding = message.map(|message| rule.at(file, Place::File, message).key("mesh").case(FOREIGN));
         out.extend(finding.map(|finding| finding.help("move it back to its folder, or restore what it names")));
     }
 }
 
 /// What it names and is not there.
-fn unfit(body: &Body<'_>, layer: &Layer, file: &FileFacts, proxy: &PackedProxy) -> Option<String> {
+fn unfit(body: &Body<'_>, file: &FileFacts, proxy: &PackedProxy) -> Option<String> {
     let [mesh, _, weights] = &proxy.files;
-    if !has_file(body, layer, file, mesh) {
+    if !has_file(body, file, mesh) {
         return Some(format!("its mesh `{mesh}` does not exist: it was packed in another place"));
     }
-    let is_lost = !weights.is_empty() && !has_file(body, layer, file, weights);
+    let is_lost = !weights.is_empty() && !has_file(body, file, weights);
     is_lost.then(|| format!("its bone weights `{weights}` do not exist"))
 }
 
 /// Names lead on from the folder of the archive, then from the data of the user and of the system; a packed mesh does as well.
-fn has_file(body: &Body<'_>, layer: &Layer, file: &FileFacts, mesh: &str) -> bool {
+fn has_file(body: &Body<'_>, file: &FileFacts, mesh: &str) -> bool {
     let rel = format!("{}/{mesh}", parent(&file.rel));
     let is_there = |layer: &Layer, rel: &str| {
         let packed = rel.rsplit_once('.').map(|(stem, _)| format!("{stem}.npz"));
         layer.file(rel).is_some() || packed.is_some_and(|packed| layer.file(&packed).is_some())
     };
     // What leads up is not followed here.
-    mesh.contains("..") || is_there(layer, &rel) || body.layers.strongest_first().any(|layer| is_there(layer, mesh))
+    mesh.contains("..")
+        || is_there(body.layers.checked, &rel)
+        || body.layers.strongest_first().any(|layer| is_there(layer, mesh))
 }
 
 /// Everything that differs.

@@ -2,7 +2,7 @@
 //! §16, §20; makehuman1-observed.md 1, 2, 4).
 
 use super::table::At::{self, Scanned};
-use super::table::{Cell, LOST, Row, Table, anywhere, cell, nothing, row};
+use super::table::{Cell, LOST, LOST_WHOLE, Row, Table, UNREAD, anywhere, cell, cells, nothing, row};
 use super::{Consequence, Damage, Moment};
 use crate::diag::Level::{Error, Info, Warning};
 use crate::discover::{Kind, Single};
@@ -10,9 +10,7 @@ use crate::repo::ReferenceKind::{
     AssetMaterial, AssetMesh, AssetWeights, ModelExpression, ModelMaterial, ModelPose, ModelSkeleton, Skin, Texture,
     UvMap, WeightsFile,
 };
-use Damage::{
-    Closed, Dangling, Empty, MarkedComment, MarkedRow, MarkedWord, NotUtf8, Pointer, Refused, Special, Syntax, TooDeep,
-};
+use Damage::{Closed, Dangling, Empty, MarkedComment, MarkedRow, MarkedWord, NotUtf8, Pointer, Special, TooDeep};
 use Moment::{Scan, Start, Use};
 
 pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_general: LOST, unfound: UNFOUND };
@@ -56,9 +54,7 @@ const KEYWORD: Cell = cell(MarkedWord, Warning, "does not recognise the first ke
 #[rustfmt::skip]
 const ROWS: &[Row] = &[
     anywhere(Kind::BaseMesh, Start, &[
-        cell(Closed, Error, STOPS_AT_START),
-        cell(Pointer, Error, STOPS_AT_START),
-        cell(Empty, Error, STOPS_AT_START),
+        cells(LOST_WHOLE, Error, STOPS_AT_START),
         cell(NotUtf8, Error, STOPS_AT_START),
         cell(MarkedWord, Error, "drops the first vertex, and stops at start"),
         COMMENT,
@@ -84,92 +80,52 @@ const ROWS: &[Row] = &[
         cell(MarkedComment, Info, "skips the first line, which is only a comment"),
     ]),
     anywhere(Kind::ModifierFile, Start, &[
-        cell(Closed, Error, NO_SET),
-        cell(Pointer, Error, NO_SET),
-        cell(Refused, Error, NO_SET),
-        cell(Syntax, Error, NO_SET),
-        cell(NotUtf8, Error, NO_SET),
+        cells(UNREAD, Error, NO_SET),
         cell(TooDeep, Error, NO_SET),
         nothing(Special),
     ]),
     anywhere(Kind::ModifierTexts, Start, &[
-        cell(Closed, Error, NO_TEXTS),
-        cell(Pointer, Error, NO_TEXTS),
-        cell(Refused, Error, NO_TEXTS),
-        cell(Syntax, Error, NO_TEXTS),
-        cell(NotUtf8, Error, NO_TEXTS),
+        cells(UNREAD, Error, NO_TEXTS),
         cell(TooDeep, Error, NO_TEXTS),
         nothing(Special),
     ]),
     anywhere(Kind::ModifierSliders, Start, &[
-        cell(Closed, Error, NO_TABS),
-        cell(Pointer, Error, NO_TABS),
-        cell(Refused, Error, NO_TABS),
-        cell(Syntax, Error, NO_TABS),
-        cell(NotUtf8, Error, NO_TABS),
+        cells(UNREAD, Error, NO_TABS),
         cell(TooDeep, Error, NO_TABS),
         nothing(Special),
     ]),
     anywhere(Kind::ModifierMapping, Use, &[
-        cell(Closed, Warning, NO_OLD),
-        cell(Pointer, Warning, NO_OLD),
-        cell(Empty, Warning, NO_OLD),
+        cells(LOST_WHOLE, Warning, NO_OLD),
         cell(NotUtf8, Warning, NO_OLD),
         nothing(MarkedWord),
     ]),
     row(Kind::Skeleton, At::Single(Single::FirstRig), Start, &[
-        cell(Closed, Error, STOPS_AT_START),
-        cell(Pointer, Error, STOPS_AT_START),
-        cell(Refused, Error, STOPS_AT_START),
-        cell(Syntax, Error, STOPS_AT_START),
-        cell(NotUtf8, Error, STOPS_AT_START),
+        cells(UNREAD, Error, STOPS_AT_START),
     ]),
     anywhere(Kind::Skeleton, Scan, &[
         cell(Dangling, Error, NO_RIGS),
-        cell(Closed, Error, NO_RIGS),
-        cell(Pointer, Error, NO_RIGS),
-        cell(Refused, Error, NO_RIGS),
-        cell(Syntax, Error, NO_RIGS),
-        cell(NotUtf8, Error, NO_RIGS),
+        cells(UNREAD, Error, NO_RIGS),
     ]),
     row(Kind::Weights, At::Single(Single::FirstRig), Start, &[
-        cell(Closed, Error, STOPS_AT_START),
-        cell(Pointer, Error, STOPS_AT_START),
-        cell(Refused, Error, STOPS_AT_START),
-        cell(Syntax, Error, STOPS_AT_START),
-        cell(NotUtf8, Error, STOPS_AT_START),
+        cells(UNREAD, Error, STOPS_AT_START),
         nothing(Special),
     ]),
     anywhere(Kind::Weights, Use, &[
-        cell(Closed, Error, NO_RIG),
-        cell(Pointer, Error, NO_RIG),
-        cell(Refused, Error, NO_RIG),
-        cell(Syntax, Error, NO_RIG),
-        cell(NotUtf8, Error, NO_RIG),
+        cells(UNREAD, Error, NO_RIG),
         nothing(Special),
     ]),
     anywhere(Kind::FaceUnits, Use, &[
-        cell(Closed, Error, NO_EXPRESSION),
-        cell(Pointer, Error, NO_EXPRESSION),
-        cell(Refused, Error, NO_EXPRESSION),
-        cell(Syntax, Error, NO_EXPRESSION),
-        cell(NotUtf8, Error, NO_EXPRESSION),
+        cells(UNREAD, Error, NO_EXPRESSION),
     ]),
     anywhere(Kind::Pose, Scan, &[
-        cell(Closed, Error, NO_EXPRESSIONS),
-        cell(Pointer, Error, NO_EXPRESSIONS),
-        cell(Refused, Error, NO_EXPRESSIONS),
-        cell(Syntax, Error, NO_EXPRESSIONS),
-        cell(NotUtf8, Error, NO_EXPRESSIONS),
+        cells(UNREAD, Error, NO_EXPRESSIONS),
         cell(TooDeep, Error, NO_EXPRESSIONS),
         // A NaN in a value has a finding of its own; anywhere else nobody calculates with it.
         nothing(Special),
     ]),
     anywhere(Kind::TargetsNpz, Start, &[
         cell(Dangling, Info, FROM_TEXTS),
-        cell(Closed, Info, FROM_TEXTS),
-        cell(Pointer, Info, FROM_TEXTS),
-        cell(Empty, Info, FROM_TEXTS),
+        cells(LOST_WHOLE, Info, FROM_TEXTS),
     ]),
     anywhere(Kind::PictureList, Start, &[
         cell(Dangling, Info, FROM_TEXTS),
@@ -179,28 +135,18 @@ const ROWS: &[Row] = &[
     ]),
     anywhere(Kind::Packed, Scan, &[
         cell(Dangling, Info, BESIDE),
-        cell(Closed, Info, BESIDE),
-        cell(Pointer, Info, BESIDE),
-        cell(Empty, Info, BESIDE),
+        cells(LOST_WHOLE, Info, BESIDE),
     ]),
     row(Kind::Scene, At::Single(Single::FirstScene), Start, &[
         cell(Dangling, Error, STOPS_AT_START),
-        cell(Closed, Error, STOPS_AT_START),
-        cell(Pointer, Error, STOPS_AT_START),
-        cell(Empty, Error, STOPS_AT_START),
+        cells(LOST_WHOLE, Error, STOPS_AT_START),
     ]),
     anywhere(Kind::Scene, Use, &[
         cell(Dangling, Error, NO_SCENE),
-        cell(Closed, Error, NO_SCENE),
-        cell(Pointer, Error, NO_SCENE),
-        cell(Empty, Error, NO_SCENE),
+        cells(LOST_WHOLE, Error, NO_SCENE),
     ]),
     anywhere(Kind::ProgramSettings, Start, &[
-        cell(Closed, Warning, NO_SETTINGS),
-        cell(Pointer, Warning, NO_SETTINGS),
-        cell(Refused, Warning, NO_SETTINGS),
-        cell(Syntax, Warning, NO_SETTINGS),
-        cell(NotUtf8, Warning, NO_SETTINGS),
+        cells(UNREAD, Warning, NO_SETTINGS),
         cell(TooDeep, Warning, NO_SETTINGS),
     ]),
     row(Kind::LibraryCache, At::Single(Single::CacheFolder), Use, &[
@@ -208,9 +154,7 @@ const ROWS: &[Row] = &[
     ]),
     anywhere(Kind::LibraryCache, Start, &[
         cell(Dangling, Info, MADE_AGAIN),
-        cell(Closed, Info, MADE_AGAIN),
-        cell(Pointer, Info, MADE_AGAIN),
-        cell(Empty, Info, MADE_AGAIN),
+        cells(LOST_WHOLE, Info, MADE_AGAIN),
     ]),
     anywhere(Kind::Model, Scan, &[
         cell(Closed, Error, NO_MODELS),
@@ -221,16 +165,10 @@ const ROWS: &[Row] = &[
         COMMENT,
     ]),
     anywhere(Kind::Language, Use, &[
-        cell(Closed, Warning, ENGLISH),
-        cell(Pointer, Warning, ENGLISH),
-        cell(Refused, Warning, ENGLISH),
-        cell(Syntax, Warning, ENGLISH),
-        cell(NotUtf8, Warning, ENGLISH),
+        cells(UNREAD, Warning, ENGLISH),
     ]),
     anywhere(Kind::Clothes, Scan, &[
-        cell(Closed, Error, NOT_WORN),
-        cell(Pointer, Error, NOT_WORN),
-        cell(Empty, Error, NOT_WORN),
+        cells(LOST_WHOLE, Error, NOT_WORN),
         cell(NotUtf8, Warning, "drops the bytes that are not UTF-8"),
         KEYWORD,
         COMMENT,
@@ -259,20 +197,14 @@ const ROWS: &[Row] = &[
         COMMENT,
     ]),
     anywhere(Kind::AssetMesh, Use, &[
-        cell(Closed, Error, NOT_WORN),
-        cell(Pointer, Error, NOT_WORN),
-        cell(Empty, Error, NOT_WORN),
+        cells(LOST_WHOLE, Error, NOT_WORN),
         cell(NotUtf8, Error, "does not put the asset on: the mesh is not UTF-8"),
         // Glued to a vertex it drops that one, and the rows of the asset fit no longer.
         cell(MarkedWord, Error, "drops the first line, and does not put the asset on if that is a vertex"),
         COMMENT,
     ]),
     anywhere(Kind::AssetWeights, Use, &[
-        cell(Closed, Error, NOT_WORN),
-        cell(Pointer, Error, NOT_WORN),
-        cell(Refused, Error, NOT_WORN),
-        cell(Syntax, Error, NOT_WORN),
-        cell(NotUtf8, Error, NOT_WORN),
+        cells(UNREAD, Error, NOT_WORN),
         nothing(Special),
     ]),
     anywhere(Kind::Motion, Scan, &[
@@ -292,9 +224,7 @@ const ROWS: &[Row] = &[
         COMMENT,
     ]),
     anywhere(Kind::ShaderSource, Use, &[
-        cell(Closed, Warning, NO_SHADER),
-        cell(Pointer, Warning, NO_SHADER),
-        cell(Empty, Warning, NO_SHADER),
+        cells(LOST_WHOLE, Warning, NO_SHADER),
         // How the compiler of a graphics card takes them is not known.
         nothing(NotUtf8),
         nothing(MarkedWord),
@@ -310,19 +240,13 @@ const ROWS: &[Row] = &[
         COMMENT,
     ]),
     row(Kind::Image, At::Single(Single::SkinPicture), Use, &[
-        cell(Closed, Error, NO_FRAME),
-        cell(Pointer, Error, NO_FRAME),
-        cell(Empty, Error, NO_FRAME),
+        cells(LOST_WHOLE, Error, NO_FRAME),
     ]),
     row(Kind::Image, At::Single(Single::Thumbnail), Use, &[
-        cell(Closed, Warning, NO_THUMBNAIL),
-        cell(Pointer, Warning, NO_THUMBNAIL),
-        cell(Empty, Warning, NO_THUMBNAIL),
+        cells(LOST_WHOLE, Warning, NO_THUMBNAIL),
     ]),
     anywhere(Kind::Image, Use, &[
-        cell(Closed, Warning, PLACEHOLDER),
-        cell(Pointer, Warning, PLACEHOLDER),
-        cell(Empty, Warning, PLACEHOLDER),
+        cells(LOST_WHOLE, Warning, PLACEHOLDER),
     ]),
 ];
 

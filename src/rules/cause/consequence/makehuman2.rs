@@ -3,7 +3,7 @@
 
 use super::super::overlay::{SystemFolder, system_folder};
 use super::table::At::{self, Generated, Replaced, Scanned};
-use super::table::{Cell, Row, Table, anywhere, cell, level, nothing, row};
+use super::table::{Cell, LOST_WHOLE, Row, Table, anywhere, cell, cells, level, nothing, row};
 use super::{Consequence, Damage, Moment};
 use crate::diag::Level::{Error, Info, Warning};
 use crate::diag::{Application::Makehuman2, Case};
@@ -79,9 +79,7 @@ const ROWS: &[Row] = &[
         cell(Syntax, Error, "does not load the base mesh; the window opens without one"),
     ]),
     row(Kind::BaseMesh, Replaced, Use, &[
-        cell(Closed, Info, UNREAD),
-        cell(Pointer, Info, UNREAD),
-        cell(Empty, Info, UNREAD),
+        cells(LOST_WHOLE, Info, UNREAD),
         cell(NotUtf8, Info, UNREAD),
         cell(MarkedWord, Info, UNREAD),
     ]),
@@ -195,9 +193,7 @@ const ROWS: &[Row] = &[
     anywhere(Kind::Clothes, Scan, &[DROPS, NO_ATTACHMENT]),
     anywhere(Kind::Material, Use, &[
         DROPS,
-        cell(Closed, Warning, WHITE),
-        cell(Pointer, Warning, WHITE),
-        cell(Empty, Warning, WHITE),
+        cells(LOST_WHOLE, Warning, WHITE),
     ]),
     row(Kind::Model, Scanned, Scan, &[
         DROPS,

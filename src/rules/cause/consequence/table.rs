@@ -58,11 +58,31 @@ pub(super) struct Spot<'q> {
     pub(super) standing: Standing,
 }
 
-/// What one damage comes to; without a consequence nothing happens.
+/// What a damage, or any of several, comes to; without a consequence nothing happens.
 pub(super) struct Cell {
-    damage: Damage,
+    damage: Damages,
     consequence: Option<Consequence>,
 }
+
+enum Damages {
+    One(Damage),
+    Any(&'static [Damage]),
+}
+
+impl Damages {
+    fn has(&self, damage: Damage) -> bool {
+        match self {
+            Self::One(own) => *own == damage,
+            Self::Any(own) => own.contains(&damage),
+        }
+    }
+}
+
+/// What keeps a JSON from being read.
+pub(super) const UNREAD: &[Damage] =
+    &[Damage::Closed, Damage::Pointer, Damage::Refused, Damage::Syntax, Damage::NotUtf8];
+/// What keeps any other file from being read, whatever is in it.
+pub(super) const LOST_WHOLE: &[Damage] = &[Damage::Closed, Damage::Pointer, Damage::Empty];
 
 /// A row of files that lie anywhere.
 pub(super) const fn anywhere(kind: Kind, opened: Moment, cells: &'static [Cell]) -> Row {
@@ -76,17 +96,22 @@ pub(super) const fn row(kind: Kind, at: At, opened: Moment, cells: &'static [Cel
 
 /// A cell with a level and an effect of its own.
 pub(super) const fn cell(damage: Damage, level: Level, effect: &'static str) -> Cell {
-    Cell { damage, consequence: Some(Consequence::new(level, effect)) }
+    Cell { damage: Damages::One(damage), consequence: Some(Consequence::new(level, effect)) }
+}
+
+/// The same for several damages that come to one.
+pub(super) const fn cells(damages: &'static [Damage], level: Level, effect: &'static str) -> Cell {
+    Cell { damage: Damages::Any(damages), consequence: Some(Consequence::new(level, effect)) }
 }
 
 /// A cell with a level of its own; the effect is what the rule says in general.
 pub(super) const fn level(damage: Damage, level: Level) -> Cell {
-    Cell { damage, consequence: Some(Consequence { level, effect: None }) }
+    Cell { damage: Damages::One(damage), consequence: Some(Consequence { level, effect: None }) }
 }
 
 /// A cell for a damage that does nothing, whatever is said of it in general.
 pub(super) const fn nothing(damage: Damage) -> Cell {
-    Cell { damage, consequence: None }
+    Cell { damage: Damages::One(damage), consequence: None }
 }
 
 /// An application of which nothing more is known: what cannot be read is missing where it is used.
@@ -118,12 +143,12 @@ impl Table {
 
     pub(super) fn consequence(&self, row: &Row, moment: Moment, damage: Damage) -> Option<Consequence> {
         // A link to nothing is closed as any other file, where its role does not say more.
-        let is_told = |cell: &Cell| cell.damage == damage;
+        let is_told = |cell: &Cell| cell.damage.has(damage);
         let is_own =
             row.cells.iter().any(is_told) || self.at_moment.iter().any(|(at, cell)| *at == moment && is_told(cell));
         let damage = if damage == Damage::Dangling && !is_own { Damage::Closed } else { damage };
         let at_moment = self.at_moment.iter().filter(|(at, _)| *at == moment).map(|(_, cell)| cell);
-        at_moment.chain(row.cells).chain(self.in_general).find(|cell| cell.damage == damage)?.consequence
+        at_moment.chain(row.cells).chain(self.in_general).find(|cell| cell.damage.has(damage))?.consequence
     }
 }
 
