@@ -4,6 +4,7 @@
 //! [`Finding`]s, the engine places and sorts them, reports only say them.
 
 mod baseline;
+mod consumer;
 mod evidence;
 mod finding;
 mod fix;
@@ -20,6 +21,8 @@ mod subject;
 mod upkeep;
 
 pub use baseline::{Baseline, Entry};
+pub(crate) use consumer::judge;
+pub use consumer::{AssetGroup, Consumed, Consumer, Fares};
 pub use evidence::{Cases, EXAMPLES, Evidence, Few, Tally, Worst};
 pub use finding::{Break, Finding, IgnoredFiles, NewParts, Related};
 pub use fix::{Change, Edit, Fix, Replaced, Rewrite, Step};

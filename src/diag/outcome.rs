@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use serde::Serialize;
 
-use super::{Application, Baseline, EXAMPLES, Finding, Level, Note};
+use super::{Application, Baseline, Consumed, EXAMPLES, Finding, Level, Note};
 
 /// Result of a run.
 #[derive(Debug, Clone, Default)]
@@ -16,6 +16,8 @@ pub struct Outcome {
     pub roots: Vec<RootSummary>,
     /// How the run ended for each application of which something was checked.
     pub applications: Vec<ApplicationVerdict>,
+    /// The files that some application loads, by path, and how they fare in each: the matrix of consumers.
+    pub consumers: Vec<Consumed>,
     /// What was not checked, and why.
     pub not_checked: Vec<NotChecked>,
     /// The PATHs of which nothing was checked.

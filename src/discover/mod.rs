@@ -3,6 +3,7 @@
 //! What an application makes of paths is its [`Layout`]; nothing else here or further up matches parts of paths to find
 //! out what a file is for. The code of one application builds the paths of files that it opens by name.
 
+mod asset_group;
 mod candidate;
 mod kind;
 mod layout;

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::catalogue::has_rules;
+use super::consumers::Consumers;
 use super::load::{Loaded, shown};
 use super::settle::Scope;
 use crate::config::Config;
@@ -22,6 +23,7 @@ pub(super) struct Coverage<'r> {
     left: BTreeMap<(Option<Application>, Unchecked), BTreeSet<String>>,
     /// Files outside of data roots that were counted: each application has them at another place.
     counted: BTreeSet<String>,
+    consumers: Consumers,
 }
 
 /// What alone is to be reported on.
@@ -35,7 +37,14 @@ impl<'r> Coverage<'r> {
     /// Nothing is checked yet of these PATHs.
     pub(super) fn new(paths: impl IntoIterator<Item = String>, scope: &'r Scope<'r>, options: &'r Config) -> Self {
         let asked = Asked { options, scope };
-        Self { asked, untouched: paths.into_iter().collect(), left: BTreeMap::new(), counted: BTreeSet::new() }
+        let untouched = paths.into_iter().collect();
+        Self {
+            asked,
+            untouched,
+            left: BTreeMap::new(),
+            counted: BTreeSet::new(),
+            consumers: Consumers::default(),
+        }
     }
 
     /// Counts a data root that was checked as its applications see it.
@@ -45,7 +54,12 @@ impl<'r> Coverage<'r> {
         if root.layer.pack.as_ref().is_some_and(|pack| pack.import.is_some() || pack.refusal.is_some()) {
             self.untouched.retain(|path| !is_below(&root.layer.path, path));
         }
+        let layer: Arc<str> = shown(&root.layer.path).into();
+        let archived: Vec<_> = views.iter().map(View::archived).collect();
         for file in root.layer.files.values().filter(|file| asked.is_for(root, views, file)) {
+            for (view, archived) in views.iter().zip(&archived) {
+                self.consumers.add(file, view.application(), &layer, archived.get(file.path.as_str()).copied());
+            }
             let mut is_checked = false;
             for view in views {
                 let application = view.application();
@@ -116,6 +130,7 @@ impl<'r> Coverage<'r> {
 
     /// Says what was not checked.
     pub(super) fn conclude(self, outcome: &mut Outcome) {
+        outcome.consumers = self.consumers.sorted();
         let left = self.left.into_iter().map(|((application, what), paths)| NotChecked::of(application, what, paths));
         outcome.not_checked.extend(left);
         outcome.not_checked.sort_by_key(|entry| (entry.application, entry.what));

@@ -5,6 +5,7 @@
 mod catalogue;
 mod caught;
 mod check;
+mod consumers;
 mod coverage;
 mod error;
 mod fix;

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use crate::config::Config;
-use crate::diag::{Application, ApplicationVerdict, Level, Outcome, Verdict};
+use crate::diag::{Application, ApplicationVerdict, Level, Outcome, Verdict, judge};
 use crate::discover::Layout;
 use crate::source::{resolved, slashed};
 
@@ -21,6 +21,7 @@ pub(super) fn conclude(outcome: &mut Outcome, config: &Config) {
     let of = |level| outcome.findings.iter().filter(|finding| finding.level == level).count();
     let counts = (of(Level::Error), of(Level::Warning), of(Level::Info));
     (outcome.summary.error, outcome.summary.warning, outcome.summary.info) = counts;
+    judge(&mut outcome.consumers, &outcome.findings);
     let checked: BTreeSet<Application> = outcome.checked().map(|root| root.application).collect();
     outcome.applications = checked.into_iter().map(|application| verdict(application, outcome, config)).collect();
 }

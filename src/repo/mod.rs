@@ -4,6 +4,7 @@
 //! folder targets come from, what a name leads to. Knows no bytes and gives no levels. What every application has is
 //! here, what one does in its own way is in its folder.
 
+mod archived;
 mod body;
 pub(crate) mod extent;
 mod facts;

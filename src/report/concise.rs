@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use super::phrase;
 use super::unchecked::unchecked;
 use super::{View, count, printable};
-use crate::diag::Outcome;
+use crate::diag::{ApplicationVerdict, Outcome, Verdict};
 
 /// Writes the findings, then a line of counts and what was not checked unless quiet.
 pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
@@ -19,14 +19,25 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
             if unchecked.is_empty() { String::new() } else { format!("; not checked: {}", unchecked.join("; ")) };
         writeln!(
             out,
-            "{}: {}, {}, {} in {}{}",
+            "{}: {}, {}, {} in {}{}{}",
             if view.pass { "pass" } else { "fail" },
             count(summary.error, "error"),
             count(summary.warning, "warning"),
             count(summary.info, "info"),
             count(summary.files, "file"),
+            endings(outcome),
             printable(&unchecked)
         )?;
     }
     Ok(())
+}
+
+/// `; MakeHuman 2: pass, MPFB: fail`: the verdict for each of several applications.
+fn endings(outcome: &Outcome) -> String {
+    let word = |verdict| if verdict == Verdict::Pass { "pass" } else { "fail" };
+    let ending = |one: &ApplicationVerdict| format!("{}: {}", one.application, word(one.verdict));
+    match outcome.applications.as_slice() {
+        [] | [_] => String::new(),
+        several => format!("; {}", several.iter().map(ending).collect::<Vec<_>>().join(", ")),
+    }
 }

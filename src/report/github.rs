@@ -5,6 +5,7 @@
 
 use std::io::{self, Write};
 
+use super::matrix::Matrix;
 use super::standing::{Standing, folder};
 use super::{View, count, phrase, printable, unchecked_line, verdict};
 use crate::diag::{Finding, Level, Outcome};
@@ -33,6 +34,9 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
     }
     writeln!(out, "{} in {}", verdict::tally(outcome), verdict::files(&outcome.summary))?;
     writeln!(out, "{}", verdict::words(outcome, view))?;
+    for line in Matrix::of(outcome).iter().flat_map(Matrix::lines) {
+        writeln!(out, "{line}")?;
+    }
     match unchecked_line(outcome) {
         Some(line) => writeln!(out, "::notice title=mhlint::{}", data(&printable(&line))),
         None => Ok(()),

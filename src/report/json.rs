@@ -3,12 +3,14 @@
 use std::borrow::Cow;
 use std::io::{self, Write};
 
-use serde::Serialize;
+use serde::ser::{Error, SerializeSeq};
+use serde::{Serialize, Serializer};
+use serde_json::value::to_raw_value;
 
 use super::View;
 use super::phrase::message;
 use crate::diag::{
-    ApplicationVerdict, Break, Compared, Confidence, Evidence, Finding, Level, Location, NotChecked, Outcome, Related,
+    Application, ApplicationVerdict, AssetGroup, Break, Compared, Confidence, Consumed, Consumer, Evidence, Fares, Finding, Level, Location, NotChecked, Outcome, Related,
     RootSummary, Summary, Verdict,
 };
 
@@ -20,11 +22,54 @@ struct Report<'a> {
     roots: &'a [RootSummary],
     summary: &'a Summary,
     applications: &'a [ApplicationVerdict],
+    consumers: Consumers<'a>,
     not_checked: &'a [NotChecked],
     compared: Option<&'a Compared>,
     findings: Vec<Item<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     notes: Vec<String>,
+}
+
+/// A line for each file: there are many.
+struct Consumers<'a>(&'a [Consumed]);
+
+#[derive(Serialize)]
+struct Row<'a> {
+    path: &'a str,
+    group: AssetGroup,
+    applications: Vec<Cell<'a>>,
+}
+
+#[derive(Serialize)]
+struct Cell<'a> {
+    application: Application,
+    root: &'a str,
+    archive: Option<&'a str>,
+    fares: Fares,
+}
+
+impl Serialize for Consumers<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut rows = serializer.serialize_seq(Some(self.0.len()))?;
+        for one in self.0 {
+            let line = to_raw_value(&row(one)).map_err(Error::custom)?;
+            rows.serialize_element(&line)?;
+        }
+        rows.end()
+    }
+}
+
+fn row(one: &Consumed) -> Row<'_> {
+    Row { path: &one.path, group: one.group, applications: one.by.iter().map(cell).collect() }
+}
+
+fn cell(consumer: &Consumer) -> Cell<'_> {
+    Cell {
+        application: consumer.application,
+        root: &consumer.root,
+        archive: consumer.archive.as_deref(),
+        fares: consumer.fares,
+    }
 }
 
 #[derive(Serialize)]
@@ -64,6 +109,7 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
         roots: &outcome.roots,
         summary: &outcome.summary,
         applications: &outcome.applications,
+        consumers: Consumers(&outcome.consumers),
         not_checked: &outcome.not_checked,
         compared: outcome.compared.as_ref().or(outcome.compared_with_baseline.as_ref()),
         findings: outcome.findings.iter().map(item).collect(),

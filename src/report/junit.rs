@@ -8,6 +8,7 @@ use std::io::{self, Write};
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
 
+use super::matrix::Matrix;
 use super::standing::Standing;
 use super::{View, phrase, printable, unchecked_line, verdict};
 use crate::diag::{Finding, Outcome};
@@ -43,6 +44,7 @@ fn write_run<W: Write>(outcome: &Outcome, view: &View<'_>, run_fails: bool, writ
     let words = printable(&verdict::words(outcome, view));
     let mut said = vec![format!("{} in {}", verdict::tally(outcome), verdict::files(&outcome.summary))];
     said.extend(verdict::roots(outcome));
+    said.extend(Matrix::of(outcome).iter().flat_map(Matrix::lines));
     said.extend(outcome.notes.iter().map(|note| format!("note: {}", super::note(note))));
     said.extend(unchecked_line(outcome));
     let said: Vec<String> = said.iter().map(|line| printable(line)).collect();

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use super::files::{by_file, for_page};
+use super::matrix::Matrix;
 use super::phrase::{self, Piece, pieces};
 use super::snippet::{Snippet, snippet};
 use super::unchecked::unchecked;
@@ -116,7 +117,16 @@ fn head(outcome: &Outcome, view: &View<'_>) -> String {
     );
     let roots: Vec<String> = verdict::roots(outcome).iter().map(|root| inline(&printable(root))).collect();
     let checked = if roots.is_empty() { String::new() } else { format!("\nChecked: {}\n", roots.join(", ")) };
-    table + &checked
+    table + &checked + &matrix(outcome)
+}
+
+/// Who loads what, where several applications do.
+fn matrix(outcome: &Outcome) -> String {
+    let Some(matrix) = Matrix::of(outcome) else { return String::new() };
+    let titles: Vec<&str> = matrix.applications.iter().map(|application| application.title()).collect();
+    let row = |(title, cells): &(&str, Vec<String>)| format!("| {title} | {} |\n", cells.join(" | "));
+    let rows: Vec<String> = matrix.rows.iter().map(row).collect();
+    format!("\n| loaded by | {} |\n|---|{}\n{}", titles.join(" | "), "---|".repeat(titles.len()), rows.concat())
 }
 
 fn notes(outcome: &Outcome) -> String {

@@ -9,6 +9,7 @@ mod human;
 mod json;
 mod junit;
 mod markdown;
+mod matrix;
 mod note;
 mod paint;
 mod phrase;

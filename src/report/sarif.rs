@@ -6,10 +6,11 @@ use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use serde::{Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
+use super::matrix::{Tally, tallies};
 use super::note::step;
 use super::standing::{Standing, folder};
 use super::{View, phrase, printable, unchecked_line};
-use crate::diag::{Finding, Fix, Level, Location, Outcome, Related, Replaced, RuleInfo};
+use crate::diag::{Application, AssetGroup, Finding, Fix, Level, Location, Outcome, Related, Replaced, RuleInfo};
 
 /// Results that GitHub accepts in one run; it refuses the whole file beyond.
 const RESULTS: usize = 25_000;
@@ -35,6 +36,7 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
             "executionSuccessful": outcome.is_whole(),
             "toolExecutionNotifications": notifications(outcome, findings.len()),
         }],
+        "properties": { "consumers": consumers(outcome) },
         "columnKind": "unicodeCodePoints",
         // As Python counts lines, and with it the applications.
         "newlineSequences": ["\r\n", "\n", "\r"],
@@ -246,6 +248,22 @@ fn notifications(outcome: &Outcome, shown: usize) -> Vec<Value> {
         notes.extend(names.iter().map(|name| note(said(name), "error")));
     }
     notes
+}
+
+/// Who loads how many files of each group, and how they fare. The standard has no place for it but this one.
+fn consumers(outcome: &Outcome) -> Vec<Value> {
+    let row = |((group, application), tally): ((AssetGroup, Application), Tally)| {
+        json!({
+            "group": group,
+            "application": application,
+            "files": tally.files,
+            "error": tally.error,
+            "warning": tally.warning,
+            "info": tally.info,
+            "notChecked": tally.not_checked,
+        })
+    };
+    tallies(outcome).into_iter().map(row).collect()
 }
 
 const fn level(level: Level) -> &'static str {

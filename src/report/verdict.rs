@@ -1,7 +1,7 @@
 //! The last lines: what was checked, and one sentence that says how it ended.
 
 use super::{Paint, View, count, hang, phrase, printable};
-use crate::diag::{Application, Finding, Level, Outcome, Scope, Summary, Unchecked};
+use crate::diag::{Application, Finding, Level, Outcome, Scope, Summary, Unchecked, Verdict};
 
 /// Names that a sentence holds, and errors that are named at the end.
 const NAMED: usize = 3;
@@ -98,10 +98,23 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
         _ => [". ", ": "],
     };
     if !view.pass {
-        return format!("Failed: {number}{failed}{harm}.{also}{}{gone}", too_many(outcome, view));
+        let (passing, too_many) = (passing(outcome), too_many(outcome, view));
+        return format!("Failed: {number}{failed}{harm}.{passing}{also}{too_many}{gone}");
     }
     let whatever = if view.fail_on.is_none() { " (`fail-on` is `never`)" } else { "" };
     format!("Passed with {number}{whatever}{passed}{harm}.{also}{gone}")
+}
+
+/// ` MakeHuman 2 passes.`: who is not concerned where another one fails.
+fn passing(outcome: &Outcome) -> String {
+    let of = |verdict| outcome.applications.iter().filter(move |one| one.verdict == verdict);
+    let passing: Vec<&str> = of(Verdict::Pass).map(|one| one.application.title()).collect();
+    match passing.split_last() {
+        _ if of(Verdict::Fail).next().is_none() => String::new(),
+        Some((last, [])) => format!(" {last} passes."),
+        Some((last, others)) => format!(" {} and {last} pass.", others.join(", ")),
+        None => String::new(),
+    }
 }
 
 /// `no findings`, and where or apart from what.

@@ -11,6 +11,7 @@ use std::io::{self, Write};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::files::{by_file, for_page};
+use super::matrix::Matrix;
 use super::phrase::{self, Piece, pieces};
 use super::unchecked::unchecked;
 use super::{View, count, printable, verdict};
@@ -102,6 +103,7 @@ fn top(outcome: &Outcome, view: &View<'_>) -> Markup {
                 (verdict::files(summary))
                 @for (number, what) in verdict::hidden(outcome) { ", " (count(number, "finding")) " " (what) }
             }
+            @if let Some(matrix) = Matrix::of(outcome) { (loaded_by(&matrix)) }
             @if !outcome.notes.is_empty() {
                 section .notes aria-label="Notes" {
                     h2 { "Notes" }
@@ -112,6 +114,23 @@ fn top(outcome: &Outcome, view: &View<'_>) -> Markup {
                 section .notes aria-label="Not checked" {
                     h2 { "Not checked" }
                     ul { @for clause in unchecked(outcome) { li { (inline(&printable(&clause))) } } }
+                }
+            }
+        }
+    }
+}
+
+/// Who loads what.
+fn loaded_by(matrix: &Matrix) -> Markup {
+    html! {
+        table .matrix {
+            thead { tr {
+                th scope="col" { "loaded by" }
+                @for application in &matrix.applications { th scope="col" { (application.title()) } }
+            } }
+            tbody {
+                @for (title, cells) in &matrix.rows {
+                    tr { th scope="row" { (title) } @for cell in cells { td { (cell) } } }
                 }
             }
         }

@@ -13,6 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 
 use super::files::by_file;
+use super::matrix::Matrix;
 use super::{Paint, View, count, hang, phrase, printable, verdict};
 use crate::diag::{Application, Break, Finding, Level, Note, Outcome};
 use groups::Group;
@@ -27,6 +28,7 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
     }
     if !view.quiet {
         write_notes(&outcome.notes, view, out)?;
+        write_matrix(outcome, out)?;
         writeln!(out, "{}", verdict::counts(outcome, view))?;
     }
     writeln!(out, "{}", verdict::sentence(outcome, view))?;
@@ -150,6 +152,13 @@ fn tally(numbers: &Tally) -> String {
     }
     let parts: Vec<String> = numbers.iter().map(|(Reverse(level), number)| count(*number, level.word())).collect();
     format!(": {}", parts.join(", "))
+}
+
+/// Who loads what, where several applications do.
+fn write_matrix(outcome: &Outcome, out: &mut dyn Write) -> io::Result<()> {
+    let Some(matrix) = Matrix::of(outcome) else { return Ok(()) };
+    matrix.lines().iter().try_for_each(|line| writeln!(out, "{line}"))?;
+    writeln!(out)
 }
 
 fn write_notes(notes: &[Note], view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
