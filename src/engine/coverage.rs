@@ -38,13 +38,7 @@ impl<'r> Coverage<'r> {
     pub(super) fn new(paths: impl IntoIterator<Item = String>, scope: &'r Scope<'r>, options: &'r Config) -> Self {
         let asked = Asked { options, scope };
         let untouched = paths.into_iter().collect();
-        Self {
-            asked,
-            untouched,
-            left: BTreeMap::new(),
-            counted: BTreeSet::new(),
-            consumers: Consumers::default(),
-        }
+        Self { asked, untouched, left: BTreeMap::new(), counted: BTreeSet::new(), consumers: Consumers::default() }
     }
 
     /// Counts a data root that was checked as its applications see it.
@@ -75,7 +69,7 @@ impl<'r> Coverage<'r> {
                     self.leave(application, without_mesh(file, view), &file.path);
                 }
             }
-            if is_checked && (!root.place.is_supposed() || self.counted.insert(file.path.clone())) {
+            if is_checked && (!root.place.is_one_of_several() || self.counted.insert(file.path.clone())) {
                 outcome.summary.files += 1;
                 outcome.summary.bytes += file.size;
                 self.untouched.retain(|path| !is_below(&file.path, path));

@@ -10,8 +10,8 @@ use serde_json::value::to_raw_value;
 use super::View;
 use super::phrase::message;
 use crate::diag::{
-    Application, ApplicationVerdict, AssetGroup, Break, Compared, Confidence, Consumed, Consumer, Evidence, Fares, Finding, Level, Location, NotChecked, Outcome, Related,
-    RootSummary, Summary, Verdict,
+    Application, ApplicationVerdict, AssetGroup, Break, Compared, Confidence, Consumed, Consumer, Evidence, Fares,
+    Finding, Level, Location, NotChecked, Outcome, Related, RootSummary, Summary, Verdict,
 };
 
 #[derive(Serialize)]

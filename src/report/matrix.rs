@@ -142,10 +142,9 @@ mod tests {
     fn run(verdicts: &[(Application, Verdict)]) -> Outcome {
         use Application::{Makehuman2, Mpfb};
         let clothes = |path, fares| row(path, AssetGroup::Clothes, &[(Makehuman2, Fares::Fine), (Mpfb, fares)]);
-        let applications = verdicts.iter().map(|(application, verdict)| ApplicationVerdict {
-            application: *application,
-            verdict: *verdict,
-        });
+        let applications = verdicts
+            .iter()
+            .map(|(application, verdict)| ApplicationVerdict { application: *application, verdict: *verdict });
         let consumers = vec![
             clothes("a", Fares::Warning),
             clothes("b", Fares::Error),

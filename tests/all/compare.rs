@@ -25,7 +25,7 @@ fn repository() -> tempfile::TempDir {
 }
 
 /// Makes a git repository that holds everything.
-fn commit_all(root: &Path) {
+pub(crate) fn commit_all(root: &Path) {
     git(root, &["init", "-q", "-b", "main"]);
     git(root, &["add", "-A"]);
     git(root, &["commit", "-q", "-m", "before the change"]);

@@ -28,6 +28,7 @@ mod hostile_worn;
 mod ignores;
 mod listing;
 mod loose;
+mod mixed;
 mod mpfb;
 mod observed;
 mod overlay;

@@ -114,11 +114,27 @@ impl<'t> Data<'t> {
         places.sort_by_key(|(_, roles)| roles.iter().all(|(_, role)| *role != Role::System));
         let mut data = Self { systems, roots: Vec::new() };
         for ((place, narrow), roles) in places {
-            let below = data.meshes_below(&roles);
-            let reader = reader(&place);
-            data.roots.push(Loaded::load(place, roles, narrow, below, reader));
+            for (place, roles) in data.with_one_mesh(place, roles) {
+                let below = data.meshes_below(&roles);
+                let reader = reader(&place);
+                data.roots.push(Loaded::load(place, roles, narrow.clone(), below, reader));
+            }
         }
         data
+    }
+
+    /// A root as it is, or once for each of its applications where these have other base meshes below it: what is
+    /// counted while a file is read depends on the mesh.
+    fn with_one_mesh(&self, place: Place<'t>, roles: Roles) -> Vec<(Place<'t>, Roles)> {
+        let below: Vec<MeshSizes> = roles.iter().map(|role| self.meshes_below(&vec![*role])).collect();
+        let differ = |one: &MeshSizes, other: &MeshSizes| {
+            one.iter().any(|(name, mesh)| other.get(name).is_some_and(|other| other.size != mesh.size))
+        };
+        let is_one = !below.iter().any(|one| below.iter().any(|other| differ(one, other)));
+        if is_one || place.is_supposed() {
+            return vec![(place, roles)];
+        }
+        roles.into_iter().map(|role| (place.of_one(role.0), vec![role])).collect()
     }
 
     /// Sizes of the meshes that may lie below a root: those of the system data that was given for an application of

@@ -29,7 +29,7 @@ pub(in crate::engine) type MeshSizes = BTreeMap<String, KnownMesh>;
 #[derive(Debug, Clone, Copy)]
 pub(in crate::engine) struct KnownMesh {
     /// Its size. Against a damaged mesh every index would be wrong; the mesh itself is the fault then.
-    size: Option<MeshSize>,
+    pub(super) size: Option<MeshSize>,
     /// Whether it is an archive, which is read before any OBJ, in whatever layer that is.
     is_packed: bool,
 }

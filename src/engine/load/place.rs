@@ -17,6 +17,8 @@ pub(in crate::engine) struct Place<'t> {
     pub(super) layouts: Vec<&'static Layout>,
     /// Whether it is no data root at all, but files that would belong into one.
     pub(super) is_loose: bool,
+    /// Whether it is a data root of other applications as well, which have it as another place.
+    is_shared: bool,
     /// The zip that it is in, if it is in one.
     pub(super) pack: Option<Pack>,
     /// Everything in it.
@@ -66,17 +68,42 @@ impl<'t> Place<'t> {
     ) -> Self {
         let bulk = below.iter().enumerate().filter(|(_, file)| is_bulk(file));
         let bulk = grouped(bulk.map(|(number, file)| (file.owner().map(str::to_owned), number)));
-        Self { tree, root: root.to_owned(), layouts: layouts.to_vec(), is_loose, pack: None, below, bulk }
+        Self {
+            tree,
+            root: root.to_owned(),
+            layouts: layouts.to_vec(),
+            is_loose,
+            is_shared: false,
+            pack: None,
+            below,
+            bulk,
+        }
     }
 
-    /// Whether each application would have its files at a place of its own: they lie in no data root yet.
-    pub(in crate::engine) const fn is_supposed(&self) -> bool {
+    /// Whether its files lie in no data root yet: each application would have them at a place of its own.
+    pub(super) const fn is_supposed(&self) -> bool {
         self.is_loose || self.pack.is_some()
+    }
+
+    /// Whether other applications may have the same files in a place of their own.
+    pub(in crate::engine) const fn is_one_of_several(&self) -> bool {
+        self.is_supposed() || self.is_shared
+    }
+
+    /// Whether it has the same files as another one, for other applications.
+    pub(super) fn has_files_of(&self, other: &Self) -> bool {
+        let is_alike = self.is_supposed() == other.is_supposed() && (self.is_supposed() || self.root == other.root);
+        self.is_one_of_several() && other.is_one_of_several() && std::ptr::eq(self.tree, other.tree) && is_alike
     }
 
     /// Path of the root as reports print it.
     pub(in crate::engine) fn path(&self) -> String {
         self.tree.shown(&self.root)
+    }
+
+    /// The same as one application alone has it.
+    pub(super) fn of_one(&self, application: Application) -> Self {
+        Self { is_shared: true, ..Self::new(self.tree, &self.root, &[Layout::of(application)]) }
     }
 
     /// Whether it is a data root of an application.

@@ -89,21 +89,13 @@ pub(in crate::engine) struct Stack<'a, 't> {
     pub(in crate::engine) seen: Vec<(Application, Layers<'a>)>,
 }
 
-impl Stack<'_, '_> {
-    /// Whether both are the same files, outside of data roots or in a zip, as different applications would have them.
-    fn is_of_same_files(&self, other: &Self) -> bool {
-        let (own, other) = (&self.root.place, &other.root.place);
-        own.is_supposed() && other.is_supposed() && std::ptr::eq(own.tree, other.tree)
-    }
-}
-
 impl<'t> Data<'t> {
     /// The repositories to check with their numbers, in order of the roots; those together that are the same files.
     pub(in crate::engine) fn groups(&self) -> Vec<Vec<(usize, Stack<'_, 't>)>> {
         let mut groups: Vec<Vec<(usize, Stack<'_, 't>)>> = Vec::new();
         for (number, stack) in self.stacks_of(|_| true) {
             let is_same = |group: &&mut Vec<(usize, Stack<'_, 't>)>| {
-                group.first().is_some_and(|(_, first)| first.is_of_same_files(&stack))
+                group.first().is_some_and(|(_, first)| first.root.place.has_files_of(&stack.root.place))
             };
             match groups.iter_mut().find(is_same) {
                 Some(group) => group.push((number, stack)),

@@ -1,0 +1,123 @@
+//! Repositories that hold data of several applications: each part is checked for its own, what they share once, and
+//! every report says who loads what and how it fares there.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::compare::commit_all;
+use crate::scratch::{copy_folder, edit, mhlint, project, stderr, stdout};
+
+const APPLICATIONS: [&str; 3] = ["makehuman1", "makehuman2", "mpfb"];
+
+/// The examples of these applications side by side, each with a user's folder where `users` says so.
+fn side_by_side(applications: &[&str], users: &[&str]) -> tempfile::TempDir {
+    let repository = tempfile::tempdir().unwrap();
+    for application in applications {
+        let folders = ["data", "user"].into_iter().filter(|folder| *folder == "data" || users.contains(application));
+        for folder in folders.map(|folder| format!("{application}/{folder}")) {
+            copy_folder(&project(&format!("fixtures/{folder}")), &repository.path().join(folder));
+        }
+    }
+    repository
+}
+
+fn report(root: &Path, args: &[&str]) -> Value {
+    let output = mhlint(root, &[&["--report", "json"], args].concat());
+    serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{}", stderr(&output)))
+}
+
+/// How each file fares in each application that loads it.
+fn matrix(report: &Value) -> BTreeMap<String, BTreeMap<String, String>> {
+    let text = |value: &Value| value.as_str().unwrap().to_owned();
+    let cell = |one: &Value| (text(&one["application"]), text(&one["fares"]));
+    let row = |one: &Value| (text(&one["path"]), one["applications"].as_array().unwrap().iter().map(cell).collect());
+    report["consumers"].as_array().unwrap().iter().map(row).collect()
+}
+
+#[test]
+fn each_part_is_checked_for_its_own_application() {
+    let repository = side_by_side(&APPLICATIONS, &["makehuman2", "mpfb"]);
+    let report = report(repository.path(), &["--fail-on", "warning"]);
+    assert_eq!((&report["verdict"], &report["findings"]), (&Value::from("pass"), &serde_json::json!([])));
+    let matrix = matrix(&report);
+    for (path, consumers) in &matrix {
+        let owner = path.split('/').next().unwrap();
+        assert_eq!(consumers.keys().collect::<Vec<_>>(), [owner], "{path}");
+    }
+    let owners: BTreeSet<&str> = matrix.keys().filter_map(|path| path.split('/').next()).collect();
+    assert_eq!(owners.into_iter().collect::<Vec<_>>(), APPLICATIONS);
+    assert!(matrix.len() > 300, "{}", matrix.len());
+    let target = "makehuman1/data/targets/head/head-oval.target";
+    let root = report["consumers"].as_array().unwrap().iter().find(|one| one["path"] == target).unwrap();
+    assert_eq!(root["applications"][0]["root"], "makehuman1/data");
+}
+
+/// The base meshes of the two examples differ: what is right for the one may be wrong for the other.
+#[test]
+fn a_folder_of_two_applications_is_measured_against_the_base_mesh_of_each() {
+    let repository = side_by_side(&["makehuman1", "mpfb"], &["makehuman1"]);
+    let both = report(repository.path(), &[]);
+    let target = "makehuman1/user/data/custom/paunch.target";
+    let own = |name: &str, fares: &str| (name.to_owned(), fares.to_owned());
+    let wanted: BTreeMap<String, String> = [own("makehuman1", "fine"), own("mpfb", "warning")].into();
+    assert_eq!(matrix(&both)[target], wanted);
+    let verdicts = serde_json::json!([
+        { "application": "makehuman1", "verdict": "pass" },
+        { "application": "mpfb", "verdict": "fail" },
+    ]);
+    assert_eq!(both["applications"], verdicts);
+    let paths = both["consumers"].as_array().unwrap().len();
+    assert!(both["summary"]["files"].as_u64().unwrap() <= paths as u64 + 5, "shared files are counted once");
+    let one = report(repository.path(), &["--app", "makehuman1"]);
+    assert_eq!((&one["verdict"], &one["findings"]), (&Value::from("pass"), &serde_json::json!([])));
+}
+
+#[test]
+fn a_change_that_breaks_one_application_says_which() {
+    let repository = side_by_side(&APPLICATIONS, &[]);
+    commit_all(repository.path());
+    edit(repository.path(), "mpfb/data/targets/target.json", "{", "");
+    let text = |format: &str| stdout(&mhlint(repository.path(), &[".", "--since", "HEAD", "--report", format]));
+    let sentence = "MPFB would crash, reject a file or lose data. MakeHuman 2 and MakeHuman 1 pass.";
+    for format in ["human", "github", "junit", "markdown", "html"] {
+        let text = text(format).replace('\n', " ");
+        assert!(text.contains(sentence), "{format}: {text}");
+    }
+    let human = text("human");
+    let verdict = human.lines().find(|line| line.starts_with("verdict")).unwrap();
+    assert_eq!(verdict.split_whitespace().collect::<Vec<_>>(), ["verdict", "passed", "passed", "failed"], "{human}");
+    let sliders = human.lines().find(|line| line.starts_with("sliders")).unwrap();
+    assert!(sliders.ends_with("error in 1 of 2"), "{human}");
+    assert!(text("concise").contains("; MakeHuman 2: pass, MakeHuman 1: pass, MPFB: fail"));
+    let sarif: Value = serde_json::from_str(&text("sarif")).unwrap();
+    let rows = sarif["runs"][0]["properties"]["consumers"].as_array().unwrap();
+    let broken: Vec<&Value> = rows.iter().filter(|row| row["error"] != 0).collect();
+    assert_eq!(broken.iter().map(|row| &row["application"]).collect::<Vec<_>>(), ["mpfb"], "{broken:?}");
+}
+
+#[test]
+fn one_application_needs_no_matrix() {
+    let repository = side_by_side(&["mpfb"], &[]);
+    let text = |format: &str| stdout(&mhlint(repository.path(), &[".", "--report", format]));
+    for format in ["human", "markdown", "github", "junit"] {
+        assert!(!text(format).contains("loaded by"), "{format}");
+    }
+    assert!(!text("html").contains("class=\"matrix\""));
+    assert!(!text("concise").contains("MPFB"));
+}
+
+#[test]
+fn an_archive_that_stands_for_a_text_is_named() {
+    let repository = tempfile::tempdir().unwrap();
+    let archived = crate::scratch::Case::read(&project("fixtures/rules/target-stale-binary/bad-makehuman1"));
+    copy_folder(&project("fixtures/makehuman1"), repository.path());
+    archived.apply(repository.path());
+    let report = report(repository.path(), &[]);
+    let rows = report["consumers"].as_array().unwrap();
+    let at = |path: &str| rows.iter().find(|row| row["path"] == path).unwrap();
+    let target = &at("data/targets/head/head-oval.target")["applications"][0];
+    assert_eq!((&target["application"], &target["archive"]), (&"makehuman1".into(), &"data/targets.npz".into()));
+    assert_eq!(at("data/clothes/shirt/shirt.mhclo")["applications"][0]["archive"], Value::Null);
+}
