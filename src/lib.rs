@@ -1,5 +1,4 @@
-//! Checks asset repositories of `MakeHuman` 2, and asset libraries of `MakeHuman` 1, before the program loads them; the rest of
-//! `MakeHuman` 1, and MPFB, are to come.
+//! Checks asset repositories of `MakeHuman` 2, `MakeHuman` 1 and MPFB before these programs load them.
 //!
 //! The library reads everything an application would read, resolves every name the way that application
 //! resolves it, and says what would happen to its user: a crash, a vanished asset, a dead slider. The
@@ -55,7 +54,8 @@ pub use diag::{Application, Finding, Level, Outcome};
 #[doc(hidden)]
 pub use engine::trial;
 pub use engine::{
-    BaselineFault, Error, Fixed, PathFault, Proposal, SelectorFault, lint, lint_and_fix, lint_trees,
-    lint_with_replacements, open_base, propose, rule_infos,
+    BaselineFault, CoveredKind, Error, Fixed, PathFault, Proposal, SelectorFault, covered_kinds, lint, lint_and_fix,
+    lint_trees, lint_with_replacements, open_base, propose, rule_infos,
 };
+pub use rules::Unread;
 pub use source::{Encoding, Limits, Tree};

@@ -7,7 +7,7 @@ pub enum Kind {
     BaseJson,
     /// `base.obj`.
     BaseMesh,
-    /// `base.mhbin` of MakeHuman 2: the same, packed.
+    /// `base.mhbin` of MakeHuman 2: the base mesh, packed.
     MeshArchive,
     /// `geometry.json` of MakeHuman 2.
     Geometry,
@@ -17,7 +17,7 @@ pub enum Kind {
     ModellingJson,
     /// `*_modifiers.json` of MakeHuman 1: what its sliders move.
     ModifierFile,
-    /// `*_modifiers_desc.json` of MakeHuman 1: what is said of them.
+    /// `*_modifiers_desc.json` of MakeHuman 1: descriptions of modifiers.
     ModifierTexts,
     /// `*_sliders.json` of MakeHuman 1: the tabs that they are in.
     ModifierSliders,
@@ -71,7 +71,7 @@ pub enum Kind {
     VertexTable,
     /// `rig.*.json` of MPFB: bones on the base mesh.
     Rig,
-    /// A JSON in the `rigs/` of a user of MPFB: the same, listed beside those.
+    /// A JSON in the `rigs/` of a user of MPFB: a rig of the user.
     CustomRig,
     /// `*.mpfbskel`: bones on an asset, added to the rig of the body.
     SubRig,
@@ -79,15 +79,15 @@ pub enum Kind {
     NodeTree,
     /// `*.target` where targets are loaded from.
     Target,
-    /// `*.target.gz`: only MPFB reads it.
+    /// `*.target.gz` of MPFB: a packed target.
     PackedTarget,
     /// `*.ptarget` of MPFB: for a proxy or clothes, loaded by hand.
     PartTarget,
     /// `*.ptarget.gz` of MPFB.
     PackedPartTarget,
-    /// `compressedtargets.npz` of MakeHuman 2.
+    /// `compressedtargets.npz` of MakeHuman 2: the targets of a base mesh, packed.
     TargetArchive,
-    /// `targets.npz` of MakeHuman 1: the same, of all its data.
+    /// `targets.npz` of MakeHuman 1: all its targets, packed.
     TargetsNpz,
     /// `images.list` of MakeHuman 1: the pictures of its sliders.
     PictureList,
@@ -97,7 +97,7 @@ pub enum Kind {
     Skeleton,
     /// `*.mhw` for a base mesh.
     Weights,
-    /// `*.mhw` for another mesh: that of an asset, or an unknown one.
+    /// `*.mhw` for the mesh of an asset, or an unknown mesh.
     AssetWeights,
     /// `*.mhpose`.
     Pose,
@@ -117,7 +117,7 @@ pub enum Kind {
     Model,
     /// `*.bvh`.
     Motion,
-    /// `*.meta`, what is said of a motion.
+    /// `*.meta`: description of a motion.
     MotionMeta,
     /// `*.obj` of an asset.
     AssetMesh,
@@ -131,7 +131,7 @@ pub enum Kind {
     Scene,
     /// `cache/*.mhc` of MakeHuman 1: what is in a library of assets.
     LibraryCache,
-    /// An archive: `*.mhbin`, `*.mhpxy` and the like.
+    /// `*.mhbin`, `*.mhpxy`, `*.npz` of an asset, `*.zip` of assets.
     Packed,
     /// Any other JSON.
     Json,

@@ -7,6 +7,7 @@ mod caught;
 mod check;
 mod consumers;
 mod coverage;
+mod covered;
 mod error;
 mod fix;
 mod load;
@@ -20,6 +21,7 @@ pub mod trial;
 mod verdict;
 
 pub use catalogue::rule_infos;
+pub use covered::{CoveredKind, covered_kinds};
 pub use error::{BaselineFault, Error, PathFault, SelectorFault};
 pub use fix::{Fixed, lint_and_fix};
 pub use load::{Proposal, open_base, propose};

@@ -96,6 +96,5 @@ pub(crate) use content::Content;
 use number::stored;
 pub(crate) use number::{python_float, python_int};
 pub(crate) use readers::{Input, Parsed};
-#[cfg(test)]
 pub(crate) use table::FORMATS;
 pub(crate) use table::Needs;

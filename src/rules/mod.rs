@@ -44,6 +44,8 @@ mod uv;
 mod wearers;
 mod weights;
 
+pub use cause::consequence::Unread;
+pub(crate) use cause::consequence::unread;
 pub(crate) use rule::{Check, Rule, RuleCx};
 use rule::{and_more, bones_in_words, counted, did_you_mean, either, enumerated, such};
 pub(crate) use wearers::name_wearers;

@@ -7,7 +7,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::fs;
 
-use crate::scratch::{Case, example, mhlint, project};
+use crate::mixed::{APPLICATIONS, side_by_side};
+use crate::scratch::{Case, edit, example, mhlint, project};
 
 #[test]
 fn every_rule_is_in_the_table() {
@@ -123,6 +124,17 @@ fn the_sample_of_the_readme_is_what_a_terminal_shows() {
     check("README.md", "sample", &format!("```text\n$ mhlint data\n{}\n```\n", sample.trim_end()));
 }
 
+/// A fault of MPFB in a repository of all three applications.
+#[test]
+fn the_sample_of_several_applications_is_what_is_printed() {
+    let repository = side_by_side(&APPLICATIONS, &[]);
+    edit(repository.path(), "mpfb/data/targets/target.json", "{", "");
+    let report = String::from_utf8(mhlint(repository.path(), &["."]).stdout).unwrap();
+    let (_, matrix) = report.split_once("loaded by").unwrap();
+    let sample = format!("$ mhlint .\n…\nloaded by{}", matrix.trim_end());
+    check("README.md", "mixed", &format!("```text\n{sample}\n```\n"));
+}
+
 #[test]
 fn the_samples_of_the_reports_are_what_is_written() {
     let repository = example();
@@ -154,7 +166,7 @@ fn the_schema_of_the_configuration_is_that_of_keys_and_rules() {
 }
 
 /// Compares a whole file, or rewrites it.
-fn check_file(file: &str, wanted: &str) {
+pub(crate) fn check_file(file: &str, wanted: &str) {
     let path = project(file);
     if fs::read_to_string(&path).unwrap_or_default() == wanted {
         return;

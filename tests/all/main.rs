@@ -12,6 +12,7 @@ mod compared_cases;
 mod compared_changes;
 mod config;
 mod corpora;
+mod coverage;
 mod damage;
 mod eval;
 #[cfg(unix)]

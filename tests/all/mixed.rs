@@ -9,10 +9,10 @@ use serde_json::Value;
 use crate::compare::commit_all;
 use crate::scratch::{copy_folder, edit, mhlint, project, stderr, stdout};
 
-const APPLICATIONS: [&str; 3] = ["makehuman1", "makehuman2", "mpfb"];
+pub(crate) const APPLICATIONS: [&str; 3] = ["makehuman1", "makehuman2", "mpfb"];
 
 /// The examples of these applications side by side, each with a user's folder where `users` says so.
-fn side_by_side(applications: &[&str], users: &[&str]) -> tempfile::TempDir {
+pub(crate) fn side_by_side(applications: &[&str], users: &[&str]) -> tempfile::TempDir {
     let repository = tempfile::tempdir().unwrap();
     for application in applications {
         let folders = ["data", "user"].into_iter().filter(|folder| *folder == "data" || users.contains(application));

@@ -9,6 +9,7 @@ mod makehuman2_keys;
 mod makehuman2_values;
 mod mpfb;
 mod table;
+mod unread;
 mod values;
 
 pub(in crate::rules) use makehuman1::{NO_FRAME, STOPS_AT_START};
@@ -16,6 +17,8 @@ pub(in crate::rules) use makehuman2::{
     ARCHIVED, NEVER_OPENED, NO_POSE_SKELETON, UNREAD_MESH, ignored_override, is_opened_by_scripts,
 };
 use table::{Row, Spot, Standing, Table};
+pub use unread::Unread;
+pub(crate) use unread::unread;
 
 use crate::diag::{
     Application::{self, Makehuman1, Makehuman2, Mpfb},
