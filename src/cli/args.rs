@@ -123,11 +123,11 @@ pub(super) struct CheckArgs {
     /// In data folders files with these extensions are read: bmp bvh gif gz jpeg jpg json jsonw list meta mhbin mhc mhclo mhm mhmat mhpose mhpxy mhscene mhskel mhuv mhw npz obj png proxy target tga thumb tif tiff toml txt webp zip.
     #[arg(value_name = "PATH")]
     pub(super) paths: Vec<PathBuf>,
-    /// MakeHuman's own data, used to resolve references.
+    /// Data of the application itself, used to resolve references; can be repeated.
     ///
-    /// It is read, not reported on.
-    #[arg(long, value_name = "FOLDER", help_heading = "Input")]
-    pub(super) system: Option<PathBuf>,
+    /// It is read, not reported on. Each application has its own.
+    #[arg(long = "system", value_name = "FOLDER", help_heading = "Input")]
+    pub(super) systems: Vec<PathBuf>,
     /// Check only for this application; can be repeated.
     ///
     /// One of makehuman2, makehuman1, mpfb.

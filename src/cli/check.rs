@@ -224,9 +224,9 @@ fn tell_nothing(outcome: &Outcome, err: &mut dyn Write) -> Result<(), Failure> {
 
 /// A path that cannot be read may stand in the configuration; one that looks like a command was meant as one.
 fn explained(error: Error, paths: &[PathBuf], args: &CheckArgs, config: &Config) -> Failure {
-    if let (Error::Path { path, .. }, Some(system), Some(file)) = (&error, &config.system, &config.file)
-        && args.system.is_none()
-        && system.to_string_lossy() == path.as_str()
+    if let (Error::Path { path, .. }, Some(file)) = (&error, &config.file)
+        && args.systems.is_empty()
+        && config.systems.iter().any(|system| system.to_string_lossy() == path.as_str())
     {
         let line = file.line("system").unwrap_or(1);
         return Failure::Usage(format!("{error}; `system` is set in {}:{line}", file.path));

@@ -27,7 +27,9 @@ pub(super) fn settings(args: &CheckArgs) -> Result<Config, Failure> {
     config.no_eval = args.no_eval;
     config.exhaustive |= args.exhaustive;
     config.write_baseline = args.write_baseline;
-    config.system = args.system.clone().or(config.system);
+    if !args.systems.is_empty() {
+        config.systems.clone_from(&args.systems);
+    }
     config.baseline = args.baseline.clone().or(config.baseline);
     config.samples = args.samples.or(config.samples);
     config.max_warnings = args.max_warnings.or(config.max_warnings);
@@ -114,7 +116,7 @@ impl Sheet<'_> {
         let apps = config.applications.iter().copied().map(Application::word);
         rows.extend([
             self.row("exclude", list(file.exclude.iter().map(|glob| &glob.text)), false),
-            self.row("system", or_none(config.system.as_ref().map(path)), args.system.is_some()),
+            self.row("system", list(config.systems.iter().map(|system| system.display())), !args.systems.is_empty()),
             self.row("apps", list(apps), !args.applications.is_empty()),
             self.row("bases", list(&config.bases), !args.bases.is_empty()),
             self.row("baseline", or_none(config.baseline.as_ref().map(path)), args.baseline.is_some()),

@@ -104,15 +104,17 @@ pub(super) fn refuse_asset(
     config: &Config,
     outcome: &Outcome,
 ) -> Result<(), Failure> {
-    let system = config.system.as_deref();
     let is_path = |file: &Path| paths.iter().any(|path| path.is_file() && resolved(path) == resolved(file));
     let mut files = targets.iter().filter_map(|target| target.file.as_deref());
-    files.find(|file| file.is_file() && (is_path(file) || holds_asset(outcome, file, system))).map_or(Ok(()), |file| {
-        let (shown, remedy) = (file.display(), "use a file outside the data");
-        Err(Failure::Usage(format!(
-            "cannot write a report to `{shown}`: it is an asset and would be overwritten; {remedy}"
-        )))
-    })
+    files.find(|file| file.is_file() && (is_path(file) || holds_asset(outcome, file, &config.systems))).map_or(
+        Ok(()),
+        |file| {
+            let (shown, remedy) = (file.display(), "use a file outside the data");
+            Err(Failure::Usage(format!(
+                "cannot write a report to `{shown}`: it is an asset and would be overwritten; {remedy}"
+            )))
+        },
+    )
 }
 
 /// Writes `what` to a file.

@@ -30,6 +30,8 @@ pub(super) enum Shape {
     Text,
     /// A path, relative to the folder of the file.
     Path,
+    /// One or several.
+    Paths,
     /// A glob of paths, relative to the folder of the file.
     Glob,
     /// Several.
@@ -69,7 +71,11 @@ pub(super) static FILE: &[Key] = &[
     key("select", Shape::Rules, "Run only these rules; default: all."),
     key("skip", Shape::Rules, "Do not run these rules."),
     key("exclude", Shape::Globs, "Report nothing for these files and folders; they are still read to resolve names."),
-    key("system", Shape::Path, "MakeHuman's own data: read to resolve references, not reported."),
+    key(
+        "system",
+        Shape::Paths,
+        "Data of the applications themselves, one folder or a list: read to resolve references, not reported.",
+    ),
     key("apps", Shape::Applications, "Check only what these applications load; default: all."),
     key("bases", Shape::Texts, "Report only these base meshes; default: all."),
     key("baseline", Shape::Path, "File of known findings, which are not reported."),

@@ -46,8 +46,8 @@ pub const MOST_SAMPLES: usize = 100_000;
 /// ```
 #[derive(Debug, Clone)]
 pub struct Config {
-    /// System data that is read and not reported.
-    pub system: Option<PathBuf>,
+    /// Data of the applications themselves, one root for each, read and not reported.
+    pub systems: Vec<PathBuf>,
     /// Check these applications only; empty for all.
     pub applications: Vec<Application>,
     /// Report these base meshes only; empty for all.
@@ -165,7 +165,7 @@ pub struct Ignore {
 impl Default for Config {
     fn default() -> Self {
         Self {
-            system: None,
+            systems: Vec::new(),
             applications: Vec::new(),
             bases: Vec::new(),
             only: Vec::new(),

@@ -107,7 +107,7 @@ impl Reader<'_> {
                 "select" => self.file.select = self.selectors(key.name, value),
                 "skip" => self.file.skip = self.selectors(key.name, value),
                 "exclude" => self.file.exclude = self.globs(key.name, value),
-                "system" => self.config.system = self.path(key.name, value),
+                "system" => self.config.systems = self.paths(key.name, value),
                 "baseline" => self.config.baseline = self.path(key.name, value),
                 "apps" => self.config.applications = self.applications(key.name, value),
                 "bases" => {
@@ -125,6 +125,15 @@ impl Reader<'_> {
 
     fn path(&mut self, name: &str, value: &Value<'_>) -> Option<PathBuf> {
         self.take(value::text(name, value)).map(|text| self.inside.join(text))
+    }
+
+    /// One path, or a list of several.
+    fn paths(&mut self, name: &str, value: &Value<'_>) -> Vec<PathBuf> {
+        if value.get_ref().as_array().is_none() {
+            return self.path(name, value).into_iter().collect();
+        }
+        let texts = self.take(value::texts(name, value)).unwrap_or_default();
+        texts.into_iter().map(|(text, _)| self.inside.join(text)).collect()
     }
 
     fn globs(&mut self, name: &str, value: &Value<'_>) -> Globs {

@@ -58,6 +58,7 @@ fn shape(shape: Shape, rules: &[&RuleInfo]) -> Value {
         Shape::CountTo(most) => json!({ "type": "integer", "minimum": 0, "maximum": most }),
         Shape::Flag => json!({ "type": "boolean" }),
         Shape::Text | Shape::Path | Shape::Glob => json!({ "type": "string" }),
+        Shape::Paths => json!({ "anyOf": [{ "type": "string" }, { "type": "array", "items": { "type": "string" } }] }),
         Shape::Globs | Shape::Texts => json!({ "type": "array", "items": { "type": "string" } }),
         Shape::Rule => rule,
         Shape::Rules => json!({ "type": "array", "items": rule }),

@@ -108,12 +108,12 @@ mod tests {
         let text = template_for(&["makehuman2", "makehuman1"], Some("../a \"b\"/data"));
         let config = Config::parse(&text, "mhlint.toml", &rules()).unwrap();
         assert_eq!(config.applications.len(), 2);
-        assert!(config.system.is_some_and(|system| system.ends_with("../a \"b\"/data")));
+        assert!(config.systems.first().is_some_and(|system| system.ends_with("../a \"b\"/data")));
         for line in [ALL_COMMENTED, DATA_COMMENT, SYSTEM, APPS] {
             assert!(TEMPLATE.lines().any(|known| known == line), "{line}");
         }
         let config = Config::parse(&template_for(&["makehuman1"], None), "mhlint.toml", &rules()).unwrap();
-        assert_eq!((config.applications.len(), config.system), (1, None));
+        assert_eq!((config.applications.len(), config.systems), (1, Vec::new()));
     }
 
     #[test]

@@ -55,6 +55,13 @@ pub enum PathFault {
     Unreadable(String),
     /// Nothing in it is data of one of these applications.
     NoDataOf(Vec<Application>),
+    /// A second `--system` of one application.
+    SecondSystem {
+        /// Whose data both are.
+        application: Application,
+        /// The first, as printed.
+        first: String,
+    },
 }
 
 /// Why a selector cannot be used.
@@ -108,7 +115,9 @@ pub enum BaselineFault {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Path { path, fault: fault @ PathFault::NoDataOf(_) } => write!(f, "`{path}` {fault}"),
+            Self::Path { path, fault: fault @ (PathFault::NoDataOf(_) | PathFault::SecondSystem { .. }) } => {
+                write!(f, "`{path}` {fault}")
+            }
             Self::Path { path, fault } => write!(f, "cannot read `{path}`: {fault}"),
             Self::UnknownBase { name, known } if known.is_empty() => write!(f, "unknown base mesh `{name}`"),
             Self::UnknownBase { name, known } => {
@@ -138,6 +147,9 @@ impl fmt::Display for PathFault {
                 let wanted =
                     applications.iter().map(|one| format!("{one} data (expected a folder with {} in it)", shape(one)));
                 write!(f, "contains no {}", wanted.collect::<Vec<_>>().join(", and no "))
+            }
+            Self::SecondSystem { application, first } => {
+                write!(f, "and `{first}` are both given with `--system` as data of {application}; name one of them")
             }
         }
     }

@@ -75,7 +75,7 @@ pub fn lint_and_fix(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> R
 pub(super) struct Work {
     limits: Limits,
     with_unsafe: bool,
-    system: Option<PathBuf>,
+    systems: Vec<PathBuf>,
     /// The files that may be written, by printed path, if not all.
     changed: Option<BTreeSet<String>>,
     /// Files that git has staged otherwise than they lie in the folder, by printed path.
@@ -98,7 +98,7 @@ impl Work {
         Self {
             limits: options.limits,
             with_unsafe,
-            system: options.system.clone(),
+            systems: options.systems.clone(),
             changed: before.map(|before| changed(now, before, &options.limits)),
             unstaged: options.compare.as_ref().map(|compare| now.shown(compare.now.keys())).unwrap_or_default(),
             checked: BTreeMap::new(),
@@ -183,11 +183,10 @@ impl Work {
 
     /// Whether a file belongs to the system data, unless the folder that is checked lies inside of them.
     fn is_system(&self, tree: &Tree, rel: &str) -> bool {
-        let (Some(system), Some(root)) = (self.system.as_deref().map(resolved), tree.root().map(resolved)) else {
-            return false;
-        };
-        let is_inside = root != system && root.starts_with(&system);
-        !is_inside && disk_path(tree, rel).is_some_and(|file| resolved(&file).starts_with(system))
+        let Some(root) = tree.root().map(resolved) else { return false };
+        let systems = self.systems.iter().map(|system| resolved(system));
+        let mut systems = systems.filter(|system| root == *system || !root.starts_with(system));
+        systems.any(|system| disk_path(tree, rel).is_some_and(|file| resolved(&file).starts_with(system)))
     }
 
     fn change(&mut self, now: &mut Side, path: &str, by: &Patch) {

@@ -30,12 +30,16 @@ pub fn lint(paths: &[PathBuf], options: &Config) -> Result<Outcome, Error> {
     lint_sides(&now, before.as_ref(), options, &CHECKED)
 }
 
-/// Checks data roots in trees, from disk or memory; `system` is read and not reported.
+/// Checks data roots in trees, from disk or memory; `systems` are read and not reported.
 ///
 /// # Errors
 /// As [`lint`].
-pub fn lint_trees(trees: Vec<Tree>, system: Option<Tree>, options: &Config) -> Result<Outcome, Error> {
-    lint_sides(&Side::of(trees, system), None, options, &CHECKED)
+pub fn lint_trees(
+    trees: Vec<Tree>,
+    systems: impl IntoIterator<Item = Tree>,
+    options: &Config,
+) -> Result<Outcome, Error> {
+    lint_sides(&Side::of(trees, systems), None, options, &CHECKED)
 }
 
 /// What is asked for, made ready.
@@ -147,7 +151,7 @@ impl Asked<'_> {
     /// Reads the data of one side but for their bulk. What it has in common with another one is taken from there.
     fn load<'t>(&self, side: &'t Side, other: Option<&Data<'_>>, outcome: &mut Outcome) -> Result<Data<'t>, Error> {
         let Self { options, scope, applications, .. } = self;
-        let roots = Roots::of(&side.inputs, side.system.as_ref(), scope, options, applications, outcome)?;
+        let roots = Roots::of(&side.inputs, &side.systems, scope, options, applications, outcome)?;
         Ok(Data::load(roots, &options.limits, other))
     }
 

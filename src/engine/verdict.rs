@@ -1,7 +1,7 @@
 //! How a run ends: its counts and verdicts, and which files it has looked at.
 
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::config::Config;
 use crate::diag::{Application, ApplicationVerdict, Level, Outcome, Verdict, judge};
@@ -42,15 +42,15 @@ fn fails(levels: impl Iterator<Item = Level> + Clone, config: &Config) -> bool {
 }
 
 /// Whether a file lies where a checked data root or the system data have their assets, or is a loose one of them.
-pub(crate) fn holds_asset(outcome: &Outcome, file: &Path, system: Option<&Path>) -> bool {
+pub(crate) fn holds_asset(outcome: &Outcome, file: &Path, systems: &[PathBuf]) -> bool {
     let place = resolved(file);
     let is_asset_in = |(root, application): (&Path, Application)| {
         let rel = place.strip_prefix(resolved(root)).map(slashed).unwrap_or_default();
         Layout::of(application).is_asset(&rel)
     };
     let roots = outcome.checked().map(|root| (Path::new(root.path.as_str()), root.application));
-    let system = system.into_iter().flat_map(|system| Application::ALL.map(|application| (system, application)));
-    roots.chain(system).any(is_asset_in)
+    let systems = systems.iter().flat_map(|system| Application::ALL.map(|application| (system.as_path(), application)));
+    roots.chain(systems).any(is_asset_in)
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate::compare::commit_all;
-use crate::scratch::{copy_folder, edit, mhlint, project, stderr, stdout};
+use crate::scratch::{assert_refused, copy_folder, edit, mhlint, project, stderr, stdout};
 
 pub(crate) const APPLICATIONS: [&str; 3] = ["makehuman1", "makehuman2", "mpfb"];
 
@@ -120,4 +120,38 @@ fn an_archive_that_stands_for_a_text_is_named() {
     let target = &at("data/targets/head/head-oval.target")["applications"][0];
     assert_eq!((&target["application"], &target["archive"]), (&"makehuman1".into(), &"data/targets.npz".into()));
     assert_eq!(at("data/clothes/shirt/shirt.mhclo")["applications"][0]["archive"], Value::Null);
+}
+
+/// A pack over the data of two applications.
+fn pack_over(systems: &[&str]) -> std::process::Output {
+    let repository = side_by_side(&["makehuman1", "mpfb"], &[]);
+    let hat = "mpfb/user/data/clothes/hat";
+    copy_folder(&project("fixtures").join(hat), &repository.path().join("pack/clothes/hat"));
+    let systems = systems.iter().flat_map(|system| ["--system", system]);
+    mhlint(repository.path(), &["pack", "--report", "json"].into_iter().chain(systems).collect::<Vec<_>>())
+}
+
+#[test]
+fn a_pack_is_checked_over_the_data_of_each_application() {
+    let hat = "pack/clothes/hat/hat.mhclo";
+    for (systems, applications) in [
+        (&["makehuman1/data"][..], &["makehuman1"][..]),
+        (&["mpfb/data"], &["mpfb"]),
+        (&["mpfb/data", "makehuman1/data"], &["makehuman1", "mpfb"]),
+    ] {
+        let report: Value = serde_json::from_slice(&pack_over(systems).stdout).unwrap();
+        let own = matrix(&report)[hat].clone();
+        assert_eq!(own.keys().collect::<Vec<_>>(), applications, "{report}");
+        if let Some(fares) = own.get("mpfb") {
+            assert_eq!(fares, "fine", "{report}");
+        }
+        assert!(report["not_checked"].as_array().unwrap().iter().all(|one| one["what"] == "kind"), "{report}");
+    }
+}
+
+#[test]
+fn two_systems_of_one_application_are_refused() {
+    let output = pack_over(&["mpfb/data", "mpfb/data/../data", "makehuman1/data"]);
+    let words = "`mpfb/data/../data` and `mpfb/data` are both given with `--system` as data of MPFB; name one of them";
+    assert_refused(&output, &[words]);
 }

@@ -245,7 +245,7 @@ mod tests {
         let (config, mut outcome) = (Config::default(), Outcome::default());
         let inputs = [Input::whole(Tree::in_memory("", files))];
         let scope = Scope::new(vec![String::new()], &config);
-        let roots = Roots::of(&inputs, None, &scope, &config, &[Makehuman2, Mpfb], &mut outcome).unwrap();
+        let roots = Roots::of(&inputs, &[], &scope, &config, &[Makehuman2, Mpfb], &mut outcome).unwrap();
         let data = Data::load(roots, &config.limits, None);
         let seen = data.stacks().into_iter().flat_map(|stack| stack.seen);
         let views: Vec<View<'_>> = seen.map(|(application, layers)| View::connect(application, layers)).collect();

@@ -36,7 +36,7 @@ pub fn propose(folder: &Path) -> Result<Option<Proposal>, Error> {
         return Ok(None);
     }
     let scope = Scope::new(Vec::new(), &options);
-    let roots = Roots::of(&inputs, None, &scope, &options, &CHECKED, &mut Outcome::default())?;
+    let roots = Roots::of(&inputs, &[], &scope, &options, &CHECKED, &mut Outcome::default())?;
     let reading: Vec<Application> = CHECKED
         .into_iter()
         .filter(|application| roots.checked.iter().any(|(place, _)| place.is_of(*application)))

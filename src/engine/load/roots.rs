@@ -56,14 +56,14 @@ impl<'t> Roots<'t> {
     /// Looks for them: data roots, and files outside of any.
     pub(in crate::engine) fn of(
         inputs: &'t [Input],
-        system: Option<&'t Tree>,
+        systems: &'t [Tree],
         scope: &Scope<'_>,
         options: &Config,
         applications: &[Application],
         outcome: &mut Outcome,
     ) -> Result<Self, Error> {
         let (packs, folders): (Vec<&Input>, Vec<&Input>) = inputs.iter().partition(|input| input.tree.pack().is_some());
-        let mut systems = system.map(|system| system_places(system, applications)).transpose()?.unwrap_or_default();
+        let mut systems = all_systems(systems, applications)?;
         // What shares its users' folders with another application has them where its data are given.
         let mut at_hand = options.applications.clone();
         if at_hand.is_empty() {
@@ -136,6 +136,29 @@ impl<'t> Roots<'t> {
             None => self.checked.push((place, narrow.to_vec())),
         }
     }
+}
+
+/// The data roots of all of `--system`. Which of two of one application counts nobody can tell.
+fn all_systems<'t>(trees: &'t [Tree], applications: &[Application]) -> Result<Vec<Place<'t>>, Error> {
+    let mut all: Vec<Place<'t>> = Vec::new();
+    for tree in trees {
+        for place in system_places(tree, applications)? {
+            let is_twice = |one: &&Application| place.is_of(**one) && all.iter().any(|other| other.is_of(**one));
+            let first = |one: Application| all.iter().find(|other| other.is_of(one)).map(Place::path);
+            match applications.iter().find(is_twice).and_then(|one| Some((*one, first(*one)?))) {
+                // The same folder, or one below the other.
+                Some((_, first)) if first == place.path() => {}
+                Some((application, first)) => {
+                    return Err(Error::Path {
+                        path: place.path(),
+                        fault: PathFault::SecondSystem { application, first },
+                    });
+                }
+                None => all.push(place),
+            }
+        }
+    }
+    Ok(all)
 }
 
 /// The data roots of `--system`: the first of each application.

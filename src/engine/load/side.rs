@@ -14,7 +14,7 @@ use crate::source::{Contents, Limits, Tree, own_place, resolved, slashed};
 pub(in crate::engine) struct Side {
     pub(in crate::engine) inputs: Vec<Input>,
     /// `--system`.
-    pub(in crate::engine) system: Option<Tree>,
+    pub(in crate::engine) systems: Vec<Tree>,
 }
 
 /// Opens the paths as they are to be checked, and as they were if they are to be compared.
@@ -23,8 +23,8 @@ pub(in crate::engine) fn sides(
     options: &Config,
     applications: &[Application],
 ) -> Result<(Side, Option<Side>), Error> {
-    let open_system = || options.system.as_deref().map(open_system).transpose();
-    let folder = Side { inputs: open(paths, applications, &options.limits)?, system: open_system()? };
+    let open_systems = || options.systems.iter().map(|system| open_system(system)).collect::<Result<Vec<_>, _>>();
+    let folder = Side { inputs: open(paths, applications, &options.limits)?, systems: open_systems()? };
     let Some(compare) = &options.compare else { return Ok((folder, None)) };
     let before = match &compare.before {
         Before::Contents(contents) => folder.with(contents),
@@ -36,7 +36,7 @@ pub(in crate::engine) fn sides(
                 input.narrow.clone_from(&now.narrow);
                 input.named.clone_from(&now.named);
             }
-            Side { inputs, system: open_system()? }
+            Side { inputs, systems: open_systems()? }
         }
     };
     let now = if compare.now.is_empty() { folder } else { folder.with(&compare.now) };
@@ -45,13 +45,14 @@ pub(in crate::engine) fn sides(
 
 impl Side {
     /// Trees to check whole.
-    pub(in crate::engine) fn of(trees: Vec<Tree>, system: Option<Tree>) -> Self {
-        Self { inputs: trees.into_iter().map(Input::whole).collect(), system }
+    pub(in crate::engine) fn of(trees: Vec<Tree>, systems: impl IntoIterator<Item = Tree>) -> Self {
+        let inputs = trees.into_iter().map(Input::whole).collect();
+        Self { inputs, systems: systems.into_iter().collect() }
     }
 
-    /// Every tree, that of the system data last.
+    /// Every tree, those of the system data last.
     pub(in crate::engine) fn trees(&self) -> impl Iterator<Item = &Tree> + Clone {
-        self.inputs.iter().map(|input| &input.tree).chain(&self.system)
+        self.inputs.iter().map(|input| &input.tree).chain(&self.systems)
     }
 
     /// Those of these files that are in the data, as printed.
@@ -79,7 +80,7 @@ impl Side {
             new_base: input.new_base.clone(),
             is_beside: input.is_beside,
         });
-        Self { inputs: inputs.collect(), system: self.system.as_ref().map(with) }
+        Self { inputs: inputs.collect(), systems: self.systems.iter().map(with).collect() }
     }
 
     /// The tree that holds a file or folder, with its path there.
