@@ -1,5 +1,7 @@
 //! What a reader should know of a run besides findings.
 
+use super::Application;
+
 /// Something to know. `report` has the words.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Note {
@@ -7,6 +9,11 @@ pub enum Note {
     SystemIsChecked {
         /// Their path as printed.
         path: String,
+    },
+    /// Applications that were asked for, and of which there are no data.
+    NothingFor {
+        /// Their titles.
+        applications: Vec<Application>,
     },
     /// Only what is new or worse is reported.
     Compared {

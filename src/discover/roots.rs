@@ -16,8 +16,13 @@ pub(crate) struct DataRoot {
     pub application: Application,
 }
 
-/// All data roots in a listing of file paths, sorted by path; `asked` are the applications that are asked for by name.
-pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[Application]) -> Vec<DataRoot> {
+/// All data roots in a listing of file paths, sorted by path; `asked` are the applications that are asked for by name,
+/// `at_hand` those whose data lie in another listing.
+pub(crate) fn find_roots<'a>(
+    files: impl IntoIterator<Item = &'a str>,
+    asked: &[Application],
+    at_hand: &[Application],
+) -> Vec<DataRoot> {
     let mut signs: BTreeMap<DataRoot, Sign> = BTreeMap::new();
     // Roots that a file beside them confirms.
     let mut confirmed: BTreeSet<DataRoot> = BTreeSet::new();
@@ -35,7 +40,7 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[
     // have a root of its own at hand, or files beside the folder that no other has.
     let is_at_hand = |application: Application| {
         let own = |(root, sign): (&DataRoot, &Sign)| root.application == application && *sign == Sign::Strong;
-        asked.contains(&application) || signs.iter().any(own)
+        asked.contains(&application) || at_hand.contains(&application) || signs.iter().any(own)
     };
     let company: Vec<Application> = Application::ALL
         .into_iter()
@@ -69,14 +74,17 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>, asked: &[
     // One that is near a better one does not count, unless it is as good.
     let count = |sign, better: &[DataRoot]| -> Vec<DataRoot> {
         let own = signs.iter().filter(|(_, own)| **own == sign).map(|(root, _)| root);
-        own.filter(|root| !better.iter().any(|other| nested(&other.path, &root.path))).cloned().collect()
+        let is_near =
+            |root: &DataRoot, other: &DataRoot| nested(&other.path, &root.path) && !is_beside_own(root, other, &signs);
+        own.filter(|root| !better.iter().any(|other| is_near(root, other))).cloned().collect()
     };
     let mut roots = count(Sign::Strong, &[]);
     for sign in [Sign::Weak, Sign::Faint] {
         roots.extend(count(sign, &roots));
     }
     let has_data = |application: Application| {
-        signs.iter().any(|(root, sign)| root.application == application && *sign == Sign::Strong)
+        at_hand.contains(&application)
+            || signs.iter().any(|(root, sign)| root.application == application && *sign == Sign::Strong)
     };
     for application in company {
         let Some(other) = Layout::of(application).shares_roots_of else { continue };
@@ -123,6 +131,19 @@ fn data_in(above: &str, application: Application) -> DataRoot {
     DataRoot { path, application }
 }
 
+/// Whether a root inside that of another application lies beside data of its own, nearer than the top of that one.
+fn is_beside_own(root: &DataRoot, outer: &DataRoot, signs: &BTreeMap<DataRoot, Sign>) -> bool {
+    let shared = |other: &DataRoot| {
+        let pairs = root.path.split('/').zip(other.path.split('/'));
+        pairs.take_while(|(one, another)| one == another).count()
+    };
+    let depth = if outer.path.is_empty() { 0 } else { outer.path.split('/').count() };
+    let is_own = |(other, sign): (&DataRoot, &Sign)| {
+        other.application == root.application && *sign == Sign::Strong && shared(other) > depth
+    };
+    outer.application != root.application && is_below(&root.path, &outer.path) && signs.iter().any(is_own)
+}
+
 fn nested(a: &str, b: &str) -> bool {
     is_below(a, b) || is_below(b, a)
 }
@@ -132,7 +153,7 @@ mod tests {
     use super::*;
 
     fn found(files: &[&str]) -> Vec<(String, Application)> {
-        find_roots(files.iter().copied(), &[]).into_iter().map(|root| (root.path, root.application)).collect()
+        find_roots(files.iter().copied(), &[], &[]).into_iter().map(|root| (root.path, root.application)).collect()
     }
 
     #[test]
@@ -181,7 +202,7 @@ mod tests {
             found(&["data/targets/target.json", "user/config/human.a.json", "user/data/clothes/a/a.mhclo"]);
         assert_eq!(with_presets.get(1), Some(&("user/data".to_owned(), Application::Mpfb)), "{with_presets:?}");
         assert_eq!(with_presets.len(), 2);
-        let asked = find_roots([library], &[Application::Mpfb]);
+        let asked = find_roots([library], &[Application::Mpfb], &[]);
         assert_eq!(asked.into_iter().map(|root| (root.path, root.application)).collect::<Vec<_>>(), both("user"));
         // Without its company a folder of packs, expressions or custom targets is nobody's, or that of the other one.
         assert_eq!(found(&["src/packs/mine.json", "src/expressions/a.json", "src/custom/x.target.gz"]), []);

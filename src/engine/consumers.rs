@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::catalogue::has_rules;
 use crate::diag::{Application, Consumed, Consumer, Fares};
 use crate::repo::FileFacts;
+use crate::rules::unread;
 
 /// The files that some application loads, by printed path: data roots of several applications have files in common.
 #[derive(Default)]
@@ -22,7 +23,12 @@ impl Consumers {
     ) {
         let kind = file.kind_in(application);
         let Some(group) = kind.group() else { return };
-        let fares = if has_rules(application, kind) { Fares::Fine } else { Fares::NotChecked };
+        let has_rules = has_rules(application, kind);
+        // Of what it neither checks nor misses nothing says that the application loads it.
+        if !has_rules && unread(application, kind).is_empty() {
+            return;
+        }
+        let fares = if has_rules { Fares::Fine } else { Fares::NotChecked };
         let archive = archive.map(|archive| archive.path.as_str().into());
         let consumer = Consumer { application, root: root.clone(), archive, fares };
         let none = || Consumed { path: file.path.clone(), group, by: Vec::new() };
@@ -30,6 +36,11 @@ impl Consumers {
         if !by.iter().any(|one| one.application == application) {
             by.push(consumer);
         }
+    }
+
+    /// Whether what is in a file was checked for some application.
+    pub(super) fn has_checked(&self, path: &str) -> bool {
+        self.0.get(path).is_some_and(|row| row.by.iter().any(|one| one.fares != Fares::NotChecked))
     }
 
     /// All of them, sorted by path.

@@ -123,7 +123,14 @@ impl<'r> Coverage<'r> {
     }
 
     /// Says what was not checked.
-    pub(super) fn conclude(self, outcome: &mut Outcome) {
+    pub(super) fn conclude(mut self, outcome: &mut Outcome) {
+        // What one application has no use for is no gap where it was checked for another.
+        for ((_, what), paths) in &mut self.left {
+            if *what == Unchecked::Kind {
+                paths.retain(|path| !self.consumers.has_checked(path));
+            }
+        }
+        self.left.retain(|_, paths| !paths.is_empty());
         outcome.consumers = self.consumers.sorted();
         let left = self.left.into_iter().map(|((application, what), paths)| NotChecked::of(application, what, paths));
         outcome.not_checked.extend(left);

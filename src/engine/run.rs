@@ -102,8 +102,17 @@ pub(super) fn lint_sides(
     outcome.roots.sort_by(|a, b| (&a.path, a.application).cmp(&(&b.path, b.application)));
     place_and_sort(&mut outcome.findings, &trees, &options.limits, &mut outcome.failed_steps);
     conclude(&mut outcome, options);
+    outcome.notes.extend(nothing_for(&outcome, options));
     outcome.timings.push(timing(Phase::Places, started));
     Ok(outcome)
+}
+
+/// The applications that were asked for by name, and of which nothing is there while others have something.
+fn nothing_for(outcome: &Outcome, options: &Config) -> Option<Note> {
+    let is_checked = |own: &&Application| outcome.applications.iter().any(|one| one.application == **own);
+    let missing: Vec<Application> = options.applications.iter().filter(|own| !is_checked(own)).copied().collect();
+    let has_others = !outcome.applications.is_empty() && !missing.is_empty();
+    has_others.then_some(Note::NothingFor { applications: missing })
 }
 
 /// What the PATHs, `--base`, `exclude` and the rules that are on leave of the data to report on.

@@ -6,13 +6,14 @@ use std::sync::Arc;
 use super::error::Error;
 use super::files::read_cause;
 use super::opened::Evaluation;
-use crate::diag::Tally;
+use crate::diag::{Application, Tally};
 use crate::discover::extension;
 use crate::eval::macros::{MacroFault, MacroWork};
 use crate::eval::proportion::{Lengths, MEDIAN_RATIO, oversize};
 use crate::eval::scene::{Setting, SettingError};
 use crate::eval::vector::Point;
 use crate::formats::target::{self, BlankFacts, Row, Target, TargetFacts};
+use crate::formats::targets_npz;
 use crate::repo::FileFacts;
 use crate::source::{Encoding, gunzip};
 
@@ -52,16 +53,10 @@ impl Evaluation {
         if known.rows.is_some() {
             return Ok(());
         }
-        if let Some((path, _)) = self.archive.as_ref().filter(|(_, members)| members.contains(&known.name)) {
-            let reason = format!(
-                "{} takes `{}` from this archive, which mhlint cannot evaluate; move the archive away to evaluate the \
-                 text file",
-                self.application(),
-                known.name
-            );
-            return Err(Error::file(path, reason));
-        }
-        let rows = self.read_rows(&known.path, &known.name)?;
+        let rows = match self.archive.as_ref().filter(|(_, members)| members.contains(&known.name)) {
+            Some((path, _)) => self.read_archived(path, &known.name)?,
+            None => self.read_rows(&known.path, &known.name)?,
+        };
         // Rows for seam duplicates are accepted and overwritten by the application.
         let vertices = self.size.vertices;
         let rows = rows.into_iter().filter(|row| (row.0 as usize) < vertices);
@@ -86,6 +81,29 @@ impl Evaluation {
             return rows_split_at_blanks(&target, &bytes, self.size.vertices).map_err(|cause| Error::file(path, cause));
         }
         unusable(&target.facts).map_or(Ok(target.rows), |cause| Err(Error::file(path, cause)))
+    }
+
+    /// The rows of a target that the application takes from an archive.
+    fn read_archived(&self, path: &str, name: &str) -> Result<Vec<Row>, Error> {
+        if self.application() != Application::Makehuman1 {
+            let reason = format!(
+                "{} takes `{name}` from this archive, which mhlint cannot evaluate; move the archive away to evaluate the \
+                 text file",
+                self.application(),
+            );
+            return Err(Error::file(path, reason));
+        }
+        let (tree, entry) = self.entry(path).ok_or_else(|| self.missing(name))?;
+        let bytes = tree.read(entry, &self.limits).map_err(|fault| Error::file(path, read_cause(&fault)))?;
+        let member = name.strip_suffix(".target").unwrap_or(name);
+        let rows = targets_npz::rows(&bytes, &self.limits, &format!("targets/{member}"));
+        let rows = rows.ok_or_else(|| Error::file(path, format!("`{name}` cannot be read from it")))?;
+        match rows.iter().find(|row| row.0 as usize >= self.size.with_seams) {
+            Some((vertex, _)) => {
+                Err(Error::file(path, format!("`{name}` moves vertex {vertex}, which does not exist")))
+            }
+            None => Ok(rows),
+        }
     }
 
     /// The text of a packed target. One without a byte is an empty target.

@@ -110,6 +110,13 @@ pub(super) fn open(bytes: &[u8]) -> Result<Zip<'_>, ArchiveFault> {
     ZipArchive::new(Cursor::new(bytes)).map_err(|error| ArchiveFault::NotZip(error.to_string()))
 }
 
+/// Whether a zip has arrays in it, and nothing that is larger unpacked than they are.
+pub(super) fn has_arrays(bytes: &[u8]) -> bool {
+    let is_array =
+        |zip: &Zip<'_>| zip.name_for_index(0).and_then(Result::ok).is_some_and(|name| name.ends_with(".npy"));
+    open(bytes).is_ok_and(|zip| is_array(&zip))
+}
+
 /// The key of a member.
 pub(super) fn member_name(zip: &Zip<'_>, index: usize) -> String {
     let name = zip.name_for_index(index).and_then(Result::ok);

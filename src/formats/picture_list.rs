@@ -9,10 +9,14 @@ pub struct PictureList {
     pub is_broken: bool,
 }
 
+/// No system has a path of more bytes.
+const LONGEST: usize = 4096;
+
 /// Reads a list.
 pub fn read(bytes: &[u8]) -> PictureList {
     let Ok(text) = std::str::from_utf8(bytes) else { return PictureList { is_broken: true, ..PictureList::default() } };
-    let lines = text.lines().map(str::trim).filter(|line| line.to_ascii_lowercase().ends_with(".png"));
+    let is_path = |line: &&str| line.len() <= LONGEST && line.to_ascii_lowercase().ends_with(".png");
+    let lines = text.lines().map(str::trim).filter(is_path);
     PictureList { pictures: lines.map(Into::into).collect(), is_broken: false }
 }
 

@@ -276,7 +276,8 @@ pub(super) fn packed(input: &Input<'_>) -> Parsed {
 
 /// An archive of any kind: whether it can be unpacked, and what is in it if it is that of an asset.
 pub(super) fn zip(input: &Input<'_>) -> Parsed {
-    let mut parsed = zip_within(input, input.limits);
+    let limits = if npz::has_arrays(input.bytes) { input.limits.of_arrays() } else { *input.limits };
+    let mut parsed = zip_within(input, &limits);
     if parsed.gzip_fault.is_none() {
         parsed.content = Content::Packed(Box::new(mhbin_asset::parse(input.bytes, input.limits, input.mesh)));
     }

@@ -9,6 +9,7 @@ use super::npy::NpyFault;
 use super::npy_table::{self, Cell, Table};
 use super::npz::{self, ArchiveFault};
 use super::packed_print::PackedPrint;
+use super::target::Row;
 use crate::source::Limits;
 
 /// A parsed archive.
@@ -87,6 +88,26 @@ pub fn parse(bytes: &[u8], limits: &Limits) -> TargetsNpz {
         archive.add(target, part == "index", table, &mut pending);
     }
     archive
+}
+
+/// The rows of one target, as the program has them: in decimetres, exact to a thousandth.
+pub fn rows(bytes: &[u8], limits: &Limits, target: &str) -> Option<Vec<Row>> {
+    let mut members = npz::Members::open(bytes, limits).ok()?;
+    let mut part = |part: &str, cells: &[Cell]| {
+        members.read(&format!("{target}.{part}"), |reader| npy_table::read(reader, cells))?.ok()
+    };
+    let (index, vector) = (part("index", &[Cell::Integer])?, part("vector", &[Cell::Number; 3])?);
+    if index.rows != vector.rows {
+        return None;
+    }
+    // As the program has it: a number of 32 bits times a thousandth.
+    #[expect(clippy::cast_possible_truncation, reason = "an `int16` where the program made it")]
+    let value = |at: usize, axis: usize| Some(vector.number(at, axis)? as f32 * 1e-3);
+    let row = |at: usize| {
+        let vertex = u32::try_from(index.integer(at, 0)?).ok()?;
+        Some((vertex, [value(at, 0)?, value(at, 1)?, value(at, 2)?]))
+    };
+    (0..index.rows).map(row).collect()
 }
 
 impl TargetsNpz {

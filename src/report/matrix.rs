@@ -96,7 +96,7 @@ impl Tally {
             Self { warning: 1.., .. } => format!("warning in {} of {}", self.warning, self.files),
             Self { not_checked: 0, .. } => self.files.to_string(),
             _ if self.not_checked == self.files => format!("{} not checked", self.files),
-            _ => format!("{}, {} not checked", self.files, self.not_checked),
+            _ => format!("{} and {} not checked", self.files - self.not_checked, self.not_checked),
         }
     }
 }

@@ -155,7 +155,8 @@ pub(crate) fn why_nothing(outcome: &Outcome, what: Option<Unchecked>) -> String 
             "nothing in it can be read as an asset; in a pack assets are in folders such as `clothes/`, `hair/` or `rigs/`".to_owned()
         }
         None => format!(
-            "no data of {} found; name the folder that contains `base/`, `target/`, `contarget/` or `rigs/`",
+            "no data of {} found; name the data folder (MakeHuman 2: with `base/`, `target/` or `rigs/`; MakeHuman 1: with \
+             `targets/` and `modifiers/`; MPFB: with `targets/target.json`), or for the folder of a user of MPFB use `--app mpfb`",
             titles(&outcome.looked_for)
         ),
     }
@@ -216,12 +217,16 @@ impl<'a> Gravest<'a> {
 
     /// What they mean, without a full stop.
     fn harm(&self, outcome: &Outcome) -> String {
-        let who = applications(outcome, &self.findings);
+        let named = applications(outcome, &self.findings);
+        let who = joined(&named, if self.level == Level::Error { "or" } else { "and" });
+        let of_all = |one, several| if named.len() == 1 { one } else { several };
         match self.level {
             _ if self.findings.is_empty() => nothing_found(outcome),
             Level::Error => format!("{who} would crash, reject a file or lose data"),
-            Level::Warning => format!("{who} loads the data, but the result differs from the files"),
-            Level::Info => format!("{who} shows the right result today"),
+            Level::Warning => {
+                format!("{who} {} the data, but the result differs from the files", of_all("loads", "load"))
+            }
+            Level::Info => format!("{who} {} the right result today", of_all("shows", "show")),
         }
     }
 
@@ -252,7 +257,7 @@ fn too_many(outcome: &Outcome, view: &View<'_>) -> String {
 }
 
 /// The applications that the gravest findings are about, or whose data were checked.
-fn applications(outcome: &Outcome, gravest: &[&Finding]) -> String {
+fn applications(outcome: &Outcome, gravest: &[&Finding]) -> Vec<Application> {
     let mut named: Vec<Application> =
         gravest.iter().flat_map(|finding| finding.breaks.iter().map(|one| one.application)).collect();
     if named.is_empty() {
@@ -260,13 +265,18 @@ fn applications(outcome: &Outcome, gravest: &[&Finding]) -> String {
     }
     named.sort_unstable();
     named.dedup();
-    titles(&named)
+    named
 }
 
 fn titles(applications: &[Application]) -> String {
+    joined(applications, "or")
+}
+
+/// `MakeHuman 2, MakeHuman 1 or MPFB`.
+fn joined(applications: &[Application], word: &str) -> String {
     let titles: Vec<&str> = applications.iter().map(|application| application.title()).collect();
     match titles.split_last() {
-        Some((last, others)) if !others.is_empty() => format!("{} or {last}", others.join(", ")),
+        Some((last, others)) if !others.is_empty() => format!("{} {word} {last}", others.join(", ")),
         _ => titles.concat(),
     }
 }

@@ -5,6 +5,7 @@
 use std::sync::LazyLock;
 
 mod archive;
+mod archived;
 mod base;
 mod bvh;
 mod catalog;
@@ -44,6 +45,7 @@ mod uv;
 mod wearers;
 mod weights;
 
+pub(crate) use archived::lower_archived;
 pub use cause::consequence::Unread;
 pub(crate) use cause::consequence::unread;
 pub(crate) use rule::{Check, Rule, RuleCx};

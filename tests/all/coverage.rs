@@ -43,7 +43,8 @@ A run names the files of which it did not check the contents, and why (`Not chec
 - `animations/`, `themes/`, `povray/`, `icons/`, `logging.ini`, `poseunits/body-poseunits.json`: no loader of assets reads them.
 - Translations: whether texts are complete, and whether placeholders such as `%s` agree.
 - Of the lists of its libraries (`cache/*.mhc`) only whether loading them would run code.
-- `mhlint eval` takes targets from their texts, also where the program takes them from `targets.npz`; the findings compare both.
+- The rules on numbers take targets from their texts, also where the program takes them from `targets.npz`; `target-stale-binary`
+  compares both.
 
 **MPFB**
 

@@ -373,6 +373,26 @@ fn macros_of_makehuman1_are_products_of_variables() {
     assert_eq!(outputs["targets"]["macrodetails/african-male-baby.target"], json!(0.375));
 }
 
+/// The archive was made before the text was changed, and after it was removed.
+#[test]
+fn targets_of_makehuman1_are_those_of_its_archive() {
+    let repository = crate::scratch::example_of("makehuman1");
+    let data = text(&repository.path().join("data")).to_owned();
+    let width = |of: &str| {
+        let args = ["mesh", of, "--set", "head/head-oval=1", "--vertices", "337", "--format", "json"];
+        json_of(&eval(&args))["outputs"]["vertices"][0][0].as_f64().unwrap()
+    };
+    let sound = width(&data);
+    crate::scratch::Case::read(&project("fixtures/rules/target-stale-binary/bad-makehuman1")).apply(repository.path());
+    assert!((width(&data) - sound).abs() < 1e-6, "the archive counts");
+    let target = repository.path().join("data/targets/head/head-oval.target");
+    fs::rename(&target, repository.path().join("kept")).unwrap();
+    assert!((width(&data) - sound).abs() < 1e-6, "without a text as well");
+    fs::rename(repository.path().join("kept"), &target).unwrap();
+    fs::remove_file(repository.path().join("data/targets.npz")).unwrap();
+    assert!((width(&data) - sound - 0.001).abs() < 1e-6, "the text counts without an archive");
+}
+
 #[test]
 fn sliders_of_makehuman1_end_at_their_range() {
     let at = |value: &str| {

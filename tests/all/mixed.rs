@@ -155,3 +155,69 @@ fn two_systems_of_one_application_are_refused() {
     let words = "`mpfb/data/../data` and `mpfb/data` are both given with `--system` as data of MPFB; name one of them";
     assert_refused(&output, &[words]);
 }
+
+/// Data of one application inside those of another one are checked for their own alone.
+#[test]
+fn data_inside_those_of_another_application_are_their_own() {
+    let around = |outer: &str, inner: &[(&str, &str)]| {
+        let repository = tempfile::tempdir().unwrap();
+        copy_folder(&project("fixtures").join(outer), repository.path());
+        for (from, to) in inner {
+            copy_folder(&project("fixtures").join(from), &repository.path().join(to));
+        }
+        repository
+    };
+    for (outer, inner, application, below) in [
+        ("makehuman2/user", &[("makehuman1/data", "other/mh1")][..], "makehuman1", "other/mh1/"),
+        ("makehuman2/data", &[("mpfb/data", "extra/data"), ("mpfb/user", "extra/user")], "mpfb", "extra/"),
+        ("mpfb/data", &[("makehuman2/data", "extra/data"), ("makehuman2/user", "extra/user")], "makehuman2", "extra/"),
+        ("mpfb/data", &[("makehuman1/data", "extra/data")], "makehuman1", "extra/"),
+    ] {
+        let repository = around(outer, inner);
+        let report = report(repository.path(), &["--fail-on", "warning"]);
+        let messages = report["findings"].as_array().unwrap().iter().map(|one| one["message"].to_string());
+        assert_eq!(report["verdict"], "pass", "{outer}: {:?}", messages.collect::<Vec<_>>());
+        let inside = matrix(&report).into_iter().filter(|(path, _)| path.starts_with(below));
+        let mut count = 0;
+        for (path, consumers) in inside {
+            assert_eq!(consumers.keys().collect::<Vec<_>>(), [application], "{path}");
+            count += 1;
+        }
+        assert!(count > 50, "{outer}: {count}");
+    }
+}
+
+#[test]
+fn the_paths_of_a_repository_are_checked_as_the_whole() {
+    let repository = side_by_side(&APPLICATIONS, &["makehuman1"]);
+    let whole = matrix(&report(repository.path(), &["."]));
+    let parts = matrix(&report(repository.path(), &APPLICATIONS));
+    assert_eq!(whole, parts);
+    assert!(whole["makehuman1/user/data/custom/paunch.target"].contains_key("mpfb"));
+}
+
+#[test]
+fn an_application_that_is_asked_for_gets_no_data_of_others() {
+    let repository = side_by_side(&APPLICATIONS, &["mpfb"]);
+    let one = report(repository.path(), &["--app", "makehuman2", "--fail-on", "info"]);
+    assert_eq!((&one["verdict"], &one["findings"]), (&Value::from("pass"), &serde_json::json!([])));
+    assert!(matrix(&one).keys().all(|path| path.starts_with("makehuman2/")));
+    let alone = side_by_side(&["makehuman2"], &[]);
+    let text = stdout(&mhlint(alone.path(), &[".", "--app", "makehuman2", "--app", "mpfb"]));
+    assert!(text.contains("nothing was checked for MPFB"), "{text}");
+}
+
+#[test]
+fn a_scene_is_checked_wherever_it_lies() {
+    let repository = side_by_side(&["makehuman2"], &[]);
+    let unsafe_scene = "fixtures/rules/scene-unsafe-pickle/bad";
+    crate::scratch::Case::read(&project(unsafe_scene)).apply(repository.path());
+    std::fs::create_dir_all(repository.path().join("wip")).unwrap();
+    std::fs::rename(repository.path().join("data/scenes/dusk.mhscene"), repository.path().join("wip/dusk.mhscene"))
+        .unwrap();
+    for path in ["wip/dusk.mhscene", "."] {
+        let output = mhlint(repository.path(), &[path, "--report", "concise"]);
+        assert_eq!(output.status.code(), Some(1), "{path}");
+        assert!(stdout(&output).contains("wip/dusk.mhscene: error[scene-unsafe-pickle]"), "{}", stdout(&output));
+    }
+}

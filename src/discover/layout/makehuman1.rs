@@ -17,6 +17,8 @@ pub(super) static LAYOUT: Layout = Layout {
     // In a folder `custom` there nobody looks, but it is a usual mistake.
     beside: &["models", "custom", CACHE, SETTINGS],
     is_folder: |rel, _| is_beside(rel, CACHE),
+    // §5: what is called a target is one.
+    everywhere: Some(Kind::Target),
     only_base: Some(HM08),
     joint: Some("upperleg02.L"),
     scans: |rel| library_of(rel).is_some(),
@@ -121,6 +123,8 @@ fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
         "proxy" => Some(TOPOLOGIES),
         "bvh" => Some("poses"),
         "mhmat" => Some("skins"),
+        // What is in one may run code, wherever it lies.
+        "mhscene" => Some("scenes"),
         _ => None,
     }
 }

@@ -47,6 +47,8 @@ pub(crate) struct Layout {
     pub flat: &'static str,
     /// Folders and files beside a data root that is called `data` that belong to it.
     pub beside: &'static [&'static str],
+    /// Files that it looks for in all of its data root, also where that of another application is inside it.
+    pub everywhere: Option<Kind>,
     /// Another application whose users' folders are its own, too, where it is asked for or has data at hand.
     pub shares_roots_of: Option<Application>,
     /// Whether what is named in one user's folder may lie in another one that is given.
@@ -181,6 +183,7 @@ impl Layout {
         refuses: None,
         beside: &[],
         is_telling: |_| false,
+        everywhere: None,
         shares_roots_of: None,
         has_second_user: false,
         role: |_| Role::User,

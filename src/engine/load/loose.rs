@@ -61,6 +61,9 @@ impl<'t> Outside<'t, '_> {
     /// Whether what lies in a data root is no loose asset. A user's data of an application that is not asked for may be
     /// installed in that of another one.
     fn keeps(&self, root: &str, layouts: &[&'static Layout]) -> bool {
+        if self.roots.values().flatten().any(|layout| self.options.asks_for(layout.application)) {
+            return true;
+        }
         let is_users = |layout: &Layout| (layout.role)(&candidates(&self.input.tree, root, &[layout])) == Role::User;
         layouts.iter().any(|layout| self.options.asks_for(layout.application) || !is_users(layout))
     }

@@ -3,10 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diag::{Application, grouped};
-use crate::discover::{Candidate, Known, Layout, candidates, loose};
+use crate::discover::{Candidate, Known, Layout, Use, candidates, loose};
 use crate::formats::Needs;
 use crate::repo::Pack;
-use crate::source::Tree;
+use crate::source::{Tree, is_below};
 
 /// A data root in its tree.
 pub(in crate::engine) struct Place<'t> {
@@ -17,6 +17,8 @@ pub(in crate::engine) struct Place<'t> {
     pub(super) layouts: Vec<&'static Layout>,
     /// Whether it is no data root at all, but files that would belong into one.
     pub(super) is_loose: bool,
+    /// Data roots of other applications inside it.
+    inner: Vec<String>,
     /// Whether it is a data root of other applications as well, which have it as another place.
     is_shared: bool,
     /// The zip that it is in, if it is in one.
@@ -31,6 +33,19 @@ impl<'t> Place<'t> {
     /// The data root at `root` with these layouts.
     pub(in crate::engine) fn new(tree: &'t Tree, root: &str, layouts: &[&'static Layout]) -> Self {
         Self::with(tree, root, layouts, candidates(tree, root, layouts), false)
+    }
+
+    /// The data root at `root`, without those of other applications inside it, but for what is looked for everywhere.
+    pub(super) fn around(tree: &'t Tree, root: &str, layouts: &[&'static Layout], inner: Vec<String>) -> Self {
+        let mut below = candidates(tree, root, layouts);
+        let finds = |one: &Use| Layout::of(one.application).everywhere == Some(one.kind);
+        below.retain_mut(|one| {
+            if inner.iter().any(|inner| is_below(&one.entry.path, inner)) {
+                one.uses.retain(finds);
+            }
+            !one.uses.is_empty()
+        });
+        Self { inner, ..Self::with(tree, root, layouts, below, false) }
     }
 
     /// The loose files of a tree, as if they lay in a user's data root of `layout`, with those printed paths that alone
@@ -74,6 +89,7 @@ impl<'t> Place<'t> {
             layouts: layouts.to_vec(),
             is_loose,
             is_shared: false,
+            inner: Vec::new(),
             pack: None,
             below,
             bulk,
@@ -103,7 +119,8 @@ impl<'t> Place<'t> {
 
     /// The same as one application alone has it.
     pub(super) fn of_one(&self, application: Application) -> Self {
-        Self { is_shared: true, ..Self::new(self.tree, &self.root, &[Layout::of(application)]) }
+        let own = [Layout::of(application)];
+        Self { is_shared: true, ..Self::around(self.tree, &self.root, &own, self.inner.clone()) }
     }
 
     /// Whether it is a data root of an application.

@@ -28,8 +28,18 @@ pub(super) fn roots_of(
     asked: &[Application],
     wanted: impl Fn(Application) -> bool,
 ) -> BTreeMap<String, Vec<&'static Layout>> {
+    roots_beside(tree, asked, &[], wanted)
+}
+
+/// The same beside data of other applications in another tree.
+fn roots_beside(
+    tree: &Tree,
+    asked: &[Application],
+    at_hand: &[Application],
+    wanted: impl Fn(Application) -> bool,
+) -> BTreeMap<String, Vec<&'static Layout>> {
     let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File);
-    let roots = find_roots(files.map(|entry| entry.path.as_str()), asked);
+    let roots = find_roots(files.map(|entry| entry.path.as_str()), asked, at_hand);
     let wanted = roots.into_iter().filter(|root| wanted(root.application));
     grouped(wanted.map(|root| (root.path, Layout::of(root.application))))
 }
@@ -49,7 +59,16 @@ pub(super) fn checked_places<'t>(
 }
 
 fn places(tree: &Tree, roots: impl IntoIterator<Item = (String, Vec<&'static Layout>)>) -> Vec<Place<'_>> {
-    roots.into_iter().map(|(path, layouts)| Place::new(tree, &path, &layouts)).collect()
+    let roots: BTreeMap<String, Vec<&'static Layout>> = roots.into_iter().collect();
+    roots.iter().map(|(path, layouts)| Place::around(tree, path, layouts, inner(&roots, path, layouts))).collect()
+}
+
+/// The data roots inside another one that are of other applications.
+fn inner(roots: &BTreeMap<String, Vec<&'static Layout>>, path: &str, layouts: &[&'static Layout]) -> Vec<String> {
+    let is_of = |own: &[&'static Layout], other: &Layout| own.iter().any(|one| one.application == other.application);
+    let is_foreign = |others: &[&'static Layout]| !others.iter().any(|other| is_of(layouts, other));
+    let inside = roots.iter().filter(|(other, _)| other.as_str() != path && is_below(other, path));
+    inside.filter(|(_, others)| is_foreign(others)).map(|(other, _)| other.clone()).collect()
 }
 
 impl<'t> Roots<'t> {
@@ -69,8 +88,7 @@ impl<'t> Roots<'t> {
         if at_hand.is_empty() {
             at_hand = with_data(applications, &systems);
         }
-        let mut found: Vec<_> =
-            folders.into_iter().map(|input| (input, roots_of(&input.tree, &at_hand, |_| true))).collect();
+        let mut found = found_in(&folders, &at_hand);
         if options.applications.is_empty() && !systems.is_empty() {
             found = of_systems(found, &systems, applications);
         }
@@ -94,14 +112,15 @@ impl<'t> Roots<'t> {
         }
         let below: Vec<String> = systems.iter().map(Place::path).collect();
         let mut roots = Self { checked: Vec::new(), systems };
-        for (input, (path, layouts)) in
-            found.iter().flat_map(|(input, roots)| roots.iter().map(move |one| (*input, one)))
+        for (input, all, (path, layouts)) in
+            found.iter().flat_map(|(input, roots)| roots.iter().map(move |one| (*input, roots, one)))
         {
             let shown = input.tree.shown(path);
             if !scope.excludes(&shown) && !below.contains(&shown) {
                 let asked = layouts.iter().copied().filter(|layout| options.asks_for(layout.application));
                 let (checked, others) = asked.partition(|layout| applications.contains(&layout.application));
-                roots.add(input, path, [checked, others], outcome);
+                let inner = inner(all, path, layouts);
+                roots.add(input, path, inner, [checked, others], outcome);
             }
         }
         for (place, narrow) in outside {
@@ -117,11 +136,12 @@ impl<'t> Roots<'t> {
         &mut self,
         input: &'t Input,
         path: &str,
+        inner: Vec<String>,
         [checked, others]: [Vec<&'static Layout>; 2],
         outcome: &mut Outcome,
     ) {
         if !checked.is_empty() {
-            self.want(Place::new(&input.tree, path, &checked), &input.narrow);
+            self.want(Place::around(&input.tree, path, &checked, inner), &input.narrow);
         }
         for layout in others {
             note_unchecked(&Place::new(&input.tree, path, &[layout]), layout, outcome);
@@ -136,6 +156,23 @@ impl<'t> Roots<'t> {
             None => self.checked.push((place, narrow.to_vec())),
         }
     }
+}
+
+/// The data roots of each input. What shares its users' folders has those of one input where its data are in another.
+fn found_in<'i>(inputs: &[&'i Input], asked: &[Application]) -> Vec<Found<'i>> {
+    let alone: Vec<Found<'_>> = inputs.iter().map(|input| (*input, roots_of(&input.tree, asked, |_| true))).collect();
+    let is_data = |input: &Input, path: &str, layout: &&'static Layout| {
+        layout.shares_roots_of.is_some() && (layout.role)(&candidates(&input.tree, path, &[layout])) != Role::User
+    };
+    let mut at_hand: Vec<Application> = Vec::new();
+    for (input, roots) in alone.iter().filter(|_| inputs.len() > 1) {
+        let layouts = roots.iter().flat_map(|(path, layouts)| layouts.iter().map(move |layout| (path, *layout)));
+        at_hand.extend(layouts.filter(|(path, layout)| is_data(input, path, layout)).map(|(_, one)| one.application));
+    }
+    if at_hand.is_empty() {
+        return alone;
+    }
+    inputs.iter().map(|input| (*input, roots_beside(&input.tree, asked, &at_hand, |_| true))).collect()
 }
 
 /// The data roots of all of `--system`. Which of two of one application counts nobody can tell.

@@ -60,10 +60,24 @@ pub(in crate::evaluate) fn open(name: &str, layers: Layers<'_>, limits: Limits) 
         mesh_path: file.path.clone(),
         skeleton: skeleton.ok_or_else(no_rig),
         weights_fault: None,
-        archive: None,
+        archive: archive(&view),
         groups: Vec::new(),
         scene: composed.scene,
     })
+}
+
+/// The name of a target of the scene.
+fn name_of(rel: &str) -> &str {
+    rel.strip_prefix("targets/").unwrap_or(rel)
+}
+
+/// The archive that the program reads in place of texts, with the targets that it takes from it. It takes the text of one
+/// that it cannot read there.
+fn archive(view: &View<'_>) -> Option<(String, BTreeSet<String>)> {
+    let archive = view.targets.archive.as_ref().filter(|_| view.targets.are_archived())?;
+    let sound = archive.content.targets.iter().filter(|(_, own)| own.is_sound());
+    let names = sound.map(|(name, _)| format!("{}.target", name_of(name))).collect();
+    Some((archive.file.path.clone(), names))
 }
 
 const NO_MODIFIERS: &str = "`modifiers/` is missing or cannot be used";
@@ -95,7 +109,7 @@ pub(super) fn compose(view: &View<'_>, rows: &mut Rows) -> Option<Composed> {
 struct Composer<'a> {
     scene: Scene,
     formula: Formula,
-    /// The targets of the scene with their files, and their places by path.
+    /// The targets of the scene with their files, and their places by path below the data.
     files: Vec<&'a FileFacts>,
     by_path: BTreeMap<&'a str, usize>,
     /// Numbers of macro targets by place.
@@ -140,13 +154,13 @@ impl<'a> Composer<'a> {
     }
 
     fn macro_group(&mut self, view: &'a View<'a>, one: &'a KnownModifier<'a>) {
-        let targets: Vec<&NamedTarget<'a>> = targets(view, one, Part::Macro);
+        let targets: Vec<&'a NamedTarget<'a>> = targets(view, one, Part::Macro);
         self.scene.products.push(dimensions(&targets));
         self.group(Factor::One, &targets);
     }
 
-    fn group(&mut self, factor: Factor, targets: &[&NamedTarget<'a>]) {
-        let targets = targets.iter().map(|target| (self.number(target.file), variables(&target.name)));
+    fn group(&mut self, factor: Factor, targets: &[&'a NamedTarget<'a>]) {
+        let targets = targets.iter().map(|target| (self.number(target.file, &target.rel), variables(&target.name)));
         let targets = targets.collect();
         self.formula.groups.push(TargetGroup { factor, targets });
     }
@@ -160,7 +174,8 @@ impl<'a> Composer<'a> {
             |targets: &Vec<&NamedTarget<'a>>| targets.len() < 2 && targets.iter().all(|target| !target.name.is_macro());
         let default = one.modifier.default.unwrap_or(0.0);
         if centre.is_empty() && [&left, &right, &only].into_iter().all(is_plain) {
-            let mut first = |targets: &[&NamedTarget<'a>]| targets.first().map(|target| self.target(target.file));
+            let mut first =
+                |targets: &[&'a NamedTarget<'a>]| targets.first().map(|target| self.target(target.file, &target.rel));
             let decr = first(&left);
             let incr = first(&right).or_else(|| first(&only));
             return self.slider(&one.name, SliderKind::Detail { incr, decr, two_sided }, default);
@@ -182,28 +197,28 @@ impl<'a> Composer<'a> {
     fn custom(&mut self, view: &'a View<'a>) {
         for one in &view.targets.custom {
             if self.known.insert(one.name.as_str()) {
-                let incr = Some(self.target(one.file));
+                let incr = Some(self.target(one.file, &one.file.rel));
                 self.slider(&one.name, SliderKind::Detail { incr, decr: None, two_sided: false }, 0.0);
             }
         }
     }
 
-    /// Place of a target among the scene's.
-    fn target(&mut self, file: &'a FileFacts) -> usize {
-        if let Some(place) = self.by_path.get(file.path.as_str()) {
+    /// Place of a target among the scene's. One without a text has the archive for a file.
+    fn target(&mut self, file: &'a FileFacts, rel: &'a str) -> usize {
+        if let Some(place) = self.by_path.get(rel) {
             return *place;
         }
-        let name = file.rel.strip_prefix("targets/").unwrap_or(&file.rel).to_owned();
+        let name = name_of(rel).to_owned();
         let place = self.scene.targets.len();
         self.scene.targets.push(MorphTarget { name, path: file.path.clone(), ..MorphTarget::default() });
         self.files.push(file);
-        self.by_path.insert(&file.path, place);
+        self.by_path.insert(rel, place);
         place
     }
 
     /// Number of a target among those of the formula.
-    fn number(&mut self, file: &'a FileFacts) -> u32 {
-        let place = self.target(file);
+    fn number(&mut self, file: &'a FileFacts, rel: &'a str) -> u32 {
+        let place = self.target(file, rel);
         let next = u32::try_from(self.numbers.len()).unwrap_or(u32::MAX);
         let macro_targets = &mut self.scene.macro_targets;
         *self.numbers.entry(place).or_insert_with(|| {

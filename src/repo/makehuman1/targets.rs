@@ -39,7 +39,9 @@ pub(crate) struct Targets<'a> {
 pub(crate) struct NamedTarget<'a> {
     /// Its text; the archive, where that alone has it.
     pub file: &'a FileFacts,
-    /// What its path tells.
+    /// The path that the program has for it, below the data.
+    pub rel: String,
+    /// What that tells.
     pub name: TargetName,
 }
 
@@ -98,7 +100,7 @@ impl<'a> Targets<'a> {
         if file.kind_in(OWN) == Kind::Target {
             self.places.insert(&file.rel, place);
         }
-        self.shipped.push(NamedTarget { file, name });
+        self.shipped.push(NamedTarget { file, rel: rel.to_owned(), name });
     }
 
     /// Whether there is a text for a group, and an archive without it.

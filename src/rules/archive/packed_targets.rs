@@ -43,8 +43,8 @@ fn has_texts(view: &View<'_>) -> bool {
 
 fn of_unused(rule: &Rule, view: &View<'_>, archive: &TargetArchive<'_>, unused: &Unused<'_>) -> Option<Finding> {
     let has_texts = has_texts(view);
-    // An empty file, or a pointer, has a finding of its own; without texts that is not all.
-    if archive.is_blank() && has_texts {
+    // An empty file, a pointer and one that fills the memory have a finding of their own; without texts that is not all.
+    if archive.file.gzip_fault.is_some() || archive.is_blank() && has_texts {
         return None;
     }
     let clash = |what: &str, path: &str, clash: &Clash| {
@@ -60,14 +60,18 @@ fn of_unused(rule: &Rule, view: &View<'_>, archive: &TargetArchive<'_>, unused: 
         Unused::NoPictures => "there is no `images.list` beside the archive that can be read".to_owned(),
         Unused::Backslashes(path) => format!("member `{path}` has backslashes in its path"),
         Unused::Member(path, own) => clash("member", path, own),
-        Unused::Picture(path, own) => clash("the picture in `images.list`", path, own),
+        Unused::Picture(path, own) => clash("the picture", path, own),
     };
     let help = if has_texts {
         "make the archive and `images.list` again, or delete them"
     } else {
         "restore the archive with its `images.list`, or the texts of the targets"
     };
-    let finding = rule.at(archive.file, Place::File, message).key("unused");
+    let file = match (unused, archive.pictures) {
+        (Unused::Picture(..), Some((list, _))) => list,
+        _ => archive.file,
+    };
+    let finding = rule.at(file, Place::File, message).key("unused");
     Some(finding.case(if has_texts { TEXTS } else { NOTHING }).help(help))
 }
 

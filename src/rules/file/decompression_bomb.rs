@@ -5,7 +5,7 @@ use super::super::units::bytes;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    Finding, Level, Place, RuleInfo,
+    Case, Finding, Level, Place, RuleInfo,
 };
 use crate::repo::{FileFacts, View};
 use crate::source::{GzipFault, PackFault};
@@ -14,7 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     cannot_be_ignored: true,
     breaks: &[
         (Makehuman2, "unpacks the file without a limit until memory runs out"),
-        (Makehuman1, "gets nothing of it: whoever unpacks it fills the disk"),
+        (Makehuman1, "unpacks the file without a limit until memory runs out"),
         (Mpfb, "unpacks the file without a limit until memory or disk are full"),
     ],
     docs: "A small packed file can unpack to gigabytes of zeros. Loaders unpack it without asking, and the \
@@ -27,16 +27,17 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    if !view.is_makehuman1() {
-        view.files().for_each(|file| of_file(view, file, out));
-    }
+    view.files().for_each(|file| of_file(view, file, out));
     let layer = view.layers().checked;
     let fault = layer.pack.as_ref().and_then(|pack| pack.faults.as_ref()?.fault.as_ref());
     if let Some(PackFault::Bomb { packed, unpacked }) = fault {
         let message = format!("{} unpack to {} or more", bytes(*packed), bytes(*unpacked));
-        out.push(RULE.in_layer(layer, "", message).help(HELP));
+        out.push(RULE.in_layer(layer, "", message).help(HELP).case(UNPACKED));
     }
 }
+
+/// No importer of its own unpacks it.
+const UNPACKED: Case = &[(Makehuman1, Level::Error, "gets nothing of it: whoever unpacks it fills the disk")];
 
 const HELP: &str = "do not open it; remove it unless you know where it comes from";
 

@@ -16,8 +16,8 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     docs: "A material has a `diffuseTexture` and a `diffuseColor` that is not white.\n\n\
         MakeHuman 2 uses the texture alone on screen and in glTF, and writes both into an OBJ, whose readers mostly \
         multiply them. MakeHuman 1 hands both to shaders that ask for the colour, such as `phong`.\n\n\
-        So the same material looks different from program to program. Write `diffuseColor 1.0 1.0 1.0`, and put the \
-        tint into the picture.",
+        So the same material looks different from program to program. Write `diffuseColor 1.0 1.0 1.0` to keep the look of \
+        MakeHuman 2; if the tint is wanted, put it into the picture.",
     ..RuleInfo::new("material-tinted-texture", Level::Info, "a texture beside a diffuse colour that is not white")
 });
 
@@ -32,7 +32,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let finding = RULE.at(first.file, Surface::place(line), message);
     let parts = tinted.iter().map(|(surface, line)| (surface.file.shown(), &surface.file.path, Surface::place(line)));
     let finding = finding.parts_at(parts).evidence(Evidence::of_cases(tinted.iter().map(|(one, _)| one.file.shown())));
-    out.push(finding.help("write `diffuseColor 1.0 1.0 1.0`, and put the tint into the picture"));
+    out.push(finding.help(
+        "write `diffuseColor 1.0 1.0 1.0` to keep the look that MakeHuman 2 shows; only exported OBJ files change",
+    ));
 }
 
 /// The line of the colour, if the texture is there and it is not white.

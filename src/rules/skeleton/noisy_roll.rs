@@ -19,7 +19,8 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         MakeHuman 2 computes the roll from the part of the normal across the bone. If hardly any of it is left, \
         the smallest change of a joint turns the bone around its own axis: poses and exported rigs differ between \
         characters and between left and right.\n\n\
-        Give such bones a `rotation_plane` through three joints of their limb.",
+        Give such bones a `rotation_plane` through three joints that are not on one line: a limb that is straight needs a \
+        joint beside it.",
     options: &[OptionInfo {
         name: "cosine",
         default: 0.999,
@@ -33,7 +34,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     )
 });
 
-const WITHOUT: &str = "give these bones a `rotation_plane` through three joints of their limb";
+const WITHOUT: &str = "give these bones a `rotation_plane` through three joints that are not on one line";
 const WITH: &str = "choose three other joints for the `rotation_plane` of these bones";
 
 fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {

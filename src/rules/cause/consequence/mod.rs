@@ -27,6 +27,7 @@ use crate::diag::{
 use crate::discover::Kind;
 use crate::formats::target_name::TargetName;
 use crate::json::{SchemaFault, UnknownKey};
+use crate::repo::makehuman1::Unused;
 use crate::repo::{FileFacts, ReferenceKind, Target, View};
 pub(in crate::rules) use mpfb::{BY_HAND, MACRO_ROWS, NO_PART};
 
@@ -147,8 +148,17 @@ pub(in crate::rules) fn consequence(view: &View<'_>, rel: &str, damage: Damage) 
     if damage == Damage::MarkedWord && view.layers().checked.file(rel).is_some_and(|file| hides_version(view, file)) {
         return Some(Consequence::new(Level::Error, makehuman1::RESET));
     }
+    if is_list_without_archive(view, rel) {
+        return None;
+    }
     let (table, row, moment) = asked(view, rel);
     table.consequence(row, moment, damage)
+}
+
+/// Whether a path is that of the list of pictures, which MakeHuman 1 reads only beside an archive that it can open.
+fn is_list_without_archive(view: &View<'_>, rel: &str) -> bool {
+    let Some(own) = view.as_makehuman1().filter(|_| view.kind_at(rel) == Kind::PictureList) else { return false };
+    own.targets.archive.as_ref().is_none_or(|archive| archive.unused == Some(Unused::Closed))
 }
 
 /// Whether a byte order mark hides the version of a model, without which MakeHuman 1 does not read it.

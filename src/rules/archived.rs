@@ -1,0 +1,36 @@
+//! What is wrong with a text in place of which an archive is read: it takes effect once the archive is made again
+//! (makehuman1-observed.md 4.1).
+
+use std::collections::BTreeSet;
+
+use crate::diag::{Application, Finding, Level};
+use crate::repo::View;
+use crate::repo::makehuman1::NamedTarget;
+
+const LATER: &str = "reads the target from `targets.npz`; this takes effect once the archive is made again";
+
+/// Lowers what is found in texts that MakeHuman 1 does not read.
+pub(crate) fn lower_archived(view: &View<'_>, findings: &mut [Finding]) {
+    let Some(targets) = view.as_makehuman1().map(|view| &view.targets).filter(|targets| targets.are_archived()) else {
+        return;
+    };
+    let Some(archive) = &targets.archive else { return };
+    // What is in the archive as well is in effect today.
+    let has_others = |target: &&NamedTarget<'_>| {
+        let member = target.rel.strip_suffix(".target").and_then(|name| archive.content.targets.get(name));
+        let own = target.file.target().map(|facts| facts.thousandths);
+        member.is_some_and(|member| member.is_sound() && member.content != own)
+    };
+    let texts = targets.shipped.iter().filter(has_others);
+    let texts: BTreeSet<&str> = texts.map(|target| target.file.path.as_str()).collect();
+    let is_about_archive = |rule: &str| rule == "target-stale-binary" || rule.starts_with("archive-");
+    let own = |finding: &&mut Finding| texts.contains(finding.path.as_str()) && !is_about_archive(finding.rule);
+    for finding in findings.iter_mut().filter(own) {
+        for one in finding.breaks.iter_mut().filter(|one| one.application == Application::Makehuman1) {
+            if one.level > Level::Info {
+                (one.level, one.effect) = (Level::Info, LATER.to_owned());
+            }
+        }
+        finding.level = finding.breaks.iter().map(|one| one.level).max().unwrap_or(finding.level);
+    }
+}
