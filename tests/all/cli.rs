@@ -110,7 +110,7 @@ fn nothing_to_check_exits_3_and_says_what_to_give() {
     let output = mhlint(folder.path(), &[]);
     assert_eq!((code(&output), stdout(&output).as_str()), (Some(3), ""));
     assert!(stderr(&output).contains("nothing was checked in `.`"), "{}", stderr(&output));
-    assert!(stderr(&output).contains("name the folder"), "{}", stderr(&output));
+    assert!(stderr(&output).contains("name the data folder"), "{}", stderr(&output));
 }
 
 #[test]

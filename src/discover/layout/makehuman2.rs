@@ -24,6 +24,7 @@ pub(super) static LAYOUT: Layout = Layout {
     shelf,
     beside: &[],
     is_telling: |_| false,
+    everywhere: None,
     shares_roots_of: None,
     has_second_user: false,
     has_bases: true,
