@@ -16,14 +16,9 @@ pub struct Scene {
     pub lights: usize,
 }
 
-/// Bytes beyond which nothing is a scene: those of the program have a few hundred, one of twenty thousand lights has less.
-pub const MOST_BYTES: usize = 1 << 22;
-
 /// Why a scene cannot be loaded.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum SceneFault {
-    /// It is too large for a scene, and only looked through for what would run code.
-    TooLarge,
     /// Its first byte is not that of a pickle, and nothing can be read of it.
     NoPickle,
     /// A pickle stops at a byte of the file.
@@ -64,10 +59,6 @@ enum Shape {
 /// Reads a scene.
 pub fn read(bytes: &[u8]) -> Scene {
     let mut scene = Scene::default();
-    if bytes.len() > MOST_BYTES {
-        let dangers = dangers_of_all(bytes);
-        return Scene { fault: dangers.is_empty().then_some(SceneFault::TooLarge), dangers, lights: 0 };
-    }
     let mut reader = Reader { bytes, at: 0, count: 0, needed: 4, heap: Heap::default(), dangers: Vec::new() };
     match reader.scene() {
         Ok(lights) => scene.lights = lights,
@@ -79,18 +70,6 @@ pub fn read(bytes: &[u8]) -> Scene {
         scene.fault = None;
     }
     scene
-}
-
-/// What would run code in any of the pickles of a file, without a look at values.
-fn dangers_of_all(bytes: &[u8]) -> Vec<Danger> {
-    let (mut dangers, mut at) = (Vec::new(), 0);
-    while at < bytes.len() {
-        let walk = pickle::walk(bytes, at, |module, name| (module, name) == COLOR, false);
-        dangers.extend(walk.dangers);
-        let Ok(end) = walk.end else { break };
-        at = end;
-    }
-    dangers
 }
 
 struct Reader<'b> {
@@ -296,13 +275,19 @@ mod tests {
         assert!(matches!(read(&bomb).fault, Some(SceneFault::Pickle(_, Fault::Unbounded))));
     }
 
+    /// Each of these has a value for each of its bytes, or nearly.
     #[test]
-    fn a_scene_that_is_too_large_is_only_looked_through() {
-        let mut large = b"N.".repeat(MOST_BYTES);
-        assert_eq!(read(&large), Scene { fault: Some(SceneFault::TooLarge), ..Scene::default() });
-        large.extend(b"cos\nsystem\n(S'ls'\ntR.");
-        assert_eq!(read(&large).dangers.first().and_then(|one| one.import.as_deref()), Some("os.system"));
-        assert_eq!(read(&large).fault, None);
+    fn a_pickle_of_too_many_values_is_given_up() {
+        for bytes in [b"N".as_slice(), b"N\x85", b"]", b"(", b"N0", b"N\x94"] {
+            let large = [b"\x80\x02", &bytes.repeat(1 << 20)[..]].concat();
+            let found = read(&large);
+            assert!(
+                matches!(found.fault, Some(SceneFault::Pickle(_, Fault::Unbounded | Fault::Break(_)))),
+                "{found:?}"
+            );
+            let unsafe_one = [&large[..], b"cos\nsystem\n."].concat();
+            assert_eq!(read(&unsafe_one).dangers.first().and_then(|one| one.import.as_deref()), Some("os.system"));
+        }
     }
 
     #[test]

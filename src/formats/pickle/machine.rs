@@ -57,6 +57,8 @@ pub enum Fault {
 
 /// Names of the members of a colour.
 const MEMBERS: [&str; 3] = ["_r", "_g", "_b"];
+/// Values of one pickle at most: those of scenes have twenty.
+const MOST_VALUES: usize = 1 << 18;
 /// Members that all colours of a pickle are given at most: one dictionary can be given to many, again and again.
 const MOST_MEMBERS: usize = 1 << 20;
 
@@ -85,6 +87,9 @@ pub fn run(bytes: &[u8], start: usize, heap: &mut Heap) -> Result<(Value, usize)
             return machine.pop(own.name).map(|value| (value, next)).map_err(|fault| (at, fault));
         }
         machine.step(&own).map_err(|fault| (at, fault))?;
+        if machine.is_full() {
+            return Err((at, Fault::Unbounded));
+        }
         at = next;
     }
 }
@@ -100,6 +105,11 @@ struct Machine<'h> {
 }
 
 impl Machine<'_> {
+    /// Whether there are more values than any pickle of a scene has.
+    fn is_full(&self) -> bool {
+        self.heap.0.len().max(self.stack.len()).max(self.marks.len()).max(self.memo.len()) > MOST_VALUES
+    }
+
     fn step(&mut self, own: &Opcode<'_>) -> Result<(), Fault> {
         match own.name {
             "MARK" => self.marks.push(self.stack.len()),

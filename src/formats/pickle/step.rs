@@ -58,6 +58,9 @@ fn lossy(text: &[u8]) -> String {
     String::from_utf8_lossy(text).into_owned()
 }
 
+/// Places of texts that are kept at most.
+const MOST_KEPT: usize = 1 << 18;
+
 /// The texts that were pushed last, which name what `STACK_GLOBAL` imports. Whatever could bring another one in between
 /// makes them unknown.
 #[derive(Default)]
@@ -71,14 +74,21 @@ impl<'b> Texts<'b> {
         let [_, last] = self.last;
         match own.name {
             "SHORT_BINUNICODE" | "BINUNICODE" | "BINUNICODE8" => self.last = [last, Some(own.argument)],
-            "MEMOIZE" => drop(self.memo.insert(self.memo.len() as u64, last)),
-            "BINPUT" | "LONG_BINPUT" => drop(self.memo.insert(unsigned(own.argument), last)),
+            "MEMOIZE" => self.keep(self.memo.len() as u64, last),
+            "BINPUT" | "LONG_BINPUT" => self.keep(unsigned(own.argument), last),
             "BINGET" | "LONG_BINGET" => {
                 let found = self.memo.get(&unsigned(own.argument)).copied().flatten();
                 self.last = [last, found];
             }
             "PROTO" | "FRAME" => {}
             _ => self.last = [None, None],
+        }
+    }
+
+    /// Texts beyond those that are kept are unknown.
+    fn keep(&mut self, place: u64, text: Option<&'b [u8]>) {
+        if self.memo.len() < MOST_KEPT || self.memo.contains_key(&place) {
+            self.memo.insert(place, text);
         }
     }
 

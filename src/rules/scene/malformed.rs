@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx, counted};
 use super::FIRST;
 use crate::diag::{Application::Makehuman1, Case, Finding, Level, Place, RuleInfo};
 use crate::formats::pickle::{Break, Fault};
-use crate::formats::scene::{MOST_BYTES, SceneFault};
+use crate::formats::scene::SceneFault;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
@@ -44,7 +44,6 @@ fn finding(file: &FileFacts) -> Option<Finding> {
 
 fn words(fault: &SceneFault) -> String {
     match fault {
-        SceneFault::TooLarge => format!("larger than a scene can be ({} KiB)", MOST_BYTES >> 10),
         SceneFault::NoPickle => "not a scene: it does not begin as one".to_owned(),
         SceneFault::Pickle(at, fault) => format!("the pickle cannot be read: {} at byte {at}", of_pickle(*fault)),
         SceneFault::Ends(count, needed) => format!("the file ends after {} of {needed}", counted(*count, "value")),
