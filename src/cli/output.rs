@@ -106,15 +106,13 @@ pub(super) fn refuse_asset(
 ) -> Result<(), Failure> {
     let is_path = |file: &Path| paths.iter().any(|path| path.is_file() && resolved(path) == resolved(file));
     let mut files = targets.iter().filter_map(|target| target.file.as_deref());
-    files.find(|file| file.is_file() && (is_path(file) || holds_asset(outcome, file, &config.systems))).map_or(
-        Ok(()),
-        |file| {
-            let (shown, remedy) = (file.display(), "use a file outside the data");
-            Err(Failure::Usage(format!(
-                "cannot write a report to `{shown}`: it is an asset and would be overwritten; {remedy}"
-            )))
-        },
-    )
+    let is_asset = |file: &&Path| file.is_file() && (is_path(file) || holds_asset(outcome, file, &config.systems));
+    files.find(is_asset).map_or(Ok(()), |file| {
+        let (shown, remedy) = (file.display(), "use a file outside the data");
+        Err(Failure::Usage(format!(
+            "cannot write a report to `{shown}`: it is an asset and would be overwritten; {remedy}"
+        )))
+    })
 }
 
 /// Writes `what` to a file.

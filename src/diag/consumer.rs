@@ -108,7 +108,7 @@ impl Consumed {
 }
 
 /// Tells files how they fare. `consumed` is sorted by path. What is found at a folder concerns the files that it names.
-pub(crate) fn judge(consumed: &mut [Consumed], findings: &[Finding]) {
+pub(crate) fn grade_consumers(consumed: &mut [Consumed], findings: &[Finding]) {
     for finding in findings {
         let named = [finding.path.as_str(), finding.asset_path()].into_iter();
         for path in named.chain(finding.files().iter().map(String::as_str)) {
@@ -123,13 +123,7 @@ pub(crate) fn judge(consumed: &mut [Consumed], findings: &[Finding]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diag::{Place, RuleInfo};
-
-    const RULE: RuleInfo = RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops"), (Application::Mpfb, "ignores it")],
-        levels: &[(Application::Mpfb, Level::Info)],
-        ..RuleInfo::new("a-rule", Level::Error, "a fault")
-    };
+    use crate::diag::{OF_TWO as RULE, Place};
 
     fn row(path: &str) -> Consumed {
         let by = Application::ALL.map(|application| Consumer {
@@ -148,7 +142,7 @@ mod tests {
     #[test]
     fn a_finding_concerns_its_file_in_the_applications_that_it_breaks() {
         let mut rows = ["data/a", "data/b", "data/b/c"].map(row);
-        judge(&mut rows, &[Finding::new(&RULE, "data/b", Place::File, "it")]);
+        grade_consumers(&mut rows, &[Finding::new(&RULE, "data/b", Place::File, "it")]);
         let none = vec![Fares::Fine; 3];
         let order = Application::ALL.map(|application| match application {
             Application::Makehuman2 => Fares::Error,
@@ -161,7 +155,7 @@ mod tests {
     #[test]
     fn one_at_a_folder_concerns_the_files_that_it_names() {
         let mut rows = ["data/a/x", "data/a/y", "data/b"].map(row);
-        judge(&mut rows, &[Finding::new(&RULE, "data/a", Place::File, "it").parts_in([("p", "data/a/y")])]);
+        grade_consumers(&mut rows, &[Finding::new(&RULE, "data/a", Place::File, "it").parts_in([("p", "data/a/y")])]);
         let is_touched = |row: &Vec<Fares>| row.contains(&Fares::Error);
         assert_eq!(fares(&rows).iter().map(is_touched).collect::<Vec<_>>(), [false, true, false]);
     }

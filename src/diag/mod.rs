@@ -21,7 +21,7 @@ mod subject;
 mod upkeep;
 
 pub use baseline::{Baseline, Entry};
-pub(crate) use consumer::judge;
+pub(crate) use consumer::grade_consumers;
 pub use consumer::{AssetGroup, Consumed, Consumer, Fares};
 pub use evidence::{Cases, EXAMPLES, Evidence, Few, Tally, Worst};
 pub use finding::{Break, Finding, IgnoredFiles, NewParts, Related};
@@ -37,6 +37,8 @@ pub use outcome::{
 };
 pub use parts::{Name, NameIndex, Parts};
 pub use place::{Element, Excerpt, Folder, Location, Place, add_step, pointer, steps};
+#[cfg(test)]
+pub(crate) use rule_info::OF_TWO;
 pub use rule_info::{Case, FixKind, OptionInfo, RuleInfo};
 pub use subject::Subject;
 pub use upkeep::{BaselineUse, IdleGlob, IgnoreState, IgnoreUse, UnknownRule, Upkeep};

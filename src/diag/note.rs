@@ -12,7 +12,7 @@ pub enum Note {
     },
     /// Applications that were asked for, and of which there are no data.
     NothingFor {
-        /// Their titles.
+        /// Which.
         applications: Vec<Application>,
     },
     /// Only what is new or worse is reported.

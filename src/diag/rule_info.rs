@@ -103,3 +103,11 @@ impl RuleInfo {
         self.id.split('-').next().unwrap_or(self.id)
     }
 }
+
+/// A rule that is an error for one application and an info for another one, for tests.
+#[cfg(test)]
+pub(crate) const OF_TWO: RuleInfo = RuleInfo {
+    breaks: &[(Application::Makehuman2, "stops"), (Application::Mpfb, "ignores it")],
+    levels: &[(Application::Mpfb, Level::Info)],
+    ..RuleInfo::new("a-rule", Level::Error, "a fault")
+};

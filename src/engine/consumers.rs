@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::catalogue::has_rules;
-use crate::diag::{Application, Consumed, Consumer, Fares};
+use crate::diag::{Application, AssetGroup, Consumed, Consumer, Fares};
 use crate::repo::FileFacts;
 use crate::rules::unread;
 
 /// The files that some application loads, by printed path: data roots of several applications have files in common.
 #[derive(Default)]
-pub(super) struct Consumers(BTreeMap<String, Consumed>);
+pub(super) struct Consumers(BTreeMap<String, (AssetGroup, Vec<Consumer>)>);
 
 impl Consumers {
     /// Notes a file of a data root, if the application loads files of its kind; `archive` is read in its place.
@@ -31,8 +31,7 @@ impl Consumers {
         let fares = if has_rules { Fares::Fine } else { Fares::NotChecked };
         let archive = archive.map(|archive| archive.path.as_str().into());
         let consumer = Consumer { application, root: root.clone(), archive, fares };
-        let none = || Consumed { path: file.path.clone(), group, by: Vec::new() };
-        let by = &mut self.0.entry(file.path.clone()).or_insert_with(none).by;
+        let (_, by) = self.0.entry(file.path.clone()).or_insert_with(|| (group, Vec::new()));
         if !by.iter().any(|one| one.application == application) {
             by.push(consumer);
         }
@@ -40,13 +39,15 @@ impl Consumers {
 
     /// Whether what is in a file was checked for some application.
     pub(super) fn has_checked(&self, path: &str) -> bool {
-        self.0.get(path).is_some_and(|row| row.by.iter().any(|one| one.fares != Fares::NotChecked))
+        self.0.get(path).is_some_and(|(_, by)| by.iter().any(|one| one.fares != Fares::NotChecked))
     }
 
     /// All of them, sorted by path.
     pub(super) fn sorted(self) -> Vec<Consumed> {
-        let mut all: Vec<Consumed> = self.0.into_values().collect();
-        all.iter_mut().for_each(|one| one.by.sort_by_key(|consumer| consumer.application));
-        all
+        let row = |(path, (group, mut by)): (String, (AssetGroup, Vec<Consumer>))| {
+            by.sort_by_key(|consumer| consumer.application);
+            Consumed { path, group, by }
+        };
+        self.0.into_iter().map(row).collect()
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use crate::config::Config;
-use crate::diag::{Application, ApplicationVerdict, Level, Outcome, Verdict, judge};
+use crate::diag::{Application, ApplicationVerdict, Level, Outcome, Verdict, grade_consumers};
 use crate::discover::Layout;
 use crate::source::{resolved, slashed};
 
@@ -21,7 +21,7 @@ pub(super) fn conclude(outcome: &mut Outcome, config: &Config) {
     let of = |level| outcome.findings.iter().filter(|finding| finding.level == level).count();
     let counts = (of(Level::Error), of(Level::Warning), of(Level::Info));
     (outcome.summary.error, outcome.summary.warning, outcome.summary.info) = counts;
-    judge(&mut outcome.consumers, &outcome.findings);
+    grade_consumers(&mut outcome.consumers, &outcome.findings);
     let checked: BTreeSet<Application> = outcome.checked().map(|root| root.application).collect();
     outcome.applications = checked.into_iter().map(|application| verdict(application, outcome, config)).collect();
 }
@@ -56,13 +56,7 @@ pub(crate) fn holds_asset(outcome: &Outcome, file: &Path, systems: &[PathBuf]) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diag::{FailedStep, Finding, Place, RootSummary, RuleInfo};
-
-    const RULE: RuleInfo = RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops"), (Application::Mpfb, "ignores it")],
-        levels: &[(Application::Mpfb, Level::Info)],
-        ..RuleInfo::new("a-rule", Level::Error, "a fault")
-    };
+    use crate::diag::{FailedStep, Finding, OF_TWO as RULE, Place, RootSummary, RuleInfo};
 
     fn checked(findings: Vec<Finding>) -> Outcome {
         let root = |application| RootSummary { path: String::new(), application, bases: Vec::new(), checked: true };

@@ -2,7 +2,7 @@
 //!
 //! Rows of targets come when a setting needs them (`rows`).
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 use super::data::SkeletonFile;
 use super::error::Error;
@@ -36,8 +36,8 @@ pub struct Evaluation {
     pub(super) skeleton: Result<SkeletonFile, String>,
     /// Why the application stops when it binds the weights.
     pub(super) weights_fault: Option<Error>,
-    /// The archive that the application reads in place of target files, and the targets in it.
-    pub(super) archive: Option<(String, BTreeSet<String>)>,
+    /// The archive that the application reads in place of target files, and the targets in it with their members.
+    pub(super) archive: Option<(String, BTreeMap<String, String>)>,
     /// Vertex groups that are not those of the mesh file, each with its ranges.
     pub(super) groups: Vec<(String, Vec<(i64, i64)>)>,
 }

@@ -40,21 +40,29 @@ impl Evaluation {
     /// # Errors
     /// A target that is missing or cannot be used.
     fn with_factors(&mut self, factors: &[(usize, f64)]) -> Result<Vec<Point>, Error> {
-        for (target, _) in factors {
-            self.need_rows(*target)?;
-        }
+        self.need_rows(factors.iter().map(|(target, _)| *target))?;
         let mut positions = self.scene.positions.clone();
         self.scene.add(&mut positions, factors).map_err(|error| self.setting_error(error))?;
         Ok(positions)
     }
 
-    pub(super) fn need_rows(&mut self, target: usize) -> Result<(), Error> {
+    /// Reads the rows of targets, as far as they are not known. An archive is read once for all of them.
+    pub(super) fn need_rows(&mut self, targets: impl Iterator<Item = usize>) -> Result<(), Error> {
+        let mut archive = None;
+        for target in targets {
+            self.need(target, &mut archive)?;
+        }
+        Ok(())
+    }
+
+    fn need(&mut self, target: usize, archive: &mut Option<Vec<u8>>) -> Result<(), Error> {
         let Some(known) = self.scene.targets.get(target) else { return Ok(()) };
         if known.rows.is_some() {
             return Ok(());
         }
-        let rows = match self.archive.as_ref().filter(|(_, members)| members.contains(&known.name)) {
-            Some((path, _)) => self.read_archived(path, &known.name)?,
+        let member = self.archive.as_ref().and_then(|(path, members)| Some((path, members.get(&known.name)?)));
+        let rows = match member {
+            Some((path, member)) => self.read_archived(path, &known.name, member, archive)?,
             None => self.read_rows(&known.path, &known.name)?,
         };
         // Rows for seam duplicates are accepted and overwritten by the application.
@@ -67,9 +75,14 @@ impl Evaluation {
         Ok(())
     }
 
-    fn read_rows(&self, path: &str, name: &str) -> Result<Vec<Row>, Error> {
+    /// The bytes of a file for the target `name`.
+    fn read_file(&self, path: &str, name: &str) -> Result<Vec<u8>, Error> {
         let (tree, entry) = self.entry(path).ok_or_else(|| self.missing(name))?;
-        let bytes = tree.read(entry, &self.limits).map_err(|fault| Error::file(path, read_cause(&fault)))?;
+        tree.read(entry, &self.limits).map_err(|fault| Error::file(path, read_cause(&fault)))
+    }
+
+    fn read_rows(&self, path: &str, name: &str) -> Result<Vec<Row>, Error> {
+        let bytes = self.read_file(path, name)?;
         let bytes = if extension(path) == "gz" { self.unpacked(path, &bytes)? } else { bytes };
         let encoding = Encoding::of(&bytes);
         if encoding.lfs_pointer {
@@ -83,8 +96,14 @@ impl Evaluation {
         unusable(&target.facts).map_or(Ok(target.rows), |cause| Err(Error::file(path, cause)))
     }
 
-    /// The rows of a target that the application takes from an archive.
-    fn read_archived(&self, path: &str, name: &str) -> Result<Vec<Row>, Error> {
+    /// The rows of a target that the application takes from an archive; `archive` has its bytes once they are read.
+    fn read_archived(
+        &self,
+        path: &str,
+        name: &str,
+        member: &str,
+        archive: &mut Option<Vec<u8>>,
+    ) -> Result<Vec<Row>, Error> {
         if self.application() != Application::Makehuman1 {
             let reason = format!(
                 "{} takes `{name}` from this archive, which mhlint cannot evaluate; move the archive away to evaluate the \
@@ -93,10 +112,11 @@ impl Evaluation {
             );
             return Err(Error::file(path, reason));
         }
-        let (tree, entry) = self.entry(path).ok_or_else(|| self.missing(name))?;
-        let bytes = tree.read(entry, &self.limits).map_err(|fault| Error::file(path, read_cause(&fault)))?;
-        let member = name.strip_suffix(".target").unwrap_or(name);
-        let rows = targets_npz::rows(&bytes, &self.limits, &format!("targets/{member}"));
+        let bytes = match archive {
+            Some(bytes) => bytes,
+            None => archive.insert(self.read_file(path, name)?),
+        };
+        let rows = targets_npz::rows(bytes, &self.limits, member);
         let rows = rows.ok_or_else(|| Error::file(path, format!("`{name}` cannot be read from it")))?;
         match rows.iter().find(|row| row.0 as usize >= self.size.with_seams) {
             Some((vertex, _)) => {

@@ -29,10 +29,10 @@ impl<'a> View<'a> {
             let Some(archive) = folder.archive() else { continue };
             archived.extend(folder.targets().map(|target| (target.path.as_str(), archive)));
         }
-        let packed = self.as_makehuman1().map(|view| &view.targets).filter(|targets| targets.are_archived());
-        if let Some((targets, archive)) = packed.and_then(|targets| Some((targets, targets.archive.as_ref()?.file))) {
-            let texts = targets.shipped.iter().map(|target| target.file).filter(|file| file.path != archive.path);
-            archived.extend(texts.map(|file| (file.path.as_str(), archive)));
+        if let Some((archive, targets)) = self.as_makehuman1().and_then(|view| view.targets.archived()) {
+            // One without a text has the archive for a file.
+            let texts = targets.iter().map(|(target, _)| target.file).filter(|file| file.path != archive.file.path);
+            archived.extend(texts.map(|file| (file.path.as_str(), archive.file)));
         }
         archived
     }

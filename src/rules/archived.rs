@@ -11,18 +11,11 @@ const LATER: &str = "reads the target from `targets.npz`; this takes effect once
 
 /// Lowers what is found in texts that MakeHuman 1 does not read.
 pub(crate) fn lower_archived(view: &View<'_>, findings: &mut [Finding]) {
-    let Some(targets) = view.as_makehuman1().map(|view| &view.targets).filter(|targets| targets.are_archived()) else {
-        return;
-    };
-    let Some(archive) = &targets.archive else { return };
+    let Some((_, targets)) = view.as_makehuman1().and_then(|view| view.targets.archived()) else { return };
     // What is in the archive as well is in effect today.
-    let has_others = |target: &&NamedTarget<'_>| {
-        let member = target.rel.strip_suffix(".target").and_then(|name| archive.content.targets.get(name));
-        let own = target.file.target().map(|facts| facts.thousandths);
-        member.is_some_and(|member| member.is_sound() && member.content != own)
-    };
-    let texts = targets.shipped.iter().filter(has_others);
-    let texts: BTreeSet<&str> = texts.map(|target| target.file.path.as_str()).collect();
+    let own = |target: &NamedTarget<'_>| target.file.target().map(|facts| facts.thousandths);
+    let texts = targets.iter().filter(|(target, member)| member.content != own(target));
+    let texts: BTreeSet<&str> = texts.map(|(target, _)| target.file.path.as_str()).collect();
     let is_about_archive = |rule: &str| rule == "target-stale-binary" || rule.starts_with("archive-");
     let own = |finding: &&mut Finding| texts.contains(finding.path.as_str()) && !is_about_archive(finding.rule);
     for finding in findings.iter_mut().filter(own) {

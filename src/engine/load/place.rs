@@ -32,7 +32,7 @@ pub(in crate::engine) struct Place<'t> {
 impl<'t> Place<'t> {
     /// The data root at `root` with these layouts.
     pub(in crate::engine) fn new(tree: &'t Tree, root: &str, layouts: &[&'static Layout]) -> Self {
-        Self::with(tree, root, layouts, candidates(tree, root, layouts), false)
+        Self::around(tree, root, layouts, Vec::new())
     }
 
     /// The data root at `root`, without those of other applications inside it, but for what is looked for everywhere.

@@ -71,13 +71,11 @@ fn name_of(rel: &str) -> &str {
     rel.strip_prefix("targets/").unwrap_or(rel)
 }
 
-/// The archive that the program reads in place of texts, with the targets that it takes from it. It takes the text of one
-/// that it cannot read there.
-fn archive(view: &View<'_>) -> Option<(String, BTreeSet<String>)> {
-    let archive = view.targets.archive.as_ref().filter(|_| view.targets.are_archived())?;
-    let sound = archive.content.targets.iter().filter(|(_, own)| own.is_sound());
-    let names = sound.map(|(name, _)| format!("{}.target", name_of(name))).collect();
-    Some((archive.file.path.clone(), names))
+/// The archive that the program reads in place of texts, with the targets that it takes from it.
+fn archive(view: &View<'_>) -> Option<(String, BTreeMap<String, String>)> {
+    let (archive, targets) = view.targets.archived()?;
+    let named = targets.iter().map(|(target, _)| (name_of(&target.rel).to_owned(), target.member().to_owned()));
+    Some((archive.file.path.clone(), named.collect()))
 }
 
 const NO_MODIFIERS: &str = "`modifiers/` is missing or cannot be used";

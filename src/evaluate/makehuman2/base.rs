@@ -54,7 +54,7 @@ pub(in crate::evaluate) fn open(base: &Base<'_>, limits: Limits) -> Result<Evalu
         skeleton: skeleton_of(base),
         weights_fault: weights_fault(base, &scene),
         archive: base.targets.and_then(|folder| folder.archive()).and_then(|file| {
-            let members = file.archive()?.members.iter().map(|member| member.name.clone());
+            let members = file.archive()?.members.iter().map(|member| (member.name.clone(), member.name.clone()));
             Some((file.path.clone(), members.collect()))
         }),
         scene,

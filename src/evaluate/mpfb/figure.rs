@@ -29,9 +29,7 @@ impl Evaluation {
 
     /// The same of a figure with these targets as its shape keys, in the order of the keys.
     pub(super) fn with_keys(&mut self, keys: &[(usize, f64)], scale: f32) -> Result<Vec<Point>, Error> {
-        for (target, _) in keys {
-            self.need_rows(*target)?;
-        }
+        self.need_rows(keys.iter().map(|(target, _)| *target))?;
         let rows = |target: usize| self.scene.targets.get(target).and_then(|target| target.rows.as_deref());
         let keys = keys.iter().filter_map(|(target, value)| Some((rows(*target)?.as_slice(), round_to_f32(*value))));
         Ok(mixed(&self.scene.positions, keys, scale))

@@ -3,11 +3,11 @@
 
 use std::collections::BTreeMap;
 
-use super::targets::TARGETS_NPZ;
+use super::targets::{NamedTarget, TARGETS_NPZ};
 use crate::formats::npz::ArchiveFault;
 use crate::formats::picture_list::PictureList;
 use crate::formats::target_name::{Clash, TargetName};
-use crate::formats::targets_npz::TargetsNpz;
+use crate::formats::targets_npz::{PackedTarget, TargetsNpz};
 use crate::repo::{FileFacts, Layer};
 
 /// The archive of the system's targets.
@@ -63,6 +63,11 @@ impl<'a> TargetArchive<'a> {
     /// Whether it is empty or a pointer of Git LFS.
     pub(crate) const fn is_blank(&self) -> bool {
         self.file.size == 0 || self.file.encoding.lfs_pointer
+    }
+
+    /// What it has for a target.
+    pub(super) fn member_of(&self, target: &NamedTarget<'_>) -> Option<&'a PackedTarget> {
+        self.content.targets.get(target.member())
     }
 
     /// The targets that it lists.

@@ -6,6 +6,7 @@ use super::target_archive::TargetArchive;
 use super::view::OWN;
 use crate::discover::{Kind, Layout, Single};
 use crate::formats::target_name::{Clash, TargetName};
+use crate::formats::targets_npz::PackedTarget;
 use crate::repo::{FileFacts, Layer, Layers};
 
 /// The folder of the user's own targets.
@@ -65,6 +66,13 @@ pub(crate) struct PathClash<'a> {
     pub clash: Clash,
 }
 
+impl NamedTarget<'_> {
+    /// What its members in an archive are called after.
+    pub(crate) fn member(&self) -> &str {
+        self.rel.strip_suffix(".target").unwrap_or(&self.rel)
+    }
+}
+
 impl<'a> Targets<'a> {
     pub(super) fn of(layers: Layers<'a>) -> Self {
         let mut targets = Self { custom: custom(layers), ..Self::default() };
@@ -111,6 +119,14 @@ impl<'a> Targets<'a> {
     /// Whether the program takes them from an archive.
     pub(crate) fn are_archived(&self) -> bool {
         self.archive.as_ref().is_some_and(|archive| archive.unused.is_none())
+    }
+
+    /// The targets that the program reads from an archive, with their members, the archive first. It takes the text of
+    /// one that it cannot read there.
+    pub(crate) fn archived(&self) -> Option<(&TargetArchive<'a>, Vec<(&NamedTarget<'a>, &'a PackedTarget)>)> {
+        let archive = self.archive.as_ref().filter(|archive| archive.unused.is_none())?;
+        let sound = |target| archive.member_of(target).filter(|member| member.is_sound());
+        Some((archive, self.shipped.iter().filter_map(|target| Some((target, sound(target)?))).collect()))
     }
 
     /// The targets of a group.

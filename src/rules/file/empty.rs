@@ -30,10 +30,6 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_of_program = view.layers().checks_system() && view.references().to_file(file).next().is_none();
-    // Notes and the like, which no application loads.
-    if view.is_mpfb() && file.kind == Kind::Other {
-        return;
-    }
     let Some(what) = emptiness(file, is_of_program).or_else(|| counts_as_missing(view, file)) else { return };
     if is_override(file) || is_target_of_macros(view, file) || is_unmet(view, file) {
         return;

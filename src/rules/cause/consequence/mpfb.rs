@@ -1,6 +1,6 @@
 //! What MPFB does with a file that it cannot read or find (formats/mpfb.md §2.3, §3.1, §6, §7, §28; mpfb-observed.md 1.2).
 
-use super::table::{Cell, LOST, Table, anywhere, cell};
+use super::table::{Cell, LOST, Table, anywhere, cell, nothing};
 use super::{Consequence, Damage, Moment};
 use crate::diag::Application::Mpfb;
 use crate::diag::Case;
@@ -47,6 +47,8 @@ pub(super) static TABLE: Table = Table {
         anywhere(Kind::AssetMesh, Moment::Use, NO_MESH),
         anywhere(Kind::Material, Moment::Use, NO_SURFACE),
         anywhere(Kind::Image, Moment::Use, NO_PICTURE),
+        // Notes and the like, which nobody loads.
+        anywhere(Kind::Other, Moment::Use, &[nothing(Damage::Empty)]),
     ],
     at_moment: &[],
     in_general: LOST,
