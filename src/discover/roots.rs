@@ -52,8 +52,9 @@ pub(crate) fn find_roots<'a>(
             confirmed.iter().filter(|other| other.path == root.path && other.application != root.application);
         others.any(|other| Layout::of(other.application).shares_roots_of != Some(root.application))
     };
+    let told = told(&signs);
     signs.retain(|root, sign| {
-        let is_own = company.contains(&root.application) || confirmed.contains(root);
+        let is_own = company.contains(&root.application) || confirmed.contains(root) || told.alone.contains(root);
         *sign == Sign::Strong || is_own && !is_confirmed_of_other(root)
     });
     // A folder `data` in one that is called so is a copy that went astray.
@@ -79,23 +80,25 @@ pub(crate) fn find_roots<'a>(
         own.filter(|root| !better.iter().any(|other| is_near(root, other))).cloned().collect()
     };
     let mut roots = count(Sign::Strong, &[]);
-    for sign in [Sign::Weak, Sign::Faint] {
-        roots.extend(count(sign, &roots));
-    }
+    roots.extend([Sign::OfUser, Sign::Weak].map(|sign| count(sign, &roots)).concat());
+    roots.extend(count(Sign::Faint, &roots));
     let has_data = |application: Application| {
         at_hand.contains(&application)
             || signs.iter().any(|(root, sign)| root.application == application && *sign == Sign::Strong)
     };
-    for application in company {
+    for application in Application::ALL {
         let Some(other) = Layout::of(application).shares_roots_of else { continue };
+        let own = |root: &DataRoot| DataRoot { path: root.path.clone(), application };
         // Signs that others have, too, are those of a user. Of an application that is asked for all but a system's are.
-        let is_users = |sign: Sign| sign == Sign::Faint || sign == Sign::Weak && asked.contains(&application);
-        let is_shared = |root: &&DataRoot| root.application == other && signs.get(*root).copied().is_some_and(is_users);
-        let shared = roots.iter().filter(is_shared).map(|root| DataRoot { path: root.path.clone(), application });
-        let shared: Vec<DataRoot> = shared.collect();
+        let is_users = |sign: Sign| sign == Sign::Faint || sign < Sign::Strong && asked.contains(&application);
+        let is_shared = |root: &&DataRoot| {
+            let is_meant = company.contains(&application) || told.shared.contains(&own(root));
+            is_meant && root.application == other && signs.get(*root).copied().is_some_and(is_users)
+        };
+        let shared: Vec<DataRoot> = roots.iter().filter(is_shared).map(own).collect();
         // Where files beside it confirm the one, whose data are at hand, and nothing says the other, that is not meant.
         if has_data(application) && !has_data(other) && !asked.contains(&other) {
-            let is_confirmed = |root: &DataRoot| confirmed.contains(&DataRoot { path: root.path.clone(), application });
+            let is_confirmed = |root: &DataRoot| confirmed.contains(&own(root));
             let is_other = |root: &DataRoot| root.application == other && signs.get(root) == Some(&Sign::Faint);
             roots.retain(|root| !is_other(root) || !is_confirmed(root));
         }
@@ -104,6 +107,27 @@ pub(crate) fn find_roots<'a>(
     roots.sort();
     roots.dedup();
     roots
+}
+
+/// Roots of users of an application that shares these with another one, told by what is in them alone.
+struct Told {
+    /// Those with files that nobody else has.
+    alone: BTreeSet<DataRoot>,
+    /// Those with assets of both, and files that the other one has no use for.
+    shared: BTreeSet<DataRoot>,
+}
+
+fn told(signs: &BTreeMap<DataRoot, Sign>) -> Told {
+    let mut told = Told { alone: BTreeSet::new(), shared: BTreeSet::new() };
+    for (root, sign) in signs.iter().filter(|(_, sign)| **sign >= Sign::Weak) {
+        let Some(application) = Layout::of(root.application).shares_roots_of else { continue };
+        match signs.get(&DataRoot { path: root.path.clone(), application }) {
+            Some(Sign::Faint) => _ = told.shared.insert(root.clone()),
+            None if *sign == Sign::OfUser => _ = told.alone.insert(root.clone()),
+            _ => {}
+        }
+    }
+    told
 }
 
 /// Whether files beside a folder called `data` belong to it.
@@ -204,13 +228,20 @@ mod tests {
         assert_eq!(with_presets.len(), 2);
         let asked = find_roots([library], &[Application::Mpfb], &[]);
         assert_eq!(asked.into_iter().map(|root| (root.path, root.application)).collect::<Vec<_>>(), both("user"));
-        // Without its company a folder of packs, expressions or custom targets is nobody's, or that of the other one.
+        // Without its company a folder of packs, expressions or custom targets is nobody's; with assets it is that of the
+        // other one, which has no use for packs.
         assert_eq!(found(&["src/packs/mine.json", "src/expressions/a.json", "src/custom/x.target.gz"]), []);
-        for path in
-            ["user/packs/mine.json", "user/expressions/a.json", "user/custom/x.target", "user/targets/a/b.target"]
-        {
+        for path in ["user/expressions/a.json", "user/custom/x.target"] {
             assert_eq!(found(&[library, path]), [("user".to_owned(), Application::Makehuman1)], "{path}");
         }
+        for path in ["user/packs/mine.json", "user/targets/a/b.target", "user/targets/custom/x.target"] {
+            assert_eq!(found(&[library, path, "other/hair/bob.mhclo"])[1..], both("user"), "{path}");
+        }
+        for path in ["user/targets/custom/x.target", "user/targets/mine/x.target.gz"] {
+            assert_eq!(found(&[path]), [("user".to_owned(), Application::Mpfb)], "{path}");
+        }
+        let of_program = ["data/modifiers/a_modifiers.json", "data/packs/a.json", "data/targets/a/x.target.gz"];
+        assert_eq!(found(&of_program), [("data".to_owned(), Application::Makehuman1)]);
     }
 
     #[test]

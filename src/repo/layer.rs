@@ -34,6 +34,8 @@ pub(crate) struct Layer {
     pub files: BTreeMap<String, FileFacts>,
     /// Folders, relative to the root.
     pub folders: Vec<String>,
+    /// Those that are hidden, or in a hidden one, and whose names count all the same.
+    pub hidden_folders: Vec<String>,
     /// Those of them that are links, relative to the root.
     pub linked_folders: Vec<String>,
     /// What the walk could not list, relative to the root.
@@ -59,14 +61,29 @@ impl Layer {
         path: String,
         layouts: Vec<&'static Layout>,
         files: BTreeMap<String, FileFacts>,
-        mut folders: Vec<String>,
+        folders: Vec<String>,
         mut walk_faults: Vec<WalkFault>,
     ) -> Self {
+        let is_hidden = |rel: &String| rel.split('/').any(|part| part.starts_with('.'));
+        let (mut hidden_folders, mut folders): (Vec<_>, Vec<_>) = folders.into_iter().partition(is_hidden);
         folders.sort_unstable();
+        hidden_folders.sort_unstable();
         walk_faults.sort_by(|one, other| one.path.cmp(&other.path));
         let (linked_folders, folded, loose) = (Vec::new(), OnceLock::new(), OnceLock::new());
-        let pack = None;
-        Self { path, is_loose: false, layouts, files, folders, linked_folders, walk_faults, pack, folded, loose }
+        let (is_loose, pack) = (false, None);
+        Self {
+            path,
+            is_loose,
+            layouts,
+            files,
+            folders,
+            hidden_folders,
+            linked_folders,
+            walk_faults,
+            pack,
+            folded,
+            loose,
+        }
     }
 
     /// Adds files that were read later.

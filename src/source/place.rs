@@ -24,6 +24,11 @@ pub(crate) fn canonical(path: &Path) -> Option<PathBuf> {
     fs::canonicalize(named(path)).ok()
 }
 
+/// A path below a folder, from the folder above that: it begins with the name of the first.
+pub(crate) fn from_above(folder: &Path, path: &Path) -> String {
+    slashed(&Path::new(folder.file_name().unwrap_or_default()).join(path))
+}
+
 /// The absolute path without `..`, and without links in as much of it as exists: a deleted file still has its folder.
 pub(crate) fn resolved(path: &Path) -> PathBuf {
     let whole = std::path::absolute(named(path)).unwrap_or_else(|_| path.to_owned());

@@ -144,7 +144,9 @@ impl Tree {
     pub fn packed(label: impl Into<String>, zip: Vec<u8>, limits: &Limits, wanted: Wanted) -> Self {
         let (pack, facts) = Pack::open(zip, limits);
         let folders: Vec<String> = pack.folders().map(|folder| format!("{folder}/")).collect();
-        let is_listed = |(path, _): &(&str, u64)| !walk::has_hidden_part(path) || wanted(path, false);
+        let is_listed = |(path, _): &(&str, u64)| {
+            !walk::has_hidden_part(path) || wanted(path.trim_end_matches('/'), path.ends_with('/'))
+        };
         let all = pack.files().chain(folders.iter().map(|folder| (folder.as_str(), 0))).filter(is_listed);
         let (entries, faults) = memory_entries(all.collect::<BTreeMap<_, _>>());
         let tree = Self::new(label.into(), Backend::Packed(Arc::new(pack)), entries, faults);

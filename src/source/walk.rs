@@ -6,7 +6,7 @@ use std::path::{Component, Path, PathBuf};
 
 use walkdir::{DirEntry, WalkDir};
 
-use super::place::{LONGEST_CHAIN, resolved, slashed};
+use super::place::{LONGEST_CHAIN, from_above, resolved, slashed};
 use super::tree::{Entry, EntryKind, WalkFault, WalkFaultKind};
 
 /// Entries that are listed at most: folders that link to each other multiply without end, and no asset
@@ -19,8 +19,9 @@ pub(super) const MOST_LETTERS: usize = 32 << 20;
 /// What is said where they are passed.
 pub(super) const TOO_LONG: &str = "the paths take more than 32 MiB in total; the rest was not checked";
 
-/// Says of a hidden path, or of a path in a hidden folder, whether somebody reads it: a file that is to be listed, or
-/// (`true` behind it) a folder that is to be searched for such files.
+/// Says of a hidden path, or of a path in a hidden folder, whether somebody has an eye on it: a file that is to be listed,
+/// or (`true` behind it) a folder that is to be listed and searched. The path begins with the name of the folder that is
+/// listed.
 pub(super) type Wanted = fn(&str, bool) -> bool;
 
 /// Lists everything below `root`, of hidden files and what is in hidden folders (`.git` and its kin) only what is
@@ -31,6 +32,7 @@ pub(super) fn walk(root: &Path, depth: usize, wanted: Wanted) -> (Vec<Entry>, Ve
 
 fn walk_at_most(root: &Path, depth: usize, wanted: Wanted, most: usize) -> (Vec<Entry>, Vec<WalkFault>) {
     let canonical = resolved(root);
+    let wanted = |path: &Path, is_folder| wanted(&from_above(&canonical, path), is_folder);
     let mut entries = Vec::new();
     let mut faults = Vec::new();
     let walk = WalkDir::new(root).follow_links(true).min_depth(1).max_depth(depth);
@@ -53,15 +55,13 @@ fn walk_at_most(root: &Path, depth: usize, wanted: Wanted, most: usize) -> (Vec<
             break;
         }
         match step {
-            Ok(found) if is_hidden(root, &found) && !is_wanted(root, &found, wanted) => {
+            Ok(found) if is_hidden(root, &found) && !is_wanted(root, &found, &wanted) => {
                 skip_folder(&mut walker, &found);
             }
             Ok(found) if found.path_is_symlink() && leaves(&canonical, found.path()) => {
                 faults.push(fault(root, found.path(), WalkFaultKind::LinkLeavesRoot));
                 skip_folder(&mut walker, &found);
             }
-            // Of hidden folders only the files are of interest.
-            Ok(found) if found.file_type().is_dir() && is_hidden(root, &found) => {}
             Ok(found) => entries.push(Entry { link_to: links.meant(&canonical, &found), ..entry(root, &found) }),
             Err(error) => faults.push(walk_fault(root, &error)),
         }
@@ -89,10 +89,10 @@ pub(super) fn has_hidden_part(path: &str) -> bool {
 }
 
 /// Links to folders are not followed in hidden places.
-fn is_wanted(root: &Path, found: &DirEntry, wanted: Wanted) -> bool {
+fn is_wanted(root: &Path, found: &DirEntry, wanted: &dyn Fn(&Path, bool) -> bool) -> bool {
     let is_folder = found.file_type().is_dir();
     let is_reached = !is_folder || !found.path_is_symlink();
-    is_reached && wanted(&slashed(&relative(root, found.path())), is_folder)
+    is_reached && wanted(&relative(root, found.path()), is_folder)
 }
 
 /// The folders met so far that are links.
@@ -216,10 +216,10 @@ mod tests {
             fs::create_dir_all(path.parent().unwrap()).unwrap();
             fs::write(path, "").unwrap();
         }
-        let wanted = |path: &str, is_folder: bool| path.starts_with("b/") && (is_folder || path.ends_with(".x"));
+        let wanted = |path: &str, is_folder: bool| path.contains("/b/") && (is_folder || path.ends_with(".x"));
         let listed = |wanted| walk(folder.path(), usize::MAX, wanted).0.into_iter().map(|entry| entry.path);
         assert_eq!(listed(nothing).collect::<Vec<_>>(), ["b", "b/f"]);
-        assert_eq!(listed(wanted).collect::<Vec<_>>(), ["b", "b/.c/d.x", "b/.e.x", "b/f"]);
+        assert_eq!(listed(wanted).collect::<Vec<_>>(), ["b", "b/.c", "b/.c/d.x", "b/.e.x", "b/f"]);
     }
 
     #[test]

@@ -176,10 +176,10 @@ fn files_that_nothing_reads_do_not_count() {
     assert!(stderr(&alone).contains("there are no rules for files of these kinds yet"), "{}", stderr(&alone));
     let loose = tempfile::tempdir().unwrap();
     write(loose.path(), "shirt/a.mhuv", "x\n");
-    write(loose.path(), "shirt/a.mhpxy", "x\n");
+    write(loose.path(), "shirt/a.mhbin", "x\n");
     let alone = mhlint(loose.path(), &["shirt"]);
     assert_eq!(code(&alone), Some(3));
-    assert!(stderr(&alone).contains("Not checked: 1 .mhpxy (not in a data folder)"), "{}", stderr(&alone));
+    assert!(stderr(&alone).contains("Not checked: 1 .mhbin (not in a data folder)"), "{}", stderr(&alone));
 }
 
 #[test]

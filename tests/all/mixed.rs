@@ -208,16 +208,70 @@ fn an_application_that_is_asked_for_gets_no_data_of_others() {
 }
 
 #[test]
-fn a_scene_is_checked_wherever_it_lies() {
-    let repository = side_by_side(&["makehuman2"], &[]);
-    let unsafe_scene = "fixtures/rules/scene-unsafe-pickle/bad";
-    crate::scratch::Case::read(&project(unsafe_scene)).apply(repository.path());
-    std::fs::create_dir_all(repository.path().join("wip")).unwrap();
-    std::fs::rename(repository.path().join("data/scenes/dusk.mhscene"), repository.path().join("wip/dusk.mhscene"))
-        .unwrap();
-    for path in ["wip/dusk.mhscene", "."] {
-        let output = mhlint(repository.path(), &[path, "--report", "concise"]);
-        assert_eq!(output.status.code(), Some(1), "{path}");
-        assert!(stdout(&output).contains("wip/dusk.mhscene: error[scene-unsafe-pickle]"), "{}", stdout(&output));
+fn what_may_run_code_is_checked_wherever_it_lies() {
+    for (case, file, rule) in [
+        ("scene-unsafe-pickle/bad", "data/scenes/dusk.mhscene", "scene-unsafe-pickle"),
+        ("scene-unsafe-pickle/bad-cache", "user/cache/hair.mhc", "scene-unsafe-pickle"),
+    ] {
+        let repository = side_by_side(&["makehuman2"], &[]);
+        crate::scratch::Case::read(&project(&format!("fixtures/rules/{case}"))).apply(repository.path());
+        let name = file.rsplit('/').next().unwrap();
+        std::fs::create_dir_all(repository.path().join("wip")).unwrap();
+        std::fs::rename(repository.path().join(file), repository.path().join("wip").join(name)).unwrap();
+        for path in [format!("wip/{name}").as_str(), "."] {
+            let output = mhlint(repository.path(), &[path, "--report", "concise"]);
+            assert_eq!(output.status.code(), Some(1), "{path}");
+            assert!(stdout(&output).contains(&format!("wip/{name}: error[{rule}]")), "{}", stdout(&output));
+        }
     }
+}
+
+#[test]
+fn an_archive_of_something_worn_is_checked_wherever_it_lies() {
+    let repository = tempfile::tempdir().unwrap();
+    std::fs::write(repository.path().join("kilt.mhpxy"), "no archive").unwrap();
+    let output = mhlint(repository.path(), &["kilt.mhpxy", "--report", "concise"]);
+    assert!(stdout(&output).starts_with("kilt.mhpxy: error[archive-malformed]"), "{}", stdout(&output));
+}
+
+/// Git and other programs have such folders in the data, and no checkout of a fixture would.
+#[test]
+fn the_names_of_hidden_folders_count_for_the_targets_of_makehuman_1() {
+    let repository = side_by_side(&["makehuman1"], &[]);
+    let data = repository.path().join("makehuman1/data");
+    for folder in [".git/refs/heads/male_female", "clothes/.old/young-old", ".git/refs/heads/male"] {
+        std::fs::create_dir_all(data.join(folder)).unwrap();
+    }
+    for (from, path) in [(repository.path(), "."), (repository.path(), "makehuman1/data"), (data.as_path(), ".")] {
+        let text = stdout(&mhlint(from, &[path, "--report", "concise"]));
+        let found = |folder: &str| text.contains(&format!("{folder}/: error[target-token-conflict]"));
+        assert!(found(".git/refs/heads/male_female") && found("clothes/.old/young-old"), "{path}: {text}");
+        assert_eq!(text.matches("error").count(), 3, "{path}: two findings and the sum: {text}");
+    }
+}
+
+#[test]
+fn a_users_folder_is_of_mpfb_if_only_mpfb_has_what_is_in_it() {
+    let alone = |files: &[(&str, &str)]| {
+        let user = tempfile::tempdir().unwrap();
+        for (path, text) in files {
+            let path = user.path().join(path);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, text).unwrap();
+        }
+        user
+    };
+    let applications = |user: &Path, path: &str| -> Vec<String> {
+        let report = report(user, &[path]);
+        let roots = report["roots"].as_array().unwrap().iter();
+        roots.map(|root| root["application"].as_str().unwrap().to_owned()).collect()
+    };
+    let target = ("u/data/targets/custom/x.target", "1 0 0 .1\n");
+    let user = alone(&[target]);
+    for path in [".", "u/data", "u/data/targets", "u/data/targets/custom", "u/data/targets/custom/x.target"] {
+        assert_eq!(applications(user.path(), path), ["mpfb"], "{path}");
+    }
+    let hat = ("u/data/clothes/hat/hat.mhclo", "obj_file hat.obj\n");
+    let user = alone(&[hat, ("u/data/packs/hats.json", "{\"hat\": {}}")]);
+    assert_eq!(applications(user.path(), "."), ["makehuman1", "mpfb"]);
 }

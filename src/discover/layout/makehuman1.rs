@@ -14,6 +14,7 @@ pub(super) static LAYOUT: Layout = Layout {
     place,
     role,
     shelf,
+    loose_place,
     // In a folder `custom` there nobody looks, but it is a usual mistake.
     beside: &["models", "custom", CACHE, SETTINGS],
     is_folder: |rel, _| is_beside(rel, CACHE),
@@ -43,7 +44,8 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         [.., library, name] if WORN.contains(library) && extension(name).eq_ignore_ascii_case("mhclo") => {
             Some((Sign::Faint, 2))
         }
-        // Nothing but targets of a user.
+        // Nothing but targets of a user; in this place they are those of one of MPFB.
+        [.., "targets", "custom", _] => None,
         [.., "custom", name] if extension(name) == "target" => Some((Sign::Faint, 2)),
         // An asset in its own folder: in a pack or of a user there may be nothing else.
         [.., library, asset, name]
@@ -76,7 +78,7 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["modifiers", file] if file.ends_with("_modifiers_desc.json") => Kind::ModifierTexts,
         ["modifiers", file] if file.ends_with("_sliders.json") => Kind::ModifierSliders,
         ["modifiers", MAPPING] => Kind::ModifierMapping,
-        ["targets.npz"] => Kind::TargetsNpz,
+        [TARGETS_NPZ] => Kind::TargetsNpz,
         ["images.list"] => Kind::PictureList,
         ["..", CACHE] => Kind::LibraryCache,
         ["..", SETTINGS] => Kind::ProgramSettings,
@@ -105,7 +107,7 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
 /// Libraries list files by their extension, hidden or not; macOS and editors leave such beside each of their own (§2.1,
 /// makehuman1-observed.md 4.14). The names of all folders of the data count for its targets (4.12).
 fn reads_hidden(path: &HiddenPath<'_>) -> bool {
-    let is_in_data = path.visible.last() == Some(&"data") || path.visible.contains(&"targets");
+    let is_in_data = path.in_root || path.visible.iter().any(|part| matches!(*part, "data" | "targets"));
     if is_in_data && (path.is_folder || extension(path.name).eq_ignore_ascii_case("target")) {
         return true;
     }
@@ -125,6 +127,19 @@ fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
         "mhmat" => Some("skins"),
         // What is in one may run code, wherever it lies.
         "mhscene" => Some("scenes"),
+        _ => None,
+    }
+}
+
+/// What may run code as well, wherever it lies: a list of a library. And archives of what is worn, which may hold objects.
+/// The one of all targets is nothing without these.
+fn loose_place(path: &str, _: Option<&str>) -> Option<String> {
+    let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
+    let above: Vec<&str> = folder.rsplit('/').collect();
+    let near = if folder.is_empty() { "loose" } else { &folder.replace('/', "_") };
+    match extension(name) {
+        "mhc" => Some(format!("{CACHE}/{name}")),
+        "mhpxy" => Some(format!("{}/{near}/{name}", worn_shelf(&above))),
         _ => None,
     }
 }
@@ -154,6 +169,9 @@ const SETTINGS: &str = "settings.ini";
 fn is_beside(rel: &str, name: &str) -> bool {
     rel.strip_prefix("../") == Some(name)
 }
+
+/// What stands for all targets.
+pub(crate) const TARGETS_NPZ: &str = "targets.npz";
 
 /// The names of modifiers in older models.
 const MAPPING: &str = "mh_1-0_modifier_mapping.csv";
@@ -240,9 +258,10 @@ mod tests {
 
     #[test]
     fn a_path_in_a_library_knows_where_its_root_would_be() {
-        assert_eq!(LAYOUT.root_above("v1py3/data/hair/bob01/bob01.mhclo"), Some("v1py3/data"));
-        assert_eq!(LAYOUT.root_above("v1py3/data/proxymeshes/a"), Some("v1py3/data"));
-        assert_eq!(LAYOUT.root_above("v1py3/data/proxy/a"), None);
+        assert_eq!(LAYOUT.roots_above("v1py3/data/hair/bob01/bob01.mhclo").next(), Some("v1py3/data"));
+        assert_eq!(LAYOUT.roots_above("v1py3/data/proxymeshes/a").next(), Some("v1py3/data"));
+        assert_eq!(LAYOUT.roots_above("v1py3/data/proxy/a").next(), None);
+        assert_eq!(LAYOUT.roots_above("u/targets/custom").collect::<Vec<_>>(), ["u/targets", "u"]);
     }
 
     #[test]

@@ -112,6 +112,8 @@ pub(super) enum Sign {
     Faint,
     /// Could stand elsewhere, too; counts only where nothing better is near.
     Weak,
+    /// Only users of this application have such a file.
+    OfUser,
     /// Only this application has such a file.
     Strong,
 }
@@ -129,6 +131,8 @@ pub(crate) enum Role {
 
 /// A path with a name in it that begins with a point. It may begin above the data root.
 struct HiddenPath<'p> {
+    /// Whether it is known to lie in a data root of the application.
+    in_root: bool,
     /// What lies above the hidden part.
     visible: &'p [&'p str],
     /// The last name.
@@ -211,18 +215,14 @@ impl Layout {
         Use { application: self.application, kind, owner: owner.map(str::to_owned) }
     }
 
-    /// The part of `path` above the first folder name that belongs to a data root: where a data root would
-    /// be that `path` lies inside of.
-    pub(crate) fn root_above<'p>(&self, path: &'p str) -> Option<&'p str> {
-        let mut end = path.len();
-        for part in path.rsplit('/') {
-            let start = end - part.len();
-            if self.folders.iter().any(|folders| folders.contains(&part)) {
-                return Some(path.get(..start).unwrap_or_default().trim_end_matches('/'));
-            }
-            end = start.saturating_sub(1);
-        }
-        None
+    /// The parts of `path` above folder names that belong to a data root, the nearest first: where a data root would be
+    /// that `path` lies inside of.
+    pub(crate) fn roots_above<'p>(&self, path: &'p str) -> impl Iterator<Item = &'p str> + use<'_, 'p> {
+        let starts = path.match_indices('/').map(|(at, _)| at + 1).rev().chain([0]);
+        let ends = [path.len()].into_iter().chain(path.match_indices('/').map(|(at, _)| at).rev());
+        let named =
+            starts.zip(ends).filter(|(start, end)| path.get(*start..*end).is_some_and(|part| self.has_at_top(part)));
+        named.map(|(start, _)| path.get(..start).unwrap_or_default().trim_end_matches('/'))
     }
 
     /// Whether a data root has a folder of this name at its top.
@@ -252,18 +252,23 @@ impl Layout {
     pub(crate) fn is_asset(&self, rel: &str) -> bool {
         let folder = rel.rsplit_once('/').map_or("", |(folder, _)| folder);
         let is_known = || !matches!(self.use_of(rel).kind, Kind::Other | Kind::Packed);
-        self.root_above(folder).is_some() && is_known()
+        self.roots_above(folder).next().is_some() && is_known()
             || (self.loose_place)(rel, None).is_some()
             || (self.shelf)(extension(rel), &[]).is_some()
     }
 
     /// Whether a path below a data root, which is the first so many bytes of it, is not hidden from the application.
     pub(super) fn takes(&self, path: &str, root: usize, is_folder: bool) -> bool {
-        let below = path.get(root..).unwrap_or_default().trim_start_matches('/');
+        self.takes_below(path, root, is_folder, true)
+    }
+
+    /// The same; the first so many bytes may as well be a folder above a data root, or one in it.
+    fn takes_below(&self, path: &str, folder: usize, is_folder: bool, in_root: bool) -> bool {
+        let below = path.get(folder..).unwrap_or_default().trim_start_matches('/');
         let Some(hidden) = below.split('/').position(|part| part.starts_with('.')) else { return true };
         let parts: Vec<&str> = path.split('/').collect();
         let visible = parts.get(..parts.len() - below.split('/').count() + hidden).unwrap_or_default();
-        let path = HiddenPath { visible, name: parts.last().copied().unwrap_or_default(), is_folder };
+        let path = HiddenPath { in_root, visible, name: parts.last().copied().unwrap_or_default(), is_folder };
         (self.reads_hidden)(&path)
     }
 
@@ -276,9 +281,11 @@ impl Layout {
 }
 
 /// Whether an application reads a file whose name, or that of a folder above it, begins with a point; of a folder,
-/// whether such a file could be in it. `path` may begin above the data root.
+/// whether such a file could be in it, or its name counts. The first name in `path` is that of the folder in which that is
+/// so; it may lie above the data root, or in it.
 pub(crate) fn is_read_though_hidden(path: &str, is_folder: bool) -> bool {
-    Application::ALL.iter().any(|application| Layout::of(*application).takes(path, 0, is_folder))
+    let folder = path.split('/').next().map_or(0, str::len);
+    Application::ALL.iter().any(|application| Layout::of(*application).takes_below(path, folder, is_folder, false))
 }
 
 /// The path without its last `levels` parts.

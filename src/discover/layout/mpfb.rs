@@ -45,8 +45,9 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         [.., "ink_layers", name] if extension(name) == "json" => Some((Sign::Weak, 2)),
         [.., "uv_layers", name] if name.ends_with(".json.gz") => Some((Sign::Weak, 2)),
         // A user's folder: nobody else reads packed targets, or has expressions in JSON.
+        [.., "targets", _, name] if name.ends_with(".target.gz") => Some((Sign::OfUser, 3)),
+        [.., "targets", "custom", name] if Kind::of_target(name).is_some() => Some((Sign::OfUser, 3)),
         [.., "targets", _, name] if Kind::of_target(name).is_some() => Some((Sign::Weak, 3)),
-        [.., "custom", name] if name.ends_with(".target.gz") => Some((Sign::Weak, 2)),
         [.., "targets" | "custom", name] if Kind::of_target(name).is_some() => Some((Sign::Faint, 2)),
         [.., "expressions", name] if extension(name) == "json" => Some((Sign::Faint, 2)),
         _ => None,

@@ -7,8 +7,10 @@ use std::path::{Path, PathBuf};
 use super::super::error::{Error, PathFault};
 use super::roots::roots_of;
 use crate::diag::Application;
-use crate::discover::{Layout, is_read_though_hidden, new_base};
-use crate::source::{self, Limits, ReadFault, Tree, folder_of, is_below, read_file, slashed};
+use crate::discover::{Layout, find_roots, is_read_though_hidden, new_base};
+use crate::source::{
+    self, EntryKind, Limits, ReadFault, Tree, folder_of, from_above, inside, is_below, read_file, slashed,
+};
 
 /// A tree to look for data roots in.
 pub(in crate::engine) struct Input {
@@ -91,7 +93,7 @@ fn open_one(path: &Path, applications: &[Application], limits: &Limits) -> Resul
         return Ok(above.unwrap_or_else(|| open_beside(path, &place, &here)));
     }
     let tree = Tree::on_disk(here.clone(), path, is_read_though_hidden);
-    let is_no_root = roots_of(&tree, &[], |_| true).is_empty();
+    let is_no_root = roots_in(&tree, &place).is_empty();
     let above = if is_no_root { open_above(path, &place, &here, applications) } else { None };
     Ok(above.unwrap_or_else(|| (place, Input::whole(tree))))
 }
@@ -143,7 +145,7 @@ fn open_above(path: &Path, place: &Path, here: &str, applications: &[Application
 
 /// The folder above `place` that is a data root of any application, where `layout` has such a one.
 fn root_above(place: &str, layout: &Layout) -> Option<PathBuf> {
-    inside(place, layout).or_else(|| beside(place, layout))
+    within(place, layout).or_else(|| beside(place, layout))
 }
 
 /// The folder that holds both a data root called `data` and one beside it that `place` lies in.
@@ -158,10 +160,24 @@ fn beside(place: &str, layout: &Layout) -> Option<PathBuf> {
     })
 }
 
-fn inside(place: &str, layout: &Layout) -> Option<PathBuf> {
-    let root = PathBuf::from(layout.root_above(place)?);
-    let shallow = Tree::on_disk_to_depth(String::new(), &root, layout.depth, is_read_though_hidden);
-    roots_of(&shallow, &[], |_| true).contains_key("").then_some(root)
+fn within(place: &str, layout: &Layout) -> Option<PathBuf> {
+    let is_root = |root: &PathBuf| {
+        let shallow = Tree::on_disk_to_depth(String::new(), root, layout.depth, is_read_though_hidden);
+        roots_in(&shallow, root).iter().any(String::is_empty)
+    };
+    let mut all = layout.roots_above(place).map(|root| PathBuf::from(if root.is_empty() { "/" } else { root }));
+    all.find(is_root)
+}
+
+/// The data roots in the tree of a folder, as seen from the one above: its name tells, too, what is in it.
+fn roots_in(tree: &Tree, folder: &Path) -> Vec<String> {
+    let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File);
+    let files: Vec<String> = files.map(|entry| from_above(folder, Path::new(&entry.path))).collect();
+    let name = folder.file_name().map(|name| slashed(Path::new(name))).unwrap_or_default();
+    let roots = find_roots(files.iter().map(String::as_str), &[], &[]).into_iter();
+    roots
+        .filter_map(|root| inside(&root.path, &name).map(str::to_owned).or((root.path == name).then(String::new)))
+        .collect()
 }
 
 /// What is printed for a folder that no written path names: its path below the working directory, else all of it.

@@ -3,7 +3,8 @@
 
 use std::collections::BTreeMap;
 
-use super::targets::{NamedTarget, TARGETS_NPZ};
+use super::targets::NamedTarget;
+use crate::discover::TARGETS_NPZ;
 use crate::formats::npz::ArchiveFault;
 use crate::formats::picture_list::PictureList;
 use crate::formats::target_name::{Clash, TargetName};

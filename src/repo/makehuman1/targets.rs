@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::target_archive::TargetArchive;
 use super::view::OWN;
-use crate::discover::{Kind, Layout, Single};
+use crate::discover::{Kind, Layout, Single, TARGETS_NPZ};
 use crate::formats::target_name::{Clash, TargetName};
 use crate::formats::targets_npz::PackedTarget;
 use crate::repo::{FileFacts, Layer, Layers};
@@ -157,13 +157,10 @@ fn hidden(system: &Layer, found: &BTreeMap<&str, usize>) -> BTreeSet<String> {
     lost.filter_map(|file| TargetName::of(&file.rel).ok()).map(|name| name.group()).collect()
 }
 
-/// What stands for all targets.
-pub(super) const TARGETS_NPZ: &str = "targets.npz";
-
 /// Folders and targets at which the scan stops. What is below a folder with such a name is not told again.
 fn clashes(system: &Layer) -> Vec<PathClash<'_>> {
     let is_target = |file: &&FileFacts| file.kind_in(OWN) == Kind::Target && !file.is_loose;
-    let folders = system.folders.iter().map(|rel| (rel.as_str(), None));
+    let folders = system.folders.iter().chain(&system.hidden_folders).map(|rel| (rel.as_str(), None));
     let files = system.files.values().filter(is_target).map(|file| (file.rel.as_str(), Some(file)));
     let clash = |(rel, file)| Some(PathClash { rel, file, clash: TargetName::of(rel).err()? });
     let all: Vec<PathClash<'_>> = folders.chain(files).filter_map(clash).collect();
