@@ -52,7 +52,7 @@ pub(crate) fn find_roots<'a>(
             confirmed.iter().filter(|other| other.path == root.path && other.application != root.application);
         others.any(|other| Layout::of(other.application).shares_roots_of != Some(root.application))
     };
-    let told = told(&signs);
+    let told = told(&signs, asked);
     signs.retain(|root, sign| {
         let is_own = company.contains(&root.application) || confirmed.contains(root) || told.alone.contains(root);
         *sign == Sign::Strong || is_own && !is_confirmed_of_other(root)
@@ -75,8 +75,9 @@ pub(crate) fn find_roots<'a>(
     // One that is near a better one does not count, unless it is as good.
     let count = |sign, better: &[DataRoot]| -> Vec<DataRoot> {
         let own = signs.iter().filter(|(_, own)| **own == sign).map(|(root, _)| root);
-        let is_near =
-            |root: &DataRoot, other: &DataRoot| nested(&other.path, &root.path) && !is_beside_own(root, other, &signs);
+        let is_near = |root: &DataRoot, other: &DataRoot| {
+            nested(&other.path, &root.path) && !is_beside_own(root, other, &signs) && !told.is_apart(root, other)
+        };
         own.filter(|root| !better.iter().any(|other| is_near(root, other))).cloned().collect()
     };
     let mut roots = count(Sign::Strong, &[]);
@@ -111,19 +112,32 @@ pub(crate) fn find_roots<'a>(
 
 /// Roots of users of an application that shares these with another one, told by what is in them alone.
 struct Told {
-    /// Those with files that nobody else has.
+    /// Those with files that nobody else has: the other one is not meant.
     alone: BTreeSet<DataRoot>,
     /// Those with assets of both, and files that the other one has no use for.
     shared: BTreeSet<DataRoot>,
 }
 
-fn told(signs: &BTreeMap<DataRoot, Sign>) -> Told {
+impl Told {
+    /// Whether a root is told well enough to be one inside that of a third application, or around it.
+    fn is_apart(&self, root: &DataRoot, other: &DataRoot) -> bool {
+        let own = |told: &DataRoot| {
+            told.path == root.path
+                && other.application != told.application
+                && Layout::of(told.application).shares_roots_of != Some(other.application)
+        };
+        self.alone.iter().chain(&self.shared).any(own)
+    }
+}
+
+fn told(signs: &BTreeMap<DataRoot, Sign>, asked: &[Application]) -> Told {
     let mut told = Told { alone: BTreeSet::new(), shared: BTreeSet::new() };
-    for (root, sign) in signs.iter().filter(|(_, sign)| **sign >= Sign::Weak) {
+    let is_meant = |root: &DataRoot| asked.is_empty() || asked.contains(&root.application);
+    for (root, sign) in signs.iter().filter(|(root, sign)| **sign >= Sign::Weak && is_meant(root)) {
         let Some(application) = Layout::of(root.application).shares_roots_of else { continue };
         match signs.get(&DataRoot { path: root.path.clone(), application }) {
+            None | Some(Sign::Faint) if *sign == Sign::OfUser => _ = told.alone.insert(root.clone()),
             Some(Sign::Faint) => _ = told.shared.insert(root.clone()),
-            None if *sign == Sign::OfUser => _ = told.alone.insert(root.clone()),
             _ => {}
         }
     }
@@ -234,12 +248,19 @@ mod tests {
         for path in ["user/expressions/a.json", "user/custom/x.target"] {
             assert_eq!(found(&[library, path]), [("user".to_owned(), Application::Makehuman1)], "{path}");
         }
-        for path in ["user/packs/mine.json", "user/targets/a/b.target", "user/targets/custom/x.target"] {
+        for path in ["user/packs/mine.json", "user/targets/a/b.target"] {
             assert_eq!(found(&[library, path, "other/hair/bob.mhclo"])[1..], both("user"), "{path}");
         }
         for path in ["user/targets/custom/x.target", "user/targets/mine/x.target.gz"] {
-            assert_eq!(found(&[path]), [("user".to_owned(), Application::Mpfb)], "{path}");
+            for files in [&[path][..], &[path, library]] {
+                assert_eq!(found(files), [("user".to_owned(), Application::Mpfb)], "{path}");
+            }
+            let asked = find_roots([path, library], &[Application::Makehuman1], &[]);
+            assert_eq!(asked.into_iter().map(|root| root.application).collect::<Vec<_>>(), [Application::Makehuman1]);
         }
+        // Around the data of a third application they are roots all the same.
+        let third = ["packs/a.json", "hair/bob.mhclo", "tools/data/base/hm08/base.json"];
+        assert_eq!(found(&third).len(), 3, "{:?}", found(&third));
         let of_program = ["data/modifiers/a_modifiers.json", "data/packs/a.json", "data/targets/a/x.target.gz"];
         assert_eq!(found(&of_program), [("data".to_owned(), Application::Makehuman1)]);
     }

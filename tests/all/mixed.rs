@@ -216,12 +216,19 @@ fn what_may_run_code_is_checked_wherever_it_lies() {
         let repository = side_by_side(&["makehuman2"], &[]);
         crate::scratch::Case::read(&project(&format!("fixtures/rules/{case}"))).apply(repository.path());
         let name = file.rsplit('/').next().unwrap();
-        std::fs::create_dir_all(repository.path().join("wip")).unwrap();
-        std::fs::rename(repository.path().join(file), repository.path().join("wip").join(name)).unwrap();
-        for path in [format!("wip/{name}").as_str(), "."] {
-            let output = mhlint(repository.path(), &[path, "--report", "concise"]);
-            assert_eq!(output.status.code(), Some(1), "{path}");
-            assert!(stdout(&output).contains(&format!("wip/{name}: error[{rule}]")), "{}", stdout(&output));
+        let bytes = std::fs::read(repository.path().join(file)).unwrap();
+        std::fs::remove_file(repository.path().join(file)).unwrap();
+        // In no data folder, and in that of an application that opens no such file.
+        for folder in ["wip", "makehuman2/data/scenes"] {
+            let place = format!("{folder}/{name}");
+            std::fs::create_dir_all(repository.path().join(folder)).unwrap();
+            std::fs::write(repository.path().join(&place), &bytes).unwrap();
+            for path in [place.as_str(), "."] {
+                let output = mhlint(repository.path(), &[path, "--report", "concise"]);
+                assert_eq!(output.status.code(), Some(1), "{path}: {}", stdout(&output));
+                assert!(stdout(&output).contains(&format!("{place}: error[{rule}]")), "{}", stdout(&output));
+            }
+            std::fs::remove_file(repository.path().join(&place)).unwrap();
         }
     }
 }

@@ -15,6 +15,7 @@ pub(super) static LAYOUT: Layout = Layout {
     role,
     shelf,
     loose_place,
+    is_dangerous: |path| ["mhscene", "mhc"].iter().any(|known| extension(path).eq_ignore_ascii_case(known)),
     // In a folder `custom` there nobody looks, but it is a usual mistake.
     beside: &["models", "custom", CACHE, SETTINGS],
     is_folder: |rel, _| is_beside(rel, CACHE),
@@ -126,7 +127,7 @@ fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
         "bvh" => Some("poses"),
         "mhmat" => Some("skins"),
         // What is in one may run code, wherever it lies.
-        "mhscene" => Some("scenes"),
+        _ if extension.eq_ignore_ascii_case("mhscene") => Some("scenes"),
         _ => None,
     }
 }

@@ -21,6 +21,7 @@ pub(super) static LAYOUT: Layout = Layout {
     loose_place,
     import: Some(importer::import),
     refuses: None,
+    is_dangerous: |_| false,
     shelf,
     beside: &[],
     is_telling: |_| false,

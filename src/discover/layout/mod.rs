@@ -34,6 +34,8 @@ pub(crate) struct Layout {
     pub import: Option<fn(&str, &str) -> Option<String>>,
     /// Why an importer that checks a pack before it unpacks it refuses one with members of these names.
     pub refuses: Option<Refuses>,
+    /// Whether a file of this name could run code if it were put to its data.
+    pub is_dangerous: fn(&str) -> bool,
     /// The library that a loose file belongs to, by its extension and the names of the folders above it, the nearest
     /// first; `None` for files that no library lists.
     pub shelf: fn(&str, &[&str]) -> Option<&'static str>,
@@ -179,6 +181,7 @@ impl Layout {
         reads_hidden: |_| false,
         loose_place: |_, _| None,
         import: None,
+        is_dangerous: |_| false,
         shelf: |_, _| None,
         has_bases: false,
         only_base: None,

@@ -31,7 +31,7 @@ impl<'t> Outside<'t, '_> {
     /// there are none.
     pub(super) fn place(&self, layout: &'static Layout) -> Result<Option<(Place<'t>, Vec<String>)>, Error> {
         let input = self.input;
-        let is_asked = |entry: &Entry| self.is_asked(entry);
+        let is_asked = |entry: &Entry| self.is_asked(entry, layout);
         let bind = |entry: &Entry, above: &[&str]| self.bind(entry, above, layout);
         let names = |entry: &Entry| names(&input.tree, entry, &self.options.limits);
         let list = |entry: &Entry| {
@@ -52,9 +52,14 @@ impl<'t> Outside<'t, '_> {
         }
     }
 
-    fn is_asked(&self, entry: &Entry) -> bool {
-        let is_in_root =
-            || self.roots.iter().any(|(root, layouts)| is_below(&entry.path, root) && self.keeps(root, layouts));
+    fn is_asked(&self, entry: &Entry, layout: &Layout) -> bool {
+        let is_own = |layouts: &[&Layout]| layouts.iter().any(|one| one.application == layout.application);
+        let is_dangerous = (layout.is_dangerous)(&entry.path);
+        let is_in_root = || {
+            let mut around = self.roots.iter().filter(|(root, _)| is_below(&entry.path, root));
+            // In the data of another application what is dangerous is looked at all the same.
+            around.any(|(root, layouts)| self.keeps(root, layouts) && (!is_dangerous || is_own(layouts)))
+        };
         !self.taken.contains(entry.path.as_str()) && !is_in_root()
     }
 

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diag::{Application, grouped};
-use crate::discover::{Candidate, Known, Layout, Use, candidates, loose};
+use crate::discover::{Candidate, Known, Layout, Role, Use, candidates, loose};
 use crate::formats::Needs;
 use crate::repo::Pack;
 use crate::source::{Tree, is_below};
@@ -35,10 +35,15 @@ impl<'t> Place<'t> {
         Self::around(tree, root, layouts, Vec::new())
     }
 
-    /// The data root at `root`, without those of other applications inside it, but for what is looked for everywhere.
+    /// The data root at `root`, without those of other applications inside it, but for what an application looks for
+    /// everywhere in its own data.
     pub(super) fn around(tree: &'t Tree, root: &str, layouts: &[&'static Layout], inner: Vec<String>) -> Self {
         let mut below = candidates(tree, root, layouts);
-        let finds = |one: &Use| Layout::of(one.application).everywhere == Some(one.kind);
+        let systems: Vec<&Layout> =
+            layouts.iter().copied().filter(|layout| (layout.role)(&below) != Role::User).collect();
+        let finds = |one: &Use| {
+            systems.iter().any(|layout| layout.application == one.application && layout.everywhere == Some(one.kind))
+        };
         below.retain_mut(|one| {
             if inner.iter().any(|inner| is_below(&one.entry.path, inner)) {
                 one.uses.retain(finds);
