@@ -30,6 +30,17 @@ pub struct Turn {
     pub bone: String,
     /// What is wrong with its matrix, if anything is.
     pub fault: Option<TurnFault>,
+    /// How far a matrix without a fault is from a rotation.
+    pub bend: Bend,
+}
+
+/// How far a matrix M is from a rotation.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Bend {
+    /// The largest entry of M·Mᵀ − 1, without its sign: rows that are too long or at no right angle.
+    pub off: f64,
+    /// Whether it swaps left and right: its determinant is below zero.
+    pub mirrors: bool,
 }
 
 /// Why a matrix cannot be used.
@@ -57,7 +68,14 @@ fn unit(member: &Member) -> Unit {
     let node = &member.node;
     let turns = |key: &str| {
         let bones = node.get(key)?.effective_members().into_iter();
-        Some(bones.map(|bone| Turn { bone: bone.key.clone(), fault: fault(&bone.node) }).collect())
+        let turn = |bone: &Member| {
+            let (fault, bend) = match matrix(&bone.node) {
+                Ok(matrix) => (None, bend(&matrix)),
+                Err(fault) => (Some(fault), Bend::default()),
+            };
+            Turn { bone: bone.key.clone(), fault, bend }
+        };
+        Some(bones.map(turn).collect())
     };
     Unit {
         name: member.key.clone(),
@@ -68,23 +86,34 @@ fn unit(member: &Member) -> Unit {
 }
 
 /// Nine numbers, or three rows of three.
-fn fault(matrix: &Node) -> Option<TurnFault> {
-    if !matrix.is_array() {
-        return Some(TurnFault::NoList);
+fn matrix(node: &Node) -> Result<[[f64; 3]; 3], TurnFault> {
+    if !node.is_array() {
+        return Err(TurnFault::NoList);
     }
-    let rows = matrix.elements();
+    let rows = node.elements();
     let is_nested = rows.iter().any(Node::is_array);
     let cells: Vec<&Node> =
         if is_nested { rows.iter().flat_map(Node::elements).collect() } else { rows.iter().collect() };
-    let numbers = cells.iter().filter_map(|cell| cell.as_python_number());
-    let (known, finite) = numbers.fold((0, true), |(known, finite), one| (known + 1, finite && one.is_finite()));
-    match cells.len() {
-        NUMBERS if known < NUMBERS => Some(TurnFault::NotANumber),
-        NUMBERS if !is_nested || rows.iter().all(|row| row.elements().len() == 3) => {
-            (!finite).then_some(TurnFault::NonFinite)
-        }
-        count => Some(TurnFault::Count(count)),
+    let is_even = !is_nested || rows.iter().all(|row| row.elements().len() == 3);
+    let count = cells.len();
+    let numbers: Vec<f64> = cells.into_iter().filter_map(Node::as_python_number).collect();
+    match <[f64; NUMBERS]>::try_from(numbers) {
+        _ if count != NUMBERS => Err(TurnFault::Count(count)),
+        Err(_) => Err(TurnFault::NotANumber),
+        Ok(_) if !is_even => Err(TurnFault::Count(count)),
+        Ok(numbers) if numbers.iter().any(|number| !number.is_finite()) => Err(TurnFault::NonFinite),
+        Ok(all) => Ok([[all[0], all[1], all[2]], [all[3], all[4], all[5]], [all[6], all[7], all[8]]]),
     }
+}
+
+fn bend(matrix: &[[f64; 3]; 3]) -> Bend {
+    let [a, b, c] = matrix;
+    let dot = |one: &[f64; 3], other: &[f64; 3]| one.iter().zip(other).map(|(one, other)| one * other).sum::<f64>();
+    let lengths = [a, b, c].map(|row| dot(row, row) - 1.0);
+    let angles = [dot(a, b), dot(b, c), dot(c, a)];
+    let off = lengths.into_iter().chain(angles).map(f64::abs).fold(0.0, f64::max);
+    let across = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
+    Bend { off, mirrors: dot(a, &across) < 0.0 }
 }
 
 #[cfg(test)]
@@ -112,6 +141,22 @@ mod tests {
         for (matrix, fault) in cases {
             let units = of(&format!(r#"{{"u": {{"bones": {{"b": {matrix}}}}}}}"#)).units;
             assert_eq!(units[0].bones.as_ref().unwrap()[0].fault, fault, "{matrix}");
+        }
+    }
+
+    #[test]
+    fn a_matrix_is_a_rotation_or_off_by_so_much() {
+        for (matrix, off, mirrors) in [
+            ("[0.8,-0.6,0,0.6,0.8,0,0,0,1]", 0.0, false),
+            ("[1,0,0,0,1,0,0,0,-1]", 0.0, true),
+            ("[2,0,0,0,1,0,0,0,1]", 3.0, false),
+            ("[[1,0.5,0],[0,1,0],[0,0,1]]", 0.5, false),
+            ("[0,0,0,0,0,0,0,0,0]", 1.0, false),
+            ("[1,0]", 0.0, false),
+        ] {
+            let units = of(&format!(r#"{{"u": {{"bones": {{"b": {matrix}}}}}}}"#)).units;
+            let bend = units[0].bones.as_ref().unwrap()[0].bend;
+            assert!((bend.off - off).abs() < 1e-12 && bend.mirrors == mirrors, "{matrix}: {bend:?}");
         }
     }
 

@@ -2,8 +2,8 @@
 
 use super::super::{Check, Rule, RuleCx, such};
 use super::{at, turns};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
-use crate::formats::pose_units::TurnFault;
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::pose_units::{PoseUnits, TurnFault};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
@@ -12,12 +12,25 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         is not a number. The nine numbers are a rotation matrix, row by row; three lists of three numbers are the \
         same.\n\n\
         MakeHuman 2 reads all units when it loads the base, and crashes at start.\n\n\
+        Nine numbers that are no rotation are a warning: rows of another length than 1, rows at no right angle to each other, \
+        or a mirror image. MakeHuman 2 makes a quaternion of the matrix, which can only turn: the bone gets another direction \
+        than the matrix has. Reported is what M\u{00b7}M\u{1d40} differs by from that of a rotation, above 0.01.\n\n\
         Restore the matrix, or remove the bone from the unit.",
-    ..RuleInfo::new("pose-matrix", Level::Error, "the matrix of a pose unit is not nine numbers")
+    ..RuleInfo::new("pose-matrix", Level::Error, "the matrix of a pose unit is not nine numbers, or no rotation")
 });
+
+/// From here on it is not the rounding of a few decimals: angles are wrong by about half of it, in radians.
+const OFF: f64 = 0.01;
+
+const NO_ROTATION: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "turns the bone to another direction than the matrix has with every pose that uses the unit",
+)];
 
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(units) = file.pose_units() else { return };
+    out.extend(no_rotation(units, file));
     let faulty = turns(units).filter_map(|(unit, half, turn)| {
         let fault = turn.fault.as_ref().filter(|fault| **fault != TurnFault::NonFinite)?;
         Some((at(unit, half, turn), unit, turn, fault))
@@ -35,4 +48,20 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let evidence = Evidence::of_cases(faulty.iter().map(|(place, ..)| place));
     let finding = RULE.at(file, Place::Pointer(place.clone()), message).evidence(evidence);
     out.push(finding.help("write nine numbers, row by row, or remove the bone from the unit"));
+}
+
+fn no_rotation(units: &PoseUnits, file: &FileFacts) -> Option<Finding> {
+    let bent: Vec<_> = turns(units).filter(|(.., turn)| turn.bend.off > OFF || turn.bend.mirrors).collect();
+    let places: Vec<String> = bent.iter().map(|(unit, half, turn)| at(unit, half, turn)).collect();
+    let (unit, half, turn) = bent.first()?;
+    let what = match turn.bend.off {
+        off if off > OFF => format!("is off a rotation by {off:.3}"),
+        _ => "is the mirror image of a rotation".to_owned(),
+    };
+    let half = if *half == "reverse" { "the reverse of " } else { "" };
+    let more = such(bent.len(), "matrices");
+    let message = format!("the matrix of bone `{}` in {half}unit `{}` {what}{more}", turn.bone, unit.name);
+    let finding = RULE.at(file, Place::Pointer(places.first()?.clone()), message).key("rotation").case(NO_ROTATION);
+    let finding = finding.evidence(Evidence::of_cases(&places));
+    Some(finding.help("export the unit again, or write a rotation: rows of length 1 at right angles to each other"))
 }
