@@ -52,7 +52,7 @@ pub(crate) fn find_roots<'a>(
             confirmed.iter().filter(|other| other.path == root.path && other.application != root.application);
         others.any(|other| Layout::of(other.application).shares_roots_of != Some(root.application))
     };
-    let told = told(&signs, asked);
+    let told = Told::of(&signs, &is_at_hand);
     signs.retain(|root, sign| {
         let is_own = company.contains(&root.application) || confirmed.contains(root) || told.alone.contains(root);
         *sign == Sign::Strong || is_own && !is_confirmed_of_other(root)
@@ -76,11 +76,12 @@ pub(crate) fn find_roots<'a>(
     let count = |sign, better: &[DataRoot]| -> Vec<DataRoot> {
         let own = signs.iter().filter(|(_, own)| **own == sign).map(|(root, _)| root);
         let is_near = |root: &DataRoot, other: &DataRoot| {
-            nested(&other.path, &root.path) && !is_beside_own(root, other, &signs) && !told.is_apart(root, other)
+            nested(&other.path, &root.path) && !is_beside_own(root, other, &signs) && !told.are_apart(root, other)
         };
         own.filter(|root| !better.iter().any(|other| is_near(root, other))).cloned().collect()
     };
     let mut roots = count(Sign::Strong, &[]);
+    // The one says more, but not of what lies around it.
     roots.extend([Sign::OfUser, Sign::Weak].map(|sign| count(sign, &roots)).concat());
     roots.extend(count(Sign::Faint, &roots));
     let has_data = |application: Application| {
@@ -110,38 +111,54 @@ pub(crate) fn find_roots<'a>(
     roots
 }
 
-/// Roots of users of an application that shares these with another one, told by what is in them alone.
+/// Roots of users of an application that shares these with another one, told by what is in them where neither has data
+/// at hand.
+#[derive(Default)]
 struct Told {
     /// Those with files that nobody else has: the other one is not meant.
     alone: BTreeSet<DataRoot>,
-    /// Those with assets of both, and files that the other one has no use for.
+    /// Those with assets of both, and files that say more of the one than of the other: either may be meant.
     shared: BTreeSet<DataRoot>,
 }
 
 impl Told {
-    /// Whether a root is told well enough to be one inside that of a third application, or around it.
-    fn is_apart(&self, root: &DataRoot, other: &DataRoot) -> bool {
-        let own = |told: &DataRoot| {
-            told.path == root.path
-                && other.application != told.application
-                && Layout::of(told.application).shares_roots_of != Some(other.application)
-        };
-        self.alone.iter().chain(&self.shared).any(own)
-    }
-}
-
-fn told(signs: &BTreeMap<DataRoot, Sign>, asked: &[Application]) -> Told {
-    let mut told = Told { alone: BTreeSet::new(), shared: BTreeSet::new() };
-    let is_meant = |root: &DataRoot| asked.is_empty() || asked.contains(&root.application);
-    for (root, sign) in signs.iter().filter(|(root, sign)| **sign >= Sign::Weak && is_meant(root)) {
-        let Some(application) = Layout::of(root.application).shares_roots_of else { continue };
-        match signs.get(&DataRoot { path: root.path.clone(), application }) {
-            None | Some(Sign::Faint) if *sign == Sign::OfUser => _ = told.alone.insert(root.clone()),
-            Some(Sign::Faint) => _ = told.shared.insert(root.clone()),
-            _ => {}
+    fn of(signs: &BTreeMap<DataRoot, Sign>, is_at_hand: &dyn Fn(Application) -> bool) -> Self {
+        let mut told = Self::default();
+        for (root, sign) in signs.iter().filter(|(_, sign)| matches!(sign, Sign::Weak | Sign::OfUser)) {
+            let Some(partner) = Layout::of(root.application).shares_roots_of else { continue };
+            let sign_of = |application| signs.get(&DataRoot { path: root.path.clone(), application }).copied();
+            let mut others = Application::ALL.into_iter().filter(|one| *one != root.application && *one != partner);
+            // In `custom/` of the partner folders may be called anything.
+            let is_open = !root.path.split('/').any(|name| name == "custom");
+            if !is_open || others.any(|other| sign_of(other).is_some()) {
+                continue;
+            }
+            if is_at_hand(root.application) || is_at_hand(partner) {
+                continue;
+            }
+            match (sign, sign_of(partner)) {
+                (Sign::OfUser, None | Some(Sign::Faint)) => {
+                    told.alone.insert(root.clone());
+                }
+                (_, Some(Sign::Faint)) => {
+                    told.shared.insert(root.clone());
+                }
+                _ => {}
+            }
         }
+        told
     }
-    told
+
+    /// Whether a root and a better one stand for themselves although the one lies inside the other: the one is told, and
+    /// the other of a third application, or the other way round.
+    fn are_apart(&self, root: &DataRoot, better: &DataRoot) -> bool {
+        let is_apart = |told: &DataRoot| {
+            let is_third = better.application != told.application
+                && Layout::of(told.application).shares_roots_of != Some(better.application);
+            told.path == root.path && is_third
+        };
+        root.path != better.path && (self.alone.contains(better) || self.alone.iter().chain(&self.shared).any(is_apart))
+    }
 }
 
 /// Whether files beside a folder called `data` belong to it.
@@ -255,8 +272,21 @@ mod tests {
             for files in [&[path][..], &[path, library]] {
                 assert_eq!(found(files), [("user".to_owned(), Application::Mpfb)], "{path}");
             }
-            let asked = find_roots([path, library], &[Application::Makehuman1], &[]);
-            assert_eq!(asked.into_iter().map(|root| root.application).collect::<Vec<_>>(), [Application::Makehuman1]);
+            let of_asked = find_roots([path, library], &[Application::Makehuman1], &[]);
+            assert_eq!(
+                of_asked.into_iter().map(|root| root.application).collect::<Vec<_>>(),
+                [Application::Makehuman1]
+            );
+            // Where there are data of MakeHuman 1 a target in such a folder is one in the wrong place.
+            let beside = found(&["data/modifiers/a_modifiers.json", path, library]);
+            assert_eq!(beside[1..], [("user".to_owned(), Application::Makehuman1)], "{path}");
+            // And no file of one makes a folder of MakeHuman 2 that of another application.
+            let of_other = found(&["user/target/hm08/a/b.target", path]);
+            assert_eq!(of_other, [("user".to_owned(), Application::Makehuman2)], "{path}");
+            // Those of the one inside those of the other are two.
+            let around = format!("pack/{path}");
+            let both = [("pack".to_owned(), Application::Makehuman1), ("pack/user".to_owned(), Application::Mpfb)];
+            assert_eq!(found(&["pack/clothes/hat/hat.mhclo", &around]), both, "{path}");
         }
         // Around the data of a third application they are roots all the same.
         let third = ["packs/a.json", "hair/bob.mhclo", "tools/data/base/hm08/base.json"];

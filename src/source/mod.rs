@@ -29,7 +29,7 @@ pub(crate) use gunzip::{GzipFault, gunzip, gunzip_at_most};
 pub(crate) use lines::PASSED;
 pub(crate) use lines::{Lines, first_line, lines};
 pub(crate) use pack::{MemberFault, PackFacts, PackFault};
-pub(crate) use place::{canonical, folder_of, from_above, link_targets, own_place, resolved, slashed};
+pub(crate) use place::{canonical, folder_name, folder_of, link_targets, own_place, resolved, slashed};
 pub(crate) use read::read_file;
 pub(crate) use tree::{Contents, Entry, EntryKind, ReadFault, WalkFault, WalkFaultKind};
 pub(crate) use zip_size::zip_bomb;

@@ -24,9 +24,11 @@ pub(crate) fn canonical(path: &Path) -> Option<PathBuf> {
     fs::canonicalize(named(path)).ok()
 }
 
-/// A path below a folder, from the folder above that: it begins with the name of the first.
-pub(crate) fn from_above(folder: &Path, path: &Path) -> String {
-    slashed(&Path::new(folder.file_name().unwrap_or_default()).join(path))
+/// The name of a folder as it is written, else as it is.
+pub(crate) fn folder_name(folder: &Path) -> String {
+    let written = folder.file_name().map(ToOwned::to_owned);
+    let name = written.or_else(|| Some(resolved(folder).file_name()?.to_owned()));
+    slashed(Path::new(&name.unwrap_or_default()))
 }
 
 /// The absolute path without `..`, and without links in as much of it as exists: a deleted file still has its folder.

@@ -145,7 +145,7 @@ impl Tree {
         let (pack, facts) = Pack::open(zip, limits);
         let folders: Vec<String> = pack.folders().map(|folder| format!("{folder}/")).collect();
         let is_listed = |(path, _): &(&str, u64)| {
-            !walk::has_hidden_part(path) || wanted(path.trim_end_matches('/'), path.ends_with('/'))
+            !walk::has_hidden_part(path) || wanted("", path.trim_end_matches('/'), path.ends_with('/'))
         };
         let all = pack.files().chain(folders.iter().map(|folder| (folder.as_str(), 0))).filter(is_listed);
         let (entries, faults) = memory_entries(all.collect::<BTreeMap<_, _>>());
@@ -393,7 +393,7 @@ mod tests {
         fs::write(folder.path().join("b/c.txt"), "hello").unwrap();
         fs::write(folder.path().join("a.txt"), "").unwrap();
         fs::create_dir(folder.path().join("d")).unwrap();
-        let disk = Tree::on_disk("x", folder.path(), |_, _| false);
+        let disk = Tree::on_disk("x", folder.path(), |_, _, _| false);
         let files = [("b/c.txt", b"hello".to_vec()), ("a.txt", Vec::new()), ("d/", Vec::new())];
         let memory = Tree::in_memory("x", files.map(|(path, bytes)| (path.to_owned(), bytes)));
         let seen = |tree: &Tree| -> Vec<_> {
@@ -409,7 +409,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join("a"), "abcdefgh").unwrap();
         let memory = Tree::in_memory("", [("a".to_owned(), b"abcdefgh".to_vec())]);
-        for tree in [Tree::on_disk("", folder.path(), |_, _| false), memory] {
+        for tree in [Tree::on_disk("", folder.path(), |_, _, _| false), memory] {
             let ends = |head, tail| tree.read_ends(tree.entry("a").unwrap(), (head, tail), &Limits::default());
             assert_eq!(ends(3, 2), Ok((b"abc".to_vec(), b"gh".to_vec())));
             assert_eq!(ends(4, 4), Ok((b"abcdefgh".to_vec(), Vec::new())));

@@ -6,7 +6,7 @@ use std::path::{Component, Path, PathBuf};
 
 use walkdir::{DirEntry, WalkDir};
 
-use super::place::{LONGEST_CHAIN, from_above, resolved, slashed};
+use super::place::{LONGEST_CHAIN, folder_name, resolved, slashed};
 use super::tree::{Entry, EntryKind, WalkFault, WalkFaultKind};
 
 /// Entries that are listed at most: folders that link to each other multiply without end, and no asset
@@ -20,9 +20,9 @@ pub(super) const MOST_LETTERS: usize = 32 << 20;
 pub(super) const TOO_LONG: &str = "the paths take more than 32 MiB in total; the rest was not checked";
 
 /// Says of a hidden path, or of a path in a hidden folder, whether somebody has an eye on it: a file that is to be listed,
-/// or (`true` behind it) a folder that is to be listed and searched. The path begins with the name of the folder that is
+/// or (`true` behind it) a folder that is to be listed and searched. Before the path stands the name of the folder that is
 /// listed.
-pub(super) type Wanted = fn(&str, bool) -> bool;
+pub(super) type Wanted = fn(&str, &str, bool) -> bool;
 
 /// Lists everything below `root`, of hidden files and what is in hidden folders (`.git` and its kin) only what is
 /// `wanted`, not deeper than `depth` levels.
@@ -32,7 +32,8 @@ pub(super) fn walk(root: &Path, depth: usize, wanted: Wanted) -> (Vec<Entry>, Ve
 
 fn walk_at_most(root: &Path, depth: usize, wanted: Wanted, most: usize) -> (Vec<Entry>, Vec<WalkFault>) {
     let canonical = resolved(root);
-    let wanted = |path: &Path, is_folder| wanted(&from_above(&canonical, path), is_folder);
+    let name = folder_name(root);
+    let wanted = |path: &Path, is_folder| wanted(&name, &slashed(path), is_folder);
     let mut entries = Vec::new();
     let mut faults = Vec::new();
     let walk = WalkDir::new(root).follow_links(true).min_depth(1).max_depth(depth);
@@ -204,7 +205,7 @@ mod tests {
 
     use super::*;
 
-    fn nothing(_: &str, _: bool) -> bool {
+    fn nothing(_: &str, _: &str, _: bool) -> bool {
         false
     }
 
@@ -216,7 +217,8 @@ mod tests {
             fs::create_dir_all(path.parent().unwrap()).unwrap();
             fs::write(path, "").unwrap();
         }
-        let wanted = |path: &str, is_folder: bool| path.contains("/b/") && (is_folder || path.ends_with(".x"));
+        let wanted =
+            |_: &str, path: &str, is_folder: bool| path.starts_with("b/") && (is_folder || path.ends_with(".x"));
         let listed = |wanted| walk(folder.path(), usize::MAX, wanted).0.into_iter().map(|entry| entry.path);
         assert_eq!(listed(nothing).collect::<Vec<_>>(), ["b", "b/f"]);
         assert_eq!(listed(wanted).collect::<Vec<_>>(), ["b", "b/.c", "b/.c/d.x", "b/.e.x", "b/f"]);

@@ -77,6 +77,11 @@ fn makehuman2_shows_its_known_defects() {
         ),
         ("weights-not-normalized", "rigs/hm08/default_weights.mhw", &["5799 of 19158"]),
         ("weights-not-normalized", "rigs/mh2bot/default_weights.mhw", &["4 of 7259"]),
+        (
+            "pose-matrix",
+            "base/hm08/body-poses.json",
+            &["`shoulder01.L` in the reverse of unit `LeftUpperArmRotHorizontal`"],
+        ),
         ("file-unreferenced", "target/hm08/icons/bodyshapes-elvs-man-diamond.png", &["is not used"]),
     ];
     for (rule, path, texts) in expected {
@@ -113,6 +118,7 @@ fn nothing_else_in_makehuman2_is_an_error_or_a_warning() {
         "modelling-measure",
         "modelling-measure",
         "modelling-measure",
+        "pose-matrix",
     ];
     assert_eq!(rules, known);
     assert_eq!(mhlint(&corpus, &["data", "--no-eval"]).status.code(), Some(0), "no error");

@@ -103,7 +103,7 @@ fn readme_holds_the_help() {
 fn the_sample_of_the_readme_is_what_a_terminal_shows() {
     let repository = example();
     Case::read(&project("fixtures/rules/macro-steps-length/bad")).apply(repository.path());
-    let tree = mhlint::Tree::on_disk("data", repository.path().join("data"), |_, _| false);
+    let tree = mhlint::Tree::on_disk("data", repository.path().join("data"), |_, _, _| false);
     let config = mhlint::Config::default();
     let outcome = mhlint::lint_trees(vec![tree], None, &config).unwrap();
     let view = mhlint::report::View {

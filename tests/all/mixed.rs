@@ -218,8 +218,11 @@ fn what_may_run_code_is_checked_wherever_it_lies() {
         let name = file.rsplit('/').next().unwrap();
         let bytes = std::fs::read(repository.path().join(file)).unwrap();
         std::fs::remove_file(repository.path().join(file)).unwrap();
-        // In no data folder, and in that of an application that opens no such file.
-        for folder in ["wip", "makehuman2/data/scenes"] {
+        copy_folder(&project("fixtures/makehuman1/data"), &repository.path().join("all/data"));
+        copy_folder(&project("fixtures/makehuman2/data"), &repository.path().join("all/data/makehuman2"));
+        // In no data folder, in that of an application that opens no such file, at the top of one that does, and in one
+        // that lies inside of that.
+        for folder in ["wip", "makehuman2/data/scenes", "all/data", "all/data/makehuman2"] {
             let place = format!("{folder}/{name}");
             std::fs::create_dir_all(repository.path().join(folder)).unwrap();
             std::fs::write(repository.path().join(&place), &bytes).unwrap();

@@ -39,7 +39,7 @@ fn check(root: &Path, args: &[&str]) -> (Option<i32>, Vec<String>) {
 /// The library on a zip, with limits that a test reaches.
 fn lint(bytes: Vec<u8>, limits: Limits) -> Outcome {
     let config = Config { limits, no_eval: true, ..Config::default() };
-    let outcome = lint_trees(vec![Tree::packed("my.zip", bytes, &limits, |_, _| true)], None, &config).unwrap();
+    let outcome = lint_trees(vec![Tree::packed("my.zip", bytes, &limits, |_, _, _| true)], None, &config).unwrap();
     assert!(outcome.is_whole(), "{:?} {:?}", outcome.failed_rules, outcome.failed_files);
     outcome
 }
@@ -47,7 +47,7 @@ fn lint(bytes: Vec<u8>, limits: Limits) -> Outcome {
 /// The same as MPFB takes it.
 fn lint_for_mpfb(bytes: Vec<u8>) -> Outcome {
     let config = Config { no_eval: true, applications: vec![Application::Mpfb], ..Config::default() };
-    let tree = Tree::packed("my.zip", bytes, &config.limits, |_, _| true);
+    let tree = Tree::packed("my.zip", bytes, &config.limits, |_, _, _| true);
     let outcome = lint_trees(vec![tree], None, &config).unwrap();
     assert!(outcome.is_whole(), "{:?} {:?}", outcome.failed_rules, outcome.failed_files);
     outcome
@@ -78,6 +78,15 @@ fn a_pack_is_checked_in_capitals_as_well_and_for_the_applications_that_are_asked
     assert_eq!(effects(&["--app", "makehuman1"]), (Some(1), vec!["makehuman1".to_owned()]));
     assert_eq!(effects(&["--app", "makehuman2"]), (Some(1), vec!["makehuman2".to_owned()]));
     assert_eq!(effects(&["--system", "data"]), (Some(1), vec!["makehuman2".to_owned()]));
+}
+
+/// macOS, editors and Git leave such in a zip.
+#[test]
+fn what_is_hidden_in_a_zip_is_no_part_of_the_pack() {
+    let hidden = ["._a.mhscene", ".clothes/shirt/shirt.mhclo", ".git/refs/heads/male_female", "clothes/.old/a.obj"];
+    let plain = with("my.zip", &shirt(&[]));
+    let repository = with("my.zip", &shirt(&hidden.map(|name| (name, "x\n"))));
+    assert_eq!(check(repository.path(), &["my.zip"]), check(plain.path(), &["my.zip"]));
 }
 
 #[test]

@@ -112,7 +112,7 @@ fn weights_are_checked_as_makehuman_1_reads_them() {
 #[test]
 #[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
 fn the_data_of_mpfb_have_their_known_defects() {
-    let tree = Tree::on_disk("", crate::scratch::corpus("mpfb").join("data"), |_, _| false);
+    let tree = Tree::on_disk("", crate::scratch::corpus("mpfb").join("data"), |_, _, _| false);
     let outcome =
         trial::lint_trees(&[mhlint::Application::Mpfb], vec![tree], None, &mhlint::Config::default()).unwrap();
     assert!(outcome.is_whole());

@@ -15,7 +15,7 @@ pub(super) static LAYOUT: Layout = Layout {
     role,
     shelf,
     loose_place,
-    is_dangerous: |path| ["mhscene", "mhc"].iter().any(|known| extension(path).eq_ignore_ascii_case(known)),
+    is_dangerous,
     // In a folder `custom` there nobody looks, but it is a usual mistake.
     beside: &["models", "custom", CACHE, SETTINGS],
     is_folder: |rel, _| is_beside(rel, CACHE),
@@ -100,6 +100,7 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         },
         // What lists show for assets without a picture.
         [file] if extension(file) == "thumb" => Kind::Image,
+        [file] if is_dangerous(file) => Kind::by_extension(file),
         _ => Kind::Other,
     };
     (kind, (parts.len() > 1).then_some(HM08))
@@ -132,14 +133,19 @@ fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
     }
 }
 
-/// What may run code as well, wherever it lies: a list of a library. And archives of what is worn, which may hold objects.
-/// The one of all targets is nothing without these.
+/// Scenes and lists of libraries are pickles, which can call anything.
+fn is_dangerous(path: &str) -> bool {
+    ["mhscene", "mhc"].iter().any(|known| extension(path).eq_ignore_ascii_case(known))
+}
+
+/// A list of a library, which may run code as well as a scene, and an archive of something worn, wherever they lie. What
+/// is wrong with the archive of all targets shows only beside these.
 fn loose_place(path: &str, _: Option<&str>) -> Option<String> {
     let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
     let above: Vec<&str> = folder.rsplit('/').collect();
     let near = if folder.is_empty() { "loose" } else { &folder.replace('/', "_") };
-    match extension(name) {
-        "mhc" => Some(format!("{CACHE}/{name}")),
+    match extension(name).to_ascii_lowercase().as_str() {
+        "mhc" => Some(format!("{CACHE}/{}", name.to_ascii_lowercase())),
         "mhpxy" => Some(format!("{}/{near}/{name}", worn_shelf(&above))),
         _ => None,
     }
@@ -294,7 +300,7 @@ mod tests {
             ("clothes/.git/a.mhclo", false),
             ("materials/._a.mhmat", false),
         ] {
-            assert_eq!(super::super::is_read_though_hidden(path, false), is_read, "{path}");
+            assert_eq!(super::super::is_read_though_hidden("assets", path, false), is_read, "{path}");
         }
     }
 

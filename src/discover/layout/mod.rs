@@ -284,11 +284,13 @@ impl Layout {
 }
 
 /// Whether an application reads a file whose name, or that of a folder above it, begins with a point; of a folder,
-/// whether such a file could be in it, or its name counts. The first name in `path` is that of the folder in which that is
-/// so; it may lie above the data root, or in it.
-pub(crate) fn is_read_though_hidden(path: &str, is_folder: bool) -> bool {
-    let folder = path.split('/').next().map_or(0, str::len);
-    Application::ALL.iter().any(|application| Layout::of(*application).takes_below(path, folder, is_folder, false))
+/// whether such a file could be in it, or its name counts. `path` lies below a folder of this name, which may be above a
+/// data root, or in one; what that one is called is nothing.
+pub(crate) fn is_read_though_hidden(folder: &str, path: &str, is_folder: bool) -> bool {
+    let whole = format!("{folder}/{path}");
+    Application::ALL
+        .iter()
+        .any(|application| Layout::of(*application).takes_below(&whole, folder.len(), is_folder, false))
 }
 
 /// The path without its last `levels` parts.

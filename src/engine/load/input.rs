@@ -9,7 +9,7 @@ use super::roots::roots_of;
 use crate::diag::Application;
 use crate::discover::{Layout, find_roots, is_read_though_hidden, new_base};
 use crate::source::{
-    self, EntryKind, Limits, ReadFault, Tree, folder_of, from_above, inside, is_below, read_file, slashed,
+    self, EntryKind, Limits, ReadFault, Tree, folder_name, folder_of, inside, is_below, read_file, slashed,
 };
 
 /// A tree to look for data roots in.
@@ -165,19 +165,18 @@ fn within(place: &str, layout: &Layout) -> Option<PathBuf> {
         let shallow = Tree::on_disk_to_depth(String::new(), root, layout.depth, is_read_though_hidden);
         roots_in(&shallow, root).iter().any(String::is_empty)
     };
-    let mut all = layout.roots_above(place).map(|root| PathBuf::from(if root.is_empty() { "/" } else { root }));
-    all.find(is_root)
+    // No application has its data at the top of the disk.
+    layout.roots_above(place).filter(|root| !root.is_empty()).map(PathBuf::from).find(is_root)
 }
 
 /// The data roots in the tree of a folder, as seen from the one above: its name tells, too, what is in it.
 fn roots_in(tree: &Tree, folder: &Path) -> Vec<String> {
+    let name = folder_name(folder);
     let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File);
-    let files: Vec<String> = files.map(|entry| from_above(folder, Path::new(&entry.path))).collect();
-    let name = folder.file_name().map(|name| slashed(Path::new(name))).unwrap_or_default();
+    let files: Vec<String> = files.map(|entry| format!("{name}/{}", entry.path)).collect();
     let roots = find_roots(files.iter().map(String::as_str), &[], &[]).into_iter();
-    roots
-        .filter_map(|root| inside(&root.path, &name).map(str::to_owned).or((root.path == name).then(String::new)))
-        .collect()
+    let below = |root: &str| inside(root, &name).map(str::to_owned).or_else(|| (root == name).then(String::new));
+    roots.filter_map(|root| below(&root.path)).collect()
 }
 
 /// What is printed for a folder that no written path names: its path below the working directory, else all of it.

@@ -53,13 +53,11 @@ impl<'t> Outside<'t, '_> {
     }
 
     fn is_asked(&self, entry: &Entry, layout: &Layout) -> bool {
+        let around = || self.roots.iter().filter(|(root, _)| is_below(&entry.path, root));
         let is_own = |layouts: &[&Layout]| layouts.iter().any(|one| one.application == layout.application);
-        let is_dangerous = (layout.is_dangerous)(&entry.path);
-        let is_in_root = || {
-            let mut around = self.roots.iter().filter(|(root, _)| is_below(&entry.path, root));
-            // In the data of another application what is dangerous is looked at all the same.
-            around.any(|(root, layouts)| self.keeps(root, layouts) && (!is_dangerous || is_own(layouts)))
-        };
+        // In the data of another application what is dangerous is looked at all the same.
+        let is_left_out = || (layout.is_dangerous)(&entry.path) && !around().any(|(_, layouts)| is_own(layouts));
+        let is_in_root = || around().any(|(root, layouts)| self.keeps(root, layouts)) && !is_left_out();
         !self.taken.contains(entry.path.as_str()) && !is_in_root()
     }
 

@@ -36,17 +36,18 @@ impl<'t> Place<'t> {
     }
 
     /// The data root at `root`, without those of other applications inside it, but for what an application looks for
-    /// everywhere in its own data.
+    /// everywhere in its own data, and what is dangerous to it.
     pub(super) fn around(tree: &'t Tree, root: &str, layouts: &[&'static Layout], inner: Vec<String>) -> Self {
         let mut below = candidates(tree, root, layouts);
         let systems: Vec<&Layout> =
             layouts.iter().copied().filter(|layout| (layout.role)(&below) != Role::User).collect();
-        let finds = |one: &Use| {
+        let is_everywhere = |one: &Use| {
             systems.iter().any(|layout| layout.application == one.application && layout.everywhere == Some(one.kind))
         };
         below.retain_mut(|one| {
             if inner.iter().any(|inner| is_below(&one.entry.path, inner)) {
-                one.uses.retain(finds);
+                let path = &one.entry.path;
+                one.uses.retain(|one| is_everywhere(one) || (Layout::of(one.application).is_dangerous)(path));
             }
             !one.uses.is_empty()
         });

@@ -8,7 +8,7 @@ use crate::config::{Before, Config};
 use crate::diag::Application;
 use crate::discover::is_read_though_hidden;
 use crate::engine::error::Error;
-use crate::source::{Contents, Limits, Tree, from_above, own_place, resolved, slashed};
+use crate::source::{Contents, Limits, Tree, folder_name, own_place, resolved, slashed};
 
 /// One side of a comparison, or the only one.
 pub(in crate::engine) struct Side {
@@ -64,7 +64,7 @@ impl Side {
             if place.starts_with(path) || link.starts_with(path) {
                 return Some(tree.shown(""));
             }
-            let rel = path.strip_prefix(place).ok().filter(|rel| is_listed(tree, place, rel))?;
+            let rel = path.strip_prefix(place).ok().filter(|rel| is_listed(tree, rel))?;
             Some(tree.shown(&slashed(rel)))
         };
         paths.into_iter().filter_map(|path| places.iter().find_map(|place| shown(place, path))).collect()
@@ -104,10 +104,11 @@ fn below(tree: &Tree, contents: &Contents<PathBuf>) -> Contents<String> {
     let Some(root) = tree.root().map(resolved) else { return Contents::new() };
     let inside =
         contents.range(root.clone()..).map_while(|(path, bytes)| Some((path.strip_prefix(&root).ok()?, bytes)));
-    inside.filter(|(rel, _)| is_listed(tree, &root, rel)).map(|(rel, bytes)| (slashed(rel), bytes.clone())).collect()
+    inside.filter(|(rel, _)| is_listed(tree, rel)).map(|(rel, bytes)| (slashed(rel), bytes.clone())).collect()
 }
 
-fn is_listed(tree: &Tree, root: &Path, rel: &Path) -> bool {
+fn is_listed(tree: &Tree, rel: &Path) -> bool {
     let is_hidden = slashed(rel).split('/').any(|part| part.starts_with('.'));
-    rel.components().count() <= tree.depth() && (!is_hidden || is_read_though_hidden(&from_above(root, rel), false))
+    let is_read = || is_read_though_hidden(&tree.root().map(folder_name).unwrap_or_default(), &slashed(rel), false);
+    rel.components().count() <= tree.depth() && (!is_hidden || is_read())
 }
