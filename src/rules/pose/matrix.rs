@@ -12,11 +12,12 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         is not a number. The nine numbers are a rotation matrix, row by row; three lists of three numbers are the \
         same.\n\n\
         MakeHuman 2 reads all units when it loads the base, and crashes at start.\n\n\
-        Nine numbers that are no rotation are a warning: rows of another length than 1, rows at no right angle to each other, \
-        or a mirror image. MakeHuman 2 makes a quaternion of the matrix, which can only turn: the bone gets another direction \
-        than the matrix has. Reported is what M\u{00b7}M\u{1d40} differs by from that of a rotation, above 0.01.\n\n\
+        A matrix that is not a rotation is a warning: it has rows of another length than 1, or at another angle than 90 degrees \
+        to each other, or is a mirror image. MakeHuman 2 makes a quaternion of it, which can only turn: the bone gets another \
+        direction than the matrix has. `off by 0.098` is the largest number in M\u{00b7}M\u{1d40} \u{2212} 1, which has only \
+        zeros for a rotation; from 0.01 on it is reported.\n\n\
         Restore the matrix, or remove the bone from the unit.",
-    ..RuleInfo::new("pose-matrix", Level::Error, "the matrix of a pose unit is not nine numbers, or no rotation")
+    ..RuleInfo::new("pose-matrix", Level::Error, "the matrix of a pose unit is not nine numbers, or not a rotation")
 });
 
 /// From here on it is not the rounding of a few decimals: angles are wrong by about half of it, in radians.
@@ -55,8 +56,8 @@ fn no_rotation(units: &PoseUnits, file: &FileFacts) -> Option<Finding> {
     let places: Vec<String> = bent.iter().map(|(unit, half, turn)| at(unit, half, turn)).collect();
     let (unit, half, turn) = bent.first()?;
     let what = match turn.bend.off {
-        off if off > OFF => format!("is off a rotation by {off:.3}"),
-        _ => "is the mirror image of a rotation".to_owned(),
+        off if off > OFF => format!("is not a rotation: off by {off:.3}"),
+        _ => "is a mirror image, not a rotation".to_owned(),
     };
     let half = if *half == "reverse" { "the reverse of " } else { "" };
     let more = such(bent.len(), "matrices");
