@@ -378,7 +378,7 @@ const CHANGES: [Change; 57] = [
     Change {
         name: "a comma too many",
         edits: &[Replace("data/base/hm08/body-poses.json", "\"Rest\": {},", "\"Rest\": {,},")],
-        brings: &["new json-syntax hm08/body-poses.json"],
+        brings: &["new json-syntax hm08/body-poses.json", "gone pose-matrix hm08/body-poses.json"],
         ..CHANGE
     },
     // Materials and pictures.
