@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Candidate, Kind, Layout, extension, meant_extension};
-use crate::source::{Entry, EntryKind, Tree, folder_and_name, normalized};
+use crate::source::{Entry, EntryKind, Tree, folder_and_name, folders_above, normalized};
 
 /// The base mesh that a loose file is for, if that is known; `None` for a file that is none of ours.
 pub(crate) type Binding = Option<Option<String>>;
@@ -49,11 +49,6 @@ impl<'t> Loose<'t> {
         all.extend(beside.filter(|path| !is_asset(path) && stems.contains(stem(path))));
         all
     }
-}
-
-/// A folder and those above it, up to the top.
-fn folders_above(folder: &str) -> impl Iterator<Item = &str> {
-    std::iter::successors(Some(folder), |folder| (!folder.is_empty()).then(|| folder_and_name(folder).0))
 }
 
 /// Whether a file is an asset of its own wherever it lies. A material may be a part of one.

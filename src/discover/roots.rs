@@ -81,7 +81,7 @@ pub(crate) fn find_roots<'a>(
         own.filter(|root| !better.iter().any(|other| is_near(root, other))).cloned().collect()
     };
     let mut roots = count(Sign::Strong, &[]);
-    // The one says more, but not of what lies around it.
+    // Neither of these makes the other one near: they are as good.
     roots.extend([Sign::OfUser, Sign::Weak].map(|sign| count(sign, &roots)).concat());
     roots.extend(count(Sign::Faint, &roots));
     let has_data = |application: Application| {
@@ -127,13 +127,11 @@ impl Told {
         for (root, sign) in signs.iter().filter(|(_, sign)| matches!(sign, Sign::Weak | Sign::OfUser)) {
             let Some(partner) = Layout::of(root.application).shares_roots_of else { continue };
             let sign_of = |application| signs.get(&DataRoot { path: root.path.clone(), application }).copied();
-            let mut others = Application::ALL.into_iter().filter(|one| *one != root.application && *one != partner);
+            let mut third = Application::ALL.into_iter().filter(|one| *one != root.application && *one != partner);
+            let mut is_of_third = || third.any(|other| sign_of(other).is_some());
             // In `custom/` of the partner folders may be called anything.
-            let is_open = !root.path.split('/').any(|name| name == "custom");
-            if !is_open || others.any(|other| sign_of(other).is_some()) {
-                continue;
-            }
-            if is_at_hand(root.application) || is_at_hand(partner) {
+            let is_in_custom = || root.path.split('/').any(|name| name == "custom");
+            if is_at_hand(root.application) || is_at_hand(partner) || is_in_custom() || is_of_third() {
                 continue;
             }
             match (sign, sign_of(partner)) {
@@ -149,8 +147,8 @@ impl Told {
         told
     }
 
-    /// Whether a root and a better one stand for themselves although the one lies inside the other: the one is told, and
-    /// the other of a third application, or the other way round.
+    /// Whether a root and a better one are two although the one lies inside the other: the better one has files that only
+    /// its application has, or the root is told and the better one is of a third application.
     fn are_apart(&self, root: &DataRoot, better: &DataRoot) -> bool {
         let is_apart = |told: &DataRoot| {
             let is_third = better.application != told.application
@@ -260,7 +258,7 @@ mod tests {
         let asked = find_roots([library], &[Application::Mpfb], &[]);
         assert_eq!(asked.into_iter().map(|root| (root.path, root.application)).collect::<Vec<_>>(), both("user"));
         // Without its company a folder of packs, expressions or custom targets is nobody's; with assets it is that of the
-        // other one, which has no use for packs.
+        // other one, and of both where the other one has no use for what is in it.
         assert_eq!(found(&["src/packs/mine.json", "src/expressions/a.json", "src/custom/x.target.gz"]), []);
         for path in ["user/expressions/a.json", "user/custom/x.target"] {
             assert_eq!(found(&[library, path]), [("user".to_owned(), Application::Makehuman1)], "{path}");

@@ -9,7 +9,7 @@ use unicode_normalization::{UnicodeNormalization, is_nfc};
 use super::{FileFacts, Pack, parent};
 use crate::diag::Application;
 use crate::discover::{Kind, Layout, kind_in, uses_of};
-use crate::source::{WalkFault, inside, is_below};
+use crate::source::{WalkFault, has_hidden_part, inside, is_below};
 
 /// A path as a system compares it that regards neither capitals nor the form of accented letters.
 pub(crate) fn fold(path: &str) -> String {
@@ -34,10 +34,10 @@ pub(crate) struct Layer {
     pub files: BTreeMap<String, FileFacts>,
     /// Folders, relative to the root.
     pub folders: Vec<String>,
-    /// Those that are hidden, or in a hidden one, and whose names count all the same.
-    pub hidden_folders: Vec<String>,
     /// Those of them that are links, relative to the root.
     pub linked_folders: Vec<String>,
+    /// Further folders, which are hidden or in a hidden one, and whose names count all the same.
+    pub hidden_folders: Vec<String>,
     /// What the walk could not list, relative to the root.
     pub walk_faults: Vec<WalkFault>,
     /// The zip that it was made of, if it was one.
@@ -64,8 +64,8 @@ impl Layer {
         folders: Vec<String>,
         mut walk_faults: Vec<WalkFault>,
     ) -> Self {
-        let is_hidden = |rel: &String| rel.split('/').any(|part| part.starts_with('.'));
-        let (mut hidden_folders, mut folders): (Vec<_>, Vec<_>) = folders.into_iter().partition(is_hidden);
+        let (mut hidden_folders, mut folders): (Vec<_>, Vec<_>) =
+            folders.into_iter().partition(|rel| has_hidden_part(rel));
         folders.sort_unstable();
         hidden_folders.sort_unstable();
         walk_faults.sort_by(|one, other| one.path.cmp(&other.path));
@@ -77,8 +77,8 @@ impl Layer {
             layouts,
             files,
             folders,
-            hidden_folders,
             linked_folders,
+            hidden_folders,
             walk_faults,
             pack,
             folded,

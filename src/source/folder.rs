@@ -85,6 +85,16 @@ pub(crate) fn folder_and_name(path: &str) -> (&str, &str) {
     path.rsplit_once('/').unwrap_or(("", path))
 }
 
+/// A folder and those above it, up to the top.
+pub(crate) fn folders_above(folder: &str) -> impl Iterator<Item = &str> {
+    std::iter::successors(Some(folder), |folder| (!folder.is_empty()).then(|| folder_and_name(folder).0))
+}
+
+/// Whether a name in a path begins with a point.
+pub(crate) fn has_hidden_part(path: &str) -> bool {
+    path.split('/').any(|part| part.starts_with('.'))
+}
+
 /// The part of a path below a folder; all of it below no folder.
 pub(crate) fn inside<'p>(path: &'p str, folder: &str) -> Option<&'p str> {
     if folder.is_empty() { Some(path) } else { path.strip_prefix(folder)?.strip_prefix('/') }

@@ -23,7 +23,9 @@ pub use text::Encoding;
 pub(crate) use text::{BYTE_ORDER_MARK, Guess};
 pub use tree::Tree;
 
-pub(crate) use folder::{Folder, Outer, folder_and_name, holds, inside, is_below, normalized};
+pub(crate) use folder::{
+    Folder, Outer, folder_and_name, folders_above, has_hidden_part, holds, inside, is_below, normalized,
+};
 pub(crate) use gunzip::{GzipFault, gunzip, gunzip_at_most};
 #[cfg(test)]
 pub(crate) use lines::PASSED;

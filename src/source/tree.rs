@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use xxhash_rust::xxh3::xxh3_64;
 
 use super::Limits;
-use super::folder::inside;
+use super::folder::{has_hidden_part, inside};
 use super::listing::{Room, add_file, add_folders, folders_above, memory_entries};
 use super::pack::{Pack, PackFacts};
 use super::read::{ends_of, read_bounded, too_large};
@@ -145,7 +145,7 @@ impl Tree {
         let (pack, facts) = Pack::open(zip, limits);
         let folders: Vec<String> = pack.folders().map(|folder| format!("{folder}/")).collect();
         let is_listed = |(path, _): &(&str, u64)| {
-            !walk::has_hidden_part(path) || wanted("", path.trim_end_matches('/'), path.ends_with('/'))
+            !has_hidden_part(path) || wanted("", path.trim_end_matches('/'), path.ends_with('/'))
         };
         let all = pack.files().chain(folders.iter().map(|folder| (folder.as_str(), 0))).filter(is_listed);
         let (entries, faults) = memory_entries(all.collect::<BTreeMap<_, _>>());

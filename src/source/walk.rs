@@ -84,11 +84,6 @@ fn is_hidden(root: &Path, found: &DirEntry) -> bool {
     path.components().any(|part| part.as_os_str().as_encoded_bytes().first() == Some(&b'.'))
 }
 
-/// The same of a path in a listing.
-pub(super) fn has_hidden_part(path: &str) -> bool {
-    path.split('/').any(|part| part.starts_with('.'))
-}
-
 /// Links to folders are not followed in hidden places.
 fn is_wanted(root: &Path, found: &DirEntry, wanted: &dyn Fn(&Path, bool) -> bool) -> bool {
     let is_folder = found.file_type().is_dir();

@@ -8,6 +8,7 @@ use mpfb::importer::Refusal;
 
 use super::{Candidate, Kind, Use, extension};
 use crate::diag::Application;
+use crate::source::{folder_and_name, folders_above};
 
 /// How an application lays out its data folders: what their paths say, without a look into a file.
 #[derive(Debug)]
@@ -135,7 +136,8 @@ pub(crate) enum Role {
 struct HiddenPath<'p> {
     /// Whether it is known to lie in a data root of the application.
     in_root: bool,
-    /// What lies above the hidden part.
+    /// What lies above the first hidden name below the data root, or below the folder that is listed; what stands before
+    /// that is a part of it, whatever it is called.
     visible: &'p [&'p str],
     /// The last name.
     name: &'p str,
@@ -221,11 +223,8 @@ impl Layout {
     /// The parts of `path` above folder names that belong to a data root, the nearest first: where a data root would be
     /// that `path` lies inside of.
     pub(crate) fn roots_above<'p>(&self, path: &'p str) -> impl Iterator<Item = &'p str> + use<'_, 'p> {
-        let starts = path.match_indices('/').map(|(at, _)| at + 1).rev().chain([0]);
-        let ends = [path.len()].into_iter().chain(path.match_indices('/').map(|(at, _)| at).rev());
-        let named =
-            starts.zip(ends).filter(|(start, end)| path.get(*start..*end).is_some_and(|part| self.has_at_top(part)));
-        named.map(|(start, _)| path.get(..start).unwrap_or_default().trim_end_matches('/'))
+        let folders = folders_above(path).map(folder_and_name);
+        folders.filter(|(_, name)| self.has_at_top(name)).map(|(above, _)| above)
     }
 
     /// Whether a data root has a folder of this name at its top.

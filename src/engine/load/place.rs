@@ -35,22 +35,12 @@ impl<'t> Place<'t> {
         Self::around(tree, root, layouts, Vec::new())
     }
 
-    /// The data root at `root`, without those of other applications inside it, but for what an application looks for
-    /// everywhere in its own data, and what is dangerous to it.
+    /// The data root at `root`, without those of other applications inside it.
     pub(super) fn around(tree: &'t Tree, root: &str, layouts: &[&'static Layout], inner: Vec<String>) -> Self {
         let mut below = candidates(tree, root, layouts);
-        let systems: Vec<&Layout> =
-            layouts.iter().copied().filter(|layout| (layout.role)(&below) != Role::User).collect();
-        let is_everywhere = |one: &Use| {
-            systems.iter().any(|layout| layout.application == one.application && layout.everywhere == Some(one.kind))
-        };
-        below.retain_mut(|one| {
-            if inner.iter().any(|inner| is_below(&one.entry.path, inner)) {
-                let path = &one.entry.path;
-                one.uses.retain(|one| is_everywhere(one) || (Layout::of(one.application).is_dangerous)(path));
-            }
-            !one.uses.is_empty()
-        });
+        if !inner.is_empty() {
+            leave_out(&mut below, &inner, layouts);
+        }
         Self { inner, ..Self::with(tree, root, layouts, below, false) }
     }
 
@@ -164,6 +154,21 @@ impl<'t> Place<'t> {
     pub(in crate::engine) fn target_bases(&self) -> BTreeSet<Option<&str>> {
         self.bulk.keys().map(Option::as_deref).collect()
     }
+}
+
+/// Takes the data roots of other applications out of one around them, but for what an application looks for everywhere in
+/// its own data, and what is dangerous to it.
+fn leave_out(below: &mut Vec<Candidate<'_>>, inner: &[String], layouts: &[&'static Layout]) {
+    let systems = layouts.iter().filter(|layout| (layout.role)(below) != Role::User);
+    let everywhere: Vec<_> = systems.filter_map(|layout| Some((layout.application, layout.everywhere?))).collect();
+    below.retain_mut(|one| {
+        let path = &one.entry.path;
+        if inner.iter().any(|inner| is_below(path, inner)) {
+            let is_dangerous = |one: &Use| (Layout::of(one.application).is_dangerous)(path);
+            one.uses.retain(|one| everywhere.contains(&(one.application, one.kind)) || is_dangerous(one));
+        }
+        !one.uses.is_empty()
+    });
 }
 
 fn is_bulk(file: &Candidate<'_>) -> bool {

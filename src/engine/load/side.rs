@@ -8,7 +8,7 @@ use crate::config::{Before, Config};
 use crate::diag::Application;
 use crate::discover::is_read_though_hidden;
 use crate::engine::error::Error;
-use crate::source::{Contents, Limits, Tree, folder_name, own_place, resolved, slashed};
+use crate::source::{Contents, Limits, Tree, folder_name, has_hidden_part, own_place, resolved, slashed};
 
 /// One side of a comparison, or the only one.
 pub(in crate::engine) struct Side {
@@ -108,7 +108,7 @@ fn below(tree: &Tree, contents: &Contents<PathBuf>) -> Contents<String> {
 }
 
 fn is_listed(tree: &Tree, rel: &Path) -> bool {
-    let is_hidden = slashed(rel).split('/').any(|part| part.starts_with('.'));
-    let is_read = || is_read_though_hidden(&tree.root().map(folder_name).unwrap_or_default(), &slashed(rel), false);
-    rel.components().count() <= tree.depth() && (!is_hidden || is_read())
+    let path = slashed(rel);
+    let is_read = || is_read_though_hidden(&tree.root().map(folder_name).unwrap_or_default(), &path, false);
+    rel.components().count() <= tree.depth() && (!has_hidden_part(&path) || is_read())
 }

@@ -15,12 +15,12 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         A matrix that is not a rotation is a warning: it has rows of another length than 1, or at another angle than 90 degrees \
         to each other, or is a mirror image. MakeHuman 2 makes a quaternion of it, which can only turn: the bone gets another \
         direction than the matrix has. `off by 0.098` is the largest number in M\u{00b7}M\u{1d40} \u{2212} 1, which has only \
-        zeros for a rotation; from 0.01 on it is reported.\n\n\
+        zeros for a rotation; above 0.01 it is reported.\n\n\
         Restore the matrix, or remove the bone from the unit.",
     ..RuleInfo::new("pose-matrix", Level::Error, "the matrix of a pose unit is not nine numbers, or not a rotation")
 });
 
-/// From here on it is not the rounding of a few decimals: angles are wrong by about half of it, in radians.
+/// Above this it is not the rounding of a few decimals: angles are wrong by about half of it, in radians.
 const OFF: f64 = 0.01;
 
 const NO_ROTATION: Case = &[(
