@@ -11,7 +11,7 @@ use super::fix::FixArgs;
 use super::one_of::not_one_of;
 use super::output::Target;
 use crate::config::MOST_SAMPLES;
-use crate::diag::{Application, Level};
+use crate::diag::{Application, Edition, EditionFault, Level, Version};
 
 const AFTER_HELP: &str = "\
 Exit codes: 0 passed, 1 findings at or above --fail-on, 2 could not run, 3 nothing was checked in a PATH.
@@ -132,7 +132,7 @@ pub(super) struct CheckArgs {
     ///
     /// One of makehuman2, makehuman1, mpfb.
     #[arg(long = "app", value_name = "APPLICATION", value_parser = application, help_heading = "Input")]
-    pub(super) applications: Vec<Application>,
+    pub(super) applications: Vec<Edition>,
     /// Report only on this base mesh; can be repeated.
     ///
     /// For files outside data folders it names the base mesh that they are for.
@@ -323,10 +323,15 @@ pub(super) fn refuse(mut error: clap::Error) -> ! {
     error.exit()
 }
 
-fn application(text: &str) -> Result<Application, String> {
-    let all = Application::ALL;
-    let found = all.into_iter().find(|application| application.word() == text);
-    found.ok_or_else(|| not_one_of("application", text, &all.map(Application::word)))
+fn application(text: &str) -> Result<Edition, String> {
+    Edition::parse(text).map_err(|fault| match fault {
+        EditionFault::Application => not_one_of("application", text, &Application::ALL.map(Application::word)),
+        EditionFault::Version(application) => {
+            let known = Version::names(application).map(|name| format!("{}@{name}", application.word()));
+            let known: Vec<String> = known.collect();
+            not_one_of("version", text, &known.iter().map(String::as_str).collect::<Vec<_>>())
+        }
+    })
 }
 
 fn samples(text: &str) -> Result<usize, String> {

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use super::args::CheckArgs;
 use super::exit::{Exit, Failure};
 use crate::config::{Config, ConfigFile, Selector, find};
-use crate::diag::{Application, Level};
+use crate::diag::Level;
 use crate::engine::{DEFAULT_SAMPLES, rule_infos};
 use crate::report::printable;
 use crate::source::{Lines, slashed};
@@ -34,7 +34,7 @@ pub(super) fn settings(args: &CheckArgs) -> Result<Config, Failure> {
     config.samples = args.samples.or(config.samples);
     config.max_warnings = args.max_warnings.or(config.max_warnings);
     if !args.applications.is_empty() {
-        config.applications.clone_from(&args.applications);
+        config.check_for(&args.applications);
         forget(&mut config, "apps");
     }
     if !args.bases.is_empty() {
@@ -113,7 +113,7 @@ impl Sheet<'_> {
         if !args.skip.is_empty() {
             rows.push((format!("skip = {}", list(&args.skip)), COMMAND_LINE.to_owned()));
         }
-        let apps = config.applications.iter().copied().map(Application::word);
+        let apps = config.editions().map(|one| one.to_string());
         rows.extend([
             self.row("exclude", list(file.exclude.iter().map(|glob| &glob.text)), false),
             self.row("system", list(config.systems.iter().map(|system| system.display())), !args.systems.is_empty()),

@@ -18,7 +18,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use crate::diag::{Application, Level, RuleInfo, UnknownRule};
+use crate::diag::{Application, Edition, Level, RuleInfo, UnknownRule, Version};
 use crate::source::{Folder, Limits, Lines};
 
 pub use date::Date;
@@ -50,6 +50,8 @@ pub struct Config {
     pub systems: Vec<PathBuf>,
     /// Check these applications only; empty for all.
     pub applications: Vec<Application>,
+    /// The versions of them that are asked for; at most one counts for each.
+    pub versions: Vec<Version>,
     /// Report these base meshes only; empty for all.
     pub bases: Vec<String>,
     /// Globs of rule ids to run, in place of what the file selects; empty to leave it to the file.
@@ -167,6 +169,7 @@ impl Default for Config {
         Self {
             systems: Vec::new(),
             applications: Vec::new(),
+            versions: Vec::new(),
             bases: Vec::new(),
             only: Vec::new(),
             skip: Vec::new(),
@@ -209,6 +212,18 @@ impl Config {
     /// As [`Config::load`].
     pub fn parse(text: &str, path: &str, rules: &[&'static RuleInfo]) -> Result<Self, Error> {
         read::read(text, path, Path::new(""), Folder::default(), rules)
+    }
+
+    /// Sets which applications are to be checked, and in which versions.
+    pub fn check_for(&mut self, editions: &[Edition]) {
+        self.applications = editions.iter().map(|one| one.application).collect();
+        self.versions = editions.iter().filter_map(|one| one.version).collect();
+    }
+
+    /// The applications that are asked for by name.
+    pub(crate) fn editions(&self) -> impl Iterator<Item = Edition> {
+        let version = |application| self.versions.iter().find(move |one| one.application() == application).copied();
+        self.applications.iter().map(move |one| Edition { application: *one, version: version(*one) })
     }
 
     /// Whether data of an application are to be checked.

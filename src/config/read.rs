@@ -9,7 +9,9 @@ use super::fault::{Error, Fault};
 use super::keys::{FILE, Key, Shape};
 use super::value::{self, Value, Wrong};
 use super::{Config, ConfigFile, Date, Globs, Ignore, MOST_SAMPLES, PathBlock, PathGlob, Selector};
-use crate::diag::{Application, Level, Place, RuleInfo, Suggestions, UnknownRule, nearest};
+use crate::diag::{
+    Application, Edition, EditionFault, Level, Place, RuleInfo, Suggestions, UnknownRule, Version, nearest,
+};
 use crate::source::{Folder, Lines};
 
 /// Most characters that all globs with wildcards of a file have together: some hundreds of them. They take a hundred times
@@ -109,7 +111,10 @@ impl Reader<'_> {
                 "exclude" => self.file.exclude = self.globs(key.name, value),
                 "system" => self.config.systems = self.paths(key.name, value),
                 "baseline" => self.config.baseline = self.path(key.name, value),
-                "apps" => self.config.applications = self.applications(key.name, value),
+                "apps" => {
+                    let editions = self.applications(key.name, value);
+                    self.config.check_for(&editions);
+                }
                 "bases" => {
                     let names = self.take(value::texts(key.name, value)).unwrap_or_default();
                     self.config.bases = names.into_iter().map(|(name, _)| name.to_owned()).collect();
@@ -202,15 +207,21 @@ impl Reader<'_> {
         });
     }
 
-    fn applications(&mut self, name: &str, value: &Value<'_>) -> Vec<Application> {
+    fn applications(&mut self, name: &str, value: &Value<'_>) -> Vec<Edition> {
         let texts = self.take(value::texts(name, value)).unwrap_or_default();
         let mut found = Vec::new();
         for (text, span) in texts {
-            if let Some(application) = Application::ALL.into_iter().find(|known| known.word() == text) {
-                found.push(application);
-            } else {
-                let known = Application::ALL.map(Application::word);
-                self.fault((span, format!("unknown application `{text}`"), meant(text, known)));
+            match Edition::parse(&text) {
+                Ok(edition) => found.push(edition),
+                Err(EditionFault::Application) => {
+                    let known = Application::ALL.map(Application::word);
+                    self.fault((span, format!("unknown application `{text}`"), meant(&text, known)));
+                }
+                Err(EditionFault::Version(application)) => {
+                    let known = Version::names(application).map(|name| format!("`{}@{name}`", application.word()));
+                    let known = known.collect::<Vec<_>>().join(", ");
+                    self.fault((span, format!("unknown version in `{text}`"), format!("use one of {known}")));
+                }
             }
         }
         found

@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::keys::{FILE, Key, Shape};
-use crate::diag::{Application, RuleInfo};
+use crate::diag::{Edition, RuleInfo};
 
 /// The schema: editors complete keys, rules and options with it.
 pub fn schema(rules: &[&RuleInfo]) -> Value {
@@ -63,7 +63,7 @@ fn shape(shape: Shape, rules: &[&RuleInfo]) -> Value {
         Shape::Rule => rule,
         Shape::Rules => json!({ "type": "array", "items": rule }),
         Shape::Applications => {
-            json!({ "type": "array", "items": { "enum": Application::ALL.map(Application::word) } })
+            json!({ "type": "array", "items": { "enum": Edition::all() } })
         }
         Shape::Date => json!({ "type": "string", "format": "date" }),
         Shape::Levels => json!({

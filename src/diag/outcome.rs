@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use serde::Serialize;
 
-use super::{Application, Baseline, Consumed, EXAMPLES, Finding, Level, Note};
+use super::{Application, Baseline, Consumed, EXAMPLES, Finding, Identity, Level, Note};
 
 /// Result of a run.
 #[derive(Debug, Clone, Default)]
@@ -68,6 +68,9 @@ pub struct RootSummary {
     pub application: Application,
     /// Base meshes in it.
     pub bases: Vec<String>,
+    /// What it was taken for, and why.
+    #[serde(flatten)]
+    pub identity: Identity,
     /// Whether this version checks it.
     #[serde(skip)]
     pub checked: bool,
@@ -118,6 +121,10 @@ pub enum Unchecked {
     Outside,
     /// Anything: this version does not check the application.
     Application,
+    /// Anything: they are tables of an add-on that makes assets, no assets.
+    Helpers,
+    /// Anything: they are test data, broken on purpose.
+    Tests,
     /// Vertex numbers: the base mesh is not known.
     NoBaseMesh,
     /// Vertex numbers: the system data that were given have no base mesh of that name.

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::Layout;
 use super::layout::Sign;
+use super::{Layout, Listing};
 use crate::diag::Application;
 use crate::source::is_below;
 
@@ -16,26 +16,10 @@ pub(crate) struct DataRoot {
     pub application: Application,
 }
 
-/// All data roots in a listing of file paths, sorted by path; `asked` are the applications that are asked for by name,
-/// `at_hand` those whose data lie in another listing.
-pub(crate) fn find_roots<'a>(
-    files: impl IntoIterator<Item = &'a str>,
-    asked: &[Application],
-    at_hand: &[Application],
-) -> Vec<DataRoot> {
-    let mut signs: BTreeMap<DataRoot, Sign> = BTreeMap::new();
-    // Roots that a file beside them confirms.
-    let mut confirmed: BTreeSet<DataRoot> = BTreeSet::new();
-    for file in files {
-        for application in Application::ALL {
-            confirmed.extend(beside_of(file, application));
-            if let Some((path, sign)) = Layout::of(application).sign(file) {
-                let root = DataRoot { path: path.to_owned(), application };
-                let known = signs.entry(root).or_insert(sign);
-                *known = sign.max(*known);
-            }
-        }
-    }
+/// All data roots in a listing, sorted by path; `asked` are the applications that are asked for by name, `at_hand` those
+/// whose data lie in another listing.
+pub(crate) fn find_roots(listing: &Listing<'_>, asked: &[Application], at_hand: &[Application]) -> Vec<DataRoot> {
+    let Signs { mut signs, confirmed } = Signs::in_listing(listing);
     // An application that shares its users' folders with another one claims none of them alone: it has to be asked for, to
     // have a root of its own at hand, or files beside the folder that no other has.
     let is_at_hand = |application: Application| {
@@ -109,6 +93,41 @@ pub(crate) fn find_roots<'a>(
     roots.sort();
     roots.dedup();
     roots
+}
+
+/// What speaks for data roots.
+#[derive(Default)]
+struct Signs {
+    /// The best sign of each.
+    signs: BTreeMap<DataRoot, Sign>,
+    /// Those that a file beside them confirms.
+    confirmed: BTreeSet<DataRoot>,
+}
+
+impl Signs {
+    fn in_listing(listing: &Listing<'_>) -> Self {
+        let mut found = Self::default();
+        for file in listing.files() {
+            for application in Application::ALL {
+                found.confirmed.extend(beside_of(file, application));
+                let layout = Layout::of(application);
+                if let Some((path, sign)) = layout.sign(file, listing) {
+                    found.add(DataRoot { path: path.to_owned(), application }, sign);
+                }
+                // A user's folder may hold nothing but what lies beside the data.
+                let above = layout.above_data(file).map(|above| data_in(above, application));
+                if let Some(data) = above.filter(|data| listing.has_folder(&data.path)) {
+                    found.add(data, Sign::Faint);
+                }
+            }
+        }
+        found
+    }
+
+    fn add(&mut self, root: DataRoot, sign: Sign) {
+        let known = self.signs.entry(root).or_insert(sign);
+        *known = sign.max(*known);
+    }
 }
 
 /// Roots of users of an application that shares these with another one, told by what is in them where neither has data
@@ -205,8 +224,12 @@ fn nested(a: &str, b: &str) -> bool {
 mod tests {
     use super::*;
 
+    fn of<'f>(files: &[&'f str]) -> Listing<'f> {
+        Listing::of(files.iter().copied(), [])
+    }
+
     fn found(files: &[&str]) -> Vec<(String, Application)> {
-        find_roots(files.iter().copied(), &[], &[]).into_iter().map(|root| (root.path, root.application)).collect()
+        find_roots(&of(files), &[], &[]).into_iter().map(|root| (root.path, root.application)).collect()
     }
 
     #[test]
@@ -255,7 +278,7 @@ mod tests {
             found(&["data/targets/target.json", "user/config/human.a.json", "user/data/clothes/a/a.mhclo"]);
         assert_eq!(with_presets.get(1), Some(&("user/data".to_owned(), Application::Mpfb)), "{with_presets:?}");
         assert_eq!(with_presets.len(), 2);
-        let asked = find_roots([library], &[Application::Mpfb], &[]);
+        let asked = find_roots(&of(&[library]), &[Application::Mpfb], &[]);
         assert_eq!(asked.into_iter().map(|root| (root.path, root.application)).collect::<Vec<_>>(), both("user"));
         // Without its company a folder of packs, expressions or custom targets is nobody's; with assets it is that of the
         // other one, and of both where the other one has no use for what is in it.
@@ -270,7 +293,7 @@ mod tests {
             for files in [&[path][..], &[path, library]] {
                 assert_eq!(found(files), [("user".to_owned(), Application::Mpfb)], "{path}");
             }
-            let of_asked = find_roots([path, library], &[Application::Makehuman1], &[]);
+            let of_asked = find_roots(&of(&[path, library]), &[Application::Makehuman1], &[]);
             assert_eq!(
                 of_asked.into_iter().map(|root| root.application).collect::<Vec<_>>(),
                 [Application::Makehuman1]

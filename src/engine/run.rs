@@ -161,7 +161,9 @@ impl Asked<'_> {
     fn load<'t>(&self, side: &'t Side, other: Option<&Data<'_>>, outcome: &mut Outcome) -> Result<Data<'t>, Error> {
         let Self { options, scope, applications, .. } = self;
         let roots = Roots::of(&side.inputs, &side.systems, scope, options, applications, outcome)?;
-        Ok(Data::load(roots, &options.limits, other))
+        let mut data = Data::load(roots, &options.limits, other);
+        data.identify(options);
+        Ok(data)
     }
 
     /// Runs the rules on one side and settles what they find.

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::error::Error;
 use super::load::{Data, shown};
 use crate::config::Config;
-use crate::diag::{Outcome, RootSummary};
+use crate::diag::{Identity, Outcome, PlaceKind, RootSummary};
 use crate::discover::UNKNOWN_BASE;
 use crate::repo::{FileFacts, View};
 
@@ -31,8 +31,19 @@ pub(super) fn summarise(view: &View<'_>, outcome: &mut Outcome) {
         path,
         application: view.application(),
         bases: bases.map(str::to_owned).collect(),
+        identity: identity(view),
         checked: true,
     });
+}
+
+/// What the data were taken for. Where a part of a program's data is, that it is one.
+fn identity(view: &View<'_>) -> Identity {
+    let known = view.layers().checked.identities.get(&view.application()).cloned();
+    let mut identity = known.unwrap_or_default();
+    if view.is_partial() {
+        identity.kind = Some(PlaceKind::Partial);
+    }
+    identity
 }
 
 /// Refuses `--base` with a name that no data root has.

@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use unicode_normalization::{UnicodeNormalization, is_nfc};
 
 use super::{FileFacts, Pack, parent};
-use crate::diag::Application;
+use crate::diag::{Application, Identity};
 use crate::discover::{Kind, Layout, kind_in, uses_of};
 use crate::source::{WalkFault, has_hidden_part, inside, is_below};
 
@@ -42,6 +42,8 @@ pub(crate) struct Layer {
     pub walk_faults: Vec<WalkFault>,
     /// The zip that it was made of, if it was one.
     pub pack: Option<Pack>,
+    /// What each application takes it for.
+    pub identities: BTreeMap<Application, Identity>,
     /// Folded paths to paths, in order; made when first asked for.
     folded: OnceLock<BTreeMap<String, Vec<String>>>,
     /// Printed paths of loose files to their supposed ones; made when first asked for.
@@ -81,6 +83,7 @@ impl Layer {
             hidden_folders,
             walk_faults,
             pack,
+            identities: BTreeMap::new(),
             folded,
             loose,
         }

@@ -1,6 +1,7 @@
 //! The layers that an application sees together.
 
 use super::{FileFacts, Layer};
+use crate::diag::{Application, Version};
 
 /// Data roots that lie over one another; one of them is checked.
 #[derive(Debug, Clone, Copy)]
@@ -20,6 +21,17 @@ impl<'a> Layers<'a> {
     /// Whether it is the system that is checked.
     pub(crate) fn checks_system(&self) -> bool {
         self.system.is_some_and(|system| std::ptr::eq(system, self.checked))
+    }
+
+    /// The version of an application that the data are of, if something says so: those of the program say it for all.
+    pub(crate) fn version(&self, application: Application) -> Option<Version> {
+        let of = |layer: &Layer| layer.identities.get(&application)?.version;
+        self.system.and_then(of).or_else(|| of(self.checked))
+    }
+
+    /// Whether the data are of a version of an application that is older than the one called so.
+    pub(crate) fn are_before(&self, application: Application, version: &str) -> bool {
+        self.version(application).is_some_and(|own| own.is_before(version))
     }
 
     /// Whether one root plays both parts.

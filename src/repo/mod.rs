@@ -8,6 +8,7 @@ mod archived;
 mod body;
 pub(crate) mod extent;
 mod facts;
+mod gaps;
 mod landmarks;
 mod layer;
 mod layers;
@@ -26,6 +27,7 @@ mod worn;
 
 pub(crate) use body::{Body, BodyPose, BodyWeights, Doubt, PoseUnitsFile, Rig, Shown, StoredBones, Target, WeightsUse};
 pub(crate) use facts::FileFacts;
+pub(crate) use gaps::Gaps;
 pub(crate) use landmarks::{Landmarks, Region, Unreached};
 pub(crate) use layer::{Layer, composed, fold};
 pub(crate) use layers::Layers;

@@ -1,10 +1,10 @@
 //! The data of one application as it sees them.
 
 use super::{
-    Body, FileFacts, Landmarks, Layers, MisnamedFolder, PictureFolders, Reference, References, Shown, Surface, Target,
+    Body, FileFacts, Gaps, Landmarks, Layers, MisnamedFolder, PictureFolders, Reference, References, Resolution, Shown, Surface, Target,
     Worn, makehuman1, makehuman2, mpfb,
 };
-use crate::diag::Application;
+use crate::diag::{Application, Version};
 use crate::discover::{Kind, Layout, library_of, material_of};
 
 /// Layers that were connected as an application does it.
@@ -63,6 +63,49 @@ impl<'a> View<'a> {
             Self::Makehuman1(view) => view.layers,
             Self::Mpfb(view) => view.layers,
         }
+    }
+
+    /// How much of what its indexes name the data of a program lack.
+    pub(crate) fn gaps(&self) -> Gaps<'_> {
+        match self {
+            Self::Makehuman2(view) => {
+                let has = |rel: &str| view.layers.checked.file(rel).is_some();
+                // Without the base mesh nothing leads to the folder of its targets.
+                Gaps::of_references(&view.references, |one| {
+                    one.meant().is_some() || has(&one.rel) || has(&format!("target/{}/{}", one.base, one.rel))
+                })
+            }
+            Self::Makehuman1(view) => view.gaps(),
+            Self::Mpfb(view) => Gaps::of_references(&view.references, |one| !matches!(one.resolution, Resolution::Missing)),
+        }
+    }
+
+    /// Whether the data are a part of a program's, as ports take some: without base mesh, and without most of what their
+    /// indexes name.
+    pub(crate) fn is_partial(&self) -> bool {
+        let layers = self.layers();
+        // Indexes in `target/` are the program's, and are no sign of its data where the base mesh is a user's.
+        let has_index = || layers.system.is_none() && layers.checked.files.values().any(|file| is_index(file));
+        let is_programs = layers.checks_system() || self.makehuman2().is_some() && has_index();
+        let is_whole_place = is_programs && !layers.checked.is_loose && layers.checked.pack.is_none();
+        let has_mesh = || layers.checked.files.values().any(|file| is_mesh_of_body(file, self.application()));
+        is_whole_place && !has_mesh() && self.gaps().are_most()
+    }
+
+    /// Whether the data of a program are not what the newest one needs as a whole: a part of them, or so old that what is
+    /// in them is only good piece by piece.
+    pub(crate) fn is_in_pieces(&self) -> bool {
+        self.is_partial() || self.layers().checks_system() && self.is_makehuman1() && self.is_before("1.1")
+    }
+
+    /// Whether the data are of a version of the application that is older than the one called so.
+    pub(crate) fn is_before(&self, version: &str) -> bool {
+        self.version().is_some_and(|own| own.is_before(version))
+    }
+
+    /// The version of the application that the data are of, if something says so.
+    pub(crate) fn version(&self) -> Option<Version> {
+        self.layers().version(self.application())
     }
 
     /// What an application makes of paths.
@@ -233,6 +276,16 @@ impl<'a> View<'a> {
         // Of the others nobody can tell yet: the name stays.
         self.makehuman2().is_none_or(|view| view.is_known_by(reference))
     }
+}
+
+/// Whether it names the targets of a base mesh where only the program has such files.
+fn is_index(file: &FileFacts) -> bool {
+    matches!(file.kind, Kind::MacroJson | Kind::ModellingJson) && file.rel.starts_with("target/")
+}
+
+/// Whether it is a base mesh, be it damaged or packed.
+fn is_mesh_of_body(file: &FileFacts, application: Application) -> bool {
+    file.kind_in(application).is_base_mesh() || application == Application::Makehuman1 && file.rel == "3dobjs/base.npz"
 }
 
 /// Of `MakeHuman` 1 not all kinds are checked so far.

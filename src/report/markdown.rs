@@ -7,7 +7,7 @@ use super::matrix::Matrix;
 use super::phrase::{self, Piece, pieces};
 use super::snippet::{Snippet, snippet};
 use super::unchecked::unchecked;
-use super::{View, count, printable, verdict};
+use super::{View, count, printable, taken, verdict};
 use crate::diag::{Finding, Level, Outcome};
 
 /// Columns of quoted source lines.
@@ -117,7 +117,8 @@ fn head(outcome: &Outcome, view: &View<'_>) -> String {
     );
     let roots: Vec<String> = verdict::roots(outcome).iter().map(|root| inline(&printable(root))).collect();
     let checked = if roots.is_empty() { String::new() } else { format!("\nChecked: {}\n", roots.join(", ")) };
-    table + &checked + &matrix(outcome)
+    let taken = taken::lines(outcome, false).iter().map(|line| format!("\n{}\n", inline(&printable(line)))).collect::<String>();
+    table + &checked + &taken + &matrix(outcome)
 }
 
 /// Who loads what, where several applications do.

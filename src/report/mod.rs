@@ -17,6 +17,7 @@ mod printable;
 mod sarif;
 mod snippet;
 mod standing;
+mod taken;
 mod unchecked;
 mod verdict;
 mod wrap;

@@ -37,6 +37,7 @@ mod overlay;
 mod packs;
 #[cfg(unix)]
 mod pictures;
+mod places;
 mod replacements;
 mod reports;
 mod rules;

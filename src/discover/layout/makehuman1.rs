@@ -1,6 +1,7 @@
 //! MakeHuman 1: one base mesh, libraries without a folder for it (formats/makehuman1.md §1, §2.1).
 
 use super::super::kind::{SHADER_FILES, extension};
+use super::super::listing::{Listing, at};
 use super::super::{Candidate, Kind};
 use super::{HM08, HiddenPath, LIBRARIES, Layout, MAKEHUMAN2_BASES, Role, Sign, Single, WORN, worn_shelf};
 use crate::diag::Application;
@@ -11,6 +12,7 @@ pub(super) static LAYOUT: Layout = Layout {
     depth: 3,
     folders: &[&["targets", "modifiers", "3dobjs", "custom"], &LIBRARIES, &WORN],
     sign,
+    weigh,
     place,
     role,
     shelf,
@@ -18,6 +20,7 @@ pub(super) static LAYOUT: Layout = Layout {
     is_dangerous,
     // In a folder `custom` there nobody looks, but it is a usual mistake.
     beside: &["models", "custom", CACHE, SETTINGS],
+    above_data,
     is_folder: |rel, _| is_beside(rel, CACHE),
     // §5: what is called a target is one.
     everywhere: Some(Kind::Target),
@@ -33,7 +36,14 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     match parts {
         [.., "modifiers", name] if name.ends_with("_modifiers.json") => Some((Sign::Strong, 2)),
         [.., "3dobjs", "base.obj"] => Some((Sign::Weak, 2)),
+        // Everything that a build has of its targets; worth something beside the list of its pictures.
+        [.., TARGETS_NPZ] => Some((Sign::Strong, 1)),
         [.., "rigs", name] if extension(name) == "mhskel" => Some((Sign::Weak, 2)),
+        // Rigs are listed at any depth.
+        [.., "rigs", _, name] if extension(name) == "mhskel" => Some((Sign::Faint, 3)),
+        // What is packed stands for its text (§2.4).
+        [.., "proxymeshes", _, name] if extension(name) == "mhpxy" => Some((Sign::Faint, 3)),
+        [.., library, _, name] if WORN.contains(library) && extension(name) == "mhpxy" => Some((Sign::Faint, 3)),
         // MPFB has them, too.
         [.., "proxymeshes", _, name] if extension(name) == "proxy" => Some((Sign::Faint, 3)),
         // Packs of nothing but skins, or of poses, each with what else belongs to one.
@@ -60,13 +70,37 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     }
 }
 
-/// Only the program has such files: it opens them by their names.
+/// An archive of targets lies beside a list of pictures, and a folder of rigs that is called like a base mesh of another
+/// application is none of ours.
+fn weigh(listing: &Listing<'_>, root: &str, file: &str, sign: Sign) -> Option<Sign> {
+    let rel = file.get(root.len()..).unwrap_or_default().trim_start_matches('/');
+    let is_own = match rel.split('/').collect::<Vec<_>>().as_slice() {
+        [TARGETS_NPZ] => listing.has(&at(root, "images.list")),
+        ["rigs", folder, _] => !listing.knows_base(folder) && !listing.has_folder(&at(root, &format!("base/{folder}"))),
+        _ => true,
+    };
+    is_own.then_some(sign)
+}
+
+/// Models and the lists of libraries lie beside the data of a user, which may be an empty folder (§1).
+fn above_data(parts: &[&str]) -> Option<usize> {
+    match parts {
+        [.., CACHE, name] if name.ends_with("_filecache.mhc") => Some(2),
+        [.., "models", name] if extension(name).eq_ignore_ascii_case("mhm") => Some(2),
+        [.., "models", _, name] if extension(name).eq_ignore_ascii_case("mhm") => Some(3),
+        _ => None,
+    }
+}
+
+/// Only the program has such files: it opens them by their names. Its first rig users copy, too.
 fn role(below: &[Candidate<'_>]) -> Role {
-    const OWN: [&str; 3] = ["modifiers/modeling_modifiers.json", "rigs/default.mhskel", "3dobjs/base.npz"];
+    const OWN: [&str; 3] = ["modifiers/modeling_modifiers.json", "3dobjs/base.npz", "images.list"];
     let is_own = |one: &Candidate<'_>| {
         one.kind_in(Application::Makehuman1) == Kind::BaseMesh || OWN.contains(&&*one.rel) && !one.is_loose
     };
-    if below.iter().any(is_own) { Role::System } else { Role::User }
+    let has = |start: &str| below.iter().any(|one| one.rel.starts_with(start) && !one.is_loose);
+    let has_rig = || has("rigs/default.mhskel") && !has("custom/");
+    if below.iter().any(is_own) || has_rig() { Role::System } else { Role::User }
 }
 
 fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
@@ -127,6 +161,9 @@ fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
         "proxy" => Some(TOPOLOGIES),
         "bvh" => Some("poses"),
         "mhmat" => Some("skins"),
+        "mhskel" => Some("rigs"),
+        "mhpose" => Some("expressions"),
+        "mhm" => Some("models"),
         // What is in one may run code, wherever it lies.
         _ if extension.eq_ignore_ascii_case("mhscene") => Some("scenes"),
         _ => None,
@@ -138,13 +175,15 @@ fn is_dangerous(path: &str) -> bool {
     ["mhscene", "mhc"].iter().any(|known| extension(path).eq_ignore_ascii_case(known))
 }
 
-/// A list of a library, which may run code as well as a scene, and an archive of something worn, wherever they lie. What
-/// is wrong with the archive of all targets shows only beside these.
+/// A list of a library, which may run code as well as a scene, and an archive of something worn, wherever they lie; a target
+/// and weights as their author would put them. What is wrong with the archive of all targets shows only beside these.
 fn loose_place(path: &str, _: Option<&str>) -> Option<String> {
     let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
     let above: Vec<&str> = folder.rsplit('/').collect();
     let near = if folder.is_empty() { "loose" } else { &folder.replace('/', "_") };
     match extension(name).to_ascii_lowercase().as_str() {
+        "target" => Some(format!("{CUSTOM}/{near}/{name}")),
+        "mhw" => Some(format!("rigs/{near}/{name}")),
         "mhc" => Some(format!("{CACHE}/{}", name.to_ascii_lowercase())),
         "mhpxy" => Some(format!("{}/{near}/{name}", worn_shelf(&above))),
         _ => None,
@@ -176,6 +215,9 @@ const SETTINGS: &str = "settings.ini";
 fn is_beside(rel: &str, name: &str) -> bool {
     rel.strip_prefix("../") == Some(name)
 }
+
+/// Where users have targets of their own.
+const CUSTOM: &str = "custom";
 
 /// What stands for all targets.
 pub(crate) const TARGETS_NPZ: &str = "targets.npz";
@@ -287,7 +329,7 @@ mod tests {
             ("pack/poses/walk.bvh", None),
             ("pack/poses/walk.meta", Some("pack")),
         ] {
-            assert_eq!(LAYOUT.sign(path).map(|(root, _)| root), root, "{path}");
+            assert_eq!(LAYOUT.sign(path, &Listing::of([path], [])).map(|(root, _)| root), root, "{path}");
         }
     }
 

@@ -6,6 +6,7 @@ pub(crate) mod opened;
 use std::collections::BTreeSet;
 
 use super::super::kind::extension;
+use super::super::listing::{Listing, at};
 use super::super::{Candidate, Kind};
 use super::{HiddenPath, Layout, MAKEHUMAN2_BASES, Role, Sign, WORN, first_of, worn_shelf};
 use crate::diag::Application;
@@ -16,6 +17,7 @@ pub(super) static LAYOUT: Layout = Layout {
     depth: 5,
     folders: &[&WORN, &SCANNED, &NOT_SCANNED],
     sign,
+    weigh,
     place,
     reads_hidden,
     loose_place,
@@ -25,6 +27,7 @@ pub(super) static LAYOUT: Layout = Layout {
     shelf,
     beside: &[],
     is_telling: |_| false,
+    above_data: |_| None,
     everywhere: None,
     shares_roots_of: None,
     has_second_user: false,
@@ -82,6 +85,32 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         [.., name] if extension(name) == "target" => target_below(parts),
         _ => None,
     }
+}
+
+/// A folder is that of a base mesh if the run knows one of its name, or something else for it lies in its place (§1.1): other
+/// programs have folders called `base` and `rigs`, too.
+fn weigh(listing: &Listing<'_>, root: &str, file: &str, sign: Sign) -> Option<Sign> {
+    let rel = file.get(root.len()..).unwrap_or_default().trim_start_matches('/');
+    let (folder, rest) = rel.split_once('/')?;
+    let name = rest.split('/').next().unwrap_or_default();
+    let has = |folder: &str| listing.below(&at(root, &format!("{folder}/{name}"))).next().is_some();
+    let is_base = match folder {
+        "base" => ["target", "contarget", "rigs"].into_iter().any(has) || has_settings(listing, file),
+        "rigs" => has("base"),
+        _ => true,
+    };
+    (is_base || listing.knows_base(name)).then_some(sign)
+}
+
+/// Whether the folder with this file has a `base.json` that can be that of a base mesh.
+fn has_settings(listing: &Listing<'_>, file: &str) -> bool {
+    const KEYS: [&str; 5] =
+        ["\"visible groups\"", "\"target-opposites\"", "\"pose-skeleton\"", "\"modifier-presets\"", "\"equipment\""];
+    let (folder, _) = file.rsplit_once('/').unwrap_or(("", file));
+    let settings = at(folder, "base.json");
+    let has_mesh = || ["base.obj", "base.mhbin"].iter().any(|name| listing.has(&at(folder, name)));
+    // Damaged ones may hold anything but the sound settings of another program.
+    listing.has(&settings) && (has_mesh() || !listing.says(&settings, &["{"]) || listing.says(&settings, &KEYS))
 }
 
 /// A target somewhere below `target/<base>/` or `contarget/<base>/`.
@@ -185,7 +214,9 @@ fn role(below: &[Candidate<'_>]) -> Role {
         [folder, _, _, ..] => folder.eq_ignore_ascii_case("contarget"),
         _ => false,
     };
-    let has_base = below.iter().any(is_base) || has_packed_base(below);
+    // What the program opens at start nobody else has.
+    let is_programs = |one: &Candidate<'_>| matches!(one.kind_in(LAYOUT.application), Kind::Version | Kind::Shaders);
+    let has_base = below.iter().any(is_base) || has_packed_base(below) || below.iter().any(is_programs) || has_indexes(below);
     match (has_base, below.iter().any(is_override)) {
         (true, false) => Role::System,
         (true, true) => Role::Both,
@@ -208,6 +239,12 @@ fn has_packed_base(below: &[Candidate<'_>]) -> bool {
     let macros = of_kind(Kind::MacroJson).filter(|one| one.rel.starts_with("target/"));
     let with_macros: BTreeSet<Option<&str>> = macros.map(Candidate::owner).collect();
     of_kind(Kind::MeshArchive).any(|one| with_macros.contains(&one.owner()))
+}
+
+/// Whether a base mesh has macros and sliders in `target/`, and a skeleton: all of a program's but the mesh.
+fn has_indexes(below: &[Candidate<'_>]) -> bool {
+    let has = |start: &str, end: &str| below.iter().any(|one| one.rel.starts_with(start) && one.rel.ends_with(end));
+    has("target/", "/macro.json") && has("target/", "/modelling.json") && has("rigs/", "/default.mhskel")
 }
 
 /// Beside another root, the one whose bases have sliders or macros in `target/` is the system, and its `contarget/`

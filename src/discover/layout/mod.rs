@@ -6,6 +6,7 @@ pub(super) mod mpfb;
 
 use mpfb::importer::Refusal;
 
+use super::listing::Listing;
 use super::{Candidate, Kind, Use, extension};
 use crate::diag::Application;
 use crate::source::{folder_and_name, folders_above};
@@ -23,6 +24,8 @@ pub(crate) struct Layout {
     folders: &'static [&'static [&'static str]],
     /// Whether a path is a sign of a data root, how telling, and how many levels above the root is.
     sign: fn(&[&str]) -> Option<(Sign, usize)>,
+    /// What such a sign is worth, with what lies around it: of a data root, the file, and what it was taken for.
+    weigh: fn(&Listing<'_>, &str, &str, Sign) -> Option<Sign>,
     /// What a path below a data root is for, and the base mesh that it belongs to.
     place: Classify,
     /// Whether the file of this name, in these folders, is read although it is hidden.
@@ -50,6 +53,8 @@ pub(crate) struct Layout {
     pub flat: &'static str,
     /// Folders and files beside a data root that is called `data` that belong to it.
     pub beside: &'static [&'static str],
+    /// The folder above that with a user's data folder which a file lies beside that only such a user has; it may be empty.
+    above_data: fn(&[&str]) -> Option<usize>,
     /// Files that it looks for in all of its data root, also where that of another application is inside it.
     pub everywhere: Option<Kind>,
     /// Another application whose users' folders are its own, too, where it is asked for or has data at hand.
@@ -150,10 +155,10 @@ const HM08: &str = "hm08";
 
 /// The base meshes that `MakeHuman` 2 comes with: a folder of its assets has one of these names. Below a library of
 /// another application they are no asset.
-const MAKEHUMAN2_BASES: [&str; 2] = [HM08, "mh2bot"];
+pub(super) const MAKEHUMAN2_BASES: [&str; 2] = [HM08, "mh2bot"];
 
 /// Folders of what a body wears, of all applications.
-const WORN: [&str; 7] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue"];
+pub(super) const WORN: [&str; 7] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue"];
 
 /// The first of the folders that is one of these, the nearest first.
 fn first_of(known: &[&'static str], above: &[&str]) -> Option<&'static str> {
@@ -169,7 +174,7 @@ fn worn_shelf(above: &[&str]) -> &'static str {
 const CLOTHES: &str = "clothes";
 
 /// Folders of other assets that `MakeHuman` 1 and MPFB both have.
-const LIBRARIES: [&str; 5] = ["proxymeshes", "rigs", "poses", "expressions", "skins"];
+pub(super) const LIBRARIES: [&str; 5] = ["proxymeshes", "rigs", "poses", "expressions", "skins"];
 
 impl Layout {
     /// What layouts have that know of nothing else: no root, and nothing that is left out of one.
@@ -179,6 +184,7 @@ impl Layout {
         depth: 0,
         folders: &[],
         sign: |_| None,
+        weigh: |_, _, _, sign| Some(sign),
         place: |_| (Kind::Other, None),
         reads_hidden: |_| false,
         loose_place: |_, _| None,
@@ -192,6 +198,7 @@ impl Layout {
         refuses: None,
         beside: &[],
         is_telling: |_| false,
+        above_data: |_| None,
         everywhere: None,
         shares_roots_of: None,
         has_second_user: false,
@@ -274,11 +281,18 @@ impl Layout {
         (self.reads_hidden)(&path)
     }
 
+    /// The folder that holds the data folder of the user whom this file belongs to, be there anything in it or not.
+    pub(super) fn above_data<'p>(&self, path: &'p str) -> Option<&'p str> {
+        let parts: Vec<&str> = path.split('/').collect();
+        ancestor(path, (self.above_data)(&parts)?)
+    }
+
     /// The data root that a file is a sign of.
-    pub(super) fn sign<'p>(&self, path: &'p str) -> Option<(&'p str, Sign)> {
+    pub(super) fn sign<'p>(&self, path: &'p str, listing: &Listing<'_>) -> Option<(&'p str, Sign)> {
         let parts: Vec<&str> = path.split('/').collect();
         let (sign, levels) = (self.sign)(&parts)?;
-        Some((ancestor(path, levels)?, sign))
+        let root = ancestor(path, levels)?;
+        Some((root, (self.weigh)(listing, root, path, sign)?))
     }
 }
 

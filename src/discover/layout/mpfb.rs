@@ -3,8 +3,9 @@
 pub(crate) mod importer;
 
 use super::super::kind::extension;
+use super::super::listing::Listing;
 use super::super::{Candidate, Kind};
-use super::{HM08, HiddenPath, LIBRARIES, Layout, Role, Sign, WORN};
+use super::{CLOTHES, HM08, HiddenPath, LIBRARIES, Layout, Role, Sign, WORN, worn_shelf};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -17,7 +18,10 @@ pub(super) static LAYOUT: Layout = Layout {
         &WORN,
     ],
     sign,
+    weigh,
     place,
+    loose_place,
+    shelf,
     refuses: Some(importer::refusal),
     beside: &["config", "models"],
     is_telling: |kind| {
@@ -50,7 +54,19 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         [.., "targets", _, name] if Kind::of_target(name).is_some() => Some((Sign::Weak, 3)),
         [.., "targets" | "custom", name] if Kind::of_target(name).is_some() => Some((Sign::Faint, 2)),
         [.., "expressions", name] if extension(name) == "json" => Some((Sign::Faint, 2)),
+        [.., "rigs", name] if extension(name) == "json" => Some((Sign::OfUser, 2)),
         _ => None,
+    }
+}
+
+/// A rig of a user says by which bones it is known (§21.2), and a pack whose assets those in it are (§8): with that no other
+/// application is meant.
+fn weigh(listing: &Listing<'_>, root: &str, file: &str, sign: Sign) -> Option<Sign> {
+    let rel = file.get(root.len()..).unwrap_or_default().trim_start_matches('/');
+    match rel.split_once('/')? {
+        ("rigs", name) if !name.contains('/') => listing.says(file, &["\"identifying_bones\""]).then_some(sign),
+        ("packs", _) if listing.says(file, &["\"author\"", "\"license\"", "\"category\""]) => Some(Sign::OfUser),
+        _ => Some(sign),
     }
 }
 
@@ -138,6 +154,30 @@ fn of_config(file: &str) -> Option<Kind> {
     // Between the two points there is a name.
     row.filter(|(prefix, _)| file.len() > prefix.len() + ".json".len() && extension(file) == "json")
         .map(|(_, kind)| *kind)
+}
+
+/// The library of a loose file.
+fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
+    match extension {
+        "mhclo" => Some(worn_shelf(above)),
+        "proxy" => Some("proxymeshes"),
+        "bvh" => Some("poses"),
+        "mhmat" => Some("skins"),
+        _ => None,
+    }
+}
+
+/// What has no library: targets and rigs as their author would put them, and a model, which is imported from wherever it is.
+fn loose_place(path: &str, _: Option<&str>) -> Option<String> {
+    let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
+    let near = if folder.is_empty() { "loose" } else { &folder.replace('/', "_") };
+    match extension(name) {
+        _ if Kind::of_target(name).is_some() => Some(format!("custom/{near}/{name}")),
+        "json" => Some(format!("rigs/{name}")),
+        "mhw" => Some(format!("{CLOTHES}/{near}/{name}")),
+        "mhm" => Some(format!("models/{near}/{name}")),
+        _ => None,
+    }
 }
 
 #[cfg(test)]

@@ -68,8 +68,9 @@ fn check_view(
     let application = view.application();
     let checked = Checked { view, files: view.files().collect(), bodies: view.bodies(), measures };
     let is_loose = view.layers().checked.is_loose;
-    let is_on =
-        |rule: &Rule| selection.runs(rule.info.id) && rule.concerns(application) && !(is_loose && rule.info.of_library);
+    let in_pieces = view.is_in_pieces();
+    let is_asked = |rule: &Rule| !(is_loose && rule.info.of_library || in_pieces && asks_for_whole(rule));
+    let is_on = |rule: &Rule| selection.runs(rule.info.id) && rule.concerns(application) && is_asked(rule);
     let rules: Vec<&Rule> = rules.iter().copied().filter(|rule| is_on(rule)).collect();
     let mut done = over_files(&checked, &rules, options);
     let others = rules.par_iter().map(|rule| run_caught(|out| run_rule(rule, &checked, options, out)));
@@ -88,6 +89,18 @@ fn check_view(
     let of_system = |names: &BTreeSet<&'static str>| alone(view, &rules, names, options);
     let findings = pair::at_checked(findings, view.layers(), of_system);
     findings.into_iter().map(|finding| finding.only_in(&[application])).collect()
+}
+
+/// Whether a rule takes the data of a program for a whole: what its indexes name has to be there, and what is there has to
+/// be named.
+fn asks_for_whole(rule: &Rule) -> bool {
+    const FAMILIES: [&str; 12] = [
+        "base", "catalog", "filter", "library", "macro", "metadata", "modelling", "modifiers", "numeric", "overlay",
+        "parts", "program",
+    ];
+    const OTHERS: [&str; 4] = ["archive-undiscovered", "file-unreferenced", "skeleton-base-name", "target-unreferenced"];
+    let info = &rule.info;
+    !info.of_pieces && (info.of_library || FAMILIES.contains(&info.family()) || OTHERS.contains(&info.id))
 }
 
 /// What these rules find in the system data alone.

@@ -1,9 +1,11 @@
 //! The data roots of a run with their layers, and which lies over which.
 
+use super::identify::identify;
 use super::layer::{MeshSizes, Reader, load, read_all, size_for};
 use super::place::Place;
 use super::roots::Roots;
 use super::stack::{Roles, roles};
+use crate::config::Config;
 use crate::diag::Application;
 use crate::discover::{Candidate, Role};
 use crate::evaluate::Rows;
@@ -121,6 +123,11 @@ impl<'t> Data<'t> {
             }
         }
         data
+    }
+
+    /// Says of each root what its applications take it for.
+    pub(in crate::engine) fn identify(&mut self, options: &Config) {
+        self.all_mut().for_each(|root| identify(root, options));
     }
 
     /// A root as it is, or once for each of its applications where these have other base meshes below it: what is

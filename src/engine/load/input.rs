@@ -5,9 +5,9 @@
 use std::path::{Path, PathBuf};
 
 use super::super::error::{Error, PathFault};
-use super::roots::roots_of;
+use super::roots::{look_into, roots_of};
 use crate::diag::Application;
-use crate::discover::{Layout, find_roots, is_read_though_hidden, new_base};
+use crate::discover::{Layout, Listing, find_roots, is_read_though_hidden, new_base};
 use crate::source::{
     self, EntryKind, Limits, ReadFault, Tree, folder_name, folder_of, inside, is_below, read_file, slashed,
 };
@@ -23,6 +23,8 @@ pub(in crate::engine) struct Input {
     pub(in crate::engine) new_base: Option<String>,
     /// Whether it is the folder around a file that alone was named.
     pub(in crate::engine) is_beside: bool,
+    /// The application that alone has a use for it, where it lies among test data.
+    pub(in crate::engine) tests: Option<Application>,
 }
 
 impl Input {
@@ -30,12 +32,12 @@ impl Input {
         let named = vec![tree.label().to_owned()];
         let name = tree.label().rsplit('/').next().unwrap_or_default();
         let new_base = tree.pack().and_then(|_| new_base(name)).map(str::to_owned);
-        Self { tree, narrow: Vec::new(), named, new_base, is_beside: false }
+        Self { tree, narrow: Vec::new(), named, new_base, is_beside: false, tests: None }
     }
 
     /// A part of a tree, by its printed path.
     fn part(tree: Tree, path: String) -> Self {
-        Self { tree, narrow: vec![path.clone()], named: vec![path], new_base: None, is_beside: false }
+        Self { tree, narrow: vec![path.clone()], named: vec![path], new_base: None, is_beside: false, tests: None }
     }
 
     /// Whether a printed path is one that the PATHs ask for.
@@ -67,13 +69,21 @@ pub(in crate::engine) fn open(
 ) -> Result<Vec<Input>, Error> {
     let mut inputs: Vec<(PathBuf, Input)> = Vec::new();
     for path in paths {
-        let (place, input) = open_one(path, applications, limits)?;
+        let (place, mut input) = open_one(path, applications, limits)?;
+        input.tests = tests_of(path);
         match inputs.iter_mut().find(|(known, _)| *known == place) {
             Some((_, known)) => known.join(input),
             None => inputs.push((place, input)),
         }
     }
     Ok(inputs.into_iter().map(|(_, input)| input).collect())
+}
+
+/// Whose test data a path lies among: those of MPFB stand beside its source.
+fn tests_of(path: &Path) -> Option<Application> {
+    let place = slashed(&source::canonical(path)?);
+    let (above, _) = format!("{place}/").split_once("/test/testdata/").map(|(above, rest)| (above.to_owned(), rest.to_owned()))?;
+    Path::new(&above).join("src/mpfb").is_dir().then_some(Application::Mpfb)
 }
 
 /// Opens `--system`.
@@ -174,7 +184,9 @@ fn roots_in(tree: &Tree, folder: &Path) -> Vec<String> {
     let name = folder_name(folder);
     let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File);
     let files: Vec<String> = files.map(|entry| format!("{name}/{}", entry.path)).collect();
-    let roots = find_roots(files.iter().map(String::as_str), &[], &[]).into_iter();
+    let peek = |path: &str| look_into(tree, inside(path, &name)?);
+    let listing = Listing::of(files.iter().map(String::as_str), []).with_contents(&peek);
+    let roots = find_roots(&listing, &[], &[]).into_iter();
     let below = |root: &str| inside(root, &name).map(str::to_owned).or_else(|| (root == name).then(String::new));
     roots.filter_map(|root| below(&root.path)).collect()
 }

@@ -10,7 +10,7 @@ use crate::config::Config;
 use crate::diag::Application;
 use crate::discover::{Binding, Known, Layout, Role, candidates, extension, meant_extension};
 use crate::formats::target::recognise;
-use crate::source::{Entry, Limits, Tree, canonical, is_below, lines, slashed};
+use crate::source::{Entry, Limits, Tree, canonical, folder_and_name, is_below, lines, slashed};
 
 /// Files of an input outside of its data roots, on their way to an application.
 pub(super) struct Outside<'t, 'i> {
@@ -79,11 +79,12 @@ impl<'t> Outside<'t, '_> {
             [asked] if bases.is_empty() || bases.contains(asked) => Some(asked),
             _ => None,
         };
-        let header = recognised(input, entry, options)?;
+        let header = recognised(input, entry, options, self.is_meant)?;
         // What was made for another one is not held against an application that nobody named.
         let is_of_others = || {
             header.as_deref().is_some_and(|base| layout.is_base_of_others(base))
                 || layout.joint.is_some_and(|joint| self.lacks(entry, joint))
+                || self.is_written_for_others(entry, layout)
         };
         let is_excluded = layout.only_base.is_some_and(|only| !options.asks_for_base(only));
         if is_excluded || !self.is_meant && is_of_others() {
@@ -103,6 +104,19 @@ impl<'t> Outside<'t, '_> {
         Some(named.or_else(|| is_usual.then(|| Layout::USUAL_BASE.to_owned())))
     }
 
+    /// Whether a file says which application wrote it, or is of a kind that this one shares with others and that these alone
+    /// have a use for where nobody asks.
+    fn is_written_for_others(&self, entry: &Entry, layout: &Layout) -> bool {
+        let text = || self.input.tree.read(entry, &self.options.limits).unwrap_or_default();
+        match (layout.application, meant_extension(&entry.path)) {
+            (Application::Mpfb, "json" | "gz") => false,
+            (Application::Mpfb, _) | (Application::Makehuman1, "mhpose") => true,
+            (Application::Makehuman2, "mhm") => says(&text(), "version v1.") || says(&text(), "Written by MakeHuman 1"),
+            (Application::Makehuman1, "mhm") => says(&text(), "MakeHuman2 Model File"),
+            _ => false,
+        }
+    }
+
     /// Whether a file is a motion without this joint.
     fn lacks(&self, entry: &Entry, joint: &str) -> bool {
         let text = || self.input.tree.read(entry, &self.options.limits).unwrap_or_default();
@@ -112,7 +126,7 @@ impl<'t> Outside<'t, '_> {
 
 /// The base mesh in the header of a file that is ours: it is named as PATH, or its content says so. Only assets that
 /// share their extension with files of other programs are in doubt.
-fn recognised(input: &Input, entry: &Entry, options: &Config) -> Binding {
+fn recognised(input: &Input, entry: &Entry, options: &Config, is_meant: bool) -> Binding {
     let is_named = || input.named.contains(&input.tree.shown(&entry.path));
     let read = || input.tree.read(entry, &options.limits).unwrap_or_default();
     match meant_extension(&entry.path) {
@@ -122,6 +136,9 @@ fn recognised(input: &Input, entry: &Entry, options: &Config) -> Binding {
             is_ours.then(|| target.and_then(|target| target.basemesh).filter(|name| is_folder_name(name)))
         }
         "mhclo" => Some(base_of(&read())),
+        // Only MPFB has rigs in such files, and weights under names that say so.
+        "json" => (is_meant && (is_named() || is_named_as_of_rig(&entry.path)) || says(&read(), "\"identifying_bones\"")).then_some(None),
+        "gz" => Some(None),
         "proxy" => {
             let text = read();
             (is_named() || first_words(&text).any(|(word, _)| word == "obj_file")).then(|| base_of(&text))
@@ -129,6 +146,16 @@ fn recognised(input: &Input, entry: &Entry, options: &Config) -> Binding {
         "bvh" => (is_named() || is_of_makehuman(input, entry, &read())).then_some(None),
         _ => Some(None),
     }
+}
+
+/// Whether a file has a name as rigs and their weights have it among those of the add-on.
+fn is_named_as_of_rig(path: &str) -> bool {
+    let (_, name) = folder_and_name(path);
+    name.starts_with("rig.") || name.starts_with("weights.")
+}
+
+fn says(text: &[u8], word: &str) -> bool {
+    text.windows(word.len()).any(|part| part == word.as_bytes())
 }
 
 /// A motion with a preview or a description as the applications have them, or for their skeleton.

@@ -3,6 +3,7 @@
 //! Knows applications by their layouts only: what is loaded has the kinds and owners that these give it.
 
 mod data;
+mod identify;
 mod input;
 mod layer;
 mod loose;
@@ -12,8 +13,10 @@ mod place;
 mod proposal;
 mod read;
 mod roots;
+mod set_aside;
 mod side;
 mod stack;
+mod taken;
 mod unit_names;
 
 pub(super) use data::{Data, Loaded};

@@ -8,11 +8,13 @@ use super::input::Input;
 use super::loose::Outside;
 use super::pack::{asked, packed};
 use super::place::Place;
+use super::set_aside::set_aside;
+use super::taken::Taken;
 use super::unit_names::UnitNames;
 use crate::config::Config;
-use crate::diag::{Application, NotChecked, Note, Outcome, RootSummary, Unchecked, grouped};
-use crate::discover::{Layout, Role, candidates, find_roots, is_asset_anywhere};
-use crate::source::{EntryKind, Tree, WalkFaultKind, is_below};
+use crate::diag::{Application, Identity, NotChecked, Note, Outcome, RootSummary, Unchecked, grouped};
+use crate::discover::{Layout, Listing, Role, candidates, find_roots, is_asset_anywhere};
+use crate::source::{EntryKind, Limits, Tree, WalkFaultKind, is_below};
 
 /// What a run reads.
 pub(in crate::engine) struct Roots<'t> {
@@ -28,20 +30,36 @@ pub(super) fn roots_of(
     asked: &[Application],
     wanted: impl Fn(Application) -> bool,
 ) -> BTreeMap<String, Vec<&'static Layout>> {
-    roots_beside(tree, asked, &[], wanted)
+    roots_beside(tree, [asked, &[]], &BTreeSet::new(), wanted)
 }
 
-/// The same beside data of other applications in another tree.
+/// The same beside data of other applications in another tree, where the run knows base meshes of these names.
 fn roots_beside(
     tree: &Tree,
-    asked: &[Application],
-    at_hand: &[Application],
+    [asked, at_hand]: [&[Application]; 2],
+    bases: &BTreeSet<String>,
     wanted: impl Fn(Application) -> bool,
 ) -> BTreeMap<String, Vec<&'static Layout>> {
-    let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File);
-    let roots = find_roots(files.map(|entry| entry.path.as_str()), asked, at_hand);
-    let wanted = roots.into_iter().filter(|root| wanted(root.application));
+    let peek = |path: &str| look_into(tree, path);
+    let listing = listing(tree).with_contents(&peek).with_bases(bases.iter().map(String::as_str));
+    let wanted = find_roots(&listing, asked, at_hand).into_iter().filter(|root| wanted(root.application));
     grouped(wanted.map(|root| (root.path, Layout::of(root.application))))
+}
+
+/// The paths of a tree.
+pub(super) fn listing(tree: &Tree) -> Listing<'_> {
+    let of = |kind: EntryKind| tree.entries().iter().filter(move |entry| entry.kind == kind);
+    let paths = |kind| of(kind).map(|entry| entry.path.as_str());
+    Listing::of(paths(EntryKind::File), paths(EntryKind::Folder))
+}
+
+/// Bytes from which on a file is too large to say whose it is.
+const TELLING: u64 = 1 << 20;
+
+/// What is in a file that may say whose data these are.
+pub(super) fn look_into(tree: &Tree, path: &str) -> Option<Vec<u8>> {
+    let entry = tree.entry(path).filter(|entry| entry.kind == EntryKind::File && entry.size <= TELLING)?;
+    tree.read(entry, &Limits::default()).ok()
 }
 
 /// Those of the applications of which one of the places has data.
@@ -88,10 +106,11 @@ impl<'t> Roots<'t> {
         if at_hand.is_empty() {
             at_hand = with_data(applications, &systems);
         }
-        let mut found = found_in(&folders, &at_hand);
-        if options.applications.is_empty() && !systems.is_empty() {
-            found = of_systems(found, &systems, applications);
-        }
+        let bases: BTreeSet<String> = systems.iter().flat_map(base_meshes).chain(options.bases.iter().cloned()).collect();
+        let mut found = found_in(&folders, &at_hand, &bases);
+        let left = set_aside(&mut found, outcome);
+        let taken = Taken { systems: &systems, options, applications };
+        let found = taken.all(found);
         let of_packs = asked(applications, &systems, options);
         let bases_of =
             |application| systems.iter().filter(move |system| system.is_of(application)).flat_map(base_meshes);
@@ -102,7 +121,9 @@ impl<'t> Roots<'t> {
         }
         let asked: Vec<Application> =
             applications.iter().copied().filter(|application| options.asks_for(*application)).collect();
-        let beside: Vec<BTreeSet<String>> = found.iter().map(|(input, roots)| beside(input, roots)).collect();
+        // What belongs to data roots, and what is no asset.
+        let mut beside: Vec<BTreeSet<String>> = found.iter().map(|(input, roots)| beside(input, roots)).collect();
+        beside.iter_mut().zip(left).for_each(|(beside, left)| beside.extend(left));
         let outside = places_outside(&found, &beside, &systems, &asked, options)?;
         note_outside(&found, &beside, outside.iter().map(|(place, _)| place), outcome);
         let mut given = found.iter().flat_map(|(input, roots)| roots.keys().map(|root| input.tree.shown(root)));
@@ -159,8 +180,11 @@ impl<'t> Roots<'t> {
 }
 
 /// The data roots of each input. What shares its users' folders has those of one input where its data are in another.
-fn found_in<'i>(inputs: &[&'i Input], asked: &[Application]) -> Vec<Found<'i>> {
-    let alone: Vec<Found<'_>> = inputs.iter().map(|input| (*input, roots_of(&input.tree, asked, |_| true))).collect();
+fn found_in<'i>(inputs: &[&'i Input], asked: &[Application], bases: &BTreeSet<String>) -> Vec<Found<'i>> {
+    let of = |input: &&'i Input, at_hand: &[Application]| {
+        (*input, roots_beside(&input.tree, [asked, at_hand], bases, |_| true))
+    };
+    let alone: Vec<Found<'_>> = inputs.iter().map(|input| of(input, &[])).collect();
     let is_data = |input: &Input, path: &str, layout: &&'static Layout| {
         layout.shares_roots_of.is_some() && (layout.role)(&candidates(&input.tree, path, &[layout])) != Role::User
     };
@@ -172,7 +196,7 @@ fn found_in<'i>(inputs: &[&'i Input], asked: &[Application]) -> Vec<Found<'i>> {
     if at_hand.is_empty() {
         return alone;
     }
-    inputs.iter().map(|input| (*input, roots_beside(&input.tree, asked, &at_hand, |_| true))).collect()
+    inputs.iter().map(|input| of(input, &at_hand)).collect()
 }
 
 /// The data roots of all of `--system`. Which of two of one application counts nobody can tell.
@@ -221,29 +245,7 @@ pub(super) fn system_places<'t>(tree: &'t Tree, applications: &[Application]) ->
 }
 
 /// The data roots in an input, by path.
-type Found<'i> = (&'i Input, BTreeMap<String, Vec<&'static Layout>>);
-
-/// The data roots without those of users of another application than `--system` is of, where nothing but kinds of assets
-/// sorts them: a folder `clothes` with assets looks like one, and is what somebody makes for the application whose data
-/// are given.
-fn of_systems<'i>(found: Vec<Found<'i>>, systems: &[Place<'_>], applications: &[Application]) -> Vec<Found<'i>> {
-    let is_system = |input: &Input, path: &str, layout: &'static Layout| {
-        (layout.role)(&candidates(&input.tree, path, &[layout])) != Role::User
-    };
-    let mut known: BTreeSet<Application> = with_data(applications, systems).into_iter().collect();
-    for (input, roots) in &found {
-        let layouts = roots.iter().flat_map(|(path, layouts)| layouts.iter().map(move |layout| (path, *layout)));
-        known.extend(layouts.filter(|(path, one)| is_system(input, path, one)).map(|(_, one)| one.application));
-    }
-    let is_meant = |layout: &&'static Layout| {
-        layout.has_bases || known.contains(&layout.application) || !applications.contains(&layout.application)
-    };
-    let of_input = |(input, roots): Found<'i>| {
-        let roots = roots.into_iter().map(|(path, layouts)| (path, layouts.into_iter().filter(is_meant).collect()));
-        (input, roots.filter(|(_, layouts): &(String, Vec<_>)| !layouts.is_empty()).collect())
-    };
-    found.into_iter().map(of_input).collect()
-}
+pub(super) type Found<'i> = (&'i Input, BTreeMap<String, Vec<&'static Layout>>);
 
 /// The files outside of data roots as each application would have them, with the parts that alone are asked for. Where
 /// none is asked for by name, those come first whose data are at hand, and the others have what is left.
@@ -267,9 +269,10 @@ fn places_outside<'t>(
         let mut taken = beside.clone();
         for (applications, is_meant) in [(&first, true), (&others, false)] {
             let before = taken.clone();
-            for application in applications {
+            for application in applications.iter().filter(|one| input.tests.is_none_or(|tests| tests == **one)) {
                 let own = systems.iter().filter(|system| system.is_of(*application));
                 let bases = own.flat_map(base_meshes).collect();
+                let is_meant = is_meant || input.tests.is_some();
                 let outside = Outside { input, roots, taken: &before, bases: &bases, is_meant, units: &units, options };
                 let place = outside.place(Layout::of(*application))?;
                 taken.extend(place.iter().flat_map(|(place, _)| &place.below).map(|file| file.entry.path.clone()));
@@ -332,7 +335,7 @@ fn note_unchecked(place: &Place<'_>, layout: &Layout, outcome: &mut Outcome) {
     let files = place.below.iter().filter(|file| file.is_file());
     let files = files.map(|file| place.tree.shown(&file.entry.path)).collect();
     outcome.not_checked.push(NotChecked::of(Some(application), Unchecked::Application, files));
-    outcome.roots.push(RootSummary { path, application, bases: Vec::new(), checked: false });
+    outcome.roots.push(RootSummary { path, application, bases: Vec::new(), identity: Identity::default(), checked: false });
 }
 
 /// A path, or what stands for the working directory.

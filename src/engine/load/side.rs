@@ -79,6 +79,7 @@ impl Side {
             named: input.named.clone(),
             new_base: input.new_base.clone(),
             is_beside: input.is_beside,
+            tests: input.tests,
         });
         Self { inputs: inputs.collect(), systems: self.systems.iter().map(with).collect() }
     }

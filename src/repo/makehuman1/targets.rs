@@ -179,8 +179,10 @@ pub(crate) fn is_own_target(rel: &str) -> bool {
 /// The targets in `custom` of the user, each with the name that its path gives it.
 fn custom(layers: Layers<'_>) -> Vec<CustomTarget<'_>> {
     let user = layers.user.filter(|_| !layers.is_one_root());
-    let files = user.into_iter().flat_map(|user| user.below(CUSTOM));
-    let targets = files.filter(|file| file.kind_in(OWN) == Kind::Target && !file.is_loose);
+    // Beside the data of a user nobody looks.
+    let is_in = |file: &&FileFacts| !file.is_loose || user.is_some_and(|user| user.is_loose);
+    let files = user.into_iter().flat_map(|user| user.below(CUSTOM)).filter(is_in);
+    let targets = files.filter(|file| file.kind_in(OWN) == Kind::Target);
     targets.map(|file| CustomTarget { file, name: custom_name(&file.rel) }).collect()
 }
 

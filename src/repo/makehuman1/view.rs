@@ -15,7 +15,7 @@ use crate::formats::mhbin_asset::Packed;
 use crate::formats::obj::Mesh;
 use crate::repo::extent::{extent, is_plausible};
 use crate::repo::{
-    Body, BodyWeights, Doubt, FileFacts, Layer, Layers, ReferenceKind, References, Rig, Surface, Target, WeightsUse,
+    Body, BodyWeights, Doubt, FileFacts, Gaps, Layer, Layers, ReferenceKind, References, Rig, Surface, Target, WeightsUse,
     Worn, parent,
 };
 
@@ -165,6 +165,13 @@ impl<'a> View<'a> {
     /// The name of the base mesh, if there is one.
     pub(crate) fn body_name(&self) -> Option<&'a str> {
         self.mesh.and_then(|(file, _)| file.base_in(OWN))
+    }
+
+    /// How much of what its modifiers need the data lack.
+    pub(in crate::repo) fn gaps(&self) -> Gaps<'_> {
+        let parts = || self.modifiers.all.iter().flat_map(|one| one.parts.iter());
+        let missing = parts().filter(|part| part.targets.is_empty()).map(|part| part.group.as_str());
+        Gaps { named: parts().count(), missing: missing.collect() }
     }
 
     /// The body, also where its mesh is not at hand.

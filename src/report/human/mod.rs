@@ -14,7 +14,7 @@ use std::io::{self, Write};
 
 use super::files::by_file;
 use super::matrix::Matrix;
-use super::{Paint, View, count, hang, phrase, printable, verdict};
+use super::{Paint, View, count, hang, phrase, printable, taken, verdict};
 use crate::diag::{Application, Break, Finding, Level, Note, Outcome};
 use groups::Group;
 use pick::Picked;
@@ -29,6 +29,9 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
     if !view.quiet {
         write_notes(&outcome.notes, view, out)?;
         write_matrix(outcome, out)?;
+        for line in taken::lines(outcome, view.full) {
+            writeln!(out, "{}", hang("", &printable(&line), view.width))?;
+        }
         writeln!(out, "{}", verdict::counts(outcome, view))?;
     }
     writeln!(out, "{}", verdict::sentence(outcome, view))?;

@@ -34,7 +34,10 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings() else { return };
-    equipment(file, settings, out);
+    // It came with the programs of 2025.
+    if settings.equipment.is_some() || !view.layers.are_before(Makehuman2, "2025") {
+        equipment(file, settings, out);
+    }
     not_offered(view, base, file, settings, out);
     if !settings.has_visible_groups {
         let misspelt = file.schema.unknown.iter().find(|key| key.nearest.as_deref() == Some(MEMBER));

@@ -21,13 +21,18 @@ const ENDINGS: [(&str, Option<Case>); 3] =
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
-    if !view.layers.checks_system() || !view.modifiers.is_there {
+    if !view.layers.checks_system() {
         return;
+    }
+    if !view.modifiers.is_there {
+        return out.extend(no_folder(view));
     }
     let is_there = |rel: &str| layer.file(rel).is_some() || layer.has_unusable(rel);
     let known: Vec<String> =
         SETS.iter().flat_map(|stem| ENDINGS.map(|(ending, _)| format!("modifiers/{stem}{ending}"))).collect();
-    for stem in SETS {
+    // The shapes of bodies came with 1.3; without any of them the data are older.
+    let is_later = |stem: &str| stem == "bodyshapes" && view.layers.are_before(Makehuman1, "1.3");
+    for stem in SETS.into_iter().filter(|stem| !is_later(stem)) {
         for (ending, case) in ENDINGS {
             let rel = format!("modifiers/{stem}{ending}");
             if is_there(&rel) {
@@ -43,4 +48,13 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(case.map_or(finding.clone(), |case| finding.case(case)));
         }
     }
+}
+
+/// All of it is gone, where the base mesh and its targets show that it belongs there.
+fn no_folder(view: &View<'_>) -> Option<Finding> {
+    let layer = view.layers.checked;
+    let is_whole = view.mesh.is_some() && layer.below("targets/macrodetails").next().is_some();
+    let is_gone = is_whole && !layer.has_unusable("modifiers") && layer.below("modifiers").next().is_none();
+    let finding = || RULE.in_layer(layer, "modifiers", "folder `modifiers` does not exist").key("modifiers");
+    is_gone.then(|| finding().case(NO_TABS).help("restore the folder from the program"))
 }

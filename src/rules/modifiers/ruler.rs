@@ -1,7 +1,7 @@
 //! A slider for a measure has a ruler in the program.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman1, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman1::View;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
@@ -45,14 +45,25 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     else {
         return;
     };
-    for named in sliders.modifiers() {
-        let measure = named.name.strip_prefix("measure/measure-").and_then(|name| name.strip_suffix("-decr|incr"));
-        let is_known = measure.is_some_and(|measure| RULERS.contains(&measure));
-        // What no modifier has is told as that.
-        if is_known || view.modifiers.called(&named.name).next().is_none() {
-            continue;
-        }
-        let near = measure.and_then(|measure| cx.suggestions.nearest(measure, RULERS));
+    let measure_of =
+        |name: &'_ str| name.strip_prefix("measure/measure-").and_then(|name| name.strip_suffix("-decr|incr")).map(str::to_owned);
+    let is_known = |name: &str| measure_of(name).is_some_and(|measure| RULERS.contains(&&*measure));
+    // What no modifier has is told as that.
+    let unknown: Vec<_> = sliders
+        .modifiers()
+        .filter(|named| !is_known(&named.name) && view.modifiers.called(&named.name).next().is_some())
+        .collect();
+    // With other names throughout, the folder is of another version.
+    if let [first, _, ..] = unknown.as_slice()
+        && !sliders.modifiers().any(|named| is_known(&named.name))
+    {
+        let message = format!("the program has a ruler for none of the {} measures", unknown.len());
+        let finding = RULE.at(file, Place::Pointer(first.pointer.clone()), message).key("all");
+        let names = Evidence::of_cases(unknown.iter().map(|named| &named.name));
+        return out.push(finding.evidence(names).help("compare the names with those of the version of MakeHuman 1 that is used"));
+    }
+    for named in unknown {
+        let near = measure_of(&named.name).and_then(|measure| cx.suggestions.nearest(&measure, RULERS));
         let message = format!("the program has no ruler for `{}`", named.name);
         let finding = RULE.at(file, Place::Pointer(named.pointer.clone()), message).key(&named.name);
         out.push(finding.help(did_you_mean(near, "move the slider to another file")));

@@ -30,16 +30,28 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 
 const NEEDED: [(&str, u8); 2] = [("makehuman2_version.json", 20), ("shaders/shader.json", 21)];
 
+const NO_BASE: &str = "crashes at start with `TypeError`: it opens its base mesh";
+
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();
     let Some(system) = layers.system.filter(|system| std::ptr::eq(*system, layers.checked)) else { return };
     if view.is_makehuman1() {
         return of_makehuman1(view, system, out);
     }
-    if mpfb_files::missing(&RULE, view, system, out) || !holds_program(system) {
+    if mpfb_files::missing(&RULE, view, system, out) {
         return;
     }
-    for (rel, code) in NEEDED.into_iter().filter(|(rel, _)| !exists(system, rel)) {
+    if view.bodies().is_empty() && system.below("base").next().is_none() {
+        let finding = RULE.in_layer(system, "base", "folder `base` does not exist").effect_in(view.application(), NO_BASE);
+        out.push(finding.help("restore the folder from the download of the program"));
+    }
+    if !holds_program(system) {
+        return;
+    }
+    // It came at the end of 2024.
+    let is_later = |rel: &str| rel == NEEDED[1].0 && view.is_before("2025");
+    let missing = NEEDED.into_iter().filter(|(rel, _)| !exists(system, rel) && !is_later(rel));
+    for (rel, code) in missing {
         let message = format!("`{rel}` does not exist");
         let finding = RULE
             .in_layer(system, rel, message)

@@ -4,9 +4,11 @@ pub(in crate::rules) mod file_content;
 pub(in crate::rules) mod missing_file;
 mod mpfb_content;
 mod mpfb_files;
+pub(in crate::rules) mod older_version;
+pub(in crate::rules) mod partial_copy;
 pub(in crate::rules) mod skybox;
 
 use super::Rule;
 
 /// The rules of the family.
-pub(super) static RULES: &[&Rule] = &[&file_content::RULE, &missing_file::RULE, &skybox::RULE];
+pub(super) static RULES: &[&Rule] = &[&file_content::RULE, &missing_file::RULE, &older_version::RULE, &partial_copy::RULE, &skybox::RULE];

@@ -1,0 +1,56 @@
+//! Data of an older version of a program: said once, in place of all that came later.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Case, Finding, Level, RuleInfo, Version,
+};
+use crate::repo::View;
+
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "works with data of its own version; newer programs miss what came later"),
+        (Makehuman1, "works with data of its own version; newer programs miss what came later"),
+        (Mpfb, "works with data of its own version; newer programs miss what came later"),
+    ],
+    docs: "The data of a program are older than the rules: their base mesh, and what came to them and what went, tell the \
+        version. What came later is not asked for. Data of MakeHuman 1 before 1.1 have formats that no newer program reads as a \
+        whole; their files are checked one by one.\n\n\
+        `--app makehuman1@1.3`, or `apps` in `mhlint.toml`, sets the version where it was taken for another one.",
+    of_library: true,
+    of_pieces: true,
+    ..RuleInfo::new("program-older-version", Level::Info, "data of an older version of a program")
+});
+
+const IN_PIECES: Case = &[(
+    Makehuman1,
+    Level::Info,
+    "since 1.1 does not work with this folder as a whole; the files in it were checked singly",
+)];
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layers = view.layers();
+    let Some(version) = view.version().filter(|_| layers.checks_system()) else { return };
+    if version.is_newest() || layers.checked.is_loose {
+        return;
+    }
+    let Some(later) = later(version) else { return };
+    let message = format!("data of {}: {later} came later", version.title());
+    let finding = RULE.in_layer(layers.checked, "", message).key("version");
+    let finding = if view.is_in_pieces() { finding.case(IN_PIECES) } else { finding };
+    out.push(finding);
+}
+
+/// What newer programs have besides (formats/versions.md §2).
+fn later(version: Version) -> Option<&'static str> {
+    let before = |name: &str| version.is_before(name);
+    match version.application() {
+        Makehuman1 if before("1.0") => Some("the base mesh of 1.0, and modifiers and skeletons of 1.1,"),
+        Makehuman1 if before("1.1") => Some("skeletons, poses and expressions of 1.1"),
+        Makehuman1 if before("1.3") => Some("the body shapes"),
+        Makehuman2 if before("2025") => Some("`equipment`, `measure`, `random` and `numverts`"),
+        Makehuman2 if before("2026-08-05") => Some("`numverts` and `geometry.json`"),
+        Mpfb if before("2.0.16") => Some("expressions"),
+        _ => None,
+    }
+}
