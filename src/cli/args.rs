@@ -130,7 +130,7 @@ pub(super) struct CheckArgs {
     pub(super) systems: Vec<PathBuf>,
     /// Check only for this application; can be repeated.
     ///
-    /// One of makehuman2, makehuman1, mpfb.
+    /// One of makehuman2, makehuman1, mpfb, perhaps in a version: makehuman1@1.0 to @1.3, makehuman2@2024, @2025, @2026-08-05, @2026-08-20, mpfb@2.0.5 to @2.0.17. Without one, the version that the data show, else the newest.
     #[arg(long = "app", value_name = "APPLICATION", value_parser = application, help_heading = "Input")]
     pub(super) applications: Vec<Edition>,
     /// Report only on this base mesh; can be repeated.

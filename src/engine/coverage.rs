@@ -79,7 +79,8 @@ impl<'r> Coverage<'r> {
             let path = format!("{}/{member}", root.layer.path);
             views.iter().for_each(|view| self.leave(view.application(), Unchecked::Packed, &path));
         }
-        for view in views {
+        // What a part of a program's data lacks is said once.
+        for view in views.iter().filter(|view| !view.is_partial()) {
             let open = view.references().iter().filter(|one| matches!(one.resolution, Resolution::NeedsSystem));
             for reference in open.filter(|one| asked.is_for(root, views, one.from)) {
                 // Where that would lie in a data folder is only supposed.

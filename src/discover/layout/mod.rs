@@ -150,6 +150,12 @@ struct HiddenPath<'p> {
     is_folder: bool,
 }
 
+/// Folders of the programs that hold no assets.
+const OF_PROGRAMS: [&str; 12] = [
+    "..", "cache", "config", "dbcache", "downloads", "languages", "models", "poseunits", "props", "settings", "shaders",
+    "themes",
+];
+
 /// The base mesh of the applications that have but one.
 const HM08: &str = "hm08";
 
@@ -223,8 +229,18 @@ impl Layout {
     /// What a path below a data root is for.
     pub(crate) fn use_of(&self, rel: &str) -> Use {
         let parts: Vec<&str> = rel.split('/').collect();
-        let (kind, owner) = (self.place)(&parts);
+        let (mut kind, owner) = (self.place)(&parts);
+        // Other programs keep settings beside the data, and in folders of their own.
+        if kind == Kind::Json && !self.may_hold_json(&parts) {
+            kind = Kind::Other;
+        }
         Use { application: self.application, kind, owner: owner.map(str::to_owned) }
+    }
+
+    /// Whether a JSON without a name of its own is in a folder that the application may have.
+    fn may_hold_json(&self, parts: &[&str]) -> bool {
+        let [top, _, ..] = parts else { return false };
+        self.has_at_top(top) || self.folder_in_other_case(top).is_some() || OF_PROGRAMS.contains(top)
     }
 
     /// The parts of `path` above folder names that belong to a data root, the nearest first: where a data root would be

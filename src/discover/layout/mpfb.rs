@@ -28,6 +28,10 @@ pub(super) static LAYOUT: Layout = Layout {
         use Kind::{EyeSettings, HumanPreset, ImporterPreset, MakeupPreset, SkinSettings};
         matches!(kind, HumanPreset | ImporterPreset | MakeupPreset | EyeSettings | SkinSettings)
     },
+    above_data: |parts| match parts {
+        [.., "config", name] if of_config(name) == Some(Kind::HumanPreset) => Some(2),
+        _ => None,
+    },
     shares_roots_of: Some(Application::Makehuman1),
     has_second_user: true,
     role,

@@ -98,7 +98,14 @@ fn asks_for_whole(rule: &Rule) -> bool {
         "base", "catalog", "filter", "library", "macro", "metadata", "modelling", "modifiers", "numeric", "overlay",
         "parts", "program",
     ];
-    const OTHERS: [&str; 4] = ["archive-undiscovered", "file-unreferenced", "skeleton-base-name", "target-unreferenced"];
+    const OTHERS: [&str; 6] = [
+        "archive-undiscovered",
+        "file-unreferenced",
+        "material-missing-litsphere",
+        "material-missing-shader",
+        "skeleton-base-name",
+        "target-unreferenced",
+    ];
     let info = &rule.info;
     !info.of_pieces && (info.of_library || FAMILIES.contains(&info.family()) || OTHERS.contains(&info.id))
 }

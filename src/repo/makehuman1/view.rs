@@ -145,7 +145,7 @@ impl<'a> View<'a> {
         // A skeleton that cannot be read, or a name that leads nowhere, may mean any.
         let is_clear = self.rigs.iter().all(|rig| rig.skeleton().is_some_and(|one| !one.weights_file_misshapen));
         let can_tell = is_clear && self.base_rig().is_some() && named.into_iter().all(|one| one.meant().is_some());
-        let used = if is_named || !can_tell { WeightsUse::Applied } else { WeightsUse::Unread };
+        let used = if is_named || !can_tell || file.is_loose { WeightsUse::Applied } else { WeightsUse::Unread };
         BodyWeights { file, name: Some(file.rel.strip_prefix("rigs/").unwrap_or(&file.rel)), used }
     }
 

@@ -30,8 +30,6 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 
 const NEEDED: [(&str, u8); 2] = [("makehuman2_version.json", 20), ("shaders/shader.json", 21)];
 
-const NO_BASE: &str = "crashes at start with `TypeError`: it opens its base mesh";
-
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();
     let Some(system) = layers.system.filter(|system| std::ptr::eq(*system, layers.checked)) else { return };
@@ -40,10 +38,6 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     if mpfb_files::missing(&RULE, view, system, out) {
         return;
-    }
-    if view.bodies().is_empty() && system.below("base").next().is_none() {
-        let finding = RULE.in_layer(system, "base", "folder `base` does not exist").effect_in(view.application(), NO_BASE);
-        out.push(finding.help("restore the folder from the download of the program"));
     }
     if !holds_program(system) {
         return;

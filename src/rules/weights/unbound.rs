@@ -24,7 +24,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for BodyWeights { file, name, .. } in body.own_weights().filter(|own| own.used == WeightsUse::Unread) {
+    // What lies in no data folder may still get its skeleton.
+    let unbound = body.own_weights().filter(|own| own.used == WeightsUse::Unread && !own.file.is_loose);
+    for BodyWeights { file, name, .. } in unbound {
         let message = format!("no skeleton of base `{}` uses these weights", body.name);
         let name = name.unwrap_or_default();
         let (message, help) = if body.is_mpfb() {
