@@ -42,10 +42,14 @@ pub fn count_words(text: &[u8]) -> usize {
     words
 }
 
-/// Targets: fifty of 4000 rows, and those of the corpus.
+/// Targets: fifty of 4000 rows with the short header of today, the same with the long one of old exporters, which has
+/// more than one blank in its comments, and those of the corpus.
 pub fn targets() -> Vec<Files> {
-    let made = (0..50).map(|number| made_target(4_000, number)).collect();
-    let mut all = vec![Files { name: "made", contents: made }];
+    let made = |header| (0..50).map(|number| made_target(header, 4_000, number)).collect();
+    let mut all = vec![
+        Files { name: "made", contents: made("# made for a benchmark\n") },
+        Files { name: "made, old header", contents: made(OLD_HEADER) },
+    ];
     all.extend(corpus("makehuman2/data/target", "target").map(|contents| Files { name: "makehuman2", contents }));
     all
 }
@@ -57,8 +61,11 @@ pub fn weights() -> Vec<Files> {
     all
 }
 
-fn made_target(rows: u32, seed: u32) -> Vec<u8> {
-    let mut text = String::from("# made for a benchmark\n");
+const OLD_HEADER: &str =
+    "# This is a made target  (for a benchmark)\n#\n# written by:    nobody\n#  on:          a day\n";
+
+fn made_target(header: &str, rows: u32, seed: u32) -> Vec<u8> {
+    let mut text = String::from(header);
     for row in 0..rows {
         let delta = |factor: u32| f64::from((row * factor + seed) % 2_001) / 1_000.0 - 1.0;
         writeln!(text, "{} {:.3} {:.3} {:.3}", row * 4 + seed % 4, delta(37), delta(91), delta(53)).unwrap();

@@ -110,14 +110,8 @@ pub fn parse_file(bytes: &[u8], encoding: &Encoding, mesh: Option<MeshSize>) -> 
 
 /// `fast` reads the lines it knows; tests take it away.
 fn parse_by(fast: impl Fn(&[u8]) -> (Option<Row>, usize), text: &[u8], mesh: Option<MeshSize>) -> Target {
-    let mut parser = Parser {
-        target: Target::default(),
-        mesh,
-        lengths: Vec::new(),
-        zeros: Vec::new(),
-        line_offsets: Vec::new(),
-        is_odd: false,
-    };
+    let mut parser =
+        Parser { target: Target::default(), mesh, lengths: Vec::new(), zeros: Vec::new(), line_offsets: Vec::new() };
     parser.target.rows.reserve(text.len() / 20);
     let mut line = 1;
     let mut start = 0;
@@ -131,10 +125,6 @@ fn parse_by(fast: impl Fn(&[u8]) -> (Option<Row>, usize), text: &[u8], mesh: Opt
             start += parser.slow_line(line, rest, start);
         }
         line += 1;
-    }
-    // Lines that the fast path knows are read alike by all.
-    if parser.is_odd {
-        parser.target.facts.blanks = Some(Box::new(target_blanks::read(text)));
     }
     parser.finish()
 }
@@ -150,8 +140,6 @@ struct Parser {
     zeros: Vec<(u32, i64)>,
     /// Line minus position of the row, wherever it changes: position and difference.
     line_offsets: Vec<(usize, usize)>,
-    /// Whether a line may be read otherwise by a loader that splits at single blanks.
-    is_odd: bool,
 }
 
 impl Parser {
@@ -159,21 +147,25 @@ impl Parser {
     fn slow_line(&mut self, line: u32, rest: &[u8], offset: usize) -> usize {
         let (text, length) = first_line(rest);
         let fields = fields(text);
-        self.is_odd |= target_blanks::is_odd(text);
+        let mut is_odd = target_blanks::is_odd(text);
         if let Some((_, first)) = fields.first() {
             self.marker(line, first);
         }
         match fields.as_slice() {
             [] => {}
             [(_, first), ..] if first.starts_with(b"#") => self.comment(line, text),
-            [index, x, y, z] => self.data(line, offset, [*index, *x, *y, *z]),
+            [index, x, y, z] => is_odd |= !self.data(line, offset, [*index, *x, *y, *z]),
             other => {
                 let count = i64::try_from(other.len()).unwrap_or(i64::MAX);
-                self.is_odd = true;
+                is_odd = true;
                 self.target.facts.field_count.add(line, count);
                 self.target.facts.broken_rows += u64::from(begins_a_row(other));
                 self.target.facts.field_count_names.add(|| row_name(other));
             }
+        }
+        // Lines that the fast path knows are read alike by all.
+        if is_odd {
+            self.target.facts.blanks.get_or_insert_default().read(line, offset, text);
         }
         length
     }
@@ -196,14 +188,17 @@ impl Parser {
         }
     }
 
-    fn data(&mut self, line: u32, offset: usize, fields: [(usize, &[u8]); 4]) {
+    /// Whether all fields are numbers.
+    fn data(&mut self, line: u32, offset: usize, fields: [(usize, &[u8]); 4]) -> bool {
         let [(_, index), x, y, z] = fields;
         let parsed = python_int(index).ok_or(0);
         let floats = [x, y, z].map(|(_, token)| python_float(token));
         match (parsed, floats) {
-            (Ok(index), [Some(x), Some(y), Some(z)]) => self.row(line, index, [x, y, z].map(stored)),
+            (Ok(index), [Some(x), Some(y), Some(z)]) => {
+                self.row(line, index, [x, y, z].map(stored));
+                true
+            }
             (parsed, floats) => {
-                self.is_odd = true;
                 let bad = if parsed.is_err() {
                     fields.first()
                 } else {
@@ -212,6 +207,7 @@ impl Parser {
                 };
                 self.unreadable(line, offset, bad);
                 self.target.facts.unreadable_names.add(|| row_name(&fields));
+                false
             }
         }
     }

@@ -27,22 +27,18 @@ const READ: usize = 4;
 
 /// Whether a line has anything in it that may be read otherwise: in nearly all targets none has.
 pub(super) fn is_odd(line: &[u8]) -> bool {
+    let line = line.trim_ascii();
+    if line.first() == Some(&b'#') {
+        return ends_within(line);
+    }
     let odd = |byte: &u8| *byte >= 0x80 || *byte == b'"' || *byte < b' ';
     line.iter().any(odd) || line.windows(2).any(|pair| pair == b"  ")
 }
 
-/// Reads all lines.
-pub(super) fn read(text: &[u8]) -> BlankFacts {
-    let mut facts = BlankFacts::default();
-    let mut offset = 0;
-    for (number, line) in (1..).zip(text.split_inclusive(|byte| *byte == b'\n')) {
-        let decoded = String::from_utf8_lossy(line);
-        for part in decoded.split(is_line_break) {
-            facts.line(number, part, offset, line);
-        }
-        offset += line.len();
-    }
-    facts
+/// Whether Python has the end of a line within it: of a comment only what follows such an end is looked at.
+fn ends_within(line: &[u8]) -> bool {
+    let may_end = |byte: &u8| *byte >= 0x80 || *byte < b' ';
+    line.iter().any(may_end) && String::from_utf8_lossy(line).contains(is_line_break)
 }
 
 /// The rows that such a loader reads: the first four fields of each line. Of a line at which it stops there is none.
@@ -69,6 +65,13 @@ const fn is_line_break(letter: char) -> bool {
 }
 
 impl BlankFacts {
+    /// Reads one line, which begins `offset` bytes into the text.
+    pub(super) fn read(&mut self, number: u32, offset: usize, line: &[u8]) {
+        for part in String::from_utf8_lossy(line).split(is_line_break) {
+            self.line(number, part, offset, line);
+        }
+    }
+
     fn line(&mut self, number: u32, line: &str, offset: usize, raw: &[u8]) {
         let line = line.trim();
         if is_passed_over(line) {
@@ -104,7 +107,21 @@ fn fits(at: usize, word: &[u8]) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
+    use super::super::target::parse;
     use super::*;
+
+    /// All lines, whether they are odd or not.
+    fn read(text: &[u8]) -> BlankFacts {
+        let mut facts = BlankFacts::default();
+        let mut offset = 0;
+        for (number, line) in (1..).zip(text.split_inclusive(|byte| *byte == b'\n')) {
+            facts.read(number, offset, line);
+            offset += line.len();
+        }
+        facts
+    }
 
     fn counts(text: &str) -> (u64, u64, u64, u64) {
         let facts = read(text.as_bytes());
@@ -129,7 +146,25 @@ mod tests {
 
     #[test]
     fn a_usual_line_is_not_looked_at_twice() {
-        assert!(!is_odd(b"# x") && !is_odd(b"1 .5 -1 0"));
-        assert!(["1  2 3 4", "1\t2", "\"x", "1 2\u{a0}3"].iter().all(|line| is_odd(line.as_bytes())));
+        let usual = ["# x", "#  by  \u{e4}  me\t", "  # x", "1 .5 -1 0", "  1 .5 -1 0 "];
+        assert!(usual.iter().all(|line| !is_odd(line.as_bytes())));
+        let odd = ["1  2 3 4", "1\t2", "\"x", "1 2\u{a0}3", "# x\u{2028}1 2", "# x\u{c}1 2"];
+        assert!(odd.iter().all(|line| is_odd(line.as_bytes())));
+    }
+
+    #[test]
+    fn a_comment_with_more_than_one_blank_is_no_reason_to_read_again() {
+        let header = "#  This  is  a  target  file  of  M\u{e4}rz\n#\n#   by:  nobody\n";
+        assert_eq!(parse(format!("{header}1 0 0 1\n").as_bytes(), None).facts.blanks, None);
+    }
+
+    proptest! {
+        #[test]
+        fn what_is_read_line_by_line_is_what_the_whole_text_says(
+            text in "([0-9]{1,4}|-?\\.[0-9]{1,3}|[ \t#\"\n\u{c}\u{2028}\u{a0}]|[0-9]{1,3} 0 0 1\n|#  x\n|1 2  3 4\n){0,30}"
+        ) {
+            let found = parse(text.as_bytes(), None).facts.blanks;
+            prop_assert_eq!(found.map(|blanks| *blanks).unwrap_or_default(), read(text.as_bytes()));
+        }
     }
 }
