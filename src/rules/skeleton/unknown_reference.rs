@@ -9,7 +9,6 @@ use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Evidence, Finding, Level, Place, RuleInfo,
 };
-use crate::formats::mhskel::Bone;
 use crate::repo::{self, Body};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -22,7 +21,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         list bones of the default skeleton (`pose-skeleton` of `base.json`) whose poses and weights a bone takes \
         over.\n\n\
         MakeHuman 2 ignores unknown names. It reads a string in place of the list letter by letter: `\"head\"` \
-        means the bones `h`, `e`, `a` and `d`. MakeHuman 1 accepts a single name.\n\n\
+        means the bones `h`, `e`, `a` and `d`. MakeHuman 1 accepts a single name. References in the default skeleton \
+        itself are never read (an info).\n\n\
         MakeHuman 1 cannot choose a skeleton with an unknown name in `reference`. One in `weights_reference` is left out: a \
         warning where weights then go to another bone, otherwise an info.\n\n\
         Correct the names, and write a single name as a list.",
@@ -44,23 +44,23 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return of_makehuman1(body, &known, cx, out);
     }
     for rig in rigs(body) {
-        let (mut unknown, mut found) = (Vec::new(), Vec::new());
+        let (mut unknown, mut spelled) = (Vec::new(), Vec::new());
         for bone in &rig.skeleton.bones {
             for (member, names) in [("reference", &bone.reference), ("weights_reference", &bone.weights_reference)] {
                 let text = bone.text_references.iter().find(|(key, _)| *key == member);
                 let names: Vec<&String> =
                     names.iter().flatten().filter(|name| !known.contains(name.as_str())).collect();
                 match text {
-                    Some((_, text)) if !names.is_empty() => found.push(spelled_out(&rig, bone, member, text)),
+                    Some((_, text)) if !names.is_empty() => spelled.push((bone.name.as_str(), member, text.as_str())),
                     Some(_) => {}
                     None => unknown.extend(names.into_iter().map(|name| (bone.name.as_str(), member, name.as_str()))),
                 }
             }
         }
-        found.extend(finding(&rig, &unknown, &known, cx));
+        let found = spelled_out(&rig, &spelled).into_iter().chain(finding(&rig, &unknown, &known, cx));
         // Others refer to the default skeleton; what it refers to itself is never read.
         let is_default = std::ptr::eq(rig.file, default.file);
-        out.extend(found.into_iter().map(|one| if is_default { one.case(OF_DEFAULT) } else { one }));
+        out.extend(found.map(|one| if is_default { one.case(OF_DEFAULT) } else { one }));
     }
 }
 
@@ -107,11 +107,15 @@ fn of_makehuman1(body: &Body<'_>, known: &BTreeSet<&str>, cx: &RuleCx<'_>, out: 
 
 const OF_DEFAULT: Case = &[(Makehuman2, Level::Info, "never reads references in the default skeleton")];
 
-fn spelled_out(rig: &Rig<'_>, bone: &Bone, member: &str, text: &str) -> Finding {
-    let message = format!("`{member}` of bone `{}` is the string `{text}`, which is read letter by letter", bone.name);
-    RULE.at(rig.file, Place::pointer(["bones", &bone.name, member]), message)
-        .key(format!("{}/{member}", bone.name))
-        .help(format!("write a list: `[\"{text}\"]`"))
+/// Texts in place of lists. What writes one writes all of them so.
+fn spelled_out(rig: &Rig<'_>, texts: &[(&str, &str, &str)]) -> Option<Finding> {
+    let (bone, member, text) = texts.first()?;
+    let more = such(texts.len(), "strings");
+    let message = format!("`{member}` of bone `{bone}` is the string `{text}`, which is read letter by letter{more}");
+    let finding = RULE.at(rig.file, Place::pointer(["bones", bone, member]), message).key("strings");
+    let cases = texts.iter().map(|(bone, member, _)| format!("{bone}/{member}"));
+    let finding = finding.parts(cases.clone()).evidence(Evidence::of_cases(cases).out_of(rig.skeleton.bones.len()));
+    Some(finding.help(format!("write a list: `[\"{text}\"]`")))
 }
 
 fn finding(rig: &Rig<'_>, unknown: &[(&str, &str, &str)], known: &BTreeSet<&str>, cx: &RuleCx<'_>) -> Option<Finding> {
