@@ -1,18 +1,21 @@
 //! A look at settings, one after the other: what a step does not touch is as it was before.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::skeleton::PARALLEL_SINE;
 use super::survey::{
     DETACHED_DIAGONALS, DETACHED_STANDS, DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, Fault, SHORTEST_BONE,
     Survey, Trouble, Worst, add,
 };
-use super::surveyor::{FaceAtRest, Surveyor, flatness, stand};
-use super::vector::{Point, distance, dot};
+use super::surveyor::{Anchor, FaceAtRest, Surveyor, flatness, stand};
+use super::vector::{Point, distance, dot, sub};
 use super::walk::{Stop, Walk};
 
 /// A step that moves more than this part of the vertices is looked at as a whole.
 const LARGE_STEP: usize = 4;
+
+/// More vertices than these are no tail. How they hang together is looked at in every setting.
+const MOST_HIDDEN: usize = 1 << 12;
 
 /// Looks at stops, best in the order of [`super::walk::in_order`].
 pub fn look<'s>(surveyor: &'s Surveyor<'s>, stops: &[Stop]) -> Survey {
@@ -141,10 +144,11 @@ impl<'s> Look<'s> {
         else {
             return;
         };
-        for anchor in &self.surveyor.anchors {
+        for (anchor, helper) in self.surveyor.anchors.iter().zip(&self.surveyor.helpers) {
             let Some(joint) = joints.get(anchor.joint) else { continue };
-            let value = (stand(*joint, &anchor.skin, positions) - anchor.distance) / anchor.stand;
-            if value > DRIFT_STANDS {
+            let drift = |anchor: &Anchor| (stand(*joint, &anchor.skin, positions) - anchor.distance) / anchor.stand;
+            let value = drift(anchor);
+            if value > DRIFT_STANDS && helper.as_ref().is_none_or(|helper| drift(helper) > DRIFT_STANDS) {
                 add_one(&mut self.skeleton, Trouble::Drifted, value, anchor.joint);
             }
         }
@@ -206,23 +210,39 @@ impl<'s> Look<'s> {
 
     fn explosion(&mut self, setting: usize) {
         let surveyor = self.surveyor;
-        let mut worst = (0.0_f32, 0);
-        let mut far = Vec::new();
+        let mut outside_by = BTreeMap::new();
         for (vertex, point) in self.strays() {
             let mut outside = 0.0_f32;
             for axis in 0..3 {
                 outside = outside.max(surveyor.low[axis] - point[axis]).max(point[axis] - surveyor.high[axis]);
             }
             if outside > surveyor.diagonal * EXPLOSION_DIAGONALS {
-                far.push(vertex);
-                if outside > worst.0 {
-                    worst = (outside, vertex);
-                }
+                outside_by.insert(vertex, outside);
             }
         }
-        if !far.is_empty() {
-            let value = f64::from(worst.0 / surveyor.diagonal);
-            add(&mut self.survey, Trouble::Exploded, Worst { value, element: worst.1, count: far.len(), setting }, far);
+        self.leave_what_grew(&mut outside_by);
+        // Of equals the first.
+        let worst = outside_by.iter().rev().max_by(|one, other| one.1.total_cmp(other.1));
+        if let Some((element, outside)) = worst.map(|(vertex, outside)| (*vertex, *outside)) {
+            let (value, count) = (f64::from(outside / surveyor.diagonal), outside_by.len());
+            let worst = Worst { value, element, count, setting };
+            add(&mut self.survey, Trouble::Exploded, worst, outside_by.into_keys());
+        }
+    }
+
+    /// Takes out what is not drawn and moves as what is next to it does: a helper that grows, such as a tail.
+    fn leave_what_grew(&self, outside_by: &mut BTreeMap<usize, f32>) {
+        let is_drawn = |vertex: u32| !self.surveyor.faces_of(vertex).is_empty();
+        let hidden = outside_by.keys().filter_map(|vertex| u32::try_from(*vertex).ok());
+        let hidden: BTreeSet<u32> = hidden.filter(|vertex| !is_drawn(*vertex)).collect();
+        if hidden.is_empty() || hidden.len() > MOST_HIDDEN {
+            return;
+        }
+        let (rest, now) = (&self.surveyor.scene.positions, self.walk.positions());
+        let moved = |vertex: u32| Some(sub(*now.get(vertex as usize)?, *rest.get(vertex as usize)?));
+        let torn = self.surveyor.neighbours().torn(&hidden, 0.0, moved);
+        for vertex in hidden.difference(&torn) {
+            outside_by.remove(&(*vertex as usize));
         }
     }
 }

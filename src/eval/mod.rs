@@ -62,6 +62,7 @@ pub mod survey;
 pub mod surveyor;
 pub mod symmetry;
 pub mod target_measure;
+pub mod tears;
 pub mod vector;
 pub mod walk;
 pub mod weights;

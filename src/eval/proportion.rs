@@ -3,7 +3,10 @@
 //! Gets a few numbers of a target, says whether its longest displacement can be meant. Used where such targets are
 //! reported and where they would spoil everything else that is measured.
 
+use std::collections::BTreeMap;
+
 use super::mesh::bounding_box;
+use super::tears::Neighbours;
 use super::vector::Point;
 
 /// How many times its target's median displacement a vertex may move, unless somebody says otherwise.
@@ -63,6 +66,17 @@ pub fn oversize(lengths: Lengths, size: f32, ratio: f32) -> Option<Oversize> {
     }
     let stands_out = longest > ratio * median && longest > ISOLATION * tail && longest > SMALLEST_SHARE * size;
     stands_out.then_some(Oversize::Outlier)
+}
+
+/// Whether the longest displacement of a target leaves those of its neighbours in the mesh. `longest` has all that are
+/// longer than `tail`; `index` is the vertex.
+pub fn is_torn_out(longest: &[(u32, Point)], tail: f32, index: i64, neighbours: &Neighbours) -> bool {
+    let Ok(index) = u32::try_from(index) else { return true };
+    // Of a vertex with several rows the last one counts.
+    let moved: BTreeMap<u32, Point> = longest.iter().copied().collect();
+    let vertices = moved.keys().copied().collect();
+    !moved.contains_key(&index)
+        || neighbours.torn(&vertices, tail, |vertex| moved.get(&vertex).copied()).contains(&index)
 }
 
 /// The longest side of the box around the mesh; `None` without vertices or extent.

@@ -1,6 +1,9 @@
 //! A scene made ready to be looked at in many settings: what the default character is like, and which faces, joints
 //! and bones depend on which vertices.
 
+use std::collections::BTreeSet;
+use std::sync::OnceLock;
+
 use super::attachment::{Probe, probes};
 use super::lists::Lists;
 use super::macros::MacroWork;
@@ -8,9 +11,12 @@ use super::mesh::bounding_box;
 use super::scene::{Scene, Setting, WornAsset};
 use super::skeleton::{PARALLEL_SINE, plane_sine};
 use super::survey::{COLLAPSE_RATIO, EXPLOSION_DIAGONALS, SHORTEST_BONE};
+use super::tears::Neighbours;
 use super::vector::{Point, add, cross, distance, dot, sub};
 use super::walk::{Addable, Stop, Walk};
 
+/// What the groups of joint cubes begin with.
+const JOINTS: &str = "joint-";
 /// Skin vertices around a joint that it is compared with.
 const SKIN_AROUND_JOINT: usize = 16;
 /// Joints times visible vertices that the skin is searched for in: thirty times those of hm08.
@@ -38,6 +44,10 @@ pub struct Surveyor<'s> {
     /// The box widened by nearly what makes an explosion.
     range: (Point, Point),
     pub(super) anchors: Vec<Anchor>,
+    /// For each of these the helper that the joint belongs to, if one is nearer than the skin: that of a tail.
+    pub(super) helpers: Vec<Option<Anchor>>,
+    /// Which vertices are next to one another, once somebody asks.
+    neighbours: OnceLock<Neighbours>,
     /// Whether there are too many joints and vertices to search the skin around each joint.
     pub is_without_anchors: bool,
     /// Bones, vertices of joints, and vertices of the skin around them.
@@ -97,6 +107,8 @@ impl<'s> Surveyor<'s> {
             diagonal: 0.0,
             range: ([0.0; 3], [0.0; 3]),
             anchors: Vec::new(),
+            helpers: Vec::new(),
+            neighbours: OnceLock::new(),
             is_without_anchors: false,
             skeleton_size: 0,
             holds_joint: vec![false; rest.len()],
@@ -158,7 +170,7 @@ impl<'s> Surveyor<'s> {
 
     fn worn_at_rest(&mut self, rest: &[Point]) {
         let mut near = Vec::new();
-        let anchor = |vertex, place| self.anchor(vertex, place, rest, &mut near);
+        let anchor = |vertex, place| self.anchor(&self.visible, vertex, place, rest, &mut near);
         let probes = probes(&self.scene.worn, rest, anchor);
         for vertex in probes.iter().flat_map(Probe::vertices) {
             if let Some(holds) = self.holds_probe.get_mut(vertex as usize) {
@@ -196,6 +208,11 @@ impl<'s> Surveyor<'s> {
         let [first, rest @ ..] = self.scene.face(face.face as usize) else { return [0.0; 3] };
         rest.windows(2)
             .fold([0.0; 3], |sum, pair| add(sum, cross(sub(at(pair[0]), at(*first)), sub(at(pair[1]), at(*first)))))
+    }
+
+    /// Which vertices are next to one another.
+    pub(super) fn neighbours(&self) -> &Neighbours {
+        self.neighbours.get_or_init(|| Neighbours::new(self.scene.positions.len(), self.scene.faces()))
     }
 
     /// Numbers of the visible faces at a vertex.
@@ -241,13 +258,18 @@ impl<'s> Surveyor<'s> {
         self.skeleton_size = skeleton.bones.len() + skeleton.joints.iter().map(Vec::len).sum::<usize>();
         // The skin around a joint is looked at with it.
         self.skeleton_size += SKIN_AROUND_JOINT * skeleton.joints.len();
-        self.is_without_anchors = joints.len().saturating_mul(self.visible.len()) > MOST_PAIRS;
+        let of_helpers = self.of_helpers();
+        let around = self.visible.len().saturating_add(of_helpers.len());
+        self.is_without_anchors = joints.len().saturating_mul(around) > MOST_PAIRS;
         let mut near = Vec::new();
         for (joint, place) in joints.iter().enumerate().filter(|_| !self.is_without_anchors) {
-            let Some(anchor) = self.anchor(joint, *place, rest, &mut near) else { return };
+            let Some(anchor) = self.anchor(&self.visible, joint, *place, rest, &mut near) else { return };
+            let helper = self.anchor(&of_helpers, joint, *place, rest, &mut near);
+            self.helpers.push(helper.filter(|helper| helper.stand < anchor.stand));
             self.anchors.push(anchor);
         }
-        let holding = self.anchors.iter().map(|anchor| &anchor.skin).chain(&skeleton.joints).flatten();
+        let anchors = self.anchors.iter().chain(self.helpers.iter().flatten());
+        let holding = anchors.map(|anchor| &anchor.skin).chain(&skeleton.joints).flatten();
         for vertex in holding {
             if let Some(holds) = self.holds_joint.get_mut(*vertex as usize) {
                 *holds = true;
@@ -260,12 +282,30 @@ impl<'s> Surveyor<'s> {
         }
     }
 
-    /// The visible vertices nearest to a joint. `None` without visible vertices.
-    /// `near` is room for all of them, which is made once.
-    fn anchor(&self, joint: usize, place: Point, rest: &[Point], near: &mut Vec<(f32, u32)>) -> Option<Anchor> {
+    /// The vertices of faces that are not drawn, without the cubes of joints.
+    fn of_helpers(&self) -> Vec<u32> {
+        let is_helper = |group: &u32| {
+            let group = *group as usize;
+            let is_hidden = self.scene.visible.get(group).is_some_and(|visible| !visible);
+            is_hidden && self.scene.groups.get(group).is_some_and(|name| !name.starts_with(JOINTS))
+        };
+        let faces = self.scene.faces().zip(&self.scene.face_groups).filter(|(_, group)| is_helper(group));
+        let vertices: BTreeSet<u32> = faces.flat_map(|(face, _)| face).copied().collect();
+        vertices.into_iter().collect()
+    }
+
+    /// Those of `skin` that are nearest to a joint. `None` without any. `near` is room for all of them, which is made once.
+    fn anchor(
+        &self,
+        skin: &[u32],
+        joint: usize,
+        place: Point,
+        rest: &[Point],
+        near: &mut Vec<(f32, u32)>,
+    ) -> Option<Anchor> {
         let square = |vertex: u32| rest.get(vertex as usize).map(|point| sub(*point, place)).map(|way| dot(way, way));
         near.clear();
-        near.extend(self.visible.iter().filter_map(|vertex| Some((square(*vertex)?, *vertex))));
+        near.extend(skin.iter().filter_map(|vertex| Some((square(*vertex)?, *vertex))));
         let count = SKIN_AROUND_JOINT.min(near.len());
         near.select_nth_unstable_by(count.checked_sub(1)?, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         near.truncate(count);

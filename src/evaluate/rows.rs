@@ -1,5 +1,6 @@
 //! Rows of targets, read when a setting first needs them, and the mesh at a setting.
 
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -9,9 +10,11 @@ use super::opened::Evaluation;
 use crate::diag::{Application, Tally};
 use crate::discover::extension;
 use crate::eval::macros::{MacroFault, MacroWork};
-use crate::eval::proportion::{Lengths, MEDIAN_RATIO, oversize};
+use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, is_torn_out, oversize};
 use crate::eval::scene::{Setting, SettingError};
+use crate::eval::tears::Neighbours;
 use crate::eval::vector::Point;
+use crate::formats::obj::Mesh;
 use crate::formats::target::{self, BlankFacts, Row, Target, TargetFacts};
 use crate::formats::targets_npz;
 use crate::repo::FileFacts;
@@ -159,16 +162,35 @@ fn added(rows: impl Iterator<Item = Row>) -> Vec<Row> {
     sums.into_iter().collect()
 }
 
-/// Rows that rules report for themselves: looking at them again in every setting would say it many times.
-pub(super) fn is_suspect(file: &FileFacts, extent: Option<f32>) -> bool {
-    let Some(facts) = file.target() else { return false };
-    let lengths = facts.largest.map(|largest| Lengths {
-        longest: largest.length,
-        median: facts.median_length,
-        tail: facts.tail_length,
-    });
-    let oversized = lengths.zip(extent).is_some_and(|(lengths, size)| oversize(lengths, size, MEDIAN_RATIO).is_some());
-    facts.non_finite.count > 0 || oversized
+/// Finds targets whose rows rules report for themselves: looking at them again in every setting would say it many times.
+pub(super) struct Suspects<'m> {
+    mesh: &'m Mesh,
+    extent: Option<f32>,
+    neighbours: OnceCell<Neighbours>,
+}
+
+impl<'m> Suspects<'m> {
+    pub(super) fn new(mesh: &'m Mesh) -> Self {
+        Self { mesh, extent: extent(&mesh.positions), neighbours: OnceCell::new() }
+    }
+
+    pub(super) fn has(&self, file: &FileFacts) -> bool {
+        file.target().is_some_and(|facts| facts.non_finite.count > 0 || self.is_oversized(facts))
+    }
+
+    fn is_oversized(&self, facts: &TargetFacts) -> bool {
+        let Some((largest, size)) = facts.largest.zip(self.extent) else { return false };
+        let lengths = Lengths { longest: largest.length, median: facts.median_length, tail: facts.tail_length };
+        match oversize(lengths, size, MEDIAN_RATIO) {
+            Some(Oversize::Outlier) => {
+                let neighbours = self
+                    .neighbours
+                    .get_or_init(|| Neighbours::new(self.mesh.positions.len(), self.mesh.vertices_of_faces()));
+                is_torn_out(&facts.longest, facts.tail_length, largest.index, neighbours)
+            }
+            oversized => oversized.is_some(),
+        }
+    }
 }
 
 /// Whether a target is evaluated: whether its rows say what applications can do.

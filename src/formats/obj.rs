@@ -38,6 +38,13 @@ pub struct Mesh {
     pub facts: MeshFacts,
 }
 
+impl Mesh {
+    /// The vertices of each face.
+    pub fn vertices_of_faces(&self) -> impl Iterator<Item = &[u32]> + Clone {
+        self.faces.iter().map(|face| face.of(&self.corners))
+    }
+}
+
 /// A face: a run of [`Mesh::corners`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Face {

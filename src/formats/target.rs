@@ -316,6 +316,7 @@ impl Parser {
         let outliers = (count / ROWS_PER_OUTLIER).max(1);
         let tail = above.len().checked_sub(1 + outliers);
         facts.tail_length = tail.map_or(*median, |tail| *above.select_nth_unstable_by(tail, f32::total_cmp).1);
+        facts.keep_longest(&self.target.rows);
     }
 
     fn count_repeats(&mut self) {

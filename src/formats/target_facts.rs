@@ -3,6 +3,9 @@
 pub use super::target_blanks::BlankFacts;
 use crate::diag::{Few, Tally};
 
+/// How many times as long as all but the longest two percent a row is whose like are kept.
+const STANDS_OUT: f32 = 2.0;
+
 /// Facts on one target, counted while parsing.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct TargetFacts {
@@ -48,6 +51,9 @@ pub struct TargetFacts {
     pub median_length: f32,
     /// Length that all but the longest two percent (at least one row) stay below or reach, in decimetres.
     pub tail_length: f32,
+    /// The rows that are longer than that, where the longest one is at least [`STANDS_OUT`] times as long: few, and all that
+    /// is needed to see whether it leaves its neighbours in the mesh.
+    pub longest: Vec<(u32, [f32; 3])>,
     /// Largest index.
     pub max_index: Option<i64>,
     /// Base mesh that the header names (`# basemesh NAME`), with its line.
@@ -65,6 +71,15 @@ pub struct TargetFacts {
 }
 
 impl TargetFacts {
+    /// Keeps the longest rows where they stand out.
+    pub(super) fn keep_longest(&mut self, rows: &[(u32, [f32; 3])]) {
+        if self.largest.is_some_and(|largest| largest.length >= STANDS_OUT * self.tail_length) {
+            let square = |delta: &[f32; 3]| delta.iter().map(|part| part * part).sum::<f32>();
+            let least = self.tail_length * self.tail_length;
+            self.longest = rows.iter().filter(|(_, delta)| square(delta) > least).copied().collect();
+        }
+    }
+
     /// Whether there are rows and the vertices stay where they are all the same.
     pub fn moves_nothing(&self) -> bool {
         self.rows > 0 && self.moving == 0 && self.unreadable_rows == 0 && self.non_finite.count == 0

@@ -10,7 +10,6 @@ use crate::eval::makehuman1::Modifiers as Formula;
 use crate::eval::makehuman1::modifiers::{Factor, TargetGroup};
 use crate::eval::makehuman1::variables::{FIRST_RACE, Human, SLIDERS, VARIABLES};
 use crate::eval::measures::Received;
-use crate::eval::proportion::extent;
 use crate::eval::scene::{MorphTarget, Scene, SceneSlider, SliderKind};
 use crate::eval::settings::Dimension;
 use crate::evaluate::data::SkeletonFile;
@@ -18,7 +17,7 @@ use crate::evaluate::files::take_mesh;
 use crate::evaluate::formulas::Formulas;
 use crate::evaluate::gauge::{Composed, Rig};
 use crate::evaluate::opened::{MacroNames, NO_MESH};
-use crate::evaluate::rows::{is_suspect, is_usable};
+use crate::evaluate::rows::{Suspects, is_usable};
 use crate::evaluate::{Error, Evaluation, Rows};
 use crate::formats::modifier_file::Part;
 use crate::formats::obj::Mesh;
@@ -226,12 +225,12 @@ impl<'a> Composer<'a> {
     }
 
     fn take_rows(&mut self, mesh: &Mesh, rows: &mut Rows) {
-        let (vertices, extent) = (mesh.positions.len(), extent(&mesh.positions));
+        let (vertices, suspects) = (mesh.positions.len(), Suspects::new(mesh));
         for (target, file) in self.scene.targets.iter_mut().zip(&self.files) {
             let is_whole = file.target().is_some_and(is_usable);
             let own = rows.remove(&target.path).filter(|own| own.iter().all(|row| (row.0 as usize) < vertices));
             target.rows = own.filter(|_| is_whole);
-            target.suspect = is_suspect(file, extent);
+            target.suspect = suspects.has(file);
         }
     }
 }

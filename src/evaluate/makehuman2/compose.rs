@@ -13,7 +13,6 @@ use crate::eval::makehuman2::MacroTable;
 use crate::eval::makehuman2::macro_def::{Blend, Component, Macrodef, Slider};
 use crate::eval::makehuman2::rest::hierarchy;
 use crate::eval::measures::Received;
-use crate::eval::proportion::extent;
 use crate::eval::scene::{MorphTarget, Scene, SceneSlider, SliderKind};
 use crate::eval::settings::Dimension;
 use crate::eval::skeleton::{Bone, SceneSkeleton};
@@ -21,7 +20,7 @@ use crate::eval::weights::{Entry, LoadedWeights};
 use crate::evaluate::Rows;
 use crate::evaluate::files::take_mesh;
 use crate::evaluate::gauge::{Composed, Rig};
-use crate::evaluate::rows::{is_suspect, is_usable};
+use crate::evaluate::rows::{Suspects, is_usable};
 use crate::formats::macro_json::{self, MacroFile};
 use crate::formats::mhskel::{self, Plane, RotationPlane, Skeleton};
 use crate::formats::mhw::Weights;
@@ -38,7 +37,7 @@ pub(in crate::evaluate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<C
     // With lines that could not be read, vertices have other numbers than their author meant.
     let (_, mesh) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
     let mut composer =
-        Composer { rows, mesh, extent: extent(&mesh.positions), by_path: BTreeMap::new(), scene: Scene::default() };
+        Composer { rows, mesh, suspects: Suspects::new(mesh), by_path: BTreeMap::new(), scene: Scene::default() };
     composer.mesh(base);
     let registered = composer.sliders(base);
     match base.macro_file() {
@@ -68,8 +67,7 @@ pub(in crate::evaluate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<C
 struct Composer<'r, 'm> {
     rows: &'r mut Rows,
     mesh: &'m Mesh,
-    /// The longest side of the mesh.
-    extent: Option<f32>,
+    suspects: Suspects<'m>,
     by_path: BTreeMap<String, usize>,
     scene: Scene,
 }
@@ -141,7 +139,7 @@ impl Composer<'_, '_> {
         });
         let place = self.scene.targets.len();
         self.by_path.insert(path.clone(), place);
-        let suspect = file.is_some_and(|file| is_suspect(file, self.extent));
+        let suspect = file.is_some_and(|file| self.suspects.has(file));
         self.scene.targets.push(MorphTarget { name: name.to_owned(), path, rows, suspect });
         place
     }

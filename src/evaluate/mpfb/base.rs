@@ -8,14 +8,13 @@ use crate::eval::macros::Macros;
 use crate::eval::mpfb::MacroLoops;
 use crate::eval::mpfb::loops::{Axis, DEFAULTS, Source, TargetLoop};
 use crate::eval::mpfb::shares::Part;
-use crate::eval::proportion::extent;
 use crate::eval::scene::{MorphTarget, Scene, SceneSlider, SliderKind};
 use crate::eval::settings::Dimension;
 use crate::evaluate::files::take_mesh;
 use crate::evaluate::formulas::Formulas;
 use crate::evaluate::gauge::Composed;
 use crate::evaluate::opened::{MacroNames, NO_MESH};
-use crate::evaluate::rows::{is_suspect, is_usable};
+use crate::evaluate::rows::{Suspects, is_usable};
 use crate::evaluate::{Error, Evaluation, Rows};
 use crate::formats::macro_parts::{MacroParts, RACES, SETTINGS, Setting};
 use crate::formats::obj::Mesh;
@@ -77,7 +76,7 @@ pub(super) fn compose(view: &View<'_>, rows: &mut Rows) -> Option<Composed> {
     let mut composer = Composer::default();
     let macros = composer.all(view, mesh, |group| group == SHOWN);
     composer.scene.lacks_macros = macros.is_err() && view.parts.as_ref().is_some_and(|parts| parts.is_too_large);
-    let (files, extent) = (view.layers.system.map(|system| &system.files), extent(&mesh.positions));
+    let (files, suspects) = (view.layers.system.map(|system| &system.files), Suspects::new(mesh));
     let by_path = files.into_iter().flat_map(|files| files.values()).map(|file| (file.path.as_str(), file));
     let by_path: BTreeMap<&str, &FileFacts> = by_path.collect();
     let vertices = mesh.positions.len();
@@ -86,7 +85,7 @@ pub(super) fn compose(view: &View<'_>, rows: &mut Rows) -> Option<Composed> {
         let is_whole = file.target().is_some_and(is_usable);
         let own = rows.remove(&target.path).filter(|own| own.iter().all(|row| (row.0 as usize) < vertices));
         target.rows = own.filter(|_| is_whole);
-        target.suspect = is_suspect(file, extent);
+        target.suspect = suspects.has(file);
     }
     Some(Composed { scene: composer.scene, rigs: Vec::new(), is_cut: false })
 }

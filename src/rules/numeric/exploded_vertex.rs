@@ -19,7 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     ],
     docs: "At some slider setting a vertex lies outside the box around the default character by more than 0.6 \
         times the diagonal of that box. The tallest character of MakeHuman's own base stays within 0.41 \
-        diagonals.\n\n\
+        diagonals. A helper that is not drawn and grows steadily, such as a tail, is not reported.\n\n\
         Usually targets that are sound by themselves add up at an extreme setting. The finding is reported at the \
         target that moves the vertex most. A single displacement larger than the whole mesh, or out of proportion \
         to its target, is `target-oversized-delta` instead.\n\n\

@@ -20,7 +20,8 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         A joint is compared with the sixteen vertices of visible skin nearest to it on the default character. Its \
         reach is its distance from the middle of that skin plus the radius of that skin. The distance may grow by \
         three times this reach; in MakeHuman's own base toes and spine come to 2.2 at extremes of age and \
-        weight.\n\n\
+        weight. A joint that a helper is nearer to than the skin, such as that of a tail, is not reported where it stays \
+        in that helper.\n\n\
         Usually a target moves a joint cube but not the skin, or the skin but not the cube. The finding is \
         reported at the target that moves the joint most at that setting. Move the joint cube and the skin \
         together.",

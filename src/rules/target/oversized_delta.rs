@@ -1,5 +1,6 @@
 //! Displacements out of all proportion: a lost decimal point, a wrong unit.
 
+use std::cell::LazyCell;
 use std::collections::BTreeSet;
 
 use super::super::units::centimetres;
@@ -11,8 +12,9 @@ use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Confidence, Finding, Level, OptionInfo, RuleInfo,
 };
-use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, oversize};
-use crate::formats::target::Largest;
+use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, is_torn_out, oversize};
+use crate::eval::tears::Neighbours;
+use crate::formats::target::{Largest, TargetFacts};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -24,10 +26,10 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     docs: "A displacement is out of proportion to the mesh or to the rest of its target.\n\n\
         Reported are a vertex that moves farther than the size of the whole base mesh, and a vertex that stands \
         out from its own target: many times the median of the target, several times as far as all but its longest \
-        rows, and a considerable part of the mesh. Also reported is a slider target that as a whole moves more \
+        rows, and a considerable part of the mesh, while its neighbours in the mesh do not move alike. Also reported is a slider target that as a whole moves more \
         than five times as far as each of the others in its folder, if there are at least four targets, \
         and one that moves eight times as far as the other end of its slider.\n\n\
-        A target that changes everything a lot, or grows steadily towards one place, is not reported. Without the \
+        A target that changes everything a lot, or grows steadily towards one place, such as a tail, is not reported. Without the \
         base mesh (`--system`) nothing is checked.\n\n\
         Usually a decimal point is missing (`119` for `.119`), or the shape was exported in other units; MakeHuman \
         counts in decimetres. Check the row; if the shape is intended, raise `ratio`.",
@@ -46,6 +48,14 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(size) = mesh.and_then(|(_, mesh)| extent(&mesh.positions)) else { return };
     #[expect(clippy::cast_possible_truncation, reason = "a factor set by people")]
     let ratio = cx.option(&RULE, "ratio") as f32;
+    let neighbours = LazyCell::new(|| {
+        let mesh = mesh.map(|(_, mesh)| mesh);
+        mesh.map(|mesh| Neighbours::new(mesh.positions.len(), mesh.vertices_of_faces()))
+    });
+    let is_torn = |facts: &TargetFacts, index| {
+        let neighbours = neighbours.as_ref();
+        neighbours.is_none_or(|neighbours| is_torn_out(&facts.longest, facts.tail_length, index, neighbours))
+    };
     let mut told: BTreeSet<&str> = BTreeSet::new();
     for (_, file, facts) in targets(body) {
         // A vertex that does not exist has a finding of its own.
@@ -56,11 +66,11 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             Some(Oversize::BeyondMesh) => {
                 (format!("more than the whole base mesh ({:.1} cm)", centimetres(size)), Confidence::High)
             }
-            Some(Oversize::Outlier) => {
+            Some(Oversize::Outlier) if is_torn(facts, largest.index) => {
                 let times = largest.length / facts.median_length;
                 (format!("{times:.0} times the median of this target"), Confidence::Medium)
             }
-            None => continue,
+            _ => continue,
         };
         let message = format!("{}, {what}", moves(body, &largest));
         told.insert(file.path.as_str());
