@@ -105,6 +105,10 @@ pub(crate) enum Single {
     Thumbnail,
     /// A target of a user of MakeHuman 1, which has a slider for itself.
     OwnTarget,
+    /// The mesh that MakeHuman 2 shows for a lamp.
+    LampSymbol,
+    /// A side of a skybox of MakeHuman 2.
+    SkySide,
 }
 
 /// What is asked of a name or path.

@@ -15,7 +15,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         `rigs/<base>/`.\n\nWithout `base.json`, without the mesh, or with a start model that does not exist, \
         MakeHuman 2 crashes when it loads the base. With a skeleton that does not exist it shows a message \
         whenever poses or rigs are opened, has no bone weights for assets, and crashes with `AttributeError` in \
-        the editors and the glTF export. Targets for a base that does not exist are never loaded (a \
+        the editors (up to 2026-08-05 also in the glTF export). Targets for a base that does not exist are never loaded (a \
         warning).\n\nThe sliders come from `modelling.json` in `target/<base>/`, their macros from `macro.json` \
         beside it. Without the first all targets are lost, without the second those of the macros; only a log \
         line says so. Both are errors. A base whose sliders need no macros may do without `macro.json`. The \

@@ -25,6 +25,7 @@ use super::Rule;
 use super::cause::mesh::weigh;
 use super::proxy::{STOPS_WITH_INDEX, STOPS_WITH_OVERFLOW};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level};
+use crate::discover::Single;
 use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::obj::MeshFacts;
 use crate::repo::makehuman1::mesh_archive;
@@ -68,8 +69,14 @@ fn read<'f>(view: &View<'_>, file: &'f FileFacts) -> Option<ReadMesh<'f>> {
     if let Some(mesh) = file.mesh() {
         return Some(ReadMesh { facts: &mesh.facts, faces: mesh.faces.len(), uvs: mesh.uvs.len(), asset: None });
     }
-    let asset = of_asset(view, file)?;
-    Some(ReadMesh { facts: &asset.facts, faces: asset.faces, uvs: asset.uvs, asset: Some(asset) })
+    of_asset(view, file).map(ReadMesh::of)
+}
+
+/// The mesh that MakeHuman 2 shows for a lamp, which nothing names (formats/additions.md 1.3).
+fn lamp_symbol<'f>(view: &View<'_>, file: &'f FileFacts) -> Option<ReadMesh<'f>> {
+    let is_read = (view.layout().single)(&file.rel) == Some(Single::LampSymbol) && view.layers().checks_system();
+    let asset = file.asset_mesh().filter(|_| is_read && file.encoding.invalid_utf8_at.is_none());
+    asset.map(ReadMesh::of)
 }
 
 /// The mesh of an asset, if some asset names it.
@@ -81,7 +88,11 @@ fn of_asset<'f>(view: &View<'_>, file: &'f FileFacts) -> Option<&'f AssetMesh> {
     mesh.filter(|mesh| !is_packed(mesh))
 }
 
-impl ReadMesh<'_> {
+impl<'f> ReadMesh<'f> {
+    fn of(asset: &'f AssetMesh) -> Self {
+        Self { facts: &asset.facts, faces: asset.faces, uvs: asset.uvs, asset: Some(asset) }
+    }
+
     /// A finding with the consequence for the sort of mesh.
     fn weigh(&self, view: &View<'_>, file: &FileFacts, finding: Finding, of_asset: Case) -> Finding {
         if self.asset.is_some() { finding.case(of_asset) } else { weigh(view, file, finding) }

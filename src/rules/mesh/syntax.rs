@@ -1,7 +1,8 @@
 //! Every line of a mesh must be readable.
 
+use super::super::cause::consequence::NO_LAMP;
 use super::super::{Check, Rule, RuleCx, such};
-use super::{ASSET_INDEX, ASSET_VALUE, ReadMesh, read};
+use super::{ASSET_INDEX, ASSET_VALUE, ReadMesh, lamp_symbol, read};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
@@ -16,7 +17,8 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         `vertex//normal` or `vertex/uv/normal` in whole numbers, and a face that is drawn has at least three \
         corners. Fewer corners are harmless in hidden groups. Lines other than these and `g name` are ignored.\n\n\
         MakeHuman 2 reads the numbers without checking them and crashes on the first one that is missing or not a \
-        number: at start for a base mesh, and when an asset is put on for its mesh. A line cannot be continued with \
+        number: at start for a base mesh and for the symbol of a lamp (`shaders/meshes/lampsymbol.obj`), and when an asset is put \
+        on for its mesh. A line cannot be continued with \
         `\\`.\n\nMakeHuman 1 loads no mesh with such a line: the asset cannot be put on, and with such a base mesh the program does not start. It also needs a name behind `g` and `o`.\n\nBlender reads on: of `0,5` it takes `0`. Places in the mesh of an asset are not used by MPFB (an info), but faces that Blender cannot read are lost.\n\n\
         Export the mesh again, or fix the line.",
     counts: "lines",
@@ -30,8 +32,11 @@ const OTHER_PLACES: Case = &[(
     "takes other numbers for those that it cannot read, and never uses them: places come from the rows of the asset",
 )];
 
+const NO_LAMP_SYMBOL: Case = &[(Makehuman2, Level::Error, NO_LAMP)];
+
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(mesh) = read(view, file) else { return };
+    let of_lamp = lamp_symbol(view, file);
+    let Some(mesh) = of_lamp.or_else(|| read(view, file)) else { return };
     let short = short_face(view, file, &mesh);
     out.extend(short.map(|finding| mesh.weigh(view, file, finding, ASSET_INDEX)));
     if view.is_makehuman1() {
@@ -55,6 +60,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let case = match view.is_mpfb() {
         true if mesh.facts.unreadable.iter().any(is_face) => LOST_FACES,
         true => OTHER_PLACES,
+        false if of_lamp.is_some() => NO_LAMP_SYMBOL,
         false => ASSET_VALUE,
     };
     out.push(mesh.weigh(view, file, finding, case));

@@ -1,5 +1,6 @@
 //! A skeleton needs `bones` and `joints`, a bone `head` and `tail`.
 
+use super::super::cause::consequence::NOT_SCANNED;
 use super::super::cause::schema::misspelt;
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
@@ -17,18 +18,15 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ],
     docs: "A skeleton without `bones` or `joints`, or a bone without `head` or `tail`.\n\n\
         MakeHuman 2 checks for them before anything else and rejects the whole skeleton if one is missing. An \
-        empty file (`{}`) is worse: the scan of all assets crashes on it at start.\n\n\
+        empty file (`{}`) is worse: up to 2026-08-05 the scan of all assets crashes on it at start; newer programs \
+        do not list it.\n\n\
         MakeHuman 1 does without `joints`: a bone may end at a group of the mesh, `joint-NAME`.\n\n\
         Add what is missing. A bone without an end of its own can end at the joint where the next bone begins.",
     counts: "bones",
     ..RuleInfo::new("skeleton-missing-section", Level::Error, "a required part of a skeleton is missing")
 });
 
-const EMPTY: Case = &[(
-    Makehuman2,
-    Level::Error,
-    "crashes at start with `AttributeError` while scanning the assets; afterwards all assets are missing",
-)];
+const EMPTY: Case = &[(Makehuman2, Level::Error, NOT_SCANNED)];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {

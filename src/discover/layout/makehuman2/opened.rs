@@ -71,12 +71,22 @@ pub(crate) fn in_place_of(suffix: &str) -> &'static [&'static str] {
     }
 }
 
+/// Whether a file of a skybox has the name of one of its sides.
+fn is_side(file: &str) -> bool {
+    file.rsplit_once('.').is_some_and(|(side, suffix)| SKY_SIDES.contains(&side) && matches!(suffix, "png" | "jpg"))
+}
+
+/// The sides of a skybox, by their names.
+pub(crate) const SKY_SIDES: [&str; 6] = ["posx", "negx", "posy", "negy", "posz", "negz"];
+
 pub(super) fn single(rel: &str) -> Option<Single> {
     match rel.split('/').collect::<Vec<_>>().as_slice() {
         ["base", "hm08", "geometry.json"] => Some(Single::ScriptedRanges),
         ["base", _, "face-poses.json"] => Some(Single::Expressions),
         ["base", _, "body-poses.json"] => Some(Single::Poses),
         ["base", ..] => Some(Single::BesideBase),
+        ["shaders", "meshes", "lampsymbol.obj"] => Some(Single::LampSymbol),
+        ["shaders", "skybox", _, file] if is_side(file) => Some(Single::SkySide),
         _ if extension(rel) == "thumb" => Some(Single::Thumbnail),
         _ => None,
     }

@@ -1,5 +1,5 @@
 //! What MakeHuman 2 does with a file that it cannot read or find (formats/makehuman2.md §1, §2, §3.6, §4.3, §5.2, §7, §9, §10,
-//! §11, §12, §17, §19, §20, §21).
+//! §11, §12, §17, §19, §20, §21; formats/additions.md 1.2, 1.3, 4).
 
 use super::super::overlay::{SystemFolder, system_folder};
 use super::table::At::{self, Generated, Replaced, Scanned};
@@ -19,7 +19,7 @@ use ReferenceKind::{
     AssetMaterial, AssetMesh, AssetWeights, Decr, Icon, Incr, MacroTarget, Model, ModelMaterial, ModelSkeleton,
     PoseSkeleton, Skin, Texture, WeightsFile,
 };
-use Single::{BesideBase, Expressions, Poses, ScriptedRanges, Thumbnail};
+use Single::{BesideBase, Expressions, LampSymbol, Poses, ScriptedRanges, SkySide, Thumbnail};
 
 pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_general: IN_GENERAL, unfound: UNFOUND };
 
@@ -37,10 +37,14 @@ pub(super) const REFUSED_ASSET: &str = "refuses the asset with a message: it can
 pub(super) const NO_WEIGHTS_LOADED: &str = "loads no weights: in pose mode the mesh collapses to the origin";
 /// What becomes of a base without a skeleton for poses.
 pub(in crate::rules) const NO_POSE_SKELETON: &str = "has no poses and no bone weights for assets, shows a message whenever \
-    poses or rigs are opened, and crashes with `AttributeError` in the editors and the glTF export";
+    poses or rigs are opened, and crashes with `AttributeError` in the editors, up to 2026-08-05 also in the glTF export";
 const TYPE_ERROR: &str = "crashes at start with `TypeError`";
 const NO_BASE: &str = "does not load the base mesh";
-const SCAN_SYNTAX: Cell = cell(Syntax, Error, "crashes at start with `AttributeError` while scanning the assets");
+/// What becomes of a `.mhskel` or `.mhpose` of which the scan of assets makes nothing; since 08f975c it does not stop there
+/// (formats/additions.md 4).
+pub(in crate::rules) const NOT_SCANNED: &str = "up to 2026-08-05 crashes at start with `AttributeError` while scanning \
+    the assets; since 2026-08-14 logs a line and does not list the file";
+const SCAN_SYNTAX: Cell = cell(Syntax, Error, NOT_SCANNED);
 const TOOLS: &str = "never reads it; the tools that read it crash";
 const DROPS: Cell = cell(NotUtf8, Warning, "drops the bytes that are not UTF-8");
 const NO_EXPRESSIONS: &str = "offers no expressions for the base";
@@ -68,6 +72,11 @@ const NO_PICTURE: &[Cell] = &[
     exports if a material names it",
     ),
 ];
+/// The symbol of a lamp is loaded while OpenGL is made ready (formats/additions.md 1.3).
+pub(in crate::rules) const NO_LAMP: &str = "crashes at every start with a segmentation fault";
+/// A side is handed to OpenGL as it is (formats/additions.md 1.2).
+const NO_SKY: &str = "crashes with a segmentation fault when the skybox is shown, at every start if it is that of \
+    `shader.json`";
 const NO_USER_ICON: &str = "crashes at start with `FileNotFoundError` if the picture is a broken link";
 const BINARY: Cell = level(Pointer, Warning);
 
@@ -207,6 +216,10 @@ const ROWS: &[Row] = &[
         cell(MarkedComment, Error, "rejects the file: it must begin with `HIERARCHY`"),
     ]),
     anywhere(Kind::MotionMeta, Scan, &[DROPS, cell(Empty, Warning, "names the pose after its file")]),
+    row(Kind::AssetMesh, At::Single(LampSymbol), Start, &[
+        cells(LOST_WHOLE, Error, NO_LAMP),
+        cell(NotUtf8, Error, NO_LAMP),
+    ]),
     anywhere(Kind::AssetMesh, Use, &[NO_ATTACHMENT]),
     row(Kind::Packed, Scanned, Scan, &[
         cell(Pointer, Error, "crashes at start with `BadZipFile` while scanning the assets; the next start has no assets at all"),
@@ -219,6 +232,9 @@ const ROWS: &[Row] = &[
         cell(Pointer, Warning, "shows an empty picture in the list"),
         cell(Empty, Warning, "shows an empty picture in the list"),
     ]),
+    row(Kind::Image, At::Single(SkySide), Use, &[
+        cells(LOST_WHOLE, Error, NO_SKY),
+    ]),
     anywhere(Kind::Image, Use, NO_PICTURE),
     anywhere(Kind::Other, Use, &[BINARY, cell(Dangling, Info, "passes over it")]),
 ];
@@ -227,7 +243,7 @@ const AT_MOMENT: &[(Moment, Cell)] = &[
     (Start, cell(NotUtf8, Error, "crashes at start with `UnicodeDecodeError`")),
     (Scan, cell(NotUtf8, Error, "crashes at start with `UnicodeDecodeError` while scanning the assets")),
     (Scan, cell(Dangling, Error, "crashes at start with `FileNotFoundError` while scanning the assets")),
-    (Scan, cell(Refused, Error, "crashes at start with `AttributeError` while scanning the assets")),
+    (Scan, cell(Refused, Error, NOT_SCANNED)),
     (Tools, cell(NotUtf8, Warning, TOOLS)),
     (Tools, cell(Refused, Warning, TOOLS)),
 ];

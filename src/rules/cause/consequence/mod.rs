@@ -14,7 +14,7 @@ mod values;
 
 pub(in crate::rules) use makehuman1::{NO_FRAME, STOPS_AT_START};
 pub(in crate::rules) use makehuman2::{
-    ARCHIVED, NEVER_OPENED, NO_POSE_SKELETON, UNREAD_MESH, ignored_override, is_opened_by_scripts,
+    ARCHIVED, NEVER_OPENED, NO_LAMP, NO_POSE_SKELETON, NOT_SCANNED, UNREAD_MESH, ignored_override, is_opened_by_scripts,
 };
 use table::{Row, Spot, Standing, Table};
 pub use unread::Unread;

@@ -60,6 +60,8 @@ const fn role(at: &At) -> &'static str {
             Single::FirstScene => "of the start",
             Single::Thumbnail => "shown in a library",
             Single::OwnTarget => "of a user, in `custom/`",
+            Single::LampSymbol => "the symbol of a lamp, `shaders/meshes/lampsymbol.obj`",
+            Single::SkySide => "a side of a skybox",
         },
     }
 }
