@@ -42,8 +42,7 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                 | Kind::Image
         ),
         Application::Mpfb => {
-            // What the loader of the randomizer takes is not known.
-            kind.is_judged_by_loader() && !matches!(kind, Kind::RandomizationPreset)
+            kind.is_judged_by_loader()
                 || matches!(
                     kind,
                     Kind::BaseMesh

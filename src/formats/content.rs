@@ -37,6 +37,7 @@ use super::picture_list::PictureList;
 use super::pose_units::PoseUnits;
 use super::program::{Shaders, Version};
 use super::proxy_corrections::ProxyCorrections;
+use super::randomization::Randomization;
 use super::rig::Rig;
 use super::scene::Scene;
 use super::selection_filter::SelectionFilter;
@@ -112,6 +113,8 @@ pub enum Content {
     PackMetadata(Box<PackMetadata>),
     /// A JSON of which nothing matters but what its loader cannot take.
     Loaded(Box<LoaderFaults>),
+    /// A preset of the randomizer of MPFB.
+    Randomization(Box<Randomization>),
     /// A rig of MPFB.
     Rig(Box<Rig>),
     /// `.mhskel`.

@@ -71,6 +71,7 @@ pub mod picture_list;
 pub mod pose_units;
 pub mod program;
 pub mod proxy_corrections;
+pub mod randomization;
 mod readers;
 pub mod rig;
 pub mod scene;

@@ -9,8 +9,8 @@ use super::readers::{
 use super::{
     Content, Input, Parsed, base_json, face_expression, face_units, geometry, human_preset, importer_preset, ink_layer,
     look_settings, macro_json, macro_parts, mesh_metadata, mhskel, modelling, modifier_file, modifier_sliders,
-    modifier_texts, node_tree, pack_metadata, pose_units, program, proxy_corrections, rig, selection_filter,
-    target_cat, target_catalog,
+    modifier_texts, node_tree, pack_metadata, pose_units, program, proxy_corrections, randomization, rig,
+    selection_filter, target_cat, target_catalog,
 };
 use crate::discover::Kind;
 use crate::json::Document;
@@ -137,7 +137,9 @@ pub(crate) static FORMATS: [Format; 68] = [
     json(Kind::MakeupPreset, "makeup preset", "mpfb_makeup", |json| {
         Content::Makeup(Box::new(importer_preset::makeup(json)))
     }),
-    json(Kind::RandomizationPreset, "randomization preset", "mpfb_randomization", |_| Content::Json),
+    json(Kind::RandomizationPreset, "randomization preset", "mpfb_randomization", |json| {
+        Content::Randomization(Box::new(randomization::read(json)))
+    }),
     json(Kind::EyeSettings, "eye settings", "mpfb_eyes", |json| Content::Loaded(Box::new(look_settings::eyes(json)))),
     json(Kind::SkinSettings, "skin settings", "mpfb_skin", |json| Content::Loaded(Box::new(look_settings::skin(json)))),
     tree(Kind::ConfigJson, "JSON", |json| match json.root.get("phenotype") {
@@ -194,7 +196,7 @@ pub(crate) static FORMATS: [Format; 68] = [
     read(Kind::AssetMesh, "mesh", Syntax::Text, asset_mesh),
     read(Kind::ShaderSource, "shader", Syntax::Text, shader_source),
     read(Kind::UvMap, "map of texture coordinates", Syntax::Text, uv_map),
-    plain(Kind::ProgramSettings, "settings of the program", Syntax::Json),
+    json(Kind::ProgramSettings, "settings of the program", "mh1_settings", |_| Content::Json),
     read(Kind::Scene, "scene", Syntax::Binary, scene),
     read(Kind::LibraryCache, "list of a library", Syntax::Binary, library_cache),
     Format { needs: Needs::Mesh, ..read(Kind::Packed, "file", Syntax::Binary, zip) },

@@ -101,7 +101,7 @@ impl Schema {
     }
 }
 
-static SCHEMAS: [Schema; 38] = [
+static SCHEMAS: [Schema; 39] = [
     Schema::new("base", include_str!("../../schemas/base.schema.json")),
     Schema::new("config", include_str!("../../schemas/config.schema.json")),
     Schema::new("geometry", include_str!("../../schemas/geometry.schema.json")),
@@ -110,6 +110,7 @@ static SCHEMAS: [Schema; 38] = [
     Schema::new("mh1_language", include_str!("../../schemas/mh1_language.schema.json")),
     Schema::new("mh1_modifiers", include_str!("../../schemas/mh1_modifiers.schema.json")),
     Schema::new("mh1_sliders", include_str!("../../schemas/mh1_sliders.schema.json")),
+    Schema::new("mh1_settings", include_str!("../../schemas/mh1_settings.schema.json")),
     Schema::new("mh1_units", include_str!("../../schemas/mh1_units.schema.json")),
     Schema::new("mhpose", include_str!("../../schemas/mhpose.schema.json")),
     Schema::new("mhskel", include_str!("../../schemas/mhskel.schema.json")),

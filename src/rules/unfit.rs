@@ -189,7 +189,7 @@ pub(super) fn names(pointer: &str) -> Vec<String> {
 }
 
 /// `b[1]` of `a` for `/a/b/1`: the value and what it belongs to.
-fn subject(pointer: &str) -> String {
+pub(super) fn subject(pointer: &str) -> String {
     let names = names(pointer);
     match names.as_slice() {
         [] => "the file".to_owned(),

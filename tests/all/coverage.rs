@@ -48,7 +48,6 @@ A run names the files of which it did not check the contents, and why (`Not chec
 
 **MPFB**
 
-- Presets of the randomizer beyond their schema: what its loader accepts is not known.
 - `hair/haireditor/*.blend`, `logs/`, `cache/`, and what Blender itself stores.
 ";
 

@@ -1,7 +1,7 @@
 //! What `makehuman2_version.json` names must exist.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::mpfb_content;
+use super::{mpfb_content, version_keys};
 use crate::diag::{
     Application::{Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo, nearest,
@@ -17,8 +17,13 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     docs: "`support_urls` in `makehuman2_version.json` names, for each entry of a menu, a key of the same file with an \
         address. `standardmesh` names a base mesh.\n\n\
         Without the key MakeHuman 2 crashes. A base mesh that does not exist is never chosen (a warning).\n\n\
-        Of MPFB the rule looks at presets of the importer, makeup, settings of eyes and skins and node trees: values that their \
-        loaders do not take, misspelt keys, ink layers that do not exist, and a second link to one input of a node.\n\n\
+        The download panel needs `url_assetlist`, `url_assetpacklist` and `url_assetpacks`, a download `url_fileserver`, and \
+        `makehuman.py --version` needs `url_mhcommunity` (a warning). Of a file without `suffix`, which is of an older version, \
+        none is asked for.\n\n\
+        Of MPFB the rule looks at presets of the importer and of the randomizer, makeup, settings of eyes and skins and node \
+        trees: values that their loaders do not take, misspelt keys, ink layers that do not exist, and a second link to one \
+        input of a node. A preset of the randomizer needs every key, and settings for every section of `target.json` that has \
+        sliders.\n\n\
         Add the key, or correct the name. Missing keys and wrong types are reported by `json-schema`.",
     ..RuleInfo::new("program-file-content", Level::Error, "a file of the program names something that does not exist")
 });
@@ -29,6 +34,7 @@ fn run(view: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding
     mpfb_content::faults(&RULE, view, file, cx, out);
     let Some(version) = file.version() else { return };
     out.extend(version.support.iter().filter_map(|(label, key)| support(file, version, label, key)));
+    out.extend(version_keys::missing(&RULE, file, version, cx));
     out.extend(version.standard_mesh.as_deref().and_then(|mesh| standard_mesh(view, file, mesh)));
 }
 

@@ -17,10 +17,11 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         (Mpfb, "fails where it needs the file"),
     ],
     docs: "The data folder of MakeHuman 2 itself needs `makehuman2_version.json` and `shaders/shader.json`. Without the first \
-        the program exits at start with code 20, without the second with code 21.\n\n\
+        the program exits at start with code 20, without the second with code 21. Where there are shaders, \
+        `shaders/meshes/lampsymbol.obj` belongs to them (a warning).\n\n\
         The rule asks for them only where the folder holds other parts of the program: shaders, or one of the two.\n\nOf the data of MakeHuman 1 the rule asks for the base mesh, the base skeleton, the default skin, its litspheres, the default eyes, the first scene and the shaders, each only where other files of its folder are there.\n\n\
         MPFB opens files of its own data by their names: `target.json` and `macro.json`, `base.obj`, the files of \
-        `mesh_metadata`, settings and node trees, and the folders `targets/_images` and `textures`. Without the catalogue, the \
+        `mesh_metadata`, settings and node trees, and the folders `targets/_images` and `textures`, with ten pictures of the skin. Without the catalogue, the \
         macros, the vertex groups or the icons the add-on cannot be enabled; without the others it fails where it needs them. \
         Capitals count.\n\n\
         Restore the file from the program.",
@@ -52,7 +53,15 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .effect_in(view.application(), format!("exits at start with code {code}"));
         out.push(finding.help("restore the file from the download of the program"));
     }
+    if has_shaders(system) && !exists(system, LAMP) {
+        let finding = RULE.in_layer(system, LAMP, format!("`{LAMP}` does not exist")).case(NO_LAMP);
+        out.push(finding.help("restore the file from the download of the program"));
+    }
 }
+
+/// The mesh that is shown for a lamp (formats/additions.md 1.3).
+const LAMP: &str = "shaders/meshes/lampsymbol.obj";
+const NO_LAMP: Case = &[(Makehuman2, Level::Warning, "logs a line at start and shows no symbol for lamps")];
 
 /// What is there and cannot be read has a finding of its own; one with other capitals is as good as none on Linux.
 fn exists(layer: &Layer, rel: &str) -> bool {
@@ -60,9 +69,12 @@ fn exists(layer: &Layer, rel: &str) -> bool {
 }
 
 fn holds_program(layer: &Layer) -> bool {
+    NEEDED.iter().any(|(rel, _)| exists(layer, rel)) || has_shaders(layer)
+}
+
+fn has_shaders(layer: &Layer) -> bool {
     let is_shader = |rel: &str| matches!(rel.rsplit('.').next(), Some("vert" | "frag"));
-    let mut shaders = layer.below("shaders");
-    NEEDED.iter().any(|(rel, _)| exists(layer, rel)) || shaders.any(|file| is_shader(&file.rel))
+    layer.below("shaders").any(|file| is_shader(&file.rel))
 }
 
 /// What MakeHuman 1 opens by name, the folder whose other files show that it belongs there, and what is lost with it

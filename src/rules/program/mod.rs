@@ -6,7 +6,10 @@ mod mpfb_content;
 mod mpfb_files;
 pub(in crate::rules) mod older_version;
 pub(in crate::rules) mod partial_copy;
+mod randomization;
+mod sky_sides;
 pub(in crate::rules) mod skybox;
+mod version_keys;
 
 use super::Rule;
 

@@ -1,8 +1,9 @@
-//! Presets, settings and node trees of MPFB, as far as their loaders do not take them (formats/mpfb.md §7.3, §28).
+//! Presets, settings and node trees of MPFB, as far as their loaders do not take them (formats/mpfb.md §7.3, §28; formats/additions.md 1.5).
 
 use super::super::unfit::{findings, is_misspelt};
 use super::super::{Rule, RuleCx, did_you_mean, such};
 use super::mpfb_files::{OWN_SKIN_SETTINGS, SKIN_SETTINGS, has_own_skin_settings};
+use super::randomization;
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
 use crate::discover::Kind;
 use crate::formats::unfit::{NamedAt, Why};
@@ -31,6 +32,9 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, file: &FileFacts, cx: &RuleCx
         let stops = findings(rule, file, &makeup.stops, cx);
         out.extend(stops.map(|(_, finding)| finding.case(STOPPED_MAKEUP)));
         out.extend(missing_layers(rule, own, file, &makeup.layers, cx));
+    }
+    if let Some(preset) = file.randomization() {
+        randomization::faults(rule, own, file, preset, cx, out);
     }
     let Some(faults) = file.loader_faults() else { return };
     // Of the skin the user's copy is read, once there is one.

@@ -1,10 +1,11 @@
-//! Files without which MPFB does not work, or not as it should (formats/mpfb.md §1, §28; formats/mpfb-observed.md 1.1, 2.4, 2.6, 2.11).
+//! Files without which MPFB does not work, or not as it should (formats/mpfb.md §1, §28; formats/mpfb-observed.md 1.1, 2.4, 2.6, 2.11;
+//! formats/additions.md 1.4).
 
 use std::collections::BTreeSet;
 
 use super::super::Rule;
 use super::super::cause::differing;
-use crate::diag::{Application::Mpfb, Case, Finding, Level};
+use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level};
 use crate::repo::mpfb::lost_rigs;
 use crate::repo::{Layer, View};
 
@@ -41,17 +42,22 @@ const NO_BODY: Case = &[(Mpfb, Level::Error, "starts, and fails with `OSError` a
 const NO_SKIN: Case =
     &[(Mpfb, Level::Error, "fails with `FileNotFoundError` at the first enhanced skin, after its material was made")];
 const NO_EYES: Case = &[(Mpfb, Level::Info, "silently makes eyes with the defaults of the shader")];
-const NO_PICTURES: Case = &[(
+/// A node asks for each of these by its name (§28; formats/additions.md 1.4).
+const SKIN_MAPS: [&str; 10] =
+    ["aureolae", "crotch", "ears", "eyelids", "face", "fingernails", "genitals", "inside-mouth", "lips", "toenails"];
+const NO_SKIN_MAP: Case = &[(
     Mpfb,
-    Level::Warning,
-    "makes materials without the pictures of its own that they name, with messages in the log",
+    Level::Error,
+    "fails with `RuntimeError` at each layered skin, which is left half-made: ink layers fail after it",
 )];
+const NO_SCATTERING: Case =
+    &[(Mpfb, Level::Warning, "makes skins without the map of scattering light, with a message in the log")];
 const NO_MATERIAL: Case = &[(Mpfb, Level::Error, "fails when it makes a material of this kind")];
 
 const NO_RIG: Case = &[(Mpfb, Level::Error, "offers the rig, and fails with `OSError` when it is chosen")];
 
 /// Folders that must exist: of the icons of sliders any may be missing.
-const FOLDERS: [(&str, Case); 2] = [("targets/_images", NO_START), ("textures", NO_PICTURES)];
+const FOLDERS: [(&str, Case); 2] = [("targets/_images", NO_START), ("textures", NO_SKIN_MAP)];
 
 /// Whether the user has a copy of the settings of skins, which is read in place of the shipped one.
 pub(super) fn has_own_skin_settings(view: &View<'_>) -> bool {
@@ -90,7 +96,30 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Ve
         };
         out.push(finding.case(case));
     }
+    out.extend(missing_maps(rule, system));
     true
+}
+
+/// Pictures of the skin that are missing one by one; of the whole folder there is a finding above.
+fn missing_maps(rule: &Rule, system: &Layer) -> Vec<Finding> {
+    if !system.has_folder("textures") || system.has_fault("textures") {
+        return Vec::new();
+    }
+    let is_missing = |rel: &String| !exists(system, rel);
+    let maps: Vec<String> =
+        SKIN_MAPS.iter().map(|name| format!("textures/mpfb_{name}.jpg")).filter(is_missing).collect();
+    let scattering = Some("textures/sss.png".to_owned()).filter(is_missing);
+    let of_maps = maps.first().map(|first| {
+        let message = match maps.len() {
+            1 => format!("`{first}` does not exist"),
+            count => format!("{count} pictures of the skin do not exist, first `{first}`"),
+        };
+        let finding = rule.in_layer(system, first, message).key("maps").case(NO_SKIN_MAP).parts(&maps);
+        finding.evidence(Evidence::of_cases(&maps).out_of(SKIN_MAPS.len()))
+    });
+    let of_scattering = scattering.map(|rel| rule.in_layer(system, &rel, format!("`{rel}` does not exist")));
+    let all = of_maps.into_iter().chain(of_scattering.map(|finding| finding.case(NO_SCATTERING)));
+    all.map(|finding| finding.help("restore the pictures from the download of the add-on")).collect()
 }
 
 /// The folder that something lies in and that differs from the name in its capitals alone.

@@ -1,58 +1,103 @@
-//! A skybox has six sides.
+//! A skybox has six sides (formats/makehuman2.md §21; formats/additions.md 1.2).
+
+use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{FileFacts, View};
+use super::sky_sides::{Shown, faults};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::discover::{SKY_SIDES, Single};
+use crate::formats::program::Shaders;
+use crate::repo::{FileFacts, Layer, View};
 
-pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "leaves out the missing sides of the background")],
-    docs: "`skyboxname` in `shaders/shader.json` names a folder in `shaders/skybox/` with six pictures: `posx`, `negx`, \
-        `posy`, `negy`, `posz` and `negz`, as `.png` or `.jpg`. The user's folder is used before the system's, as a \
-        whole.\n\n\
-        MakeHuman 2 leaves out the sides that are missing, and takes all of them to be 2048 pixels wide and high.\n\n\
-        Add the pictures in this size, or name another folder.",
-    ..RuleInfo::new("program-skybox", Level::Warning, "a side of the skybox does not exist")
+    docs: "A skybox is a folder in `shaders/skybox/` with six pictures: `posx`, `negx`, `posy`, `negy`, `posz` and `negz`, as \
+        `.png` or `.jpg`. `skyboxname` in `shaders/shader.json` names the one that is shown at start; the others are chosen in \
+        the window of the scene. The user's folder is used before the system's, as a whole.\n\n\
+        MakeHuman 2 leaves out the sides that are missing. Of each side it takes as many bytes as 2048 by 2048 pixels of 4 \
+        bytes have, without asking how many there are. A side that is smaller, in shades of grey, with a table of colours, or \
+        not a picture at all crashes the program with a segmentation fault (an error): at every start if it belongs to the skybox \
+        of `shader.json`. A larger one is cut off (an info).\n\n\
+        Add the pictures in this size and in full colour, or name another folder.",
+    ..RuleInfo::new("program-skybox", Level::Warning, "a side of a skybox is missing or cannot be shown")
 });
 
-const OTHER_SIZE: Case = &[(Makehuman2, Level::Warning, "shows the side cut off or with a border of noise")];
+const SHADERS: &str = "shaders/shader.json";
+const FOLDER: &str = "shaders/skybox";
 
-/// What every side is taken to have, in pixels.
-const SIZE: (u64, u64) = (2048, 2048);
-const SIDES: [&str; 6] = ["posx", "negx", "posy", "negy", "posz", "negz"];
-
-fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(shaders) = file.shaders().filter(|shaders| shaders.has_skybox) else { return };
-    let Some(name) = shaders.skybox.as_deref() else { return };
-    let folder = format!("shaders/skybox/{name}");
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let View::Makehuman2(_) = view else { return };
     let layers = view.layers();
-    let holder = layers.strongest_first().find(|layer| layer.below(&folder).next().is_some());
-    let picture =
-        |side: &str| ["png", "jpg"].iter().find_map(|suffix| holder?.file(&format!("{folder}/{side}.{suffix}")));
-    let missing: Vec<&str> = SIDES.into_iter().filter(|side| picture(side).is_none()).collect();
-    let odd = SIDES.into_iter().filter_map(picture).filter_map(|file| Some((file, file.picture()?.size?)));
-    out.extend(of_another_size(&odd.filter(|(_, size)| *size != SIZE).collect::<Vec<_>>()));
+    // A user's is never read.
+    let file = layers.system.and_then(|system| system.file(SHADERS));
+    let known = file.and_then(|file| Some((file, file.shaders()?)));
+    let at_start = known.and_then(|(file, shaders)| Some((file, first(shaders)?)));
+    let own = at_start.filter(|(file, _)| layers.is_checked(file));
+    let is_absent = |name: &str| layers.strongest_first().all(|layer| boxes(view, layer, Some(name)).is_empty());
+    out.extend(own.filter(|(_, name)| is_absent(name)).map(|(file, name)| absent(file, name)));
+    for (name, sides) in boxes(view, layers.checked, None) {
+        let is_first = at_start.is_some_and(|(_, first)| first == name);
+        let shown = match known {
+            _ if is_first => Shown::AtStart,
+            Some(_) => Shown::Chosen,
+            None => Shown::Perhaps,
+        };
+        faults(&RULE, name, &sides, shown, out);
+        let hides = layers.system.filter(|_| !layers.checks_system()).map(|system| boxes(view, system, Some(name)));
+        let named_in = own.filter(|_| is_first).map(|(file, _)| file);
+        out.extend(lacking(layers.checked, name, &sides, named_in, hides.is_some_and(|hidden| !hidden.is_empty())));
+    }
+}
+
+/// The skybox that is shown at start.
+fn first(shaders: &Shaders) -> Option<&str> {
+    shaders.skybox.as_deref().filter(|_| shaders.has_skybox)
+}
+
+/// The skyboxes of a layer, or the one of a name: its sides by their names. Of two pictures of a side the PNG is taken.
+fn boxes<'l>(view: &View<'_>, layer: &'l Layer, wanted: Option<&str>) -> BTreeMap<&'l str, Sides<'l>> {
+    let mut found: BTreeMap<&str, Sides<'_>> = BTreeMap::new();
+    for file in layer.below(FOLDER).filter(|file| (view.layout().single)(&file.rel) == Some(Single::SkySide)) {
+        let mut parts = file.rel.split('/').skip(2);
+        let (Some(name), Some((side, suffix))) = (parts.next(), parts.next().and_then(|last| last.rsplit_once('.')))
+        else {
+            continue;
+        };
+        let sides = found.entry(name).or_default();
+        if suffix == "png" || !sides.contains_key(side) {
+            sides.insert(side, file);
+        }
+    }
+    found.retain(|name, _| wanted.is_none_or(|wanted| wanted == *name));
+    found
+}
+
+/// The pictures of a skybox by their sides.
+pub(super) type Sides<'l> = BTreeMap<&'l str, &'l FileFacts>;
+
+fn absent(file: &FileFacts, name: &str) -> Finding {
+    let finding = RULE.at(file, Place::pointer(["skyboxname"]), format!("skybox `{name}` does not exist")).key(name);
+    let help = format!("add the pictures to `{FOLDER}/{name}`, or name another folder of `{FOLDER}`");
+    finding.help(help).evidence(Evidence::of_cases(SKY_SIDES).out_of(SKY_SIDES.len()))
+}
+
+fn lacking(layer: &Layer, name: &str, sides: &Sides<'_>, named_in: Option<&FileFacts>, hides: bool) -> Option<Finding> {
+    let missing: Vec<&str> = SKY_SIDES.into_iter().filter(|side| !sides.contains_key(side)).collect();
+    let folder = format!("{FOLDER}/{name}");
     let (message, help) = match missing.as_slice() {
-        [] => return,
-        _ if holder.is_none() => (
-            format!("skybox `{name}` does not exist"),
-            format!("add the pictures to `{folder}`, or name another folder of `shaders/skybox`"),
-        ),
+        [] => return None,
         [side] => (format!("skybox `{name}` has no `{side}`"), format!("add `{side}.png` to `{folder}`")),
         [side, ..] => (
             format!("skybox `{name}` lacks {}, first `{side}`", counted(missing.len(), "side")),
-            format!("add the pictures to `{folder}`: {}", SIDES.join(", ")),
+            format!("add the pictures to `{folder}`: {}", SKY_SIDES.join(", ")),
         ),
     };
-    let finding = RULE.at(file, Place::pointer(["skyboxname"]), message).key(name).help(help);
-    out.push(finding.evidence(Evidence::of_cases(missing).out_of(SIDES.len())));
-}
-
-fn of_another_size(sides: &[(&FileFacts, (u64, u64))]) -> Option<Finding> {
-    let (first, (width, height)) = sides.first()?;
-    let more = if sides.len() > 1 { format!(" ({} sides)", sides.len()) } else { String::new() };
-    let message = format!("`{}` has {width} × {height} pixels, expected 2048 × 2048{more}", first.file_name());
-    let names = sides.iter().map(|(file, _)| file.file_name());
-    let finding = RULE.at(first, Place::File, message).key("size").case(OTHER_SIZE).evidence(Evidence::of_cases(names));
-    let parts = sides.iter().map(|(file, _)| (file.file_name(), &file.path));
-    Some(finding.parts_in(parts).help("save all six pictures with 2048 by 2048 pixels"))
+    let finding = match named_in {
+        Some(file) => RULE.at(file, Place::pointer(["skyboxname"]), message),
+        None => RULE.in_layer(layer, &folder, message),
+    };
+    let effect =
+        "leaves out the missing sides of the background: the folder takes the place of the program's as a whole";
+    let finding = if hides { finding.effect(effect) } else { finding };
+    Some(finding.key(name).help(help).evidence(Evidence::of_cases(missing).out_of(SKY_SIDES.len())))
 }

@@ -1,5 +1,5 @@
 //! What MakeHuman 1 does with a file that it cannot read or find (formats/makehuman1.md §2.3, §2.5, §6, §8, §10 to §12,
-//! §16, §20; makehuman1-observed.md 1, 2, 4).
+//! §16, §20; makehuman1-observed.md 1, 2, 4; formats/additions.md 1.1).
 
 use super::table::At::{self, Scanned};
 use super::table::{Cell, LOST, LOST_WHOLE, Row, Table, UNREAD, anywhere, cell, cells, nothing, row};
@@ -41,7 +41,8 @@ pub(super) const NO_EXPRESSIONS: &str = "lists no expression at all: one file th
 
 const FROM_TEXTS: &str = "takes its targets from the texts";
 const MADE_AGAIN: &str = "makes it again";
-const NO_SETTINGS: &str = "logs an error at each start, and uses its default settings";
+/// It is read while Python imports the program, before anything catches what is wrong (formats/additions.md 1.1).
+pub(super) const NO_PROGRAM: &str = "does not start: it reads the settings before anything else";
 const BESIDE: &str = "reads the text beside it, with a warning in the log";
 const NO_PICTURES: &str = "shows its sliders without pictures";
 const NO_SCENE: &str = "fails with `AttributeError` when the scene is chosen";
@@ -146,8 +147,10 @@ const ROWS: &[Row] = &[
         cells(LOST_WHOLE, Error, NO_SCENE),
     ]),
     anywhere(Kind::ProgramSettings, Start, &[
-        cells(UNREAD, Warning, NO_SETTINGS),
-        cell(TooDeep, Warning, NO_SETTINGS),
+        cells(UNREAD, Error, NO_PROGRAM),
+        cell(Empty, Error, NO_PROGRAM),
+        cell(TooDeep, Error, NO_PROGRAM),
+        nothing(Special),
     ]),
     row(Kind::LibraryCache, At::Single(Single::CacheFolder), Use, &[
         cell(Closed, Error, "fails with `FileExistsError` for each library when it ends: no list is ever stored"),

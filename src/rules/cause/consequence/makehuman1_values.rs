@@ -1,7 +1,7 @@
 //! What becomes of a value that does not fit its schema in MakeHuman 1 (formats/makehuman1.md §3, §4, §8, §17, §20;
 //! makehuman1-observed.md 1, 2, 3).
 
-use super::makehuman1::{NO_EXPRESSIONS, STOPS_AT_START};
+use super::makehuman1::{NO_EXPRESSIONS, NO_PROGRAM, STOPS_AT_START};
 use super::values::{ANY, NULL, Row, TEXT, row};
 use super::{Consequence, values};
 use crate::diag::Level::{Error, Info, Warning};
@@ -16,7 +16,7 @@ const NO_RIG: &str = "fails with an exception when the skeleton is chosen";
 const NO_RIGS: &str = "lists no skeleton at all: one file that cannot be read empties the list";
 
 #[rustfmt::skip]
-static ROWS: [Row; 28] = [
+static ROWS: [Row; 29] = [
     row(Kind::ModifierFile, "/items/properties/modifiers/items/properties/defaultValue", ANY, Error, "fails with `TypeError` at each reset"),
     row(Kind::ModifierFile, "/", ANY, Error, NO_SET),
     row(Kind::ModifierTexts, "/", ANY, Error, "fails at start: none of the tabs of this set is shown"),
@@ -47,6 +47,7 @@ static ROWS: [Row; 28] = [
     row(Kind::Skeleton, "/", ANY, Error, NO_RIG),
     row(Kind::Weights, "/", ANY, Error, "fails when the skeleton with these weights is chosen"),
     row(Kind::AssetWeights, "/", ANY, Error, "does not put on the asset that uses these weights"),
+    row(Kind::ProgramSettings, "/type", ANY, Error, NO_PROGRAM),
 ];
 
 /// Planes may be lists, null or numbers (formats/makehuman1.md §4), and values of units texts and truths (§17).
