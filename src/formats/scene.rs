@@ -188,11 +188,14 @@ impl Reader<'_> {
     }
 }
 
-/// What the program can put into the lists of its libraries: plain values, sets of tags, classes of its own module for them.
-/// To make one of these runs nothing of a stranger.
+/// What the program can put into the lists of its libraries: plain values, sets of tags, the licence of a pose, classes of
+/// its own module for them. To make one of these runs nothing of a stranger. Up to protocol 1 Python calls a function of
+/// its own for each object, with its class and the class of all.
 fn is_plain(module: &str, name: &str) -> bool {
-    matches!(module, "builtins" | "__builtin__") && matches!(name, "set" | "frozenset" | "dict" | "list" | "tuple")
-        || (module, name) == ("collections", "OrderedDict")
+    let is_builtin = matches!(name, "set" | "frozenset" | "dict" | "list" | "tuple" | "object");
+    matches!(module, "builtins" | "__builtin__") && is_builtin
+        || matches!(module, "copyreg" | "copy_reg") && name == "_reconstructor"
+        || matches!((module, name), ("collections", "OrderedDict") | ("makehuman", "LicenseInfo"))
         || matches!(module, "filecache" | "shared.filecache")
             && name.starts_with(|first: char| first.is_ascii_uppercase())
             && !name.contains('.')
@@ -306,6 +309,26 @@ mod tests {
         };
         assert_eq!(of_stack(b"builtins", b"set"), []);
         assert_eq!(of_stack(b"os", b"system")[0].import.as_deref(), Some("os.system"));
+    }
+
+    /// As Python 3 writes the list of a user's poses in each protocol.
+    #[test]
+    fn a_list_of_poses_has_licences() {
+        let old = b"ccopy_reg\n_reconstructor\np0\n(cfilecache\nFileCache\np1\nc__builtin__\nobject\np2\nNtp3\nRp4\n(dp5\nV_cache\n\
+            p7\n(dp8\nVa.bvh\np9\n(F1.5\nVa\np15\ng0\n(cmakehuman\nLicenseInfo\np17\ng2\nNtp18\nRp19\n(dp20\nVauthor\np21\nVAnn\np22\n\
+            sV_keys\np28\n(lp29\ng21\nasV_customized\np30\nI00\nsbtp32\nssb.";
+        assert_eq!(dangers_of_list(old), []);
+        let binary =
+            b"ccopy_reg\n_reconstructor\nq\x00(cmakehuman\nLicenseInfo\nq\x01c__builtin__\nobject\nq\x02Ntq\x03R}q\x04\
+            X\x06\x00\x00\x00authorX\x03\x00\x00\x00Annsb.";
+        assert_eq!(dangers_of_list(binary), []);
+        let object = |class: &[u8]| [b"\x80\x02c", class, b"\n)\x81}U\x06authorU\x03Annsb."].concat();
+        assert_eq!(dangers_of_list(&object(b"makehuman\nLicenseInfo")), []);
+        for other in [&b"makehuman\nsys"[..], b"makehuman\nLicenseInfo.x", b"mh\nLicenseInfo", b"copyreg\n__newobj__"] {
+            assert_eq!(dangers_of_list(&object(other)).len(), 1);
+        }
+        let stacked = b"\x80\x04\x95\x20\0\0\0\0\0\0\0\x8c\x09makehuman\x94\x8c\x0bLicenseInfo\x94\x93\x94)\x81.";
+        assert_eq!(dangers_of_list(stacked), []);
     }
 
     proptest! {

@@ -13,7 +13,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         library. A pickle can import and call anything on the computer of whoever loads it. MakeHuman 1 loads both without \
         restriction: a scene when it is chosen, `scenes/default.mhscene` and the lists of libraries at start.\n\n\
         Of a scene only the class `material.Color` may be imported; any other import, and any call, is reported. The list of a \
-        library has sets of tags as well. mhlint finds them by reading the instructions and runs nothing. This finding cannot \
+        library has sets of tags and licences as well. mhlint finds them by reading the instructions and runs nothing. This finding cannot \
         be ignored.\n\n\
         Do not open the file. Delete it if you do not know where it comes from: the program makes the list of a library \
         again. A scene of your own is clean if MakeHuman 1 saves it.",
