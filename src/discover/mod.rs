@@ -17,7 +17,7 @@ pub(crate) use aside::{Aside, aside, is_fitting_table};
 pub(crate) use candidate::{Candidate, Use, candidates, kind_in, owner_of, uses_of};
 pub(crate) use evidence::{Evidence, evidence, lacks};
 pub(crate) use kind::{Kind, SHADER_FILES, extension, is_asset_anywhere, meant_extension};
-pub(crate) use layout::makehuman1::{TARGETS_NPZ, libraries, library_extension, library_of};
+pub(crate) use layout::makehuman1::{TARGETS_NPZ, archive_library_of, libraries, library_extension, library_of};
 pub(crate) use layout::makehuman2::importer::{Loss, import, loss, meant_for, new_base, top_folder};
 pub(crate) use layout::makehuman2::opened::{SKY_SIDES, in_place_of, is_in_override_folder, listed_in, material_of};
 pub(crate) use layout::mpfb::importer::Refusal;

@@ -39,6 +39,25 @@ pub struct AssetMesh {
     pub corners: Box<[u32]>,
     /// Where each face begins in `corners`, and one entry for the end.
     pub face_starts: Box<[u32]>,
+    /// What an archive of MakeHuman 1 has room for.
+    pub kept_faces: Option<KeptFaces>,
+}
+
+/// How many faces of a vertex an archive of MakeHuman 1 has room for (formats/makehuman1.md §11).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct KeptFaces {
+    /// The columns of its table.
+    pub columns: u64,
+    /// What it says itself; archives of 1.0 leave that to the asset.
+    pub stated: Option<u64>,
+}
+
+impl KeptFaces {
+    /// Whether the program gets as many as it makes room for. It cuts off more, and gives up at fewer.
+    pub const fn holds(self, asked: u64) -> bool {
+        let asked = if let Some(stated) = self.stated { stated } else { asked };
+        self.columns >= asked
+    }
 }
 
 /// Tells meshes with other faces apart, in whatever order these stand.
@@ -74,6 +93,7 @@ impl AssetMesh {
             positions: mesh.positions.into(),
             corners: mesh.corners.into(),
             facts,
+            kept_faces: None,
         }
     }
 

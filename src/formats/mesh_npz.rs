@@ -3,15 +3,18 @@
 //! A zip of `.npy`. Gets its members, returns the mesh as its OBJ would give it, but for where texture coordinates lie, or why it
 //! cannot be loaded.
 
-use super::asset_mesh::AssetMesh;
+use super::asset_mesh::{AssetMesh, KeptFaces};
 use super::mhbin::MeshFault;
+use super::npy::{NpyFault, read_layout};
 use super::npy_table::{self, Cell, Table};
 use super::npz::Members;
 use super::obj::{Group, Mesh, NO_UV};
 use super::stored;
 
-/// Everything that the program asks for.
-const MEMBERS: [&str; 9] = ["coord", "vface", "nfaces", "texco", "fvert", "group", "fgstr", "fgidx", "MAX_FACES"];
+/// Everything that the program cannot do without: archives of 1.0 do not say how many faces of a vertex they keep, and a mesh
+/// without texture coordinates has none at its faces.
+const MEMBERS: [&str; 8] = ["coord", "vface", "nfaces", "texco", "fvert", "group", "fgstr", "fgidx"];
+const MAX_FACES: &str = "MAX_FACES";
 
 /// Whether an archive is a mesh.
 pub(super) fn is_mesh(members: &Members<'_>) -> bool {
@@ -32,7 +35,27 @@ pub(super) fn read(members: &mut Members<'_>) -> Result<AssetMesh, MeshFault> {
     let uvs = table(members, "texco", &[Cell::Number; 2])?.rows;
     // Without texture coordinates there is no such member.
     let of_faces = if members.has("fuvs") { Some(table(members, "fuvs", &[Cell::Integer; 4])?) } else { None };
-    Ok(AssetMesh::of(build(&coord, &faces, uvs, of_faces.as_ref())))
+    let kept = kept_faces(members, coord.rows)?;
+    Ok(AssetMesh { kept_faces: Some(kept), ..AssetMesh::of(build(&coord, &faces, uvs, of_faces.as_ref())) })
+}
+
+/// A row for each vertex, and a column for each face that is kept of it.
+fn kept_faces(members: &mut Members<'_>, vertices: usize) -> Result<KeptFaces, MeshFault> {
+    let misfit = |name| MeshFault::Member(name, NpyFault::Shape);
+    let shape = members.read("vface", |reader| Ok(read_layout(reader)?.shape));
+    let shape = shape.ok_or_else(|| misfit("vface"))?.map_err(|fault| MeshFault::Member("vface", fault))?;
+    let columns = match *shape.as_slice() {
+        [rows, columns] if rows == vertices as u64 => columns,
+        _ => return Err(misfit("vface")),
+    };
+    let stated = if members.has(MAX_FACES) {
+        let first = table(members, MAX_FACES, &[Cell::Integer])?.integer(0, 0);
+        Some(first.and_then(|first| u64::try_from(first).ok()).ok_or_else(|| misfit(MAX_FACES))?)
+    } else {
+        None
+    };
+    let kept = KeptFaces { columns, stated };
+    if stated.is_none_or(|stated| kept.holds(stated)) { Ok(kept) } else { Err(misfit("vface")) }
 }
 
 fn table(members: &mut Members<'_>, name: &'static str, cells: &[Cell]) -> Result<Table, MeshFault> {
@@ -82,11 +105,13 @@ mod tests {
     fn members() -> Vec<(&'static str, Vec<u8>)> {
         let floats = |numbers: &[f32]| numbers.iter().flat_map(|own| own.to_le_bytes()).collect::<Vec<u8>>();
         let numbers = |numbers: &[u32]| numbers.iter().flat_map(|own| own.to_le_bytes()).collect::<Vec<u8>>();
-        let rest = ["vface", "nfaces", "texco", "group", "fgstr", "fgidx", "MAX_FACES"];
+        let rest = ["nfaces", "texco", "group", "fgstr", "fgidx"];
         let coord = floats(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0]);
         let mut members = vec![
             ("coord.npy", npy("'<f4'", "(4, 3)", &coord)),
             ("fvert.npy", npy("'<u4'", "(2, 4)", &numbers(&[0, 1, 2, 3, 0, 1, 2, 0]))),
+            ("vface.npy", npy("'<u4'", "(4, 8)", &[0; 128])),
+            ("MAX_FACES.npy", npy("'<i8'", "(1,)", &8_i64.to_le_bytes())),
         ];
         let names = rest.map(|name| format!("{name}.npy"));
         members.extend(names.map(|name| (&*name.leak(), npy("'<f4'", "(0, 2)", b""))));
@@ -109,10 +134,31 @@ mod tests {
     }
 
     #[test]
+    fn how_many_faces_are_kept_need_not_be_said() {
+        let without = |left_out: &str| {
+            let members: Vec<_> = members().into_iter().filter(|(name, _)| *name != left_out).collect();
+            parse(&zip_of(&members)).map(|mesh| mesh.kept_faces)
+        };
+        assert_eq!(without(""), Ok(Some(KeptFaces { columns: 8, stated: Some(8) })));
+        assert_eq!(without("MAX_FACES.npy"), Ok(Some(KeptFaces { columns: 8, stated: None })));
+        let with = |name: &str, array: Vec<u8>| {
+            let mut members = members();
+            members.iter_mut().find(|(own, _)| *own == name).unwrap().1 = array;
+            parse(&zip_of(&members)).map(|mesh| mesh.kept_faces)
+        };
+        let more = npy("'<i8'", "(1,)", &16_i64.to_le_bytes());
+        assert_eq!(with("MAX_FACES.npy", more), Err(MeshFault::Member("vface", NpyFault::Shape)));
+        let bare = npy("'<i8'", "()", &8_i64.to_le_bytes());
+        assert_eq!(with("MAX_FACES.npy", bare), Err(MeshFault::Member("MAX_FACES", NpyFault::Shape)));
+        let fewer = npy("'<u4'", "(3, 8)", &[0; 96]);
+        assert_eq!(with("vface.npy", fewer), Err(MeshFault::Member("vface", NpyFault::Shape)));
+    }
+
+    #[test]
     fn what_cannot_be_loaded_is_named() {
         let mut short = members();
         short.pop();
-        assert_eq!(parse(&zip_of(&short)), Err(MeshFault::Missing(vec!["MAX_FACES"])));
+        assert_eq!(parse(&zip_of(&short)), Err(MeshFault::Missing(vec!["fgidx"])));
         let mut beyond = members();
         beyond[1].1 = npy("'<u4'", "(1, 4)", &[9; 16]);
         assert!(!parse(&zip_of(&beyond)).unwrap().is_sound());

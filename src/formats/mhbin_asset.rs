@@ -32,6 +32,14 @@ pub enum Packed {
     Mesh(Result<Box<AssetMesh>, MeshFault>),
 }
 
+impl Packed {
+    /// What is worn, if the archive is that of MakeHuman 1 and can be loaded.
+    pub fn proxy_of(packed: Option<&Self>) -> Option<&PackedProxy> {
+        let Self::Proxy(proxy) = packed? else { return None };
+        proxy.fault.is_none().then_some(&**proxy)
+    }
+}
+
 /// An asset as it is packed.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct PackedAsset {

@@ -25,6 +25,8 @@ pub enum NpyFault {
     Shape,
     /// Ends before its last row.
     Truncated,
+    /// A text that is no UTF-8.
+    NotUtf8,
     /// Cannot be unpacked.
     Damaged(String),
 }

@@ -6,6 +6,7 @@ use crate::discover::Kind;
 use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::mhbin_asset::Packed;
 use crate::formats::mhclo::{Clothes, Entry};
+use crate::formats::mhpxy::PackedProxy;
 use crate::source::{Guess, normalized};
 
 /// An asset that a body wears.
@@ -100,6 +101,11 @@ impl<'a> Worn<'a> {
         let is_text =
             encoding.invalid_utf8_at.is_none() || self.drops_bytes && encoding.guess == Some(Guess::SingleByte);
         self.file.clothes().filter(|_| is_text && !encoding.blank && !encoding.only_comments)
+    }
+
+    /// What is in the archive of MakeHuman 1 that is all there is of it, if that can be loaded.
+    pub(crate) fn packed_proxy(&self) -> Option<&'a PackedProxy> {
+        Packed::proxy_of(self.file.packed())
     }
 
     /// The last name of a kind in it.

@@ -159,6 +159,8 @@ fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
     match extension {
         "mhclo" => Some(worn_shelf(above)),
         "proxy" => Some(TOPOLOGIES),
+        // Beside a text it is no asset of its own.
+        "mhpxy" => Some(packed_shelf(above)),
         "bvh" => Some("poses"),
         "mhmat" => Some("skins"),
         "mhskel" => Some("rigs"),
@@ -168,6 +170,11 @@ fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
         _ if extension.eq_ignore_ascii_case("mhscene") => Some("scenes"),
         _ => None,
     }
+}
+
+/// The library of a loose archive, which does not say whether it stands for the body.
+fn packed_shelf(above: &[&str]) -> &'static str {
+    if above.contains(&TOPOLOGIES) { TOPOLOGIES } else { worn_shelf(above) }
 }
 
 /// Scenes and lists of libraries are pickles, which can call anything.
@@ -185,7 +192,7 @@ fn loose_place(path: &str, _: Option<&str>) -> Option<String> {
         "target" => Some(format!("{CUSTOM}/{near}/{name}")),
         "mhw" => Some(format!("rigs/{near}/{name}")),
         "mhc" => Some(format!("{CACHE}/{}", name.to_ascii_lowercase())),
-        "mhpxy" => Some(format!("{}/{near}/{name}", worn_shelf(&above))),
+        "mhpxy" => Some(format!("{}/{near}/{name}", packed_shelf(&above))),
         _ => None,
     }
 }
@@ -239,6 +246,12 @@ pub(crate) fn library_of(rel: &str) -> Option<&str> {
     let extension = extension(rel);
     let is_listed = library_extension(library).is_some_and(|own| own.eq_ignore_ascii_case(extension));
     is_listed.then_some(library)
+}
+
+/// The library that lists an archive of something worn (`.mhpxy`). Elsewhere, such as in `3dobjs`, nothing puts it on.
+pub(crate) fn archive_library_of(rel: &str) -> Option<&str> {
+    let (library, _) = rel.split_once('/')?;
+    (holds_worn(library) && extension(rel) == "mhpxy").then_some(library)
 }
 
 /// The folders of libraries.
@@ -343,6 +356,20 @@ mod tests {
             ("materials/._a.mhmat", false),
         ] {
             assert_eq!(super::super::is_read_though_hidden("assets", path, false), is_read, "{path}");
+        }
+    }
+
+    #[test]
+    fn archives_are_listed_where_something_is_worn() {
+        for (rel, library) in [
+            ("clothes/a/b/x.mhpxy", Some("clothes")),
+            ("proxymeshes/a/a.mhpxy", Some("proxymeshes")),
+            ("3dobjs/a7_converter.mhpxy", None),
+            ("skins/a.mhpxy", None),
+            ("hair/a/a.npz", None),
+            ("x.mhpxy", None),
+        ] {
+            assert_eq!(archive_library_of(rel), library, "{rel}");
         }
     }
 

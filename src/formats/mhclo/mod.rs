@@ -79,6 +79,14 @@ pub struct Reference {
     pub line: u32,
 }
 
+impl Reference {
+    /// Whether the vertex takes part of a second or third one of the base mesh.
+    fn has_shares(&self) -> bool {
+        let [_, second, third] = self.weights;
+        second != 0.0 || third != 0.0
+    }
+}
+
 /// A [`Reference`] whose vertices can exist.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {
@@ -241,6 +249,16 @@ mod tests {
         assert_eq!((&rows.off_sums.first, rows.visible_sums), (&vec![(6, 4), (8, 6)], 1));
         assert_eq!(rows.non_finite.first, [(7, 5)]);
         assert_eq!(rows.worst_sum.unwrap().0, 4);
+    }
+
+    #[test]
+    fn beside_a_vertex_with_all_the_weight_others_are_not_compared() {
+        let prints = |rows: &str| of(&format!("verts 0\n{rows}\n")).rows.prints;
+        assert_eq!(prints("5\n1 2 3 .5 .25 .25"), prints("5 0 1 1 0 0\n1 2 3 .5 .25 .25 0 0 0"));
+        assert_ne!(prints("5"), prints("6"));
+        assert_ne!(prints("1 2 3 .5 .5 0"), prints("1 2 4 .5 .5 0"));
+        assert_ne!(prints("5\n6"), prints("6\n5"));
+        assert_ne!(prints("5 0 1 1 0 0"), prints("5 0 1 1 0 0 0 .5 0"));
     }
 
     #[test]

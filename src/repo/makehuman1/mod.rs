@@ -1,6 +1,7 @@
 //! The data of `MakeHuman` 1 as it sees them. Connected so far: its targets with the modifiers and
 //! sliders that move them, its libraries, which are what is worn with its materials and weights, skins, and poses.
 
+mod compiled;
 mod expressions;
 mod library;
 mod models;
@@ -12,7 +13,8 @@ mod target_archive;
 mod targets;
 mod view;
 
-pub(crate) use library::Asset;
+pub(crate) use compiled::{named_by_archive, narrow_mesh};
+pub(crate) use library::{Asset, Known};
 pub(crate) use models::{SavedModel, Version, material, uuid_of};
 pub(crate) use modifiers::{KnownModifier, SETS, VARIABLES, category};
 pub(crate) use target_archive::{TargetArchive, Unused};

@@ -1,5 +1,6 @@
 //! Saved characters: what they name, and whether the program reads them at all (formats/makehuman1.md §19).
 
+use super::Asset;
 use super::search::Search;
 use super::view::OWN;
 use crate::diag::Place;
@@ -113,8 +114,7 @@ pub(crate) fn material(line: &Line) -> Option<(&Line, &str, &Word)> {
 
 /// The uuid that models know an asset by.
 pub(crate) fn uuid_of<'a>(asset: &Worn<'a>) -> Option<&'a str> {
-    let entries = asset.clothes()?.all("uuid");
-    entries.rev().find(|entry| !entry.has_colon).map(|entry| &*entry.value)
+    Some(Asset::of(asset)?.uuid?.text)
 }
 
 fn layer_of<'a>(layers: Layers<'a>, file: &FileFacts) -> Option<&'a Layer> {

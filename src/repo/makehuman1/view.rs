@@ -7,7 +7,7 @@ use super::models::{self, SavedModel, models};
 use super::modifiers::Modifiers;
 use super::rigs::rigs;
 use super::targets::Targets;
-use super::{Asset, surfaces};
+use super::{Asset, compiled, surfaces};
 use crate::diag::Application;
 use crate::discover::{Kind, library_of};
 use crate::formats::asset_mesh::AssetMesh;
@@ -237,14 +237,29 @@ pub(crate) fn worn(layers: Layers<'_>) -> Vec<Worn<'_>> {
         listed.map(move |one| {
             let worn = Worn { drops_bytes: true, ..of(one) }.beside_system(layers);
             let binary = layer.file(&format!("{}/{}.mhpxy", parent(&worn.file.rel), worn.file.stem()));
-            Worn { packed_mesh: packed_mesh(layers, &worn), binary, ..worn }
+            let worn = Worn { binary, ..worn };
+            Worn { packed_mesh: packed_mesh(layers, &worn), ..worn }
         })
     };
-    layers.strongest_first().flat_map(worn).collect()
+    let lone = |layer| {
+        compiled::lone(layers, layer).map(move |worn| {
+            let worn = worn.beside_system(layers);
+            Worn { packed_mesh: packed_mesh(layers, &worn), ..worn }
+        })
+    };
+    layers.strongest_first().flat_map(|layer| worn(layer).chain(lone(layer))).collect()
 }
 
 /// The mesh that the program reads in place of an OBJ: the archive beside it, if that is sound.
 fn packed_mesh<'a>(layers: Layers<'a>, worn: &Worn<'a>) -> Option<(&'a FileFacts, &'a AssetMesh)> {
+    let (file, mesh) = beside_mesh(layers, worn)?;
+    let asked = compiled::asked_faces(worn);
+    let holds = mesh.kept_faces.is_none_or(|kept| asked.iter().any(|asked| kept.holds(*asked)));
+    holds.then_some((file, mesh))
+}
+
+/// The archive of the mesh that something worn names, also where it has too little room for that.
+pub(super) fn beside_mesh<'a>(layers: Layers<'a>, worn: &Worn<'a>) -> Option<(&'a FileFacts, &'a AssetMesh)> {
     let reference = worn.reference(ReferenceKind::AssetMesh)?;
     layers.strongest_first().find_map(|layer| mesh_archive(layer, &reference.rel))
 }

@@ -4,11 +4,12 @@
 use super::super::Rule;
 use super::{Sort, words};
 use crate::diag::{Application::Makehuman1, Case, Finding, Level, Place};
+use crate::discover::archive_library_of;
 use crate::formats::mhbin::MeshFault;
 use crate::formats::mhbin_asset::Packed;
 use crate::formats::npz::{ArchiveFault, NpyFault};
-use crate::repo::FileFacts;
 use crate::repo::makehuman1::View;
+use crate::repo::{FileFacts, Reference, ReferenceKind, Worn};
 
 const TEXT: Case = &[(Makehuman1, Level::Info, "reads the text beside it, with a warning in the log")];
 const NOT_WORN: Case = &[(Makehuman1, Level::Error, "does not put the asset on")];
@@ -21,9 +22,8 @@ pub(super) fn report(rule: &Rule, sort: Sort, view: &View<'_>, file: &FileFacts,
     let blank = || (Sort::Malformed, "the archive has nothing in it, and there is no text beside it".to_owned());
     let found = fault(file).or_else(|| of_numbers(file)).or_else(|| (is_blank && text.is_none()).then(blank));
     let Some((_, message)) = found.filter(|(own, _)| *own == sort) else { return };
-    // A zip of something else beside an asset is nobody's.
     let is_base = file.rel == BASE;
-    if text.is_none() && !file.rel.ends_with(".mhpxy") && !is_base {
+    if !is_base && !is_opened(view, file, text.is_some()) {
         return;
     }
     // What can be read is not read anew.
@@ -37,6 +37,19 @@ pub(super) fn report(rule: &Rule, sort: Sort, view: &View<'_>, file: &FileFacts,
     out.push(rule.at(file, Place::File, message).case(case).help(help));
 }
 
+/// Whether an asset leads to it. Outside of the libraries that list it nothing puts on what is in an archive, and a zip of
+/// something else beside an asset is nobody's.
+fn is_opened(view: &View<'_>, file: &FileFacts, has_text: bool) -> bool {
+    if file.rel.ends_with(".mhpxy") {
+        return archive_library_of(&file.rel).is_some();
+    }
+    let names = |worn: &Worn<'_>| {
+        let mesh = worn.reference(ReferenceKind::AssetMesh).and_then(Reference::found);
+        mesh.is_some_and(|mesh| std::ptr::eq(mesh, file))
+    };
+    has_text || file.rel.ends_with(".npz") && view.worn().iter().any(names)
+}
+
 /// The archive of the base mesh.
 const BASE: &str = "3dobjs/base.npz";
 const STOPS: Case = &[(Makehuman1, Level::Error, "stops at start: only the splash picture stays on the screen")];
@@ -44,14 +57,17 @@ const STOPS: Case = &[(Makehuman1, Level::Error, "stops at start: only the splas
 /// Whether the program takes it in place of the text, and fails with it later.
 fn is_read(file: &FileFacts) -> bool {
     match file.packed() {
-        Some(Packed::Proxy(proxy)) => proxy
-            .fault
-            .as_ref()
-            .is_none_or(|(_, fault)| matches!(fault, Some(NpyFault::WrongType(..) | NpyFault::Shape))),
+        Some(Packed::Proxy(proxy)) => proxy.fault.as_ref().is_none_or(|(member, fault)| {
+            let is_kept = matches!(fault, Some(NpyFault::WrongType(..) | NpyFault::Shape));
+            is_kept && FITTED.contains(member)
+        }),
         Some(Packed::Mesh(mesh)) => mesh.is_ok(),
         _ => false,
     }
 }
+
+/// Members that are taken as they are, and looked at when the asset is fitted.
+const FITTED: [&str; 4] = ["ref_vIdxs", "weights", "offsets", "deleteVerts"];
 
 /// Vertices that the base mesh does not have, or a face of those that the mesh does not have.
 fn of_numbers(file: &FileFacts) -> Option<(Sort, String)> {

@@ -94,6 +94,7 @@ pub(super) fn of_member(fault: &NpyFault) -> String {
         NpyFault::WrongType("", kind) => format!("has values of the wrong type `{kind}`"),
         NpyFault::WrongType(name, kind) => format!("has a field `{name}` of the wrong type `{kind}`"),
         NpyFault::Shape => "is not a plain list of rows".to_owned(),
+        NpyFault::NotUtf8 => "is not UTF-8".to_owned(),
         NpyFault::Truncated => "ends before its last row".to_owned(),
         NpyFault::Damaged(reason) => format!("cannot be unpacked: {}", plain(reason)),
     }

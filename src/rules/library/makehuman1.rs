@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 use super::super::{Rule, counted, did_you_mean};
 use super::mpfb;
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped, nearest};
-use crate::discover::{extension, libraries, library_extension, library_of};
-use crate::formats::mhclo::Entry;
-use crate::repo::FileFacts;
-use crate::repo::makehuman1::{Asset, CUSTOM, View};
+use crate::discover::{archive_library_of, extension, libraries, library_extension, library_of};
+use crate::formats::mhbin_asset::Packed;
+use crate::repo::makehuman1::{Asset, CUSTOM, Known, View};
+use crate::repo::{FileFacts, Layer};
 use crate::source::{Guess, is_below};
 
 /// What is worn in a library that lists another extension.
@@ -151,7 +151,8 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let is_linked = |file: &FileFacts| file.content_hash.is_some_and(|hash| linked.contains(&(file.file_name(), hash)));
     let tops = layer.files.values().filter_map(|file| Some((file.rel.split('/').next()?, file)));
     let lost = tops.filter(|(top, file)| {
-        let is_worn = matches!(extension(&file.rel), "mhclo" | "proxy" | "mhskel" | "mhpose");
+        let is_lone = || extension(&file.rel) == "mhpxy" && layer.text_of_archive(&file.rel).is_none();
+        let is_worn = matches!(extension(&file.rel), "mhclo" | "proxy" | "mhskel" | "mhpose") || is_lone();
         let is_near = |top: &str| nearest(top, libraries()).and_then(library_extension) == Some(extension(&file.rel));
         let of_other_case = library_extension(&top.to_lowercase()) == Some(extension(&file.rel)) || is_near(top);
         (file.rel.contains('/') || matches!(extension(&file.rel), "mhskel" | "mhpose"))
@@ -183,6 +184,12 @@ const NO_PICTURE: &str = "add a PNG of at most 128 by 128 pixels, with the name 
 const OTHER_PICTURE: Case =
     &[(Makehuman1, Level::Warning, "shows the default picture in the list: it looks for `.thumb` alone")];
 
+/// The library that lists a file, or an archive without its text.
+fn shelf_of<'f>(layer: &Layer, file: &'f FileFacts) -> Option<&'f str> {
+    let packed = || archive_library_of(&file.rel).filter(|_| layer.text_of_archive(&file.rel).is_none());
+    library_of(&file.rel).or_else(packed)
+}
+
 /// What is listed without a picture: skins may have a `.png`.
 pub(super) fn without_pictures(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
@@ -190,13 +197,14 @@ pub(super) fn without_pictures(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
         let stem = file.rel.rsplit_once('.').map_or(&*file.rel, |(stem, _)| stem);
         layer.file(&format!("{stem}.{extension}"))
     };
-    let listed = layer.files.values().filter_map(|file| Some((library_of(&file.rel)?, file)));
+    let listed = layer.files.values().filter_map(|file| Some((shelf_of(layer, file)?, file)));
     // Of copies with one uuid one has a picture.
-    let known = grouped(view.assets().filter_map(|asset| Some((&*asset.uuid?.value, asset.file.path.as_str()))));
+    let known = grouped(view.assets().filter_map(|asset| Some((asset.uuid?.text, asset.file.path.as_str()))));
     let copies: BTreeSet<&str> = known.into_values().filter(|files| files.len() > 1).flatten().collect();
     let bare = listed.filter(|(library, file)| {
         // What cannot be read or walked has a finding of its own, and what is behind a link is not listed.
-        let is_sound = file.encoding.guess.is_none_or(|guess| guess == Guess::SingleByte) && !file.encoding.lfs_pointer;
+        let is_text = file.encoding.guess.is_none_or(|guess| guess == Guess::SingleByte) && !file.encoding.lfs_pointer;
+        let is_sound = is_text || Packed::proxy_of(file.packed()).is_some();
         let is_listed = !layer.linked_folders.iter().any(|folder| is_below(&file.rel, folder));
         let has = |extension| beside(file, extension).is_some();
         let is_pictured = has("thumb") || *library == "skins" && has("png");
@@ -231,13 +239,16 @@ pub(super) fn without_pictures(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
 
 /// Assets of one library with a name in common and different uuids.
 pub(super) fn same_names(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
-    let named = view.assets().filter_map(|asset| Some(((asset.library, &*asset.name?.value), asset)));
+    let named = view.assets().filter_map(|asset| Some(((asset.library, asset.name?.text), asset)));
     for ((_, name), assets) in grouped(named) {
-        let uuid = |asset: &Asset<'_>| asset.uuid.map(|entry| entry.value.to_string());
+        let uuid = |asset: &Asset<'_>| asset.uuid.map(|uuid| uuid.text.to_owned());
         let Some((told, others)) = told(view, &assets) else { continue };
         let Some(other) = others.iter().find(|other| uuid(other) != uuid(told)) else { continue };
         let finding = finding(rule, view, told, other, told.name, "name", name);
-        out.push(finding.key(name).help("give it a name of its own"));
+        let is_packed = told.name.is_some_and(|name| name.entry.is_none());
+        let help =
+            if is_packed { "pack it again from a text with a name of its own" } else { "give it a name of its own" };
+        out.push(finding.key(name).help(help));
     }
 }
 
@@ -253,21 +264,24 @@ const LOOSE: Case = &[(
 )];
 const REPLACED: Case = &[(Makehuman1, Level::Info, "lists both; while one is worn the other cannot be chosen")];
 
+const OWN: &str =
+    "give the newer of the two a uuid of its own, and load and save every model that wears it; or remove one of them";
+const PACKED: &str = "pack the newer of the two again from a text with a uuid of its own, or remove one of them";
+
 /// Assets with a uuid in common.
 pub(super) fn same_uuids(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
-    let known = view.assets().filter_map(|asset| Some((&*asset.uuid?.value, asset)));
+    let known = view.assets().filter_map(|asset| Some((asset.uuid?.text, asset)));
     for (uuid, assets) in grouped(known) {
         let Some((told, others)) = told(view, &assets) else { continue };
-        let is_elsewhere = |other: &&&Asset<'_>| other.file.rel != told.file.rel;
+        let is_elsewhere = |other: &&&Asset<'_>| place(other) != place(told);
         let in_library = others.iter().filter(is_elsewhere).find(|other| other.library == told.library);
         let Some(other) = in_library.or_else(|| others.iter().find(is_elsewhere)).or_else(|| others.first()) else {
             continue;
         };
         let finding = finding(rule, view, told, other, told.uuid, "uuid", uuid);
         let is_copy = told.file.content_hash.is_some() && told.file.content_hash == other.file.content_hash;
-        let finding = finding
-            .key(uuid)
-            .help("give the newer of the two a uuid of its own, and load and save every model that wears it; or remove one of them");
+        let finding =
+            finding.key(uuid).help(if told.uuid.is_some_and(|uuid| uuid.entry.is_none()) { PACKED } else { OWN });
         let is_loose = view.layers.checked.is_loose && view.layers.is_checked(other.file);
         out.push(match is_copy {
             true if is_loose => continue,
@@ -276,10 +290,15 @@ pub(super) fn same_uuids(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             false if other.library != told.library => finding.case(APART),
             true => finding.case(COPY),
             // A user's file in the place of one of the system is meant to replace it.
-            false if other.file.rel == told.file.rel => finding.case(REPLACED),
+            false if place(other) == place(told) => finding.case(REPLACED),
             false => finding,
         });
     }
+}
+
+/// Where an asset is, be it a text or an archive.
+fn place<'a>(asset: &Asset<'a>) -> &'a str {
+    asset.file.rel.rsplit_once('.').map_or(&asset.file.rel, |(stem, _)| stem)
 }
 
 /// Of several assets one of the checked layer, and all others.
@@ -291,7 +310,7 @@ fn told<'t, 'a>(view: &View<'_>, assets: &'t [Asset<'a>]) -> Option<(&'t Asset<'
     let told = own.filter(is_listed).max_by_key(|asset| &asset.file.rel)?;
     // What lies in no library yet may be the next state of what the system has.
     let is_next = |other: &&Asset<'_>| {
-        let name = |asset: &Asset<'_>| asset.name.map(|entry| entry.value.to_string());
+        let name = |asset: &Asset<'_>| asset.name.map(|name| name.text.to_owned());
         view.layers.checked.is_loose && !view.layers.is_checked(other.file) && name(other) == name(told)
     };
     let is_other = |other: &&Asset<'_>| !std::ptr::eq(other.file, told.file) && !is_next(other);
@@ -305,10 +324,11 @@ fn finding(
     view: &View<'_>,
     told: &Asset<'_>,
     other: &Asset<'_>,
-    entry: Option<&Entry>,
+    known: Option<Known<'_>>,
     what: &str,
     text: &str,
 ) -> Finding {
+    let entry = known.and_then(|known| known.entry);
     let place = entry.map_or(Place::File, |entry| Place::Span(entry.span.clone()));
     let named = view.layers.named(other.file);
     let finding = rule.at(told.file, place, format!("has the same {what} as {named}: `{text}`"));

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
-use crate::discover::library_of;
+use crate::discover::{archive_library_of, library_of};
 use crate::formats::asset_mesh::AssetMesh;
 use crate::repo::{Body, FileFacts, Worn};
 
@@ -17,6 +17,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         Give the object another name in the line `o` of one of the files, or in Blender before the export.",
     ..RuleInfo::new("mesh-name-clash", Level::Warning, "two meshes with one name")
 });
+
+const TEXT: &str = "give the object another name in the line `o` of one of the two files";
+const PACKED: &str = "pack one of the two again from an OBJ with another name";
 
 /// The library of which several assets can be worn at once.
 const SEVERAL: &str = "clothes";
@@ -41,7 +44,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let message = format!("the mesh `{shown}` has the name of that in {}", body.layers.named(other));
         let finding = RULE.at(file, place, message).key(shown).related(other.path.clone(), Place::File, "the other");
         let finding = finding.between([file.path.as_str(), other.path.as_str()]);
-        out.push(finding.help("give the object another name in the line `o` of one of the two files"));
+        let is_packed = file.asset_mesh().is_none();
+        out.push(finding.help(if is_packed { PACKED } else { TEXT }));
     }
 }
 
@@ -52,8 +56,11 @@ fn name<'v>(file: &'v FileFacts, mesh: &'v AssetMesh) -> &'v str {
 
 /// Whether two assets can be worn at once. Those with one uuid cannot.
 fn together(one: &Worn<'_>, other: &Worn<'_>, mesh: &FileFacts, other_mesh: &FileFacts) -> bool {
-    let library = |worn: &Worn<'_>| library_of(&worn.file.rel).map(str::to_owned);
-    let uuid = |worn: &Worn<'_>| worn.clothes().and_then(|clothes| Some(clothes.last("uuid")?.value.clone()));
+    let shelf = |rel: &str| library_of(rel).or_else(|| archive_library_of(rel)).map(str::to_owned);
+    let library = |worn: &Worn<'_>| shelf(&worn.file.rel);
+    let written = |worn: &Worn<'_>| worn.clothes().and_then(|clothes| Some(clothes.last("uuid")?.value.clone()));
+    let packed = |worn: &Worn<'_>| worn.packed_proxy().and_then(|proxy| proxy.identity.last().cloned());
+    let uuid = |worn: &Worn<'_>| written(worn).or_else(|| packed(worn));
     let is_one = uuid(one).is_some() && uuid(one) == uuid(other);
     let is_free = library(one) != library(other) || library(one).as_deref() == Some(SEVERAL);
     is_free && !is_one && !std::ptr::eq(mesh, other_mesh)

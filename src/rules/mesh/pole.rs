@@ -2,6 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
+use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::mhclo::Entry;
 use crate::formats::python_int;
 use crate::repo::{Body, Worn};
@@ -19,15 +20,37 @@ const USUAL: i64 = 8;
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let own = body.worn.iter().filter(|worn| body.layers.is_checked(worn.file));
-    out.extend(own.filter_map(finding));
+    out.extend(own.clone().filter_map(finding));
+    out.extend(own.filter_map(of_archive));
+}
+
+/// An asset that is nothing but its archive, which says how many are kept.
+fn of_archive(worn: &Worn<'_>) -> Option<Finding> {
+    // The archive of a mesh says it itself.
+    let proxy = worn.packed_proxy().filter(|_| worn.packed_mesh.is_none())?;
+    let (file, mesh) = worn.mesh().filter(|(_, mesh)| mesh.is_sound())?;
+    let (vertex, most, what) = most(mesh).filter(|(_, most, _)| u64::from(*most) > proxy.max_pole)?;
+    let message = format!(
+        "{} of `{}` has {most} {what}, but the archive allows {}",
+        mesh.named(vertex),
+        file.file_name(),
+        proxy.max_pole
+    );
+    let finding = RULE.at(worn.file, Place::File, message).related(file.path.clone(), Place::File, "the mesh");
+    Some(finding.help(format!("pack it again from a text with `max_pole {}`", most.div_ceil(2))))
+}
+
+/// The vertex with most faces, or most neighbours.
+fn most(mesh: &AssetMesh) -> Option<(u32, u32, &'static str)> {
+    let (vertex, faces) = mesh.pole?;
+    let beside = mesh.neighbours.filter(|(_, count)| *count > faces);
+    Some(beside.map_or((vertex, faces, "faces"), |(vertex, count)| (vertex, count, "neighbours")))
 }
 
 fn finding(worn: &Worn<'_>) -> Option<Finding> {
     let entry = worn.clothes()?.all("max_pole").rev().find(|entry| !entry.has_colon);
     let (file, mesh) = worn.mesh().filter(|(_, mesh)| mesh.is_sound())?;
-    let (vertex, faces) = mesh.pole?;
-    let beside = mesh.neighbours.filter(|(_, count)| *count > faces);
-    let (vertex, most, what) = beside.map_or((vertex, faces, "faces"), |(vertex, count)| (vertex, count, "neighbours"));
+    let (vertex, most, what) = most(mesh)?;
     // A word that is no number has a finding of its own.
     let half = entry.map_or(Some(USUAL), |entry| python_int(entry.word().as_bytes()))?;
     let kept = half.saturating_mul(2);

@@ -103,14 +103,25 @@ const NO_PLACEHOLDER: Case = &[(Makehuman1, Level::Warning, "logs an error for e
 const NO_XRAY: Case = &[(Makehuman1, Level::Warning, "logs an error and shows no bones through the skin")];
 const NO_SHADERS: Case = &[(Makehuman1, Level::Warning, "logs errors and draws all surfaces without their shaders")];
 
+/// What is read where a file is not there, as in a release.
+fn packed(rel: &str) -> Option<String> {
+    let (stem, extension) = rel.rsplit_once('.')?;
+    let packed = match extension {
+        "mhclo" => "mhpxy",
+        "obj" => "npz",
+        _ => return None,
+    };
+    Some(format!("{stem}.{packed}"))
+}
+
 fn of_makehuman1(view: &View<'_>, system: &Layer, out: &mut Vec<Finding>) {
     let blends = view.surfaces().iter().any(|surface| surface.is_first && surface.is_true("autoBlendSkin"));
     let has_files = |folder: &str| system.below(folder).any(|file| !file.file_name().ends_with(".thumb"));
     let has = |folder: &str| has_files(folder) || folder == LITSPHERES && blends;
     // An asset with its extension in capitals has a finding of its own.
     let other = |rel: &str| rel.strip_suffix(".mhclo").map(|stem| format!("{stem}.MHCLO"));
-    // Without its text the packed mesh does.
-    let is_packed = |rel: &str| rel == BASE_MESH && system.file("3dobjs/base.npz").is_some();
+    // Without their texts the packed mesh and the packed eyes do.
+    let is_packed = |rel: &str| packed(rel).is_some_and(|packed| system.file(&packed).is_some());
     let is_of_user = |rel: &str| rel == FIRST_SCENE && view.layers().user.is_some_and(|user| exists(user, rel));
     let is_there = |rel: &str| {
         exists(system, rel)

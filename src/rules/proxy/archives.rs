@@ -1,11 +1,12 @@
-//! The archives of assets (`.mhbin`) with the texts that they were made from.
+//! The archives of assets (`.mhbin`, `.mhpxy`) with the texts that they were made from.
 
 use std::collections::BTreeMap;
 
 use super::{Text, texts};
-use crate::formats::mhbin_asset::{Packed, PackedAsset};
+use crate::formats::mhbin_asset::{Mask, Packed, PackedAsset};
+use crate::formats::mhclo::RowFacts;
 use crate::formats::target::MeshSize;
-use crate::repo::{Body, FileFacts, Worn};
+use crate::repo::{Body, FileFacts, ReferenceKind, Resolution, Worn};
 
 /// The archive of an asset, of the checked layer.
 #[derive(Clone, Copy)]
@@ -31,9 +32,36 @@ pub(super) fn archives<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Archi
     })
 }
 
-/// Those that are all there is of an asset: beside a text the fault is told there, or that the two differ.
-pub(super) fn lone_archives<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Archive<'b, 'v>> {
-    archives(body).filter(|archive| archive.text.is_none())
+/// An archive that is all there is of an asset, of the checked layer.
+#[derive(Clone, Copy)]
+pub(super) struct Lone<'b, 'v> {
+    pub(super) worn: &'b Worn<'v>,
+    pub(super) file: &'v FileFacts,
+    pub(super) rows: &'v RowFacts,
+    pub(super) mask: Option<&'v Mask>,
+}
+
+/// The archives that are all there is of an asset, of MakeHuman 2 and 1: beside a text the fault is told there, or that the
+/// two differ.
+pub(super) fn lone_archives<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Lone<'b, 'v>> {
+    let of_makehuman2 = archives(body).filter(|archive| archive.text.is_none()).map(|archive| {
+        let Archive { worn, file, asset, .. } = archive;
+        Lone { worn, file, rows: &asset.rows, mask: asset.mask.as_ref() }
+    });
+    let own = body.worn.iter().filter(|worn| body.layers.is_checked(worn.file));
+    let of_makehuman1 = own.filter_map(|worn| {
+        let proxy = worn.packed_proxy()?;
+        Some(Lone { worn, file: worn.file, rows: &proxy.rows, mask: proxy.mask.as_ref() })
+    });
+    of_makehuman2.chain(of_makehuman1)
+}
+
+impl Lone<'_, '_> {
+    /// Whether its mesh is not where it was packed (`proxy-missing-mesh`): then nothing else is.
+    pub(super) fn has_moved(&self) -> bool {
+        let mesh = self.worn.reference(ReferenceKind::AssetMesh);
+        mesh.is_some_and(|mesh| matches!(mesh.resolution, Resolution::Missing))
+    }
 }
 
 impl Archive<'_, '_> {

@@ -44,7 +44,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.extend(finding(text.file, place, "`delete_verts`", hidden));
     }
     for archive in lone_archives(body).filter(|archive| !archive.worn.is_topology()) {
-        let mask = archive.asset.mask.as_ref().filter(|mask| mask.length == mesh.positions.len());
+        let mask = archive.mask.filter(|mask| mask.length == mesh.positions.len());
         let Some(mask) = mask else { continue };
         out.extend(finding(archive.file, Place::File, "the mask", hidden(body, mesh, &mask.runs)));
     }

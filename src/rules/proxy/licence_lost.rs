@@ -3,8 +3,10 @@
 use super::super::{Check, Rule, RuleCx, such};
 use super::{Text, texts};
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::mhbin_asset::Packed;
 use crate::formats::mhclo::Entry;
-use crate::repo::Body;
+use crate::formats::mhpxy::Licence;
+use crate::repo::{Body, Worn};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "exports the asset as `CC0` from the second start on, and cuts the name of the author")],
@@ -37,7 +39,33 @@ fn capitals(text: &Text<'_, '_>) -> Option<Finding> {
     Some(finding.help(format!("write `{}`", first.keyword.to_lowercase())))
 }
 
+const LOST: Case = &[(Makehuman1, Level::Warning, "exports the asset as `CC0`, and cuts the name of the author")];
+const CUT: Case = &[(Makehuman1, Level::Warning, "exports the asset with a part of this text")];
+const BROKEN: Case = &[(Makehuman1, Level::Error, "does not put the asset on: `UnicodeDecodeError`")];
+const OF_TEXT: Case = &[(Makehuman1, Level::Info, "reads the text beside it, with a warning in the log")];
+
+/// An archive that was packed with such letters.
+fn packed(body: &Body<'_>, worn: &Worn<'_>) -> Option<Finding> {
+    let lone = worn.packed_proxy().map(|proxy| (worn.file, proxy));
+    // What is packed anew has the finding of its text.
+    let beside = || worn.binary.filter(|file| body.layers.checks_system() && body.layers.is_checked(file));
+    let (file, proxy) = lone.or_else(|| Some((beside()?, Packed::proxy_of(beside()?.packed())?)))?;
+    let (what, case) = match proxy.licence {
+        Licence::Whole => return None,
+        Licence::Lost => ("the licence in the archive is lost behind a letter that is not ASCII", LOST),
+        Licence::Cut => ("a text behind the licence in the archive is cut for a letter that is not ASCII", CUT),
+        Licence::Broken => (
+            "author and licence in the archive are cut inside of a letter that is not ASCII",
+            if lone.is_some() { BROKEN } else { OF_TEXT },
+        ),
+    };
+    let help = "write author and licence in the text with letters a to z, and pack it again";
+    Some(RULE.at(file, Place::File, what).key("packed").case(case).help(help))
+}
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let own = body.worn.iter().filter(|worn| body.layers.is_checked(worn.file));
+    out.extend(own.filter(|_| body.is_makehuman1()).filter_map(|worn| packed(body, worn)));
     out.extend(texts(body).filter_map(|text| capitals(&text)));
     // Nothing is compiled in the data of the program.
     if body.layers.checks_system() {

@@ -39,7 +39,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             None => unnamed(body, &text),
         });
     }
-    for archive in lone_archives(body).filter(|archive| !archive.worn.is_topology()) {
+    for archive in lone_archives(body).filter(|archive| !archive.worn.is_topology() && !archive.has_moved()) {
         let reference = archive.worn.reference(ReferenceKind::AssetMaterial);
         let Some(reference) = reference.filter(|one| matches!(one.resolution, Resolution::Missing)) else { continue };
         let message = format!("material `{}` of the archive does not exist", reference.text);

@@ -34,7 +34,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let help = did_you_mean(near, "correct the name, restore the file, or remove the line");
         out.push(RULE.at(text.file, reference.place.clone(), message).key(reference.text).help(help));
     }
-    for archive in lone_archives(body) {
+    for archive in lone_archives(body).filter(|archive| !archive.has_moved()) {
         let reference = archive.worn.reference(ReferenceKind::AssetWeights);
         let Some(reference) = reference.filter(|one| matches!(one.resolution, Resolution::Missing)) else { continue };
         let message = format!("bone weights `{}` of the archive do not exist", reference.text);

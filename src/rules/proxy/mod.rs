@@ -107,7 +107,7 @@ pub(super) static RULES: &[&Rule] = &[
     &ranges_before_verts::RULE,
 ];
 
-use archives::{Archive, archives, lone_archives, rebuild};
+use archives::{Archive, Lone, archives, lone_archives, rebuild};
 use older::needs_value;
 
 use super::such;

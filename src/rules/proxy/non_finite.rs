@@ -30,13 +30,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.extend(finding(text.file, rows, line, |vertex| text.vertex(vertex), help));
     }
     let archives = lone_archives(body).filter_map(|archive| {
-        finding(
-            archive.file,
-            &archive.asset.rows,
-            Place::File,
-            |vertex| format!("vertex {vertex}"),
-            "export the asset again",
-        )
+        finding(archive.file, archive.rows, Place::File, |vertex| format!("vertex {vertex}"), "export the asset again")
     });
     out.extend(archives);
 }

@@ -7,15 +7,16 @@ use crate::formats::mhbin_asset::Packed;
 use crate::formats::mhclo::Clothes;
 use crate::formats::mhpxy::PackedProxy;
 use crate::formats::python_int;
-use crate::repo::{Body, FileFacts, Layer, Worn, parent};
+use crate::repo::makehuman1::named_by_archive;
+use crate::repo::{Body, FileFacts, ReferenceKind, Resolution, Worn};
 
 const FOREIGN: Case = &[(Makehuman1, Level::Error, "does not put the asset on, unless the text is newer")];
 
 /// What differs, or that its mesh is not there.
-pub(super) fn finding(rule: &Rule, body: &Body<'_>, worn: &Worn<'_>) -> Option<Finding> {
+pub(super) fn finding<'v>(rule: &Rule, body: &Body<'v>, worn: &Worn<'v>) -> Option<Finding> {
     let file = worn.binary.filter(|file| body.layers.is_checked(file))?;
-    let Packed::Proxy(proxy) = file.packed()? else { return None };
-    let clothes = worn.clothes().filter(|_| proxy.fault.is_none())?;
+    let proxy = Packed::proxy_of(file.packed())?;
+    let clothes = worn.clothes()?;
     let at = |message: String| {
         let finding = rule.at(file, Place::File, message).related(worn.file.path.clone(), Place::File, "the text");
         finding.help(
@@ -23,7 +24,7 @@ pub(super) fn finding(rule: &Rule, body: &Body<'_>, worn: &Worn<'_>) -> Option<F
             MakeHuman 1 packs it again",
         )
     };
-    if let Some(message) = unfit(body, file, proxy) {
+    if let Some(message) = unfit(body, file) {
         return Some(at(message).key("mesh").case(FOREIGN));
     }
     if let Some((_, mesh)) = worn.mesh().filter(|(_, mesh)| mesh.is_sound() && mesh.facts.vertices != proxy.rows.count)
@@ -31,46 +32,30 @@ pub(super) fn finding(rule: &Rule, body: &Body<'_>, worn: &Worn<'_>) -> Option<F
         let message = format!("has {} rows for {} vertices of its mesh", proxy.rows.count, mesh.facts.vertices);
         return Some(at(message).key("mesh").case(FOREIGN));
     }
-    let kinds = kinds(proxy, clothes);
+    // What the text does not find either is told of that.
+    let has_material = worn.reference(ReferenceKind::AssetMaterial).is_some_and(|one| one.found().is_some());
+    let is_bare = has_material && missing(body, file, ReferenceKind::AssetMaterial).is_some();
+    // A text whose offsets would be lost has a finding of its own where it is packed anew.
+    let is_cut = body.layers.checks_system() && proxy.is_exact && clothes.rows.has_offsets;
+    let mut kinds = kinds(proxy, clothes);
+    kinds.extend((is_bare && !kinds.contains(&"material")).then_some("material"));
+    kinds.extend(is_cut.then_some("offsets"));
     let differs = (!kinds.is_empty()).then(|| format!("differs from `{}`: {}", worn.file.file_name(), listed(&kinds)));
     differs.map(|message| at(message).parts(kinds.iter().copied()))
 }
 
-/// Archives without a text that name what is not there.
-pub(super) fn lone(rule: &Rule, body: &Body<'_>, out: &mut Vec<Finding>) {
-    let layer = body.layers.checked;
-    for file in layer.files.values().filter(|file| file.rel.ends_with(".mhpxy")) {
-        if layer.text_of_archive(&file.rel).is_some() {
-            continue;
-        }
-        let Some(Packed::Proxy(proxy)) = file.packed() else { continue };
-        let message = unfit(body, file, proxy).filter(|_| proxy.fault.is_none());
-        let finding = message.map(|message| rule.at(file, Place::File, message).key("mesh").case(FOREIGN));
-        out.extend(finding.map(|finding| finding.help("move it back to its folder, or restore what it names")));
-    }
-}
-
 /// What it names and is not there.
-fn unfit(body: &Body<'_>, file: &FileFacts, proxy: &PackedProxy) -> Option<String> {
-    let [mesh, _, weights] = &proxy.files;
-    if !has_file(body, file, mesh) {
-        return Some(format!("its mesh `{mesh}` does not exist: it was packed in another place"));
-    }
-    let is_lost = !weights.is_empty() && !has_file(body, file, weights);
-    is_lost.then(|| format!("its bone weights `{weights}` do not exist"))
+fn unfit<'v>(body: &Body<'v>, file: &'v FileFacts) -> Option<String> {
+    let missing = |kind| missing(body, file, kind);
+    let mesh = missing(ReferenceKind::AssetMesh)
+        .map(|mesh| format!("its mesh `{mesh}` does not exist: it was packed in another place"));
+    mesh.or_else(|| Some(format!("its bone weights `{}` do not exist", missing(ReferenceKind::AssetWeights)?)))
 }
 
-/// Names lead on from the folder of the archive, then from the data of the user and of the system; a packed mesh does as well.
-fn has_file(body: &Body<'_>, file: &FileFacts, mesh: &str) -> bool {
-    let rel = format!("{}/{mesh}", parent(&file.rel));
-    let is_there = |layer: &Layer, rel: &str| {
-        let packed = rel.rsplit_once('.').map(|(stem, _)| format!("{stem}.npz"));
-        layer.file(rel).is_some() || packed.is_some_and(|packed| layer.file(&packed).is_some())
-    };
-    // What leads up is not followed here.
-    mesh.contains("..")
-        || is_there(body.layers.checked, &rel)
-        || body.layers.strongest_first().any(|layer| is_there(layer, mesh))
+/// The name of a file in it that is not there.
+fn missing<'v>(body: &Body<'v>, file: &'v FileFacts, kind: ReferenceKind) -> Option<&'v str> {
+    let mut named = named_by_archive(body.layers, file)?.into_iter().filter(|one| one.kind == kind);
+    named.find(|one| matches!(one.resolution, Resolution::Missing)).map(|one| one.text)
 }
 
 /// Everything that differs.
@@ -99,7 +84,7 @@ fn kinds(proxy: &PackedProxy, clothes: &Clothes) -> Vec<&'static str> {
 fn has_other_rows(proxy: &PackedProxy, clothes: &Clothes) -> bool {
     let (packed, text) = (&proxy.rows, &clothes.rows);
     let ([all, first], [own, own_first]) = (packed.prints, text.prints);
-    packed.count != text.count || if proxy.is_exact { first != own_first } else { all != own }
+    packed.count != text.count || if proxy.is_exact { text.has_shares || first != own_first } else { all != own }
 }
 
 fn has_other_scale(proxy: &PackedProxy, clothes: &Clothes) -> bool {
@@ -109,8 +94,8 @@ fn has_other_scale(proxy: &PackedProxy, clothes: &Clothes) -> bool {
 }
 
 fn has_other_mask(proxy: &PackedProxy, clothes: &Clothes) -> bool {
-    let length = proxy.mask.as_ref().map(|(length, _)| *length).or(proxy.rows.mesh.map(|mesh| mesh.vertices));
+    let length = proxy.mask.as_ref().map(|mask| mask.length).or(proxy.rows.mesh.map(|mesh| mesh.vertices));
     let Some(vertices) = length else { return false };
-    let runs = proxy.mask.as_ref().map(|(_, runs)| runs.as_slice()).unwrap_or_default();
+    let runs = proxy.mask.as_ref().map(|mask| mask.runs.as_slice()).unwrap_or_default();
     clothes.merged_deletes(vertices) != runs
 }

@@ -26,7 +26,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         copied with its archive, the archive still has the old name and uuid, and one of the two assets is not listed: an \
         error.\n\n\
         MakeHuman 1 does the same with `.mhpxy`. One that was copied from another asset names a mesh that is not in its folder, \
-        and the asset cannot be put on: an error.\n\n\
+        and the asset cannot be put on: an error. Which vertices stand beside one that has all the weight does not matter.\n\n\
         Delete the archive; the program writes it again. It does not belong in version control.",
     ..RuleInfo::new("proxy-stale-binary", Level::Warning, "a packed asset differs from its text")
 });
@@ -40,7 +40,6 @@ const COPY: Case = &[(
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_makehuman1() {
-        packed_proxy::lone(&RULE, body, out);
         return out.extend(body.worn.iter().filter_map(|worn| packed_proxy::finding(&RULE, body, worn)));
     }
     let known = identities(body);

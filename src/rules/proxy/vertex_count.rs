@@ -1,7 +1,7 @@
 //! An asset has a row for each vertex of its mesh.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::{STOPS_WITH_INDEX, Text, blender, sections, texts};
+use super::{Lone, STOPS_WITH_INDEX, Text, blender, lone_archives, sections, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
@@ -36,6 +36,23 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body).filter(|text| !text.stops()) {
         out.extend(finding(body, &text));
     }
+    out.extend(lone_archives(body).filter(|_| body.is_makehuman1()).filter_map(|archive| of_archive(body, &archive)));
+}
+
+/// An archive of MakeHuman 1 that is all there is of an asset.
+fn of_archive(body: &Body<'_>, archive: &Lone<'_, '_>) -> Option<Finding> {
+    let (file, mesh) = archive.worn.mesh().filter(|(_, mesh)| body.opens(mesh))?;
+    let (rows, vertices) = (archive.rows.count, mesh.facts.vertices);
+    // Loose vertices keep it from loading an OBJ at all (`mesh-unused-vertex`).
+    let is_loose = archive.worn.packed_mesh.is_none() && mesh.facts.unused.count > 0;
+    if rows == vertices || is_loose {
+        return None;
+    }
+    let message = format!("{} for {} of `{}`", counted(rows, "packed row"), vertices_of(vertices), file.file_name());
+    let finding = RULE.at(archive.file, Place::File, message).related(file.path.clone(), Place::File, "the mesh");
+    let finding = finding.evidence(Evidence::counted(rows.abs_diff(vertices)));
+    let finding = finding.help("restore the mesh that it was packed with, or pack both again");
+    Some(if rows == 1 { finding.case(SINGLE) } else { finding })
 }
 
 fn finding(body: &Body<'_>, text: &Text<'_, '_>) -> Option<Finding> {

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use super::pack::{npy, single};
+use super::Edit;
+use super::pack::{int, npy, single};
 use super::zipped::{named, zip};
 
 /// An archive to make of a text as it is before the edits of the case.
@@ -16,6 +17,11 @@ pub struct Compiled {
     file: String,
     /// The text: a mesh if it is an OBJ.
     from: String,
+    /// Something in the text that is otherwise in the archive.
+    #[serde(default)]
+    find: String,
+    #[serde(default)]
+    replace: String,
     /// Members that are left out.
     #[serde(default)]
     without: Vec<String>,
@@ -30,7 +36,11 @@ pub struct Compiled {
 impl Compiled {
     pub fn apply(&self, root: &Path) {
         let text = fs::read_to_string(root.join(&self.from)).unwrap();
-        let members = if self.from.ends_with(".obj") { mesh(&text) } else { worn(&text) };
+        let edit = Edit { file: self.from.clone(), find: self.find.clone(), replace: self.replace.clone(), all: false };
+        let text = if self.find.is_empty() { text } else { edit.edited(&text) };
+        // Archives of 1.0 do not say how many faces of a vertex they have room for, and have room for eight.
+        let columns = if self.without.iter().any(|name| name == "MAX_FACES") { 8 } else { 16 };
+        let members = if self.from.ends_with(".obj") { mesh(&text, columns) } else { worn(&text) };
         let members = members.into_iter().filter(|(name, _)| !self.without.iter().any(|own| own == name));
         let members: Vec<_> = members.map(|(name, bytes)| (named(&format!("{name}.npy")), bytes)).collect();
         let all: Vec<_> = members.iter().map(|(name, bytes)| (name.clone(), bytes.as_slice())).collect();
@@ -55,7 +65,7 @@ fn text_of(text: &str) -> Vec<u8> {
     npy("'|S1'", &format!("({},)", text.len()), text.bytes())
 }
 
-fn mesh(text: &str) -> Vec<(&'static str, Vec<u8>)> {
+fn mesh(text: &str, columns: usize) -> Vec<(&'static str, Vec<u8>)> {
     let lines = |keyword: &'static str| {
         text.lines()
             .map(|line| line.split_whitespace())
@@ -70,16 +80,41 @@ fn mesh(text: &str) -> Vec<(&'static str, Vec<u8>)> {
     let (vertices, faces) = (positions.len() / 3, corners.len() / 4);
     let texture: Vec<f64> = lines("vt").flat_map(|words| words.take(2).map(|word| word.parse().unwrap())).collect();
     let uvs = texture.len() / 2;
-    let rest = ["vface", "nfaces", "group", "fgstr", "fgidx", "MAX_FACES"];
+    let rest = ["nfaces", "group", "fgstr", "fgidx"];
     let mut members = vec![
         ("coord", npy("'<f4'", &format!("({vertices}, 3)"), floats(positions.into_iter()))),
         ("fvert", npy("'<u4'", &format!("({faces}, 4)"), corners.into_iter().flat_map(whole))),
         ("texco", npy("'<f4'", &format!("({uvs}, 2)"), floats(texture.into_iter()))),
         // Which of them a corner has nobody asks.
         ("fuvs", npy("'<u4'", &format!("({faces}, 4)"), std::iter::repeat_n(0, 16 * faces))),
+        // Nor which faces a vertex has.
+        ("vface", npy("'<u4'", &format!("({vertices}, {columns})"), std::iter::repeat_n(0, 4 * vertices * columns))),
+        ("MAX_FACES", npy("'<i4'", "(1,)", int(columns).into_iter())),
     ];
     members.extend(rest.map(|name| (name, npy("'<u4'", "(0,)", std::iter::empty()))));
     members
+}
+
+/// All tags in one text, and where each begins.
+fn tags(text: &str) -> (String, Vec<usize>) {
+    let (mut all, mut starts) = (String::new(), Vec::new());
+    for tag in text.lines().filter_map(|line| line.strip_prefix("tag ")) {
+        starts.push(all.len());
+        all.push_str(&tag.to_lowercase());
+    }
+    (all, starts)
+}
+
+/// What comments say of author and licence, with lengths in letters.
+fn licence(text: &str) -> (String, Vec<usize>) {
+    let (mut all, mut lengths) = (String::new(), Vec::new());
+    for (name, usual) in [("author", ""), ("license", "CC0"), ("copyright", ""), ("homepage", "")] {
+        let start = format!("# {name} ");
+        let value = text.lines().find_map(|line| line.strip_prefix(start.as_str())).unwrap_or(usual);
+        lengths.extend([name.len(), value.chars().count()]);
+        all.extend([name, value]);
+    }
+    (all, lengths)
 }
 
 fn worn(text: &str) -> Vec<(&'static str, Vec<u8>)> {
@@ -104,9 +139,22 @@ fn worn(text: &str) -> Vec<(&'static str, Vec<u8>)> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "vertices of a sample")]
     let vertices = part(0).flat_map(|number| whole(number as u32));
     let depth = word("z_depth").parse().unwrap_or(50);
+    let (tags, starts) = tags(text);
+    let (licence, lengths) = licence(text);
+    let numbers =
+        |numbers: Vec<usize>| npy("'<u4'", &format!("({},)", numbers.len()), numbers.into_iter().flat_map(int));
+    let pole: usize = word("max_pole").parse().unwrap_or(8);
     let mut members = vec![
         ("name", text_of(&word("name"))),
         ("uuid", text_of(&word("uuid"))),
+        ("basemesh", text_of("hm08")),
+        ("tags_str", text_of(&tags)),
+        ("tags_idx", numbers(starts)),
+        ("lic_str", text_of(&licence)),
+        ("lic_idx", numbers(lengths)),
+        ("uvLayers_str", text_of("")),
+        ("uvLayers_idx", numbers(Vec::new())),
+        ("max_pole", npy("'<u4'", "()", int(2 * pole).into_iter())),
         ("obj_file", text_of(&word("obj_file"))),
         ("z_depth", scalar(depth)),
         ("num_refverts", scalar(if is_exact { 1 } else { 3 })),

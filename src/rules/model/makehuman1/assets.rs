@@ -4,7 +4,7 @@ use super::super::super::cause::library::{FIRST_EYES, FIRST_SKIN};
 use super::super::super::{Rule, RuleCx, did_you_mean, such};
 use super::own;
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped};
-use crate::discover::{Kind, extension, library_of};
+use crate::discover::{Kind, archive_library_of, extension, library_of};
 use crate::formats::mhm::CATEGORIES;
 use crate::formats::mhm_lines::Line;
 use crate::repo::makehuman1::{SavedModel, View, uuid_of};
@@ -38,11 +38,24 @@ fn library(category: &str) -> &str {
 
 /// The assets that are listed where a category is looked for.
 fn listed<'v, 'a>(view: &'v View<'a>, category: &str) -> impl Iterator<Item = &'v Worn<'a>> {
-    view.worn().iter().filter(move |worn| library_of(&worn.file.rel) == Some(library(category)))
+    view.worn().iter().filter(move |worn| shelf(worn) == Some(library(category)))
+}
+
+/// The library that lists an asset, or the archive that is all there is of it.
+fn shelf<'a>(worn: &Worn<'a>) -> Option<&'a str> {
+    library_of(&worn.file.rel).or_else(|| archive_library_of(&worn.file.rel))
 }
 
 fn name_of<'a>(worn: &Worn<'a>) -> Option<&'a str> {
-    worn.clothes()?.all("name").next_back().map(|entry| &*entry.value)
+    match worn.packed_proxy() {
+        Some(proxy) => proxy.identity.first().map(|name| &**name),
+        None => worn.clothes()?.all("name").next_back().map(|entry| &*entry.value),
+    }
+}
+
+/// Whether nobody can tell what it is known by.
+fn is_unread(worn: &Worn<'_>) -> bool {
+    worn.clothes().is_none() && worn.packed_proxy().is_none()
 }
 
 /// Assets are known by their uuid. One that cannot be read, or has none, has a finding of its own.
@@ -50,11 +63,11 @@ fn is_lost(view: &View<'_>, line: &Line) -> bool {
     let (name, uuid) = (line.value(0), line.value(1));
     let may_be_it = |worn: &Worn<'_>| match uuid_of(worn) {
         Some(own) => own == uuid,
-        None => name_of(worn) == Some(name) || worn.file.stem() == name || worn.clothes().is_none(),
+        None => name_of(worn) == Some(name) || worn.file.stem() == name || is_unread(worn),
     };
     let own = library(&line.keyword.text);
     let is_first = FIRST_EYES == format!("{own}/{name}/{name}.mhclo");
-    !listed(view, &line.keyword.text).any(may_be_it) && !has_packed(view, own) && !is_first && !is_unlisted(view, name)
+    !listed(view, &line.keyword.text).any(may_be_it) && !is_first && !is_unlisted(view, name)
 }
 
 /// Whether an asset of this name is there and not listed: in another folder, or with another suffix.
@@ -84,15 +97,6 @@ fn is_unlisted_file(view: &View<'_>, reference: &Reference<'_>) -> bool {
     })
 }
 
-/// Whether a library has an asset without its text, which nobody looks into yet.
-fn has_packed(view: &View<'_>, library: &str) -> bool {
-    let mut layers = view.layers.strongest_first();
-    layers.any(|layer| {
-        let mut packed = layer.below(library).filter_map(|file| file.rel.strip_suffix(".mhpxy"));
-        packed.any(|stem| ["mhclo", "proxy"].iter().all(|text| layer.file(&format!("{stem}.{text}")).is_none()))
-    })
-}
-
 fn unknown(rule: &Rule, view: &View<'_>, lines: &[(&SavedModel<'_>, &Line)], cx: &RuleCx<'_>) -> Option<Finding> {
     let (model, line) = lines.first()?;
     let (category, name, uuid) = (&*line.keyword.text, line.value(0), line.value(1));
@@ -100,7 +104,7 @@ fn unknown(rule: &Rule, view: &View<'_>, lines: &[(&SavedModel<'_>, &Line)], cx:
     let more = such(lines.len(), "models");
     let same = listed(view, category).find(|worn| name_of(worn) == Some(name)).and_then(uuid_of);
     let elsewhere = view.worn().iter().find(|worn| uuid_of(worn) == Some(uuid) && !uuid.is_empty());
-    let elsewhere = elsewhere.and_then(|worn| library_of(&worn.file.rel));
+    let elsewhere = elsewhere.and_then(shelf);
     let is_cut = line.values.len() > 2 && uuid_is_known(view, line.values.last().map_or("", |word| &word.text));
     let (message, help) = match (same, elsewhere) {
         _ if is_cut => (
