@@ -84,6 +84,8 @@ pub(crate) fn loose<'t>(tree: &'t Tree, layout: &'static Layout, known: &Known<'
 
 /// Extension of materials.
 const MATERIAL: &str = "mhmat";
+/// Extension of what MakeHuman 1 packs of something worn.
+const ARCHIVE: &str = "mhpxy";
 
 /// An asset that a list shows, and where its folder is put.
 struct Asset<'t> {
@@ -138,7 +140,7 @@ impl<'t, 'k> Placing<'t, 'k> {
             let is_part = || {
                 meant_extension(&entry.path) == MATERIAL && folders_above(folder).any(|above| with_worn.contains(above))
             };
-            if !(is_open && is_near) || is_part() {
+            if !(is_open && is_near) || is_part() || self.has_text(entry) {
                 continue;
             }
             let above = self.above(folder);
@@ -156,9 +158,18 @@ impl<'t, 'k> Placing<'t, 'k> {
         assets
     }
 
+    /// Whether it is the archive of a text beside it, which is the asset then.
+    fn has_text(&self, entry: &Entry) -> bool {
+        let stem = entry.path.strip_suffix(ARCHIVE);
+        stem.is_some_and(|stem| {
+            ["mhclo", "proxy"].iter().any(|text| self.tree.entry(&format!("{stem}{text}")).is_some())
+        })
+    }
+
     /// The folders with something to wear.
     fn folders_with_worn(&self) -> BTreeSet<&'t str> {
-        let worn = self.files.iter().filter(|entry| matches!(meant_extension(&entry.path), "mhclo" | "proxy"));
+        let is_worn = |entry: &&&Entry| matches!(meant_extension(&entry.path), "mhclo" | "proxy" | ARCHIVE);
+        let worn = self.files.iter().filter(is_worn);
         worn.map(|entry| folder_and_name(&entry.path).0).collect()
     }
 

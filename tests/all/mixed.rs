@@ -7,7 +7,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate::compare::commit_all;
-use crate::scratch::{assert_refused, copy_folder, edit, mhlint, project, stderr, stdout};
+use crate::scratch::{Case, assert_refused, copy_folder, edit, mhlint, project, stderr, stdout};
 
 pub(crate) const APPLICATIONS: [&str; 3] = ["makehuman1", "makehuman2", "mpfb"];
 
@@ -111,7 +111,7 @@ fn one_application_needs_no_matrix() {
 #[test]
 fn an_archive_that_stands_for_a_text_is_named() {
     let repository = tempfile::tempdir().unwrap();
-    let archived = crate::scratch::Case::read(&project("fixtures/rules/target-stale-binary/bad-makehuman1"));
+    let archived = Case::read(&project("fixtures/rules/target-stale-binary/bad-makehuman1"));
     copy_folder(&project("fixtures/makehuman1"), repository.path());
     archived.apply(repository.path());
     let report = report(repository.path(), &[]);
@@ -214,7 +214,7 @@ fn what_may_run_code_is_checked_wherever_it_lies() {
         ("scene-unsafe-pickle/bad-cache", "user/cache/hair.mhc", "scene-unsafe-pickle"),
     ] {
         let repository = side_by_side(&["makehuman2"], &[]);
-        crate::scratch::Case::read(&project(&format!("fixtures/rules/{case}"))).apply(repository.path());
+        Case::read(&project(&format!("fixtures/rules/{case}"))).apply(repository.path());
         let name = file.rsplit('/').next().unwrap();
         let bytes = std::fs::read(repository.path().join(file)).unwrap();
         std::fs::remove_file(repository.path().join(file)).unwrap();
@@ -242,6 +242,41 @@ fn an_archive_of_something_worn_is_checked_wherever_it_lies() {
     std::fs::write(repository.path().join("kilt.mhpxy"), "no archive").unwrap();
     let output = mhlint(repository.path(), &["kilt.mhpxy", "--report", "concise"]);
     assert!(stdout(&output).starts_with("kilt.mhpxy: error[archive-malformed]"), "{}", stdout(&output));
+}
+
+/// What is downloaded of a release is a folder of archives, which lies in no library.
+#[test]
+fn an_archive_of_something_worn_leads_to_what_lies_beside_it() {
+    let repository = side_by_side(&["makehuman1"], &[]);
+    let data = repository.path().join("makehuman1/data");
+    let case = "why = ''\n\
+        [[compiled]]\nalone = true\nfile = 'hair/curls/curls.mhpxy'\nfrom = 'hair/curls/curls.mhclo'\n\
+        [[compiled]]\nalone = true\nfile = 'hair/curls/curls.npz'\nfrom = 'hair/curls/curls.obj'\n";
+    toml::from_str::<Case>(case).unwrap().apply(&data);
+    let loose = tempfile::tempdir().unwrap();
+    copy_folder(&data.join("hair/curls"), &loose.path().join("curls"));
+    let found = |from: &Path, arguments: &[&str]| {
+        let output = mhlint(from, &[arguments, &["--report", "concise", "--fail-on", "never"]].concat());
+        let text = stdout(&output);
+        text.lines().filter(|line| line.contains('[')).map(str::to_owned).collect::<Vec<_>>()
+    };
+    let system = data.to_string_lossy().into_owned();
+    let folder = loose.path().join("curls");
+    for arguments in [vec!["."], vec!["curls.mhpxy"], vec!["curls.mhpxy", "--app", "makehuman1"]] {
+        assert_eq!(found(&folder, &arguments), [""; 0], "{arguments:?}");
+        assert_eq!(found(&folder, &[&arguments[..], &["--system", &system]].concat()), [""; 0], "{arguments:?}");
+    }
+    std::fs::remove_file(folder.join("curls.mhw")).unwrap();
+    std::fs::remove_file(folder.join("curls.mhmat")).unwrap();
+    for (from, path) in [(folder.as_path(), "curls.mhpxy"), (folder.as_path(), "."), (loose.path(), ".")] {
+        let told = found(from, &[path]);
+        let has = |rule: &str| told.iter().any(|line| line.contains(rule) && line.contains("curls.mhpxy"));
+        assert!(has("error[proxy-missing-weights]") && has("warning[proxy-missing-material]"), "{path}: {told:?}");
+        assert_eq!(told.len(), 2, "{path}: {told:?}");
+    }
+    std::fs::remove_file(folder.join("curls.npz")).unwrap();
+    let told = found(&folder, &["curls.mhpxy"]);
+    assert!(told.len() == 1 && told[0].contains("error[proxy-missing-mesh]"), "{told:?}");
 }
 
 /// Git and other programs have such folders in the data, and no checkout of a fixture would.
