@@ -35,7 +35,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .map(|(_, category)| category.name.as_str())
         .collect();
     let is_told = |one: &&Reference<'_>| one.kind == ReferenceKind::SliderName && forgotten.contains(one.owner);
-    let missing = view.references.iter().filter(|one| matches!(one.resolution, Resolution::Missing) && !is_told(one));
+    // What materials and assets name has rules of its own.
+    let is_lost =
+        |one: &&Reference<'_>| one.kind.is_target() && matches!(one.resolution, Resolution::Missing) && !is_told(one);
+    let missing = view.references.iter().filter(is_lost);
     let by_cause = grouped(missing.map(|reference| (cause(&catalog, reference), reference)));
     let by_cause = many_of_folder(by_cause);
     out.extend(by_cause.into_iter().filter_map(|(cause, references)| told(&cause, &references, &neighbours)));

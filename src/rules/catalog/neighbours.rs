@@ -60,6 +60,7 @@ impl<'v, 'a> Neighbours<'v, 'a> {
     fn nearest(&self, reference: &Reference<'_>) -> Option<&'a str> {
         let files = self.catalog.layer.below(parent(&reference.rel));
         let free = files.filter(|file| !self.used.contains(file.path.as_str())).map(FileFacts::file_name);
+        let free = free.filter(|name| stem(name) != *name);
         self.suggestions.nearest(stem(reference.rel.rsplit('/').next()?), free.map(stem))
     }
 }

@@ -46,7 +46,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         lacks_parts && (file.rel.starts_with("targets/macrodetails/") || file.rel.starts_with("targets/breast/"))
     };
     let neighbours = Neighbours::of(view, &catalog);
-    let missing = view.references.iter().filter(|one| matches!(one.resolution, Resolution::Missing));
+    let missing = view.references.iter().filter(|one| one.kind.is_target());
+    let missing = missing.filter(|one| matches!(one.resolution, Resolution::Missing));
     let meant: BTreeSet<String> = missing.filter_map(|one| neighbours.meant(one)).collect();
     let is_free = |file: &&FileFacts| {
         let is_target = file.rel.ends_with(".target.gz") || file.rel.ends_with(".target");
