@@ -13,6 +13,8 @@ use crate::repo::makehuman1::{KnownModifier, SavedModel, VARIABLES, Version, Vie
 
 const LOST: Case = &[(Makehuman1, Level::Error, "fails with an exception at the line, and loads the model without it")];
 const UNKNOWN: Case = &[(Makehuman1, Level::Warning, "loads the model without it, with a line in the log")];
+const BLANK: Case =
+    &[(Makehuman1, Level::Warning, "takes the first word for the name: loses the value, with a line in the log")];
 const NAN: Case = &[(Makehuman1, Level::Warning, "sets the slider to its maximum")];
 const LIMITED: Case = &[(Makehuman1, Level::Warning, "sets the slider to its limit")];
 const REPEATED: Case = &[(Makehuman1, Level::Warning, "uses the last value")];
@@ -22,6 +24,7 @@ pub(in super::super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, ou
     let known = Known::of(view);
     for model in own(view) {
         out.extend(broken(rule, model, &known));
+        out.extend(blanks(rule, model, &known));
         out.extend(non_finite(rule, model, &known));
         out.extend(repeated(rule, model));
         if model.version != Version::Current || !known.is_whole {
@@ -116,7 +119,9 @@ fn told(rule: &Rule, model: &SavedModel<'_>, faulty: &[&Line], message: String) 
 /// Lines without a name, or without a number.
 fn broken(rule: &Rule, model: &SavedModel<'_>, known: &Known<'_, '_>) -> Option<Finding> {
     // An unknown name is looked for first.
-    let is_asked = |line: &&Line| line.values.len() < 2 || !known.is_whole || known.has(line.value(0));
+    let is_asked = |line: &&Line| {
+        line.values.len() < 2 || known.has(line.value(0)) || !known.is_whole && name_with_blanks(line).is_none()
+    };
     let faulty: Vec<&Line> =
         lines(model).filter(is_asked).filter(|line| value(line).is_none() && !known.is_cut(line)).collect();
     let first = faulty.first()?;
@@ -125,7 +130,29 @@ fn broken(rule: &Rule, model: &SavedModel<'_>, known: &Known<'_, '_>) -> Option<
         0 | 1 => ("`modifier` needs a name and a number".to_owned() + &more, "write both, or remove the line"),
         _ => (format!("`{}` is not a number{more}", first.value(1)), "write the number with a decimal point"),
     };
-    told(rule, model, &faulty, message).map(|finding| finding.case(LOST).help(help))
+    // Every modifier has a group, and `/` behind it: without both the program finds none and asks for no number.
+    let is_none = |line: &&Line| line.values.len() > 1 && !line.value(0).contains('/');
+    let case = if faulty.iter().all(is_none) { UNKNOWN } else { LOST };
+    told(rule, model, &faulty, message).map(|finding| finding.case(case).help(help))
+}
+
+/// The name of a modifier in several words with a number behind them.
+fn name_with_blanks(line: &Line) -> Option<String> {
+    let is_number = |at: &usize| python_float(line.value(*at).as_bytes()).is_some();
+    let end = (1..line.values.len()).find(is_number).filter(|end| *end > 1)?;
+    let words: Vec<&str> = line.values.iter().take(end).map(|word| &*word.text).collect();
+    Some(words.join(" ")).filter(|name| name.contains('/'))
+}
+
+/// Names with blanks, of which the first word is looked for alone. Those of a target of the user have a finding of their own.
+fn blanks(rule: &Rule, model: &SavedModel<'_>, known: &Known<'_, '_>) -> Option<Finding> {
+    let is_blank = |line: &&Line| !known.has(line.value(0)) && !known.is_cut(line) && name_with_blanks(line).is_some();
+    let faulty: Vec<&Line> = lines(model).filter(is_blank).collect();
+    let name = name_with_blanks(faulty.first()?)?;
+    let message = format!("modifier `{name}` has a blank in its name{}", such(faulty.len(), "lines"));
+    let finding = told(rule, model, &faulty, message)?.key("blank").case(BLANK);
+    let finding = finding.evidence(Evidence::of_cases(faulty.iter().filter_map(|line| name_with_blanks(line))));
+    Some(finding.help("remove the line, or name the modifier without blanks where it is made, and here"))
 }
 
 fn non_finite(rule: &Rule, model: &SavedModel<'_>, known: &Known<'_, '_>) -> Option<Finding> {
@@ -202,7 +229,12 @@ fn unknown(rule: &Rule, view: &View<'_>, known: &Known<'_, '_>, cx: &RuleCx<'_>)
     let lost = all.filter(|(model, line)| {
         let name = line.value(0);
         let is_older = model.version != Version::Current && known.older.contains(name);
-        line.values.len() > 1 && !known.has(name) && !known.asked.contains(name) && !is_older && !known.is_cut(line)
+        line.values.len() > 1
+            && !known.has(name)
+            && !known.asked.contains(name)
+            && !is_older
+            && !known.is_cut(line)
+            && name_with_blanks(line).is_none()
     });
     // Where the modifier itself is what is wrong, that is told.
     let lost =
