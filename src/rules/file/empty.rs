@@ -70,8 +70,28 @@ fn counts_as_missing(view: &View<'_>, file: &FileFacts) -> Option<&'static str> 
 fn is_target_of_macros(view: &View<'_>, file: &FileFacts) -> bool {
     let is_macro = |reference: &Reference<'_>| reference.kind == ReferenceKind::MacroTarget;
     view.composes_name_of(file)
+        || is_neutral(file)
         || view.references().to_file(file).any(|reference| is_macro(reference) && reference.found().is_some())
 }
+
+/// Whether it is the shape of the middle of every macro setting by its name, and has comments: it moves nothing on purpose,
+/// wherever it lies.
+fn is_neutral(file: &FileFacts) -> bool {
+    let name = file.file_name();
+    let Some(stem) = [".target", ".target.gz"].into_iter().find_map(|suffix| name.strip_suffix(suffix)) else {
+        return false;
+    };
+    let is_average = |word: &&str| AVERAGES.contains(word);
+    file.size > 0
+        && stem.split('-').filter(is_average).count() > 1
+        && stem.split('-').all(|word| AVERAGES.contains(&word) || WHOLE.contains(&word))
+}
+
+/// Words of the names of macro targets that stand for the middle of a setting.
+const AVERAGES: [&str; 5] = ["averagemuscle", "averageweight", "averageheight", "averagecup", "averagefirmness"];
+/// Those that stand for whom a target is.
+const WHOLE: [&str; 10] =
+    ["universal", "male", "female", "baby", "child", "young", "old", "african", "asian", "caucasian"];
 
 /// Whether a packed target can be unpacked and has only comments, or nothing.
 fn has_no_line(file: &FileFacts) -> bool {
