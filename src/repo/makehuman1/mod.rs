@@ -18,6 +18,6 @@ pub(crate) use library::{Asset, Known};
 pub(crate) use models::{SavedModel, Version, material, uuid_of};
 pub(crate) use modifiers::{KnownModifier, SETS, VARIABLES, category};
 pub(crate) use target_archive::{TargetArchive, Unused};
-pub(crate) use targets::{CUSTOM, NamedTarget, PathClash, is_own_target};
+pub(crate) use targets::{CUSTOM, CustomTarget, NamedTarget, PathClash, is_own_target};
 pub(crate) use view::mesh_archive;
 pub(crate) use view::{HIDDEN, View, is_checked, mesh, shows, worn};

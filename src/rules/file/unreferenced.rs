@@ -15,7 +15,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         harm, but is often the sign of a mistake: an icon whose slider has a different name, a target packed as \
         `.target.gz` (MakeHuman 2 reads only plain targets), an extension in capitals, a backup copy.\n\nThe \
         rule checks the icons of targets and the folders `target`, `contarget`, `rigs` and `base` of each base \
-        mesh. Notes and licences are left out. Targets and weights have their own rules.\n\nRename the file, \
+        mesh. Notes, licences and programs are left out. Targets and weights have their own rules.\n\nRename the file, \
         refer to it, or remove it.",
     counts: "files",
     ..RuleInfo::new("file-unreferenced", Level::Info, "a file that nothing refers to and no loader opens")
@@ -108,7 +108,7 @@ impl<'r> References<'r> {
 fn reason(base: &Base<'_>, file: &FileFacts, references: &References<'_>) -> Option<Reason> {
     let (name, layer, layout) = (file.file_name(), references.view.layers.checked, Layout::of(Makehuman2));
     // A file called `icons` stands in the place of a folder: unreadable.
-    if file.encoding.lfs_pointer || file.gzip_fault.is_some() || name == "icons" || is_note(name) {
+    if file.encoding.lfs_pointer || file.gzip_fault.is_some() || name == "icons" || is_note(name) || is_code(name) {
         return None;
     }
     if file.kind == Kind::TargetIcon {
@@ -138,6 +138,11 @@ fn reason(base: &Base<'_>, file: &FileFacts, references: &References<'_>) -> Opt
 
 fn folder_of(rel: &str) -> &str {
     rel.rfind('/').and_then(|at| rel.get(..=at)).unwrap_or_default()
+}
+
+/// Programs, which no loader of assets opens: a plug-in may bring its skeleton along.
+fn is_code(name: &str) -> bool {
+    ["py", "pyc", "pyd", "pyi", "pyw", "toml", "sh", "bat", "cfg"].contains(&extension(&name.to_lowercase()))
 }
 
 /// Texts for people.

@@ -1,10 +1,10 @@
 //! A key once in an object.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, such};
 use super::left_out;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    Case, Finding, Level, Place, RuleInfo, grouped, steps, structural,
+    Case, Evidence, Finding, Level, Place, RuleInfo, grouped, steps, structural,
 };
 use crate::discover::Kind;
 use crate::json::Duplicate;
@@ -19,7 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     docs: "JSON allows the same key twice in one object, but Python keeps only the last value. Whatever stood \
         under the key before is lost: a slider, a bone, a macro component.\n\nMostly an entry was copied and its \
         key not changed. Give one of the two another key, or remove the wrong one. If both values are equal \
-        nothing is lost, and the finding is an info.",
+        nothing is lost, and the finding is an info: one for all objects of a file that repeat the key.",
     ..RuleInfo::new("json-duplicate-key", Level::Warning, "a key that appears more than once in an object")
 });
 
@@ -28,8 +28,26 @@ const NO_SLIDERS: Case = &[(Mpfb, Level::Error, "keeps only the last value: the 
 
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let by_member = grouped(file.json.duplicates.iter().map(|duplicate| (duplicate.pointer.as_str(), duplicate)));
-    out.extend(by_member.into_iter().filter_map(|(pointer, all)| finding(file, pointer, &all)));
+    let (equal, other): (Vec<_>, Vec<_>) =
+        by_member.into_iter().partition(|(_, all)| all.iter().all(|duplicate| duplicate.equal));
+    out.extend(other.into_iter().filter_map(|(pointer, all)| finding(file, pointer, &all)));
+    // Where nothing is lost, one habit of whoever wrote the file is one finding.
+    for members in grouped(equal.into_iter().map(|one| (steps(one.0).last().unwrap_or_default(), one))).into_values() {
+        out.extend(of_equal(file, &members));
+    }
     out.extend(left_out(&RULE, file, file.json.duplicates_left_out, "duplicate key"));
+}
+
+/// One finding for all objects of a file that have a key more than once, each time with the same value.
+fn of_equal(file: &FileFacts, members: &[(&str, Vec<&Duplicate>)]) -> Option<Finding> {
+    let (pointer, all) = members.first()?;
+    let mut finding = finding(file, pointer, all)?;
+    if members.len() > 1 {
+        finding.message = format!("{}{}", finding.message, such(members.len(), "objects"));
+        let objects = members.iter().map(|(pointer, _)| structural(pointer));
+        return Some(finding.evidence(Evidence::of_cases(objects)));
+    }
+    Some(finding)
 }
 
 /// One finding for a key, however often it occurs: at the first one that is lost, with the one that wins.

@@ -1,6 +1,6 @@
 //! A name or uuid of an asset is one word.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Case, Finding, Level, Place, RuleInfo,
@@ -70,13 +70,26 @@ fn in_path(view: &View<'_>, file: &FileFacts) -> Option<Finding> {
         "skins" => "skin",
         _ => return None,
     };
-    let has_space = file.rel.contains(char::is_whitespace);
-    let message = format!("the path of the {what} has a space: `{}`", file.rel);
-    let finding = RULE.at(file, Place::File, message).key("path").help("rename it without spaces");
-    has_space.then(|| {
-        finding.effect_in(
-            view.application(),
-            format!("saves models that lose the {what}: a line of a model is split at spaces"),
-        )
-    })
+    let has_space = |path: &str| path.contains(char::is_whitespace);
+    let mut folders = file.rel.match_indices('/').filter_map(|(end, _)| file.rel.get(..end));
+    let finding = match folders.find(|folder| has_space(folder)) {
+        // However many lie in it, one name is at fault.
+        Some(folder) => {
+            let layer = view.layers().checked;
+            let mut listed = layer.below(folder).filter(|other| (view.layout().scans)(&other.rel));
+            if listed.next().is_none_or(|first| first.path != file.path) {
+                return None;
+            }
+            let count = counted(listed.count() + 1, what);
+            let message = format!("folder `{folder}` of {count} has a space in its name");
+            RULE.in_layer(layer, folder, message).help("rename the folder, and what is in it, without spaces")
+        }
+        None if has_space(&file.rel) => {
+            let message = format!("the path of the {what} has a space: `{}`", file.rel);
+            RULE.at(file, Place::File, message).help("rename the file without spaces")
+        }
+        None => return None,
+    };
+    let effect = format!("saves models that lose the {what}: a line of a model is split at spaces");
+    Some(finding.key("path").effect_in(view.application(), effect))
 }

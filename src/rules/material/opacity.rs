@@ -1,7 +1,7 @@
 //! What is meant to be transparent has to say so.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman1, Finding, Level, RuleInfo};
+use crate::diag::{Application::Makehuman1, Case, Finding, Level, RuleInfo};
 use crate::repo::{Surface, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
@@ -9,9 +9,14 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     docs: "A material has an `opacity` below 1 and is not `transparent`.\n\n\
         MakeHuman 1 draws it like any other surface: what is behind it is hidden, or shows only where it happened to be \
         drawn before.\n\n\
-        Write `transparent True`, or remove `opacity`.",
+        Older exporters wrote `opacity 0` into every material. With `transparent True` such a surface would vanish, so that \
+        it is an info: remove the line.\n\n\
+        For other values write `transparent True`, or remove `opacity`.",
     ..RuleInfo::new("material-opacity", Level::Warning, "a material with an opacity below 1 that is not transparent")
 });
+
+/// Old exporters wrote it, and their authors have always seen the surface.
+const ZERO: Case = &[(Makehuman1, Level::Info, "draws the surface as if the line were not there")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if !view.is_makehuman1() {
@@ -21,11 +26,14 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some(line) = surface.material.last("opacity") else { continue };
         // A value that is read as no has a finding of its own.
         let is_meant = surface.material.last("transparent").is_some_and(|line| line.word(0).to_lowercase() != "false");
-        let is_below = line.number_at(0).is_some_and(|opacity| opacity < 1.0);
-        if is_below && !is_meant && !surface.is_true("transparent") {
+        let Some(opacity) = line.number_at(0).filter(|opacity| *opacity < 1.0) else { continue };
+        if !is_meant && !surface.is_true("transparent") {
             let message = format!("`opacity {}` without `transparent True`", line.word(0));
             let finding = RULE.at(surface.file, Surface::place(line), message);
-            out.push(finding.help("write `transparent True`, or remove `opacity`"));
+            out.push(match opacity {
+                ..=0.0 => finding.case(ZERO).help("remove `opacity`: the surface stays as it looks"),
+                _ => finding.help("write `transparent True`, or remove `opacity`"),
+            });
         }
     }
 }

@@ -17,8 +17,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         MakeHuman 2 uses them as they are. A sum of 0.9 moves the vertex by a tenth of its distance from the origin, \
         which lies between the feet: hardly noticeable at a shoe, but 15 cm (1.5) at the head. A sum of 0 puts it at \
         the origin. Single weights may be negative or above 1.\n\n\
-        Sums that are off by less than 0.002 are reported as info; for MakeHuman 1, whose own assets have none that are off by \
-        more than 0.00002, from there on as a warning.\n\nMPFB divides by the sum when it takes the weights of bones from the body: a sum of 0 stops it (an error).\n\n\
+        Sums that are off by less than 0.0005 move a vertex by less than a millimetre even at the head. They come from numbers \
+        with three or four decimals: an info for MakeHuman 1, whose own assets have none that are off by more than 0.00002, and \
+        nothing for the others. Off by less than 0.002, at most a few millimetres, they are an info for MakeHuman 2.\n\nMPFB divides by the sum when it takes the weights of bones from the body: a sum of 0 stops it (an error).\n\n\
         Export the asset again, or correct the weights.",
     ..RuleInfo::new("proxy-weights-sum", Level::Warning, "the weights of a vertex row do not sum to 1")
 });
@@ -31,7 +32,7 @@ const BEYOND: Case = &[
     (Makehuman2, Level::Warning, "pushes the vertex away from the origin of the world, off the body"),
     (Makehuman1, Level::Warning, "pushes the vertex away from the origin of the world, off the body"),
 ];
-const SLIGHT: Case = &[(Makehuman1, Level::Warning, "moves the vertices by less than a centimetre")];
+const SLIGHT: Case = &[(Makehuman1, Level::Info, "moves the vertices by less than a millimetre")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
