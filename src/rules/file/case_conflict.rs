@@ -1,11 +1,17 @@
 //! Names in one folder that differ in nothing but case.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Finding, Level, Place, RuleInfo, grouped,
+};
+use crate::discover::extension;
 use crate::repo::View;
 
+const ONE: &str = "finds only one of them on Windows and macOS, where they cannot coexist";
+
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "finds only one of them on Windows and macOS, where they cannot coexist")],
+    breaks: &[(Makehuman2, ONE), (Makehuman1, ONE), (Mpfb, ONE)],
     docs: "Linux keeps `Nose.target` and `nose.target` apart; Windows and macOS do not. If the repository is \
         checked out or unpacked there, the later file replaces the earlier one, and what refers to the earlier \
         one gets the wrong content.\n\nOnly names in the same folder are compared. Rename one of them, and \
@@ -22,7 +28,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for ((folder, folded), mut paths) in siblings {
         paths.sort_unstable();
         let [first, others @ ..] = paths.as_slice() else { continue };
-        let Some(last) = others.last() else { continue };
+        let Some(last) = others.last().filter(|_| !paths.iter().any(|path| is_told(view, path))) else { continue };
         let name = |path: &str| path.rsplit('/').next().unwrap_or_default().to_owned();
         let before: Vec<String> =
             paths.iter().filter(|path| *path != last).map(|path| format!("`{}`", name(path))).collect();
@@ -37,4 +43,15 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = finding.asset(layer.display(folder)).parts(&paths);
         out.push(finding.related(layer.display(first), Place::File, "the other name"));
     }
+}
+
+/// Whether the application looks for another name, which has a finding of its own: with that the conflict goes.
+fn is_told(view: &View<'_>, path: &str) -> bool {
+    let is_worn = |extension: &str| matches!(extension.to_lowercase().as_str(), "mhclo" | "proxy");
+    let has_capitals = |extension: &str| is_worn(extension) && extension.chars().any(char::is_uppercase);
+    // Of the data of MPFB all folders are looked for by their names.
+    let is_of_program = view.is_mpfb() && view.layers().checks_system();
+    is_of_program && view.layout().folder_in_other_case(path).is_some()
+        || view.misnamed_folders().iter().any(|folder| folder.rel == path)
+        || has_capitals(extension(path))
 }

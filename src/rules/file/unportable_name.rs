@@ -2,12 +2,17 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::named::differs_in_form;
-use crate::diag::{Application::Makehuman2, Case, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{self, Makehuman1, Makehuman2, Mpfb},
+    Case, Finding, Level, RuleInfo,
+};
 use crate::repo::{Resolution, View};
 use crate::source::is_below;
 
+const LOST: &str = "does not find the file on a system that cannot hold its name";
+
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "does not find the file on a system that cannot hold its name")],
+    breaks: &[(Makehuman2, LOST), (Makehuman1, LOST), (Mpfb, LOST)],
     docs: "Windows reserves the names `CON`, `PRN`, `AUX`, `NUL`, `COM1` to `COM9` and `LPT1` to `LPT9`, with \
         any extension, and the characters `< > : \" | ? * \\`. It removes a dot or space at the end.\n\nControl \
         characters and names that are not valid Unicode cannot be written in JSON or in an asset's text. A name \
@@ -34,7 +39,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             if fault.what == DECOMPOSED && not_found.iter().any(|file| is_below(file, path)) {
                 continue;
             }
-            let finding = RULE.in_layer(layer, path, format!("`{name}` {}", fault.what));
+            let finding = RULE.in_layer(layer, path, format!("`{}` {}", name.escape_debug(), fault.what));
             out.push(finding.case(fault.case).help(format!("{}, and update the references to it", fault.edit)));
         }
     }
@@ -51,16 +56,16 @@ fn named_in_another_form<'a>(view: &View<'a>) -> Vec<&'a str> {
     files.collect()
 }
 
-const UNNAMED: Case =
-    &[(Makehuman2, Level::Warning, "does not find it: JSON and text files cannot contain such a name")];
-const NOT_ON_WINDOWS: Case =
-    &[(Makehuman2, Level::Warning, "does not find it on Windows, where it cannot be unpacked or checked out")];
-const SHORTENED: Case = &[(Makehuman2, Level::Warning, "does not find it on Windows, where it has another name")];
-const IN_ANOTHER_FORM: Case = &[(
-    Makehuman2,
-    Level::Warning,
-    "finds it only where a reference writes the accents in the same way; copies may get another name",
-)];
+/// A consequence that every application has.
+const fn in_all(effect: &'static str) -> [(Application, Level, &'static str); 3] {
+    [(Makehuman2, Level::Warning, effect), (Makehuman1, Level::Warning, effect), (Mpfb, Level::Warning, effect)]
+}
+
+const UNNAMED: Case = &in_all("does not find it where a file names it: JSON and text files cannot contain such a name");
+const NOT_ON_WINDOWS: Case = &in_all("does not find it on Windows, where it cannot be unpacked or checked out");
+const SHORTENED: Case = &in_all("does not find it on Windows, where it has another name");
+const IN_ANOTHER_FORM: Case =
+    &in_all("finds it only where a reference writes the accents in the same way; copies may get another name");
 
 /// What is wrong with a name, what comes of it, and what to do.
 struct Fault {
