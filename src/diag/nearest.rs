@@ -34,12 +34,18 @@ impl Suggestions {
         self.best(name, candidates, |_| (None, 0))
     }
 
+    /// As [`nearest`](Self::nearest) among files of every kind: one with another suffix is another file, not another name.
+    pub fn nearest_of_kind<'a>(&self, name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+        self.nearest(name, candidates.into_iter().filter(|candidate| is_of_kind(name, candidate)))
+    }
+
     /// The same for files, named with or without folders: one that has all words of `name`, or only words of it, is nearer
     /// than one that differs by more than a letter. `head-side-in` means `side-in`, not `head-wide`.
     pub fn nearest_file<'a>(&self, name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
         let words = words_of_file(name);
         // Longer ones are not names of files.
         let is_short = name.len() <= LONGEST_PATH;
+        let candidates = candidates.into_iter().filter(|candidate| is_of_kind(name, candidate));
         self.best(name, candidates, |candidate| {
             let other = words_of_file(candidate);
             let cost = candidate.len() + words.len() * other.len();
@@ -122,6 +128,16 @@ fn words_of_file(name: &str) -> Vec<&str> {
 fn suffix(name: &str) -> &str {
     let name = name.rsplit('/').next().unwrap_or_default();
     name.split_once('.').map_or("", |(_, suffix)| suffix)
+}
+
+/// Whether a file ends as a name does, but for a slip of the pen; a name may lack its suffix. `x.png.import` is no picture.
+fn is_of_kind(name: &str, candidate: &str) -> bool {
+    let last = |path: &str| -> Option<String> {
+        let name = path.rsplit('/').next()?;
+        name.rsplit_once('.').filter(|(stem, _)| !stem.is_empty()).map(|(_, suffix)| suffix.to_lowercase())
+    };
+    let Some(wanted) = last(name) else { return true };
+    last(candidate).is_some_and(|own| own == wanted || Sought::new(&wanted).may_mean(&own))
 }
 
 /// How many words one name has more than the other, if these come before or after all words of the other and are no more
@@ -310,6 +326,22 @@ mod tests {
         assert_eq!(nearest("vertexboneweights", ["vertexboneweights_file"]), Some("vertexboneweights_file"));
         assert_eq!(nearest("torso/belly-trans-in", ["torso/belly-in"]), Some("torso/belly-in"));
         assert_eq!(nearest("macrodetailsCoastal", ["macrodetails/Coastal"]), Some("macrodetails/Coastal"));
+    }
+
+    #[test]
+    fn a_file_of_another_kind_is_no_suggestion() {
+        let of_kind = |name: &str, other: &'static str| Suggestions::default().nearest_of_kind(name, [other]).is_some();
+        for (name, other) in [
+            ("long_blond_hair.png", "long_blond_hair.png.import"),
+            ("young_african.mhmat", "young_african.png"),
+            ("a-long-name.target", "a-long-name.target.gz"),
+        ] {
+            assert!(!of_kind(name, other), "{name}");
+            assert_eq!(Suggestions::default().nearest_file(name, [other]), None, "{name}");
+        }
+        for (name, other) in [("skin.mhmt", "skin.mhmat"), ("skin.PNG", "skin.png"), ("long_skin", "long_skim.png")] {
+            assert!(of_kind(name, other), "{name}");
+        }
     }
 
     #[test]

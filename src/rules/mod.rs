@@ -28,6 +28,7 @@ mod numeric;
 mod overlay;
 mod pack;
 mod parts;
+mod pictures;
 mod pose;
 mod preset;
 mod program;
@@ -49,7 +50,7 @@ pub(crate) use archived::lower_archived;
 pub use cause::consequence::Unread;
 pub(crate) use cause::consequence::unread;
 pub(crate) use rule::{Check, Rule, RuleCx};
-use rule::{and_more, bones_in_words, counted, did_you_mean, either, enumerated, such};
+use rule::{and_more, bones_in_words, counted, did_you_mean, either, enumerated, shown, such};
 pub(crate) use wearers::name_wearers;
 
 /// The rules of each family. A rule that its family does not list does not exist.

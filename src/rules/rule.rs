@@ -163,3 +163,14 @@ pub(super) fn either<T: AsRef<str>>(names: &[T]) -> String {
 pub(super) fn did_you_mean(near: Option<&str>, otherwise: impl Into<String>) -> String {
     near.map_or_else(|| otherwise.into(), |near| format!("did you mean `{near}`?"))
 }
+
+/// Letters of a text of a file that a message quotes. Names of files are never longer.
+const QUOTED: usize = 255;
+
+/// A text of a file as a message quotes it: whole, or with a mark where it was cut.
+pub(super) fn shown(text: &str) -> String {
+    match text.char_indices().nth(QUOTED) {
+        Some((end, _)) => format!("{}…", text.get(..end).unwrap_or_default()),
+        None => text.to_owned(),
+    }
+}

@@ -3,6 +3,7 @@
 //! `cargo test compare::` runs those of one file, `cargo test -- --ignored` those over corpora (CONTRIBUTING.md).
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
 
+mod advice;
 mod architecture;
 mod baseline;
 mod bounded;

@@ -80,6 +80,11 @@ static KEYWORDS: [Keyword; 88] = [
     alias("emissiveMapTexture", "emissionColorMapTexture"),
 ];
 
+/// All keywords of all applications.
+pub(crate) fn keywords() -> impl Iterator<Item = &'static Keyword> {
+    KEYWORDS.iter()
+}
+
 /// The keyword written so.
 pub(super) fn written(word: &[u8]) -> Option<&'static Keyword> {
     KEYWORDS.iter().find(|keyword| keyword.name.as_bytes() == word)

@@ -10,6 +10,7 @@ mod statement;
 
 use std::ops::Range;
 
+pub(crate) use keyword::keywords;
 pub use keyword::{Keyword, Value};
 pub use reader::read;
 pub use statement::Statement;

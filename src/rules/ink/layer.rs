@@ -1,5 +1,6 @@
 //! An ink layer names a picture beside it and a UV layer that exists.
 
+use super::super::pictures::blender_loads;
 use super::super::unfit::findings;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use crate::diag::{Application::Mpfb, Finding, Level, Place, RuleInfo};
@@ -35,9 +36,8 @@ fn picture(view: &View<'_>, file: &FileFacts, image: &NamedAt, cx: &RuleCx<'_>) 
     if layer.file(&rel).is_some() || layer.has_unusable(&rel) {
         return None;
     }
-    let beside = layer.below(folder).filter(|other| parent(&other.rel) == folder && other.rel != file.rel);
-    let pictures = beside.map(FileFacts::file_name).filter(|name| !name.ends_with(".json"));
-    let near = cx.suggestions.nearest(&image.name, pictures);
+    let beside = layer.below(folder).filter(|other| parent(&other.rel) == folder && blender_loads(other));
+    let near = cx.suggestions.nearest(&image.name, beside.map(FileFacts::file_name));
     let message = format!("picture `{}` does not exist beside the ink layer", image.name);
     let finding = RULE.at(file, Place::Pointer(image.pointer.clone()), message).key("picture");
     Some(finding.help(did_you_mean(near, "correct the name, or add the picture beside this file")))

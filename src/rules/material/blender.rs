@@ -2,10 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::{Rule, RuleCx, did_you_mean, such};
+use super::super::pictures::blender_loads;
+use super::super::{Rule, RuleCx, did_you_mean, shown, such};
 use super::picture::fault;
-use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, grouped};
+use super::spelling::{self, Meant};
+use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, Suggestions, grouped};
 use crate::discover::Kind;
+use crate::formats::mhmat::Unknown;
 use crate::formats::python_float;
 use crate::repo::mpfb::{self, Look, Reads, Set, key_names};
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, View, Wearer, parent};
@@ -28,10 +31,6 @@ impl Lines<'_> {
 
 fn at(set: &Set<'_>) -> Place {
     if set.value.is_empty() { Place::Line(set.statement.number) } else { Place::Span(set.statement.value.span.clone()) }
-}
-
-fn shown(text: &str) -> String {
-    text.chars().take(40).collect()
 }
 
 const NO_VALUE: Case = &[(Mpfb, Level::Error, "fails with `AttributeError` when it reads the material")];
@@ -176,8 +175,10 @@ fn advice(view: &View<'_>, look: &Look<'_>, one: &Reference<'_>, cx: &RuleCx<'_>
         return format!("write `{}`: a comment behind it belongs to the name", name.trim_end());
     }
     let folder = parent(&look.file.rel);
-    let beside = view.layers().checked.below(folder).filter_map(|file| file.rel.strip_prefix(folder));
-    let beside = beside.map(|name| name.trim_start_matches('/')).filter(|name| !name.ends_with(".mhmat"));
+    // One that something names is that of another map, however near its name.
+    let is_free = |file: &&FileFacts| view.references().to_file(file).next().is_none();
+    let pictures = view.layers().checked.below(folder).filter(|file| blender_loads(file)).filter(is_free);
+    let beside = pictures.filter_map(|file| file.rel.strip_prefix(folder)?.strip_prefix('/'));
     did_you_mean(cx.suggestions.nearest(one.text, beside), "correct the name, add the picture, or remove the line")
 }
 
@@ -231,24 +232,38 @@ pub(super) fn unknown(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut V
         for statement in &look.material.statements {
             let word = &*statement.key.text;
             let place = Place::Span(statement.key.span.clone());
-            let known = key_names().any(|name| name.eq_ignore_ascii_case(word));
+            let known = is_key(word);
             if statement.is_indented && known && look.last_of(word).is_none() {
                 indented.push((place, word.to_owned(), format!("`{word}` is indented")));
             } else if !known && !look.reads(word) && !is_of_others(word) {
-                let meant = cx.suggestions.nearest(word, key_names());
-                near.extend(meant.map(|meant| {
-                    (
-                        place,
-                        word.to_owned(),
-                        format!("`{}` is not a keyword of a material, but `{meant}` is", shown(word)),
-                    )
-                }));
+                if let Meant::Keyword(meant) = spelling::meant(word, is_key, &cx.suggestions) {
+                    let message = format!("`{}` is not a keyword of a material, but `{meant}` is", shown(word));
+                    near.push((place, word.to_owned(), message));
+                }
             }
         }
         let lines = Lines { rule, file: look.file, case: &[] };
         out.extend(lines.told(&indented, "remove the white space in front of the line"));
         out.extend(lines.told(&near, "correct the keyword, or put `# ` in front of the line"));
+        out.extend(look.material.unknown.iter().find_map(|one| unparted(rule, look, one, cx)));
     }
+}
+
+/// Whether it is a keyword, in whatever capitals.
+fn is_key(word: &str) -> bool {
+    key_names().any(|name| name.eq_ignore_ascii_case(word))
+}
+
+/// A keyword with its value written against it.
+fn unparted(rule: &Rule, look: &Look<'_>, one: &Unknown, cx: &RuleCx<'_>) -> Option<Finding> {
+    let word = &*one.word.text;
+    let Meant::Glued(keyword) = spelling::meant(word, is_key, &cx.suggestions) else { return None };
+    if look.last_of(keyword).is_some() {
+        return None;
+    }
+    let message = format!("`{}` is not a keyword of a material", shown(word));
+    let finding = rule.at(look.file, Place::Span(one.word.span.clone()), message).key(word);
+    Some(finding.help(spelling::parted(keyword, one)))
 }
 
 /// Both maps in one material.
@@ -276,14 +291,18 @@ pub(super) fn plain(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Finding>) 
     }
 }
 
+const DIFFUSE: &str = "diffuseTexture";
+
 /// A keyword that is meant to be `diffuseTexture` has a finding of its own.
 fn is_plain(look: &Look<'_>) -> bool {
-    let is_meant = |word: &str| {
-        word.eq_ignore_ascii_case("diffuseTexture") || crate::diag::nearest(word, ["diffuseTexture"]).is_some()
+    let is_meant = |word: &str| match spelling::meant(word, is_key, &Suggestions::default()) {
+        Meant::Keyword(name) | Meant::Glued(name) => name == DIFFUSE,
+        Meant::Nothing => word.eq_ignore_ascii_case(DIFFUSE),
     };
     let is_empty = look.file.encoding.blank || look.file.encoding.only_comments;
-    let is_spelt = look.material.statements.iter().any(|statement| is_meant(&statement.key.text));
-    look.picture("diffuseTexture").is_none() && !is_empty && !is_spelt
+    let words = look.material.statements.iter().map(|statement| &statement.key.text);
+    let is_spelt = words.chain(look.material.unknown.iter().map(|one| &one.word.text)).any(|word| is_meant(word));
+    look.picture(DIFFUSE).is_none() && !is_empty && !is_spelt
 }
 
 /// Skins without a texture, where there are ink layers.

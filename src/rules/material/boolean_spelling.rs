@@ -1,6 +1,6 @@
 //! Yes and no have their words.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, shown};
 use super::fault::{Fault, report};
 use super::loader;
 use crate::diag::{
@@ -41,7 +41,7 @@ fn of_config(line: &Line) -> Option<Fault> {
     if line.count < 2 || TRUE.contains(&&*word) || FALSE.contains(&&*word) {
         return None;
     }
-    let shown = |at: usize| line.word(at).chars().take(40).collect::<String>();
+    let shown = |at: usize| shown(line.word(at));
     let (key, text) = (format!("shaderConfig {}", shown(0)), shown(1));
     Some(Fault {
         message: format!("`{key} {text}` counts as false"),
@@ -58,7 +58,7 @@ fn fault(line: &Line) -> Option<Fault> {
     if TRUE.contains(&&*word) || FALSE.contains(&&*word) {
         return None;
     }
-    let text: String = line.word(0).chars().take(40).collect();
+    let text = shown(line.word(0));
     Some(Fault {
         key: keyword.to_owned(),
         place: Surface::place(line),

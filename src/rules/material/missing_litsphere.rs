@@ -1,6 +1,6 @@
 //! A litsphere needs its picture.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, shown};
 use super::advice::{file_name, is_quoted};
 use super::loader;
 use crate::diag::{
@@ -68,7 +68,7 @@ fn unnamed(surface: &Surface<'_>) -> Option<Finding> {
 fn finding(name: &str, surfaces: &[(&Surface<'_>, &Picture<'_>)]) -> Option<Finding> {
     let stops = |surface: &Surface<'_>| surface.material.last("name").is_none();
     let (first, picture) = surfaces.iter().find(|(surface, _)| stops(surface)).or(surfaces.first())?;
-    let text: String = name.chars().take(60).collect();
+    let text = shown(name);
     let more = if surfaces.len() > 1 { format!(" ({} materials name it)", surfaces.len()) } else { String::new() };
     let message = format!("litsphere `{text}` does not exist{more}");
     let finding = RULE.at(first.file, picture.place.clone(), message).key(text);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::super::{Check, Rule, RuleCx, did_you_mean, shown};
 use super::loader;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
@@ -26,7 +26,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
         let (name, line) = (loader::shader(surface), surface.material.last("shader"));
         let Some(line) = line.filter(|line| line.count > 0 && !loader::SHADERS.contains(&name)) else { continue };
-        let shown: String = name.chars().take(40).collect();
+        let shown = shown(name);
         let finding = RULE.at(surface.file, Surface::place(line), format!("shader `{shown}` does not exist"));
         let near = cx.suggestions.nearest(name, loader::SHADERS);
         let help = did_you_mean(near, "write `phong`, `litsphere`, `pbr` or `toon`");
@@ -46,7 +46,7 @@ fn of_files(view: &View<'_>, out: &mut Vec<Finding>) {
     out.extend(without_main(view));
     for (text, all) in grouped(missing) {
         let Some((surface, shader)) = all.first() else { continue };
-        let shown: String = text.chars().take(60).collect();
+        let shown = shown(text);
         let more = if all.len() > 1 { format!(" ({} materials name it)", all.len()) } else { String::new() };
         let is_absolute = text.starts_with('/') || text.get(1..2) == Some(":");
         let what =

@@ -1,6 +1,6 @@
 //! Quotes belong to the name of a picture.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, shown};
 use super::advice::{QUOTES, is_quoted};
 use super::blender;
 use super::fault::{Fault, report};
@@ -55,7 +55,7 @@ fn lost<'a>(one: &Reference<'a>) -> &'a str {
 fn fault(surface: &Surface<'_>, place: &Place, text: &str, lost: &str, keyword: &str) -> Fault {
     let whole = if lost.is_empty() { text.to_owned() } else { format!("{text} {lost}") };
     let plain = whole.trim_matches(QUOTES);
-    let shown: String = whole.chars().take(60).collect();
+    let shown = shown(&whole);
     Fault {
         key: keyword.to_owned(),
         place: place.clone(),

@@ -1,6 +1,6 @@
 //! Numbers of a material must be within their range.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, shown};
 use super::fault::{Fault, report};
 use super::loader;
 use crate::diag::{
@@ -50,7 +50,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn short(line: &Line) -> String {
     let words = if line.keyword.value == Value::Colour { 3 } else { 1 };
     let text: Vec<&str> = line.words.iter().take(words).map(|word| &*word.text).collect();
-    text.join(" ").chars().take(40).collect()
+    shown(&text.join(" "))
 }
 
 fn limits(application: Application, line: &Line) -> String {

@@ -1,6 +1,6 @@
 //! A define of a material is one that its shader asks for.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, shown};
 use super::fault::{Fault, report};
 use super::loader;
 use crate::diag::{Application::Makehuman1, Finding, Level, RuleInfo};
@@ -34,7 +34,7 @@ fn fault(sources: &[&ShaderSource], line: &Line) -> Option<Fault> {
     if loader::DEFINES.contains(&name) || sources.iter().any(|source| source.defines.contains(name)) {
         return None;
     }
-    let shown: String = name.chars().take(40).collect();
+    let shown = shown(name);
     Some(Fault {
         place: Surface::place(line),
         level: Level::Info,

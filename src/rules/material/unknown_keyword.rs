@@ -1,11 +1,13 @@
 //! Keywords must be those that the application reads.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, shown};
 use super::blender;
 use super::fault::{Fault, report};
 use super::loader;
+use super::others::of_others;
+use super::spelling::{self, Meant};
 use crate::diag::{
-    Application::{self, Makehuman1, Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo, nearest,
 };
 use crate::formats::mhmat::{Line, Material, Unknown};
@@ -24,16 +26,6 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     ..RuleInfo::new("material-unknown-keyword", Level::Warning, "a keyword of a material that is not known")
 });
 
-/// Keywords of other applications, and those of MakeHuman 2 for the same.
-#[rustfmt::skip]
-const SAME: [(&str, &str); 10] = [
-    ("roughness", "roughnessFactor"), ("metallic", "metallicFactor"), ("emissionIntensity", "emissiveFactor"),
-    ("bumpmapTexture", "normalmapTexture"), ("bumpmapIntensity", "normalmapIntensity"),
-    ("roughnessmapTexture", "metallicRoughnessTexture"), ("metallicmapTexture", "metallicRoughnessTexture"),
-    ("emissionColorMapTexture", "emissiveTexture"), ("emissionStrengthMapTexture", "emissiveTexture"),
-    ("litsphereTexture", "shaderParam"),
-];
-
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if view.is_mpfb() {
         return blender::unknown(&RULE, view, cx, out);
@@ -51,7 +43,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         // A byte order mark has a finding of its own.
         let unknown = material.unknown.iter().filter(|one| !one.word.text.starts_with(MARK));
         let of_shader = material.lines_of("shaderConfig").filter(|_| loader::is_1(surface.application));
-        let unknown = unknown.map(|one| unknown_word(cx, surface.application, one));
+        let unknown = unknown.map(|one| unknown_word(cx, surface, one));
         let mut faults: Vec<Fault> = unknown.chain(foreign).chain(of_shader.filter_map(of_config)).collect();
         faults.sort_by_key(|fault| start(&fault.place));
         report(&RULE, surface, faults, "begin with unknown words", out);
@@ -73,20 +65,28 @@ fn nothing_known(view: &View<'_>, surface: &Surface<'_>) -> Option<Finding> {
     Some(finding.effect_in(view.application(), effect).help("restore the material, or export it again"))
 }
 
+const SILENT: &str = "silently ignores the line";
+const NAMELESS: &str = "silently ignores the line: the material has no name";
+
 const fn start(place: &Place) -> usize {
     if let Place::Span(span) = place { span.start } else { 0 }
 }
 
-fn unknown_word(cx: &RuleCx<'_>, application: Application, one: &Unknown) -> Fault {
-    let text: String = one.word.text.chars().take(40).collect();
-    let near = cx.suggestions.nearest(&one.word.text, loader::keywords(application));
-    let (level, help) = match near {
-        Some(near) => (Level::Warning, format!("did you mean `{near}`?")),
-        None => (Level::Info, "remove the line, or put `# ` in front of it".to_owned()),
+fn unknown_word(cx: &RuleCx<'_>, surface: &Surface<'_>, one: &Unknown) -> Fault {
+    let text = shown(&one.word.text);
+    let meant = spelling::meant(&one.word.text, |name| loader::reads(surface.application, name), &cx.suggestions);
+    // With a line of the keyword nothing is missing.
+    let is_lost = |keyword: &str| surface.material.last(keyword).is_none();
+    let (level, effect, help) = match meant {
+        Meant::Keyword(near) => (Level::Warning, SILENT, format!("did you mean `{near}`?")),
+        Meant::Glued("name") if is_lost("name") => (Level::Warning, NAMELESS, spelling::parted("name", one)),
+        Meant::Glued(keyword) if is_lost(keyword) => (Level::Warning, SILENT, spelling::parted(keyword, one)),
+        Meant::Glued(keyword) => (Level::Info, "ignores the line", spelling::parted(keyword, one)),
+        Meant::Nothing => (Level::Info, "ignores the line", "remove the line, or put `# ` in front of it".to_owned()),
     };
     Fault {
         message: format!("`{text}` is not a keyword of a material"),
-        effect: if near.is_some() { "silently ignores the line" } else { "ignores the line" }.to_owned(),
+        effect: effect.to_owned(),
         key: text,
         place: Place::Span(one.word.span.clone()),
         level,
@@ -100,7 +100,7 @@ const PARTS: [&str; 8] =
 
 /// A part that no shader has.
 fn of_config(line: &Line) -> Option<Fault> {
-    let text: String = line.word(0).chars().take(40).collect();
+    let text = shown(line.word(0));
     let help = match nearest(&text, PARTS) {
         Some(near) => format!("did you mean `{near}`?"),
         None => "remove the line".to_owned(),
@@ -112,39 +112,5 @@ fn of_config(line: &Line) -> Option<Fault> {
         level: Level::Warning,
         effect: "logs a warning and ignores the line".to_owned(),
         help,
-    })
-}
-
-/// A keyword of another application for something that MakeHuman 2 calls otherwise, and that is not set by that name.
-fn of_others(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
-    let keyword = line.keyword.name;
-    let application = surface.application;
-    if loader::reads(application, keyword) || line.count == 0 {
-        return None;
-    }
-    let meaning = line.keyword.alias_of.unwrap_or(keyword);
-    let same: &[_] = if loader::is_1(application) { &[] } else { &SAME };
-    let own = same.iter().find(|(other, _)| *other == meaning).map(|(_, own)| *own);
-    let own = own.or(Some(meaning).filter(|meaning| loader::reads(application, meaning)))?;
-    let is_set = match own {
-        "shaderParam" => surface.litsphere.is_some(),
-        own => surface.material.last(own).is_some(),
-    };
-    (!is_set).then(|| Fault {
-        key: keyword.to_owned(),
-        place: Surface::place(line),
-        level: Level::Warning,
-        message: format!("`{keyword}` is a keyword of other applications"),
-        effect: format!("silently ignores the line: its own keyword is `{own}`"),
-        help: match own {
-            "shaderParam" => "write `shaderParam litsphereTexture` and the name".to_owned(),
-            "normalmapTexture" if !loader::is_1(application) => {
-                "save the bumps as a normal map, and name that in `normalmapTexture`".to_owned()
-            }
-            "metallicRoughnessTexture" => {
-                "save both maps as one picture, and name that in `metallicRoughnessTexture`".to_owned()
-            }
-            own => format!("add a line with `{own}`"),
-        },
     })
 }

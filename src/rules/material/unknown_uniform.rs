@@ -1,6 +1,6 @@
 //! A parameter of a material is one that its shader has.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, shown};
 use super::fault::{Fault, report};
 use super::loader;
 use crate::diag::{Application::Makehuman1, Finding, Level, RuleInfo};
@@ -34,7 +34,7 @@ fn fault(sources: &[&ShaderSource], line: &Line) -> Option<Fault> {
     if loader::PARAMETERS.contains(&name) || sources.iter().any(|source| source.uniforms.contains_key(name)) {
         return None;
     }
-    let shown: String = name.chars().take(40).collect();
+    let shown = shown(name);
     Some(Fault {
         place: Surface::place(line),
         level: Level::Info,

@@ -1,6 +1,6 @@
 //! A map of texture coordinates has the faces of the mesh that it is used for.
 
-use super::super::{Check, Rule, RuleCx, counted};
+use super::super::{Check, Rule, RuleCx, counted, shown};
 use crate::diag::{Application::Makehuman1, Case, Finding, Level, Place, RuleInfo};
 use crate::formats::uv_map::{UvFault, UvMap};
 use crate::repo::{Body, FileFacts, Reference, ReferenceKind, Surface, View, Wearer, Worn};
@@ -47,7 +47,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn broken(file: &FileFacts, line: u32, fault: &UvFault, map: &UvMap) -> Finding {
     let (message, case, help) = match fault {
         UvFault::NoUv(corner) => {
-            let shown: String = corner.chars().take(20).collect();
+            let shown = shown(corner);
             let message = format!("corner `{shown}` of a face has no texture coordinate");
             (message, BEYOND, "export the mesh with texture coordinates")
         }

@@ -1,6 +1,6 @@
 //! Numbers of a material must be numbers.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, shown};
 use super::blender;
 use super::fault::{Fault, report};
 use super::loader;
@@ -69,11 +69,6 @@ fn fault(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
         effect,
         help: help(line, &word.text),
     })
-}
-
-/// As much of a word as a message can have.
-fn shown(text: &str) -> String {
-    text.chars().take(40).collect()
 }
 
 fn help(line: &Line, text: &str) -> String {

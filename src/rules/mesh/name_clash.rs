@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, shown};
 use crate::diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
 use crate::discover::{archive_library_of, library_of};
 use crate::formats::asset_mesh::AssetMesh;
@@ -38,7 +38,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let other =
             meshes.iter().find(|(other, mesh)| worn.file.rel != other.file.rel && together(worn, other, file, mesh));
         let Some((_, other)) = other else { continue };
-        let shown: String = name.chars().take(40).collect();
+        let shown = shown(name);
         let own = worn.mesh().and_then(|(_, mesh)| mesh.facts.object.as_ref());
         let place = own.map_or(Place::File, |(_, line)| Place::Line(*line));
         let message = format!("the mesh `{shown}` has the name of that in {}", body.layers.named(other));

@@ -1,10 +1,11 @@
 //! The word in front of an asset in a model is its category.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::unparted::{Unparted, unparted};
 use super::{makehuman1, own};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Evidence, Finding, Level, Place, RuleInfo, nearest,
+    Case, Evidence, Finding, Level, Place, RuleInfo, nearest,
 };
 use crate::formats::mhm::{CATEGORIES, WornLine};
 use crate::repo::makehuman2::{Asset, Base, SavedModel, View};
@@ -19,12 +20,16 @@ pub(in crate::rules) static RULE: Rule = Check::EachBase(run, |view, cx, out| ma
         `teeth`, `tongue` or `proxy`.\n\n\
         MakeHuman 2 ignores a line with another word, so the asset is missing. If the word is one of these but not the \
         folder of the asset, the asset is worn as something else: hair as clothes is exported to glTF with another way of \
-        blending (a warning). Several lines `hair` are all worn (a warning).\n\n\
+        blending (a warning). Several lines `hair` are all worn (a warning). A keyword with its value written against it, such as `nameAda`, is no keyword \
+        either.\n\n\
         MakeHuman 1 ignores every line whose first word it does not know, with a warning in the log (a warning); capitals \
         count.\n\n\
         Write the name of the folder that the asset is in.",
     ..RuleInfo::new("model-category", Level::Error, "a model puts an asset on under an unknown or another category")
 });
+
+const NO_LABEL: Case = &[(Makehuman2, Level::Info, "ignores the line")];
+const NOT_SET: Case = &[(Makehuman2, Level::Warning, "silently ignores the line: what it sets is missing")];
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for saved in own(view, base) {
@@ -34,6 +39,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let other = worn.filter(|(line, asset)| *asset.category != *line.category.text && asset.is_worn());
         out.extend(other.map(|(line, asset)| misplaced(saved, line, asset)));
         out.extend(several_hairs(saved));
+        out.extend(unparted(&saved.model.lines).map(|one| without_blank(saved, &one)));
     }
 }
 
@@ -46,6 +52,17 @@ fn unknown(saved: &SavedModel<'_>, line: &WornLine, asset: Option<&Asset<'_>>) -
     let message = format!("`{word}` is not a category, so `{name}` is not worn");
     let finding = RULE.at(saved.file, Place::Span(line.category.span.clone()), message);
     Some(finding.key(format!("{word} {name}")).help(did_you_mean(Some(meant), "write the category")))
+}
+
+/// A keyword with its value, which nobody knows as one word.
+fn without_blank(saved: &SavedModel<'_>, one: &Unparted<'_>) -> Finding {
+    let word = &one.line.keyword;
+    let finding = RULE.at(saved.file, Place::Span(word.span.clone()), one.message()).key(&*word.text).help(one.help());
+    match (one.is_worn(), one.is_label()) {
+        (true, _) => finding,
+        (false, true) => finding.case(NO_LABEL),
+        (false, false) => finding.case(NOT_SET),
+    }
 }
 
 /// The panel allows one.

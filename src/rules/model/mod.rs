@@ -15,6 +15,7 @@ mod short_lines;
 pub(in crate::rules) mod syntax;
 pub(in crate::rules) mod tags;
 pub(in crate::rules) mod unknown_asset;
+mod unparted;
 pub(in crate::rules) mod version;
 
 use super::Rule;

@@ -26,7 +26,7 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Ve
         out.extend(skin.map(|skin| {
             let message = format!("skin `{}` does not exist", skin.text);
             let name = skin.text.rsplit('/').next().unwrap_or_default();
-            let near = cx.suggestions.nearest(name, view.named.names("skins"));
+            let near = cx.suggestions.nearest_of_kind(name, view.named.names("skins"));
             let finding = rule.at(file, Place::Span(skin.span.clone()), message).key("skin").case(NO_SKIN);
             finding.help(did_you_mean(near, "correct the name, or add the skin"))
         }));

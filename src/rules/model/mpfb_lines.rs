@@ -1,8 +1,9 @@
 //! Lines of a model that MPFB does not see, or takes for something else (formats/mpfb.md §7.2).
 
 use super::super::{Rule, such};
+use super::unparted::{Unparted, unparted};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
-use crate::formats::mhm::{CATEGORIES, Word};
+use crate::formats::mhm::{CATEGORIES, Model, Word};
 use crate::formats::mhm_columns::{Columns, SETTING};
 use crate::repo::FileFacts;
 
@@ -32,6 +33,25 @@ pub(super) fn displaced(rule: &Rule, file: &FileFacts, columns: &Columns) -> Opt
     let finding = rule.at(file, Place::Span(first.span.clone()), message).key("displaced");
     let finding = finding.case(if is_name { NO_NAME } else { case }).help(help);
     Some(finding.evidence(Evidence::of_cases(all.iter().map(|one| &*one.text))))
+}
+
+/// Keywords with their values, which are other words.
+pub(super) fn without_blank(rule: &Rule, file: &FileFacts, all: &[Unparted<'_>]) -> Option<Finding> {
+    let first = all.iter().find(|one| one.is_worn()).or(all.first())?;
+    let message = format!("{}{}", first.message(), such(all.len(), "lines"));
+    let finding = rule.at(file, Place::Span(first.line.keyword.span.clone()), message).key("unparted");
+    let finding = finding.evidence(Evidence::of_cases(all.iter().map(|one| &*one.line.keyword.text)));
+    let finding = finding.help(first.help());
+    Some(match () {
+        () if first.is_worn() => finding.case(NOT_WORN),
+        () if all.iter().all(|one| one.keyword == "name") => finding.case(NO_NAME),
+        () => finding.case(NOT_SET),
+    })
+}
+
+/// Those that MPFB reads.
+pub(super) fn read_unparted(model: &Model) -> Vec<Unparted<'_>> {
+    unparted(&model.lines).filter(|one| SETTING.contains(&one.keyword) || one.is_worn()).collect()
 }
 
 /// The rig is known by a part of its name.

@@ -49,15 +49,21 @@ fn has_lost_name(encoding: &Encoding) -> bool {
 /// Keywords count at the first column alone.
 fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in view.own(Kind::Model).filter(|file| has_text(&file.encoding)) {
-        let Some(columns) = file.model().map(|model| &model.columns) else { continue };
+        let Some(model) = file.model() else { continue };
+        let (columns, unparted) = (&model.columns, mpfb_lines::read_unparted(model));
         out.extend(mpfb_lines::rig(&RULE, file, columns));
         if columns.has_line {
             out.extend(mpfb_lines::displaced(&RULE, file, columns));
+            out.extend(mpfb_lines::without_blank(&RULE, file, &unparted));
         }
         if !columns.has_line {
             let finding = RULE.at(file, Place::File, "no line begins with a keyword of models at its first column");
             out.push(finding.help("restore the model, or remove the blanks before its keywords"));
-        } else if !columns.has_name && columns.displaced.is_empty() && !has_lost_name(&file.encoding) {
+        } else if !columns.has_name
+            && columns.displaced.is_empty()
+            && unparted.is_empty()
+            && !has_lost_name(&file.encoding)
+        {
             let finding = RULE.at(file, Place::File, "the model has no line `name`").key("name").case(NO_NAME);
             out.push(finding.help("add a line `name` with the name of the character"));
         }

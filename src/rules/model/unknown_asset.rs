@@ -98,7 +98,9 @@ fn asset(lines: &[Line<'_>], known: &Known<'_>, cx: &RuleCx<'_>) -> Option<Findi
     let help = if let Some(asset) = renamed {
         format!("write `{category} {} {}`", asset.name, asset.uuid)
     } else {
-        let near = cx.suggestions.nearest(name, known.by_uuid.values().map(|asset| asset.name.as_str()));
+        // Of another kind it is another asset, not another name.
+        let same_kind = known.by_uuid.values().filter(|asset| *asset.category == **category);
+        let near = cx.suggestions.nearest(name, same_kind.map(|asset| asset.name.as_str()));
         did_you_mean(near, "add the asset, or check it together with the pack that has it; otherwise remove the line")
     };
     let place = |line: &WornLine| Place::Span(line.name.span.clone());

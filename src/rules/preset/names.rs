@@ -124,7 +124,7 @@ fn files<'p>(
     let missing: Vec<&NamedAt> = names.iter().filter(|one| !view.named.has(&section(one), &one.name)).collect();
     let first = *missing.first()?;
     let file = first.name.rsplit('/').next().unwrap_or(&first.name);
-    let near = cx.suggestions.nearest(file, view.named.names(&section(first)));
+    let near = cx.suggestions.nearest_of_kind(file, view.named.names(&section(first)));
     Some((first, near, missing.len(), Evidence::of_cases(missing.iter().map(|one| one.name.as_str()))))
 }
 

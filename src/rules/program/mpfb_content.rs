@@ -79,7 +79,7 @@ fn missing_layers(
     let missing: Vec<&NamedAt> = layers.iter().filter(|one| !view.named.has("ink_layers", &one.name)).collect();
     let first = missing.first()?;
     let message = format!("ink layer `{}` does not exist{}", first.name, such(missing.len(), "names"));
-    let near = cx.suggestions.nearest(&first.name, view.named.names("ink_layers"));
+    let near = cx.suggestions.nearest_of_kind(&first.name, view.named.names("ink_layers"));
     let finding = rule.at(file, Place::Pointer(first.pointer.clone()), message).key("layers").case(STOPPED_MAKEUP);
     let finding = finding.evidence(Evidence::of_cases(missing.iter().map(|one| one.name.as_str())));
     Some(finding.help(did_you_mean(near, "correct the name, or add the ink layer")))

@@ -1,5 +1,6 @@
 //! Assets of another base mesh: whatever of them does not fit has one cause, and one finding.
 
+use super::super::shown;
 use super::{Text, is_told_by_scale};
 use crate::repo::Body;
 
@@ -42,7 +43,7 @@ impl<'v> Text<'_, 'v> {
         self.other_base().map_or_else(
             || otherwise.to_owned(),
             |other| {
-                let (other, own) = (other.chars().take(40).collect::<String>(), self.worn.base);
+                let (other, own) = (shown(other), self.worn.base);
                 format!("use the asset with the base mesh that it names, `{other}`, or export it again for `{own}`")
             },
         )

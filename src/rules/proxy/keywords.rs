@@ -1,7 +1,8 @@
 //! The keywords of assets, and which one a misspelt one is meant to be.
 
-use crate::diag::{Application, nearest};
+use crate::diag::{Application, begins_word, glued, is_like_path, nearest};
 use crate::formats::mhclo::{Entry, Section};
+use crate::formats::python_float;
 
 /// What MakeHuman 2 reads.
 const READ: [&str; 18] = [
@@ -131,7 +132,32 @@ pub(super) fn meant(entry: &Entry) -> Option<&'static str> {
         let near = nearest(written, READ.into_iter().chain(others()))?;
         READ.into_iter().find(|known| *known == near)
     };
-    same.or_else(alias).or_else(near)
+    let unparted = || unparted(written).map(|(keyword, _)| keyword);
+    same.or_else(alias).or_else(unparted).or_else(near)
+}
+
+/// A keyword, and the value that is written against it.
+fn unparted(word: &str) -> Option<(&'static str, &str)> {
+    glued(word, READ, |keyword, value| match keyword {
+        "obj_file" | "material" | "vertexboneweights_file" => is_like_path(value),
+        "uuid" => value.len() >= SHORTEST_UUID && value.bytes().all(|byte| byte.is_ascii_hexdigit() || byte == b'-'),
+        "verts" | "delete_verts" => value.bytes().all(|byte| byte.is_ascii_digit()),
+        "version" | "z_depth" | "x_scale" | "y_scale" | "z_scale" => python_float(value.as_bytes()).is_some(),
+        "weights" => false,
+        _ => begins_word(value),
+    })
+}
+
+/// Letters from which on a text may be a uuid.
+const SHORTEST_UUID: usize = 8;
+
+/// The right keyword for a line, with what was written against the wrong one.
+pub(super) fn corrected(entry: &Entry, meant: &str) -> String {
+    match unparted(&entry.keyword).filter(|(keyword, _)| *keyword == meant) {
+        Some((_, value)) if entry.value.is_empty() => format!("{meant} {value}"),
+        Some((_, value)) => format!("{meant} {value} {}", entry.value),
+        None => meant.to_owned(),
+    }
 }
 
 /// Keywords that MakeHuman 2 has no use for.

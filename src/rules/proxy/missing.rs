@@ -1,6 +1,6 @@
 //! A line of the head that is missing, in words.
 
-use super::{Text, sections};
+use super::{Text, keywords, sections};
 use crate::diag::Place;
 
 /// Where a keyword of the head is missed, in words, and what to do; nothing if the finding is elsewhere.
@@ -20,7 +20,11 @@ pub(super) fn missing(text: &Text<'_, '_>, keyword: &str, example: &str) -> Opti
     }
     if let Some(entry) = text.misspelt(keyword).filter(|entry| *entry.keyword != *keyword) {
         let message = format!("`{}` is not the keyword `{keyword}`", entry.keyword);
-        return Some((Place::Span(entry.keyword_span.clone()), message, format!("write `{keyword}`")));
+        return Some((
+            Place::Span(entry.keyword_span.clone()),
+            message,
+            format!("write `{}`", keywords::corrected(entry, keyword)),
+        ));
     }
     let empty = text.clothes.entries.iter().find(|entry| *entry.keyword == *keyword && !entry.is_comment);
     Some(match empty {

@@ -1,6 +1,7 @@
 //! The two sections of an asset must be opened by their keywords.
 
 use super::super::{Check, Rule, RuleCx};
+use super::keywords;
 use super::sections::{keyword_below_list, misspelt_list};
 use super::{INDEX, Text, VALUE, blender, lines, more, texts};
 use crate::diag::{
@@ -84,7 +85,8 @@ fn rows(text: &Text<'_, '_>) -> Option<Finding> {
     let numbers = text.faults(|kind| kind == FaultKind::NumbersInHeader);
     if let Some(entry) = text.misspelt("verts") {
         let message = format!("`{}` is not the keyword `verts`: the asset has no vertex rows", entry.written());
-        return Some(told(text, entry, message, INDEX).help("write `verts`"));
+        let help = format!("write `{}`", keywords::corrected(entry, "verts"));
+        return Some(told(text, entry, message, INDEX).help(help));
     }
     let message = "the keyword `verts` is missing: the asset has no vertex rows";
     let place =
@@ -97,7 +99,8 @@ fn list(text: &Text<'_, '_>) -> Option<Finding> {
     let entry = misspelt_list(text)?;
     let message =
         format!("`{}` is not the keyword `delete_verts`: its numbers are read as vertex rows", entry.written());
-    Some(told(text, entry, message, MORE_ROWS).help("write `delete_verts`"))
+    let help = format!("write `{}`", keywords::corrected(entry, "delete_verts"));
+    Some(told(text, entry, message, MORE_ROWS).help(help))
 }
 
 /// A range is no row.

@@ -1,6 +1,6 @@
 //! The base mesh that an asset names is the one that it lies with.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, shown};
 use super::texts;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
@@ -31,7 +31,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let base = text.worn.base;
         let Some(entry) = text.last("basemesh") else { continue };
-        let named: String = entry.word().chars().take(40).collect();
+        let named = shown(entry.word());
         let message = format!("`basemesh {named}`, but the asset is one of `{base}`");
         let finding = RULE.at(text.file, Place::Span(entry.word_span()), message).key(named);
         out.push(finding.help(format!("if it fits, write `basemesh {base}`; otherwise export it again for `{base}`")));

@@ -52,7 +52,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 "homepage" => "write `# homepage`: it is read in comments alone".to_owned(),
                 meant => format!("write `{meant}` without the colon"),
             };
-            out.push(finding.help(if is_spelt { without_colon() } else { format!("did you mean `{meant}`?") }));
+            out.push(finding.help(if is_spelt {
+                without_colon()
+            } else {
+                format!("did you mean `{}`?", keywords::corrected(entry, meant))
+            }));
         }
     }
 }

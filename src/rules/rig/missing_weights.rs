@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx, enumerated};
 use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
+use crate::discover::extension;
 use crate::repo::mpfb::{RigFile, RigPart, View, lost_rigs};
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
@@ -48,7 +49,7 @@ fn finding(rel: &str, rigs: &[&RigFile<'_>], cx: &RuleCx<'_>) -> Option<Finding>
     let misnamed = others().find(|other| **other == *format!("{}.weights.json", first.name)).map(str::to_owned);
     // Weights of another rig have similar names.
     let near = in_other_case.or(misnamed).or_else(|| {
-        let unused = others().filter(|other| other.starts_with("weight"));
+        let unused = others().filter(|other| other.starts_with("weight") && extension(other) == "json");
         let taken =
             |other: &str| first.layer.file(&format!("{folder}/rig.{}", other.trim_start_matches("weights."))).is_some();
         cx.suggestions.nearest(&name, unused.filter(|other| !taken(other))).map(str::to_owned)

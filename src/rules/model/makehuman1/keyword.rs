@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::super::{Rule, RuleCx, did_you_mean, such};
+use super::super::unparted::of_line;
 use super::current;
 use crate::diag::{Evidence, Finding, Place};
 use crate::formats::mhm_lines::{Line, keywords};
@@ -24,10 +25,12 @@ pub(in super::super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, ou
         let Some(first) = unknown.first() else { continue };
         let word = &*first.keyword.text;
         let message = format!("no line of a model begins with `{word}`{}", such(unknown.len(), "lines"));
+        let unparted = of_line(first).map(|one| one.help());
         let same = known.iter().find(|known| known.eq_ignore_ascii_case(word)).copied();
         let near = same.or_else(|| cx.suggestions.nearest(word, known.iter().copied()));
         let finding = rule.at(model.file, Place::Span(first.keyword.span.clone()), message).key("unknown");
         let evidence = Evidence::of_cases(unknown.iter().map(|line| &*line.keyword.text));
-        out.push(finding.evidence(evidence).help(did_you_mean(near, "correct the word, or remove the line")));
+        let help = unparted.unwrap_or_else(|| did_you_mean(near, "correct the word, or remove the line"));
+        out.push(finding.evidence(evidence).help(help));
     }
 }

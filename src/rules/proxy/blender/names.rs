@@ -1,12 +1,13 @@
 //! What an asset names, and what it is known by (formats/mpfb.md §26.2, §26.7, §26.8).
 
+use super::super::keywords::corrected;
 use super::super::{Text, is_unwalked, neighbours, texts};
 use super::{at, whole};
 use crate::diag::{Application::Mpfb, Case, Finding, Level, Place};
 use crate::discover::Kind;
 use crate::formats::mhclo::Entry;
 use crate::repo::{Body, Reference, ReferenceKind, Resolution};
-use crate::rules::{Rule, RuleCx, did_you_mean};
+use crate::rules::{Rule, RuleCx, did_you_mean, shown};
 
 const NO_MESH: Case = &[(Mpfb, Level::Error, "fails with `ValueError` when the asset is loaded: no mesh is named")];
 
@@ -81,7 +82,7 @@ fn unread(rule: &Rule, text: &Text<'_, '_>, keyword: &'static str, add: &str) ->
         None => match text.misspelt(keyword) {
             Some(entry) => {
                 let message = format!("`{}` is not the keyword `{keyword}`", entry.keyword);
-                told(Place::Span(entry.keyword_span.clone()), message, format!("write `{keyword}`"))
+                told(Place::Span(entry.keyword_span.clone()), message, format!("write `{}`", corrected(entry, keyword)))
             }
             None => told(Place::File, format!("`{keyword}` is missing"), format!("add {add}")),
         },
@@ -112,7 +113,7 @@ pub(in crate::rules::proxy) fn licence(rule: &Rule, body: &Body<'_>, out: &mut V
             }
         };
         if !is_meant {
-            let shown: String = entry.value.chars().take(40).collect();
+            let shown = shown(&entry.value);
             let why =
                 if recorded == "CC-BY" && !value.contains("cc-by") { ", because `by` stands in the line" } else { "" };
             let message = format!("licence `{shown}` is recorded as `{recorded}`{why}");

@@ -5,8 +5,8 @@ use super::{at, counted, is_number, lost_rows, whole};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, Tally};
 use crate::formats::mhclo::{Flow, Gap, Part, StopCause};
 use crate::repo::Body;
-use crate::rules::Rule;
 use crate::rules::rule::counted as count_of;
+use crate::rules::{Rule, shown};
 
 const VALUE: Case = &[(Mpfb, Level::Error, "fails with `ValueError` when the asset is loaded")];
 const INDEX: Case = &[(Mpfb, Level::Error, "fails with `IndexError` when the asset is loaded")];
@@ -42,8 +42,8 @@ pub(in crate::rules::proxy) fn lost(rule: &Rule, body: &Body<'_>, out: &mut Vec<
         let Some(gap) = lost_rows(&text.clothes.flow).filter(|gap| !is_number(&gap.word)) else { continue };
         let what = match &*gap.word {
             "" => "an empty line".to_owned(),
-            word if word.starts_with('#') => format!("`{}` without a space after the `#`", short(word)),
-            word => format!("`{}`", short(word)),
+            word if word.starts_with('#') => format!("`{}` without a space after the `#`", shown(word)),
+            word => format!("`{}`", shown(word)),
         };
         let help = match &*gap.word {
             "" => "remove the empty line",
@@ -62,15 +62,11 @@ pub(in crate::rules::proxy) fn signs(rule: &Rule, body: &Body<'_>, out: &mut Vec
     for text in whole(body) {
         let of_rows = |gap: &&Gap| gap.ended == Some(Part::Rows) && is_number(&gap.word);
         let Some(gap) = text.clothes.flow.gaps.iter().find(of_rows) else { continue };
-        let message = format!("the vertex row `{} …` does not begin with a plain number", short(&gap.word));
+        let message = format!("the vertex row `{} …` does not begin with a plain number", shown(&gap.word));
         let finding = rule.at(text.file, at(gap.line), message);
         let finding = finding.help("write the number of the base vertex in digits only, or export the asset again");
         out.push(if gap.taken == 0 { finding.case(NO_ROWS) } else { finding });
     }
-}
-
-fn short(word: &str) -> String {
-    word.chars().take(40).collect()
 }
 
 fn rows_are_lost(gap: &Gap) -> String {
