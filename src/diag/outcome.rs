@@ -117,6 +117,8 @@ pub struct NotChecked {
 pub enum Unchecked {
     /// What is in it: no rule is about files of its kind.
     Kind,
+    /// What is in it: files of its kind are checked as parts of others, and none of these names it.
+    Unused,
     /// What is in it: it lies in no data folder.
     Outside,
     /// Anything: this version does not check the application.

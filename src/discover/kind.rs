@@ -192,7 +192,7 @@ impl Kind {
 
     /// The kind of a file of which nothing but its name counts. Extensions are compared as the applications do:
     /// `X.TARGET` is no target, but `X.OBJ` is a mesh.
-    pub(super) fn by_extension(file: &str) -> Self {
+    pub(crate) fn by_extension(file: &str) -> Self {
         let extension = extension(file);
         let is_own = |kind: Self, own: &str| match kind {
             // Whatever names one opens it as it is written, in whatever capitals.

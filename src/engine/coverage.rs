@@ -60,7 +60,7 @@ impl<'r> Coverage<'r> {
                 if has_rules(application, file.kind_in(application)) {
                     is_checked = true;
                 } else {
-                    self.leave(application, Unchecked::Kind, &file.path);
+                    self.leave(application, without_rules(file, application), &file.path);
                 }
                 if file.is_kept_in_part() {
                     self.leave(application, Unchecked::Part, &file.path);
@@ -127,7 +127,7 @@ impl<'r> Coverage<'r> {
     pub(super) fn conclude(mut self, outcome: &mut Outcome) {
         // What one application has no use for is no gap where it was checked for another.
         for ((_, what), paths) in &mut self.left {
-            if *what == Unchecked::Kind {
+            if matches!(what, Unchecked::Kind | Unchecked::Unused) {
                 paths.retain(|path| !self.consumers.has_checked(path));
             }
         }
@@ -163,9 +163,18 @@ fn needs_mesh(file: &FileFacts) -> bool {
     file.names_vertices() || file.is_loose && matches!(file.kind, Kind::Pose | Kind::Motion | Kind::Model)
 }
 
+/// Why no rule is about a file: none is about any of its kind, or it is part of nothing that was checked.
+fn without_rules(file: &FileFacts, application: Application) -> Unchecked {
+    let is_of_part = has_rules(application, Kind::by_extension(file.file_name()));
+    if is_of_part { Unchecked::Unused } else { Unchecked::Kind }
+}
+
 /// Whether nothing at all was checked of the files.
 const fn is_of_whole_files(what: Unchecked) -> bool {
-    matches!(what, Unchecked::Kind | Unchecked::Packed | Unchecked::Outside | Unchecked::Application)
+    matches!(
+        what,
+        Unchecked::Kind | Unchecked::Unused | Unchecked::Packed | Unchecked::Outside | Unchecked::Application
+    )
 }
 
 impl Asked<'_> {

@@ -48,6 +48,7 @@ fn clause(entry: &NotChecked) -> String {
     let files = count(entry.count, "file");
     match entry.what {
         Unchecked::Kind => format!("{} (no rules yet)", by_extension(entry)),
+        Unchecked::Unused => format!("{} (part of nothing that was checked)", by_extension(entry)),
         Unchecked::Outside => format!("{} (not in a data folder)", by_extension(entry)),
         Unchecked::Application => {
             let application = entry.application.map_or_else(String::new, |application| format!("{application} "));

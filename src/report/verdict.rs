@@ -150,6 +150,9 @@ pub(crate) fn why_nothing(outcome: &Outcome, what: Option<Unchecked>) -> String 
             "these files are in no {} data folder; name the folder that contains `clothes/`, `rigs/` or `target/`",
             titles(&outcome.looked_for)
         ),
+        Some(Unchecked::Unused) => {
+            "these files are parts of assets; name the folder that contains the assets".to_owned()
+        }
         Some(_) => "there are no rules for files of these kinds yet".to_owned(),
         None if outcome.nothing_in.iter().all(|one| one.path.to_lowercase().ends_with(".zip")) => {
             "nothing in it can be read as an asset; in a pack assets are in folders such as `clothes/`, `hair/` or `rigs/`".to_owned()

@@ -331,3 +331,17 @@ fn init_beside_assets_proposes_settings_that_fit() {
     let output = mhlint(&folder.path().join("MakeHuman data/data"), &["init"]);
     assert!(stdout(&output).contains("all settings, explained and commented out"), "{}", stdout(&output));
 }
+
+/// Weights and meshes are checked as parts of an asset: "no rules yet" would be wrong of them.
+#[test]
+fn parts_of_no_asset_are_said_to_be_such() {
+    let folder = shirt_of("makehuman1", "data/hair/curls");
+    let part = folder.path().join("my-shirt/curls.mhw");
+    fs::remove_file(folder.path().join("my-shirt/curls.mhclo")).unwrap();
+    assert!(part.exists());
+    let output = mhlint(folder.path(), &["my-shirt", "--app", "makehuman1"]);
+    let text = stdout(&output);
+    assert!(text.contains("1 .mhw, 1 .obj (part of nothing that was checked)"), "{text}");
+    let output = mhlint(folder.path(), &["my-shirt/curls.mhw", "--app", "makehuman1"]);
+    assert!(stderr(&output).contains("these files are parts of assets"), "{}", stderr(&output));
+}
