@@ -65,7 +65,7 @@ impl Kind {
             | Self::Scene
             | Self::LibraryCache
             | Self::PackMetadata => AssetGroup::Program,
-            Self::ConfigJson | Self::Json | Self::Other => return None,
+            Self::ConfigJson | Self::Unlisted | Self::Json | Self::Other => return None,
         })
     }
 }

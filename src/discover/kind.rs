@@ -133,6 +133,8 @@ pub enum Kind {
     LibraryCache,
     /// `*.mhbin`, `*.mhpxy`, `*.npz` of an asset, `*.zip` of assets.
     Packed,
+    /// What has the extension of something worn where no list looks, and `*.mhp`, a pose of older versions.
+    Unlisted,
     /// Any other JSON.
     Json,
     /// Any other picture.

@@ -67,7 +67,7 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                         | Kind::Material
                 )
         }
-        Application::Makehuman1 => is_checked(kind),
+        Application::Makehuman1 => is_checked(kind) || matches!(kind, Kind::Unlisted),
     }
 }
 

@@ -30,6 +30,7 @@ use super::modifier_sliders::ModifierSliders;
 use super::modifier_texts::ModifierTexts;
 use super::npz::Archive;
 use super::obj::Mesh;
+use super::outdated::{Alpha, Outdated};
 use super::pack_metadata::PackMetadata;
 use super::pickle::Danger;
 use super::picture::Picture;
@@ -167,4 +168,23 @@ pub enum Content {
     Motion(Box<Motion>),
     /// `compressedtargets.npz`.
     Archive(Box<Archive>),
+    /// A file of an older version that no program opens any more.
+    Outdated(Outdated),
+}
+
+impl Content {
+    /// The format of an older version that the file has instead of its own.
+    pub fn outdated(&self) -> Option<Outdated> {
+        match self {
+            Self::Outdated(outdated) => Some(*outdated),
+            Self::Clothes(clothes) => clothes.outdated,
+            Self::Model(model) => model.outdated,
+            // Rows tell nothing: every number is one of a vertex of today's mesh as well.
+            Self::Target(target) => {
+                let (_, named) = target.basemesh.as_ref()?;
+                Alpha::of_basemesh(named).map(Outdated::Target)
+            }
+            _ => None,
+        }
+    }
 }

@@ -9,6 +9,7 @@ use super::fields::fields;
 use super::mhm_columns::{self, Columns};
 use super::mhm_lines::{self, Lines};
 use super::number::python_float;
+use super::outdated::{self, Outdated};
 use crate::source::lines;
 
 /// The file.
@@ -40,6 +41,8 @@ pub struct Model {
     pub columns: Columns,
     /// The same lines as MakeHuman 1 takes them.
     pub lines: Lines,
+    /// The format that it has instead, of an older version.
+    pub outdated: Option<Outdated>,
 }
 
 /// A word and where it stands, in bytes.
@@ -116,7 +119,10 @@ const MOST: usize = 50_000;
 
 /// Reads all lines. Bytes that are no UTF-8 are dropped, as the loader does.
 pub fn read(text: &[u8]) -> Model {
-    let mut model = Model { columns: mhm_columns::read(text), lines: mhm_lines::read(text), ..Model::default() };
+    let lines_of_words = mhm_lines::read(text);
+    let outdated = outdated::of_model(&lines_of_words);
+    let columns = mhm_columns::read(text);
+    let mut model = Model { columns, lines: lines_of_words, outdated, ..Model::default() };
     for (Range { start, .. }, line) in lines(text) {
         let words = fields(line);
         let word = |at: usize| words.get(at).map(|(from, word)| new_word(start + from, word)).unwrap_or_default();

@@ -61,6 +61,7 @@ mod number;
 pub mod obj;
 mod obj_facts;
 pub(crate) mod obj_text;
+pub mod outdated;
 pub mod pack_metadata;
 mod packed_json;
 mod packed_print;

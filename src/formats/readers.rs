@@ -9,8 +9,8 @@ use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
 use super::{
     Content, bvh, index_table as table, mesh_metadata, meta as metadata, mhbin, mhbin_asset, mhclo, mhm, mhmat, mhpose,
-    mhw, modifier_mapping, npz, obj, picture, picture_list as list, scene, shader_source, stored_pose as stored,
-    targets_npz, uv_layer as layer, uv_map,
+    mhw, modifier_mapping, npz, obj, outdated, picture, picture_list as list, scene, shader_source,
+    stored_pose as stored, targets_npz, uv_layer as layer, uv_map,
 };
 use crate::json::{self, Document, SchemaFaults};
 use crate::source::{Encoding, GzipFault, Limits, gunzip_at_most, zip_bomb};
@@ -111,6 +111,13 @@ pub(super) fn target(input: &Input<'_>) -> Parsed {
 pub(super) fn clothes(input: &Input<'_>) -> Parsed {
     let clothes = mhclo::parse(input.bytes, input.mesh).kept();
     Parsed { content: Content::Clothes(Box::new(clothes)), ..hashed(input) }
+}
+
+/// What has the extension of an asset where no list looks, or one that no list takes any more: of interest only for its
+/// age.
+pub(super) fn unlisted(input: &Input<'_>) -> Parsed {
+    let found = outdated::of_pose(input.bytes).or_else(|| mhclo::parse(input.bytes, None).outdated);
+    Parsed { content: found.map_or(Content::Unread, Content::Outdated), ..hashed(input) }
 }
 
 /// A material. One without anything in it names nothing.

@@ -4,12 +4,12 @@ use super::picture::{HEAD, TAIL};
 use super::readers::{
     archive, asset_mesh, clothes, index_table, library_cache, material, mesh, mesh_archive, meta, mirror_table, model,
     modifier_mapping, motion, packed, picture, picture_list, pose, scene, shader_source, stored_pose, target,
-    targets_archive, uv_layer, uv_map, weights, zip,
+    targets_archive, unlisted, uv_layer, uv_map, weights, zip,
 };
 use super::{
     Content, Input, Parsed, base_json, face_expression, face_units, geometry, human_preset, importer_preset, ink_layer,
     look_settings, macro_json, macro_parts, mesh_metadata, mhskel, modelling, modifier_file, modifier_sliders,
-    modifier_texts, node_tree, pack_metadata, pose_units, program, proxy_corrections, randomization, rig,
+    modifier_texts, node_tree, outdated, pack_metadata, pose_units, program, proxy_corrections, randomization, rig,
     selection_filter, target_cat, target_catalog,
 };
 use crate::discover::Kind;
@@ -97,7 +97,7 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 68] = [
+pub(crate) static FORMATS: [Format; 69] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
@@ -165,7 +165,11 @@ pub(crate) static FORMATS: [Format; 68] = [
     Format { schema: Some("mpfb_table"), ..read(Kind::FaceTable, "table of faces", Syntax::Binary, index_table) },
     Format { schema: Some("mpfb_table"), ..read(Kind::VertexTable, "table of vertices", Syntax::Binary, index_table) },
     rig_of(Kind::Rig),
-    rig_of(Kind::CustomRig),
+    // Where a user of MPFB has rigs MakeHuman 1 once had some, too.
+    json(Kind::CustomRig, "rig", "mpfb_rig", |json| match outdated::of_json(json) {
+        Some(outdated) => Content::Outdated(outdated),
+        None => Content::Rig(Box::new(rig::read(json))),
+    }),
     rig_of(Kind::SubRig),
     json(Kind::NodeTree, "node tree", "mpfb_nodes", |json| Content::Loaded(Box::new(node_tree::read(json)))),
     Format { needs: Needs::MeshInTurn, ..read(Kind::Target, "target", Syntax::Text, target) },
@@ -200,7 +204,8 @@ pub(crate) static FORMATS: [Format; 68] = [
     read(Kind::Scene, "scene", Syntax::Binary, scene),
     read(Kind::LibraryCache, "list of a library", Syntax::Binary, library_cache),
     Format { needs: Needs::Mesh, ..read(Kind::Packed, "file", Syntax::Binary, zip) },
-    plain(Kind::Json, "JSON", Syntax::Json),
+    read(Kind::Unlisted, "asset that no list shows", Syntax::Binary, unlisted),
+    tree(Kind::Json, "JSON", |json| outdated::of_json(json).map_or(Content::Json, Content::Outdated)),
     Format { reader: Some(Reader::Ends(picture)), ..plain(Kind::Image, "picture", Syntax::Binary) },
     OTHER,
 ];

@@ -49,6 +49,7 @@ mod weights;
 pub(crate) use archived::lower_archived;
 pub use cause::consequence::Unread;
 pub(crate) use cause::consequence::unread;
+pub(crate) use cause::outdated::drop_outdated;
 pub(crate) use rule::{Check, Rule, RuleCx};
 use rule::{and_more, bones_in_words, counted, did_you_mean, either, enumerated, shown, such};
 pub(crate) use wearers::name_wearers;

@@ -124,7 +124,10 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         // Whatever its list shows is loaded under the name that it has.
         ["models", .., file] if extension(file).eq_ignore_ascii_case("mhm") => Kind::Model,
         [_, .., file] if SHADER_FILES.iter().any(|ending| file.ends_with(ending)) => Kind::ShaderSource,
+        ["poses", .., file] if extension(file) == "mhp" => Kind::Unlisted,
         [folder, .., file] => match Kind::by_extension(file) {
+            // In folders such as `costumes` older versions had some.
+            Kind::Clothes if !holds_worn(folder) && !OWN_FOLDERS.contains(folder) => Kind::Unlisted,
             // Elsewhere the program has such files for itself, and opens them by name or never.
             Kind::Clothes | Kind::AssetMesh | Kind::AssetWeights if !holds_worn(folder) => Kind::Other,
             Kind::Motion | Kind::MotionMeta if *folder != "poses" => Kind::Other,
@@ -196,6 +199,9 @@ fn loose_place(path: &str, _: Option<&str>) -> Option<String> {
         _ => None,
     }
 }
+
+/// Folders in which the program, or a user, has other things.
+const OWN_FOLDERS: [&str; 3] = ["3dobjs", "models", "custom"];
 
 fn holds_worn(folder: &str) -> bool {
     WORN.contains(&folder) || folder == TOPOLOGIES
@@ -286,6 +292,8 @@ mod tests {
             ("poseunits/face-poseunits.bvh", Kind::Motion),
             ("proxymeshes/a/a.obj", Kind::AssetMesh),
             ("litspheres/a.obj", Kind::Other),
+            ("costumes/a/a.mhclo", Kind::Unlisted),
+            ("poses/a.mhp", Kind::Unlisted),
             ("targets/macrodetails/a.target", Kind::Target),
             ("custom/mine/a.target", Kind::Target),
             ("custom/a.TARGET", Kind::Other),

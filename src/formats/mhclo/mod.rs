@@ -10,6 +10,7 @@ mod flow;
 mod header;
 pub mod in_order;
 mod reader;
+mod remarks;
 mod rows;
 
 pub use faults::{Fault, FaultKind, Faults};
@@ -17,6 +18,8 @@ pub use flow::{Flow, Gap, Part, Stop, StopCause};
 pub use header::{Entry, Scanned, Value};
 pub use reader::parse;
 pub use rows::{DeleteFacts, RowFacts, VISIBLE_SUM};
+
+use super::outdated::Outdated;
 
 /// The file.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -41,6 +44,8 @@ pub struct Clothes {
     pub faults: Faults,
     /// What is taken by a reader that ends a section at any other line.
     pub flow: Flow,
+    /// The format that it has instead, of an older version.
+    pub outdated: Option<Outdated>,
 }
 
 /// Where a line stands.

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::flow::Machine;
 use super::header::{Header, Words};
+use super::remarks::Remarks;
 use super::{Clothes, Fault, FaultKind, Reference, Scale, Section};
 use crate::formats::fields::fields;
 use crate::formats::target::MeshSize;
@@ -16,6 +17,7 @@ type Word<'l> = (usize, &'l [u8]);
 struct Reader {
     clothes: Clothes,
     header: Header,
+    remarks: Remarks,
     section: Section,
     mesh: Option<MeshSize>,
     line: u32,
@@ -39,8 +41,9 @@ pub fn parse(text: &[u8], mesh: Option<MeshSize>) -> Clothes {
         machine.take(reader.line, &words);
         reader.take(&words);
     }
-    let Reader { clothes, header, .. } = reader;
-    Clothes { entries: header.entries, scanned: header.scanned, flow: machine.finish(), ..clothes }
+    let Reader { clothes, header, remarks, .. } = reader;
+    let outdated = remarks.format(&header.entries);
+    Clothes { entries: header.entries, scanned: header.scanned, flow: machine.finish(), outdated, ..clothes }
 }
 
 impl Reader {
@@ -51,6 +54,7 @@ impl Reader {
     fn take(&mut self, words: &[Word<'_>]) {
         let Some((_, first)) = words.first() else { return };
         if first.starts_with(b"#") {
+            self.remarks.take(words);
             return self.header.remark(self.words(words), self.section);
         }
         let keyword = String::from_utf8_lossy(first.strip_suffix(b":").unwrap_or(first)).into_owned();
@@ -63,7 +67,10 @@ impl Reader {
             (Section::Vertices, word) if is_meant_as_row(word, words) => {
                 self.fault(FaultKind::DroppedRow, words.first());
             }
-            (Section::Header, word) if is_numeric(word) => self.fault(FaultKind::NumbersInHeader, words.first()),
+            (Section::Header, word) if is_numeric(word) => {
+                self.remarks.row(words.len());
+                self.fault(FaultKind::NumbersInHeader, words.first());
+            }
             (_, word) => self.keyword(word, words),
         }
     }

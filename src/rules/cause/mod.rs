@@ -12,6 +12,7 @@ mod generated;
 pub(super) mod groups;
 pub(super) mod library;
 pub(super) mod mesh;
+pub(super) mod outdated;
 pub(super) mod overlay;
 pub(super) mod schema;
 pub(super) mod weights;

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
+use super::super::cause::outdated::is_outdated;
 use super::super::{Rule, counted, did_you_mean};
-use super::mpfb;
+use super::{mpfb, of_folder};
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped, nearest};
 use crate::discover::{archive_library_of, extension, libraries, library_extension, library_of};
 use crate::formats::mhbin_asset::Packed;
@@ -13,28 +14,34 @@ use crate::source::{Guess, is_below};
 
 /// What is worn in a library that lists another extension.
 pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
-    for file in view.layers.checked.files.values() {
-        let extension = extension(&file.rel);
+    let layer = view.layers.checked;
+    // Models beside the data folder are in their place.
+    let is_model = |file: &FileFacts| extension(&file.rel) == "mhm";
+    let files = layer.files.values().filter(|file| !is_outdated(file) && !(is_model(file) && file.is_loose));
+    let by_folder = grouped(files.map(|file| ((file.rel.split('/').next(), extension(&file.rel)), file)));
+    for ((library, extension), files) in by_folder {
         let place = match extension {
             "proxy" => "`proxymeshes`",
             "mhclo" => "`clothes`, `hair` or another folder of its kind",
             "bvh" => "`poses`",
             "mhpose" => "`expressions`",
             "mhskel" => "`rigs`",
-            "mhm" if !file.is_loose => "`models` beside the data folder of the user",
+            "mhm" => "`models` beside the data folder of the user",
             _ => continue,
         };
-        let library = file.rel.split('/').next().unwrap_or_default();
+        let library = library.unwrap_or_default();
         let is_model = extension == "mhm";
         let right = library_extension(library).filter(|right| *right != extension || is_model);
-        let Some(right) = right.or(is_model.then_some("")) else { continue };
+        let (Some(right), Some(first)) = (right.or(is_model.then_some("")), files.first()) else { continue };
         let here = if is_model { "the data folder".to_owned() } else { format!("`{library}`") };
         let message = format!("a `.{extension}` in {here} is not listed, expected in {place}");
         let help = match right {
             "mhclo" | "proxy" => format!("move it to {place}, or rename it to end in `.{right}`"),
             _ => format!("move it to {place}"),
         };
-        out.push(rule.at(file, Place::File, message).key("kind").help(help));
+        let finding = rule.at(first, Place::File, message).key("kind").help(help);
+        let message = format!("{} `.{extension}` in `{library}` are not listed, expected in {place}", files.len());
+        out.push(of_folder(layer, library, &files, finding, message));
     }
 }
 
@@ -121,6 +128,9 @@ fn is_suffixed(file: &FileFacts) -> bool {
 const COMPANIONS: [&str; 13] =
     ["thumb", "png", "jpg", "obj", "mhmat", "mhw", "jsonw", "mhpxy", "npz", "meta", "mhskel", "mhbin", "blend"];
 
+/// What older versions had beside such pictures. Under another suffix it is not what that says (formats/versions.md §4).
+const OLDER: [&str; 8] = ["mhp", "mhstx", "lmk", "hair", "rig", "dat", "rot", "mhuv"];
+
 /// Files that are pictured as assets are, and end in something that is not listed.
 pub(super) fn misnamed(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
@@ -137,7 +147,8 @@ pub(super) fn misnamed(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let (Some(right), Some(stem)) = (library_extension(library), stem(file)) else { continue };
         // An asset of another kind lies in the wrong folder.
         let is_asset = libraries().any(|library| library_extension(library) == Some(own));
-        let is_other = !own.eq_ignore_ascii_case(right) && !is_asset && !COMPANIONS.contains(&own);
+        let is_old = OLDER.contains(&own) || is_outdated(file);
+        let is_other = !own.eq_ignore_ascii_case(right) && !is_asset && !is_old && !COMPANIONS.contains(&own);
         let is_meant = pictured.contains(&stem) || (library, own) == ("expressions", "mhupb");
         if is_other && is_meant && layer.file_ignoring_case(&format!("{stem}.{right}")).is_none() {
             let message =
@@ -162,6 +173,7 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let of_other_case = library_extension(&top.to_lowercase()) == Some(extension(&file.rel)) || is_near(top);
         (file.rel.contains('/') || matches!(extension(&file.rel), "mhskel" | "mhpose"))
             && !file.is_loose
+            && !is_outdated(file)
             && !is_linked(file)
             && !KNOWN.contains(top)
             && library_extension(top).is_none()
@@ -214,7 +226,7 @@ pub(super) fn without_pictures(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
         let has = |extension| beside(file, extension).is_some();
         let is_pictured = has("thumb") || *library == "skins" && has("png");
         let is_own = !copies.contains(file.path.as_str()) && !file.file_name().starts_with('.');
-        is_sound && is_listed && is_own && !is_pictured
+        is_sound && is_listed && is_own && !is_pictured && !is_outdated(file)
     });
     for (library, files) in grouped(bare) {
         let unused = |file: &&&FileFacts| {

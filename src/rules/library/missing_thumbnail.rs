@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::cause::outdated::is_outdated;
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{makehuman1, shelves};
 use crate::diag::{
@@ -42,7 +43,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         // One that something names in other capitals has got the wrong name, not its picture.
         let is_renamed =
             view.references.to_file(asset.file).any(|one| matches!(one.resolution, Resolution::CaseOnly(_)));
-        is_read && layer.file(&rel).is_none() && !is_renamed && !copies.contains(asset.file.path.as_str())
+        is_read
+            && !is_outdated(asset.file)
+            && layer.file(&rel).is_none()
+            && !is_renamed
+            && !copies.contains(asset.file.path.as_str())
     });
     let strays = layer.files.values().filter(|file| is_thumb(file) && !is_of_one(&file.rel, &stems, layer));
     let mut strays: BTreeMap<&str, &FileFacts> = strays.map(|file| (parent(&file.rel), file)).collect();

@@ -1,5 +1,6 @@
 //! Where MPFB looks for a user's files (formats/mpfb.md §1, §2.5, §7).
 
+use super::super::cause::outdated::is_outdated;
 use super::super::{Rule, counted, did_you_mean};
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, grouped, nearest};
 use crate::discover::{Kind, Layout, extension};
@@ -86,7 +87,7 @@ const OF_PROGRAM: [&str; 4] = ["3dobjs", "mesh_metadata", "node_trees", "setting
 const TO_KIND: &str = "move them to the folder of their kind, such as `clothes` or `hair`";
 
 fn is_worn(file: &FileFacts) -> bool {
-    matches!(extension(&file.rel), "mhclo" | "proxy")
+    matches!(extension(&file.rel), "mhclo" | "proxy") && !is_outdated(file)
 }
 
 fn is_target(file: &FileFacts) -> bool {

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
+use super::super::cause::outdated::is_outdated;
 use super::super::{Rule, counted};
-use super::mpfb;
+use super::{mpfb, of_folder};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, grouped};
 use crate::discover::extension;
 use crate::repo::mpfb::{View, uuid};
@@ -110,10 +111,10 @@ pub(super) fn in_capitals(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) 
 
 /// Topologies in the list of worn assets, and the other way around.
 pub(super) fn of_other_kind(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
-    let files = view.layers.checked.files.values().filter(|file| !file.is_loose);
-    for file in files {
-        let Some((folder, suffix)) = shelf_around(file) else { continue };
-        let own = extension(&file.rel);
+    let layer = view.layers.checked;
+    let files = layer.files.values().filter(|file| !file.is_loose && !is_outdated(file));
+    let shelved = files.filter_map(|file| Some(((shelf_around(file)?, extension(&file.rel)), file)));
+    for (((folder, suffix), own), files) in grouped(shelved) {
         let help = match (own, suffix) {
             ("proxy", "mhclo") => {
                 "move it to `proxymeshes` if it stands for the body; rename it to end in `.mhclo` if it is worn"
@@ -123,8 +124,11 @@ pub(super) fn of_other_kind(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>
             }
             _ => continue,
         };
+        let Some(first) = files.first() else { continue };
         let message = format!("a `.{own}` in `{folder}` is not listed");
-        out.push(rule.at(file, Place::File, message).key("suffix").help(help));
+        let finding = rule.at(first, Place::File, message).key("suffix").help(help);
+        let message = format!("{} `.{own}` in `{folder}` are not listed", files.len());
+        out.push(of_folder(layer, folder, &files, finding, message));
     }
 }
 
@@ -134,6 +138,9 @@ pub(super) fn without_pictures(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
     let all: Vec<(&str, &FileFacts)> = listed(layer).collect();
     let mut seen = BTreeSet::new();
     let bare = all.into_iter().filter(|(folder, file)| {
+        if is_outdated(file) {
+            return false;
+        }
         let stem = file.rel.rsplit_once('.').map_or(&*file.rel, |(stem, _)| stem);
         // Of one label one has a picture.
         seen.insert((*folder, label(file))) && layer.file(&format!("{stem}.thumb")).is_none()

@@ -1,5 +1,6 @@
 //! An asset lies where the list looks, under a name that it takes.
 
+use super::super::cause::outdated::is_outdated;
 use super::super::{Check, Rule, RuleCx};
 use super::{SUFFIXES, makehuman1 as library, mpfb, shelves, suffix};
 use crate::diag::{
@@ -39,7 +40,7 @@ const UNLISTED: Case = &[(Makehuman2, Level::Error, "does not list it")];
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
     let mut deep = Vec::new();
-    for file in layer.files.values() {
+    for file in layer.files.values().filter(|file| !is_outdated(file)) {
         let parts: Vec<&str> = file.rel.split('/').collect();
         let [category, base, .., name] = parts.as_slice() else { continue };
         let is_for = |suffix: &str| in_place_of(suffix).contains(category);

@@ -2,15 +2,16 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::cause::outdated::is_outdated;
 use super::super::{Check, Rule, RuleCx};
-use super::{makehuman1, makehuman2, mpfb, shelves, suffix};
+use super::{makehuman1, makehuman2, mpfb, of_folder, shelves, suffix};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo,
 };
 use crate::discover::{extension, in_place_of};
-use crate::repo::FileFacts;
 use crate::repo::makehuman2::View;
+use crate::repo::{FileFacts, Layer};
 
 pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(
     run,
@@ -54,7 +55,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         can_tell && !bases.is_empty() && !bases.contains(folder)
     };
     let mut unknown: BTreeMap<&str, Vec<&FileFacts>> = BTreeMap::new();
-    for file in layer.files.values().filter(|file| !file.is_loose) {
+    let mut of_other_kind: BTreeMap<(&str, &'static str), Vec<&FileFacts>> = BTreeMap::new();
+    for file in layer.files.values().filter(|file| !file.is_loose && !is_outdated(file)) {
         match *file.rel.split('/').collect::<Vec<_>>() {
             [category, FILTER] if makehuman2::CATEGORIES.contains(&category) => {
                 out.push(filter(file, category, &bases));
@@ -76,7 +78,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let right = in_place_of(suffix);
         match parts.as_slice() {
-            _ if !right.contains(category) => out.push(misplaced(file, suffix, category, right)),
+            _ if !right.contains(category) => of_other_kind.entry((category, suffix)).or_default().push(file),
             [_, name] => out.push(without_base(file, category, name, &bases)),
             [_, folder, name] if is_no_base(file, folder) && !is_elsewhere(category, folder) => {
                 out.push(without_base(file, category, &format!("{folder}/{name}"), &bases));
@@ -84,6 +86,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             _ => {}
         }
     }
+    out.extend(
+        of_other_kind.iter().filter_map(|((category, suffix), files)| misplaced(layer, files, suffix, category)),
+    );
     out.extend(
         unknown.into_iter().filter_map(|(folder, files)| makehuman2::unread(&RULE, view, folder, &files, &bases)),
     );
@@ -97,8 +102,9 @@ fn filter(file: &FileFacts, category: &str, bases: &BTreeSet<&str>) -> Finding {
     finding.effect("never reads it: the list has no filters")
 }
 
-fn misplaced(file: &FileFacts, suffix: &str, category: &str, right: &[&str]) -> Finding {
-    let shown: Vec<String> = right.iter().map(|folder| format!("`{folder}`")).collect();
+fn misplaced(layer: &Layer, files: &[&FileFacts], suffix: &str, category: &str) -> Option<Finding> {
+    let first = files.first()?;
+    let shown: Vec<String> = in_place_of(suffix).iter().map(|folder| format!("`{folder}`")).collect();
     let shown = match shown.as_slice() {
         [first, second, _, ..] => format!("{first}, {second} or another folder of its kind"),
         _ => shown.join(" or "),
@@ -112,7 +118,9 @@ fn misplaced(file: &FileFacts, suffix: &str, category: &str, right: &[&str]) -> 
         "proxy" => "move it to `proxy` if it replaces the skin; rename it to end in `.mhclo` if it is worn over it".to_owned(),
         _ => format!("move it to {shown}"),
     };
-    RULE.at(file, Place::File, message).key("kind").help(help)
+    let finding = RULE.at(first, Place::File, message).key("kind").help(help);
+    let message = format!("{} `.{suffix}` in `{category}` are not listed, expected in {shown}", files.len());
+    Some(of_folder(layer, category, files, finding, message))
 }
 
 fn without_base(file: &FileFacts, category: &str, below: &str, bases: &BTreeSet<&str>) -> Finding {
