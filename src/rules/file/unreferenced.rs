@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::super::cause::outdated::is_outdated;
 use super::super::{Check, Rule, RuleCx};
 use super::icons;
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, RuleInfo, grouped};
@@ -108,7 +109,9 @@ impl<'r> References<'r> {
 fn reason(base: &Base<'_>, file: &FileFacts, references: &References<'_>) -> Option<Reason> {
     let (name, layer, layout) = (file.file_name(), references.view.layers.checked, Layout::of(Makehuman2));
     // A file called `icons` stands in the place of a folder: unreadable.
-    if file.encoding.lfs_pointer || file.gzip_fault.is_some() || name == "icons" || is_note(name) || is_code(name) {
+    // A format that nobody reads any more is reported of the whole folder.
+    let is_told = file.encoding.lfs_pointer || file.gzip_fault.is_some() || is_outdated(file);
+    if is_told || name == "icons" || is_note(name) || is_code(name) {
         return None;
     }
     if file.kind == Kind::TargetIcon {

@@ -13,9 +13,9 @@ use crate::repo::{FileFacts, View, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "cannot use them"),
-        (Makehuman1, "cannot use them"),
-        (Mpfb, "cannot use them"),
+        (Makehuman2, "uses nothing of this format"),
+        (Makehuman1, "uses nothing of this format"),
+        (Mpfb, "uses nothing of this format"),
     ],
     docs: "The files of a folder have a format of an older version of MakeHuman, which no program of today reads:\n\n\
         - clothes, hair and topologies (`.mhclo`, `.proxy`) up to alpha 7, with their keywords behind `#` (`# obj_file \

@@ -71,35 +71,47 @@ impl Sort {
 }
 
 const WORN: Case = &[
-    (Makehuman2, Level::Error, "lists them without a name, and crashes with `AttributeError` when one is put on"),
-    (Makehuman1, Level::Error, "puts none of them on: keywords behind `#` are comments, so there is no mesh"),
-    (Mpfb, Level::Error, "lists them, and fails when one is loaded: keywords behind `#` are comments"),
+    (
+        Makehuman2,
+        Level::Error,
+        "lists an asset of this format without a name, and crashes with `AttributeError` when it is put on",
+    ),
+    (
+        Makehuman1,
+        Level::Error,
+        "puts on no asset of this format: keywords behind `#` are comments, so there is no mesh",
+    ),
+    (
+        Mpfb,
+        Level::Error,
+        "lists an asset of this format, and fails when it is loaded: keywords behind `#` are comments",
+    ),
 ];
 const UNLISTED: Case = &[
-    (Makehuman2, Level::Error, "does not list them, and could not put them on"),
-    (Makehuman1, Level::Error, "does not look into this folder, and could not put them on"),
-    (Mpfb, Level::Error, "does not list them, and could not load them"),
+    (Makehuman2, Level::Error, "lists and puts on no asset of this format"),
+    (Makehuman1, Level::Error, "does not look into this folder, and puts on no asset of this format"),
+    (Mpfb, Level::Error, "lists and loads no asset of this format"),
 ];
 const COSTUMES: Case = &[
-    (Makehuman2, Level::Error, "has no costumes: without a mesh they cannot be put on"),
-    (Makehuman1, Level::Error, "has no costumes: without a mesh they cannot be put on"),
-    (Mpfb, Level::Error, "has no costumes: without a mesh they cannot be loaded"),
+    (Makehuman2, Level::Error, "has no costumes: without a mesh nothing can be put on"),
+    (Makehuman1, Level::Error, "has no costumes: without a mesh nothing can be put on"),
+    (Mpfb, Level::Error, "has no costumes: without a mesh nothing can be loaded"),
 ];
 const EXPRESSIONS: Case = &[
-    (Makehuman2, Level::Error, "does not list them: its expressions end in `.mhpose`"),
-    (Makehuman1, Level::Error, "does not list them: since 1.1 expressions end in `.mhpose`"),
-    (Mpfb, Level::Error, "does not list them: its expressions end in `.json`"),
+    (Makehuman2, Level::Error, "lists no expression of this format: they end in `.mhpose`"),
+    (Makehuman1, Level::Error, "lists no expression of this format: since 1.1 they end in `.mhpose`"),
+    (Mpfb, Level::Error, "lists no expression of this format: they end in `.json`"),
 ];
-const POSES: Case = &[(Makehuman1, Level::Error, "does not list them: since 1.1 poses end in `.bvh`")];
+const POSES: Case = &[(Makehuman1, Level::Error, "lists no pose of this format: since 1.1 they end in `.bvh`")];
 const RIGS: Case = &[
-    (Makehuman2, Level::Warning, "ignores them: its rigs end in `.mhskel`"),
-    (Makehuman1, Level::Warning, "ignores them: since 1.1 rigs end in `.mhskel`"),
-    (Mpfb, Level::Warning, "ignores them: they have no `identifying_bones`"),
+    (Makehuman2, Level::Warning, "ignores a rig of this format: rigs end in `.mhskel`"),
+    (Makehuman1, Level::Warning, "ignores a rig of this format: since 1.1 rigs end in `.mhskel`"),
+    (Mpfb, Level::Warning, "ignores a rig of this format: it has no `identifying_bones`"),
 ];
 const GROUPS: Case = &[
-    (Makehuman2, Level::Info, "ignores them: weights end in `.mhw`"),
-    (Makehuman1, Level::Info, "ignores them: since 1.1 weights end in `.mhw`"),
-    (Mpfb, Level::Info, "ignores them"),
+    (Makehuman2, Level::Info, "ignores weights of this format: they end in `.mhw`"),
+    (Makehuman1, Level::Info, "ignores weights of this format: since 1.1 they end in `.mhw`"),
+    (Mpfb, Level::Info, "ignores weights of this format"),
 ];
 const MODELS: Case = &[
     (Makehuman2, Level::Warning, "passes over the lines that shape the figure, without a message"),
@@ -107,9 +119,9 @@ const MODELS: Case = &[
     (Mpfb, Level::Warning, "passes over the lines that shape the figure, without a message"),
 ];
 const TARGETS: Case = &[
-    (Makehuman2, Level::Warning, "loads them without a message, and moves the wrong vertices"),
-    (Makehuman1, Level::Warning, "loads them without a message, and moves the wrong vertices"),
-    (Mpfb, Level::Warning, "loads them without a message, and moves the wrong vertices"),
+    (Makehuman2, Level::Warning, "loads a target of it without a message, and moves the wrong vertices"),
+    (Makehuman1, Level::Warning, "loads a target of it without a message, and moves the wrong vertices"),
+    (Mpfb, Level::Warning, "loads a target of it without a message, and moves the wrong vertices"),
 ];
 
 pub(super) fn words(sort: Sort, files: &[(&FileFacts, Outdated)]) -> Words {
@@ -121,11 +133,11 @@ pub(super) fn words(sort: Sort, files: &[(&FileFacts, Outdated)]) -> Words {
             new("costume", COSTUMES, "put the clothes on, and save a model (`.mhm`) in place of the costume")
         }
         Sort::Expression => {
-            let help = "make them again in the expression mixer of MakeHuman 1, which saves `.mhpose`: another suffix or \
-                folder does not help";
+            let help = "make the expression again in the mixer of MakeHuman 1, which saves `.mhpose`: another suffix or folder \
+                does not help";
             new("expression", EXPRESSIONS, help)
         }
-        Sort::Pose => new("pose", POSES, "make a BVH of each pose: another suffix does not help"),
+        Sort::Pose => new("pose", POSES, "make a BVH of the pose: another suffix does not help"),
         Sort::Rig => {
             let help = "use a rig of today, such as `default.mhskel` in place of `basic.json` and `cmu_mb.mhskel` in place of \
                 `game.json`: another suffix does not help";
@@ -134,7 +146,7 @@ pub(super) fn words(sort: Sort, files: &[(&FileFacts, Outdated)]) -> Words {
         Sort::VertexGroups => {
             new("list", GROUPS, "convert what is still needed to `.mhw`, and keep the rest outside of the data")
         }
-        Sort::Model => new("model", MODELS, "build the characters again: no program reads their lines"),
+        Sort::Model => new("model", MODELS, "build the character again: no program reads these lines"),
         Sort::LaterModel => {
             let help =
                 "write `version v1.0.0`, with which MakeHuman 1 reads a model as one of 1.0, and save it again there";
@@ -143,7 +155,7 @@ pub(super) fn words(sort: Sort, files: &[(&FileFacts, Outdated)]) -> Words {
         Sort::Target => Words {
             one: "is for the base mesh",
             several: "are for the base mesh",
-            ..new("target", TARGETS, "model them again on `hm08`, or keep them outside of the data")
+            ..new("target", TARGETS, "make the shape again on `hm08`, or keep the file outside of the data")
         },
     }
 }
@@ -154,7 +166,9 @@ fn of_worn(files: &[(&FileFacts, Outdated)]) -> &'static str {
         () if has(Alpha::Seven) || has(Alpha::Other) => {
             "export again for `hm08` from the meshes (MakeClothes, MPFB): the vertex numbers belong to another base mesh"
         }
-        () if has(Alpha::Six) => "keep them outside of the data, or make them again for `hm08` (MakeClothes, MPFB)",
+        () if has(Alpha::Six) => {
+            "keep old files outside of the data, or make the asset again for `hm08` (MakeClothes, MPFB)"
+        }
         () => "export again for `hm08` from the meshes (MakeClothes, MPFB)",
     }
 }
