@@ -11,6 +11,7 @@ mod bvh;
 mod catalog;
 mod cause;
 mod config;
+mod editions;
 mod expression;
 mod file;
 mod filter;
@@ -47,6 +48,7 @@ mod wearers;
 mod weights;
 
 pub(crate) use archived::lower_archived;
+pub(crate) use editions::word_for_version;
 pub use cause::consequence::Unread;
 pub(crate) use cause::consequence::unread;
 pub(crate) use cause::outdated::drop_outdated;

@@ -43,5 +43,6 @@ mod replacements;
 mod reports;
 mod rules;
 mod scratch;
+mod versions;
 mod vocabulary;
 mod workspace;

@@ -19,7 +19,7 @@ use crate::config::Config;
 use crate::diag::{Finding, Outcome, Timed, Timing, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
 use crate::repo::{Body, FileFacts, Layers, View};
-use crate::rules::{Check, RULES, Rule, RuleCx, drop_outdated, lower_archived, name_wearers};
+use crate::rules::{Check, RULES, Rule, RuleCx, drop_outdated, lower_archived, name_wearers, word_for_version};
 
 /// A view with what is computed once for all rules.
 struct Checked<'v> {
@@ -87,6 +87,7 @@ fn check_view(
     drop_outdated(view, &mut findings);
     name_wearers(view, &mut findings);
     lower_archived(view, &mut findings);
+    word_for_version(view, &mut findings);
     let of_system = |names: &BTreeSet<&'static str>| alone(view, &rules, names, options);
     let findings = pair::at_checked(findings, view.layers(), of_system);
     findings.into_iter().map(|finding| finding.only_in(&[application])).collect()
