@@ -150,7 +150,8 @@ pub(super) fn misnamed(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let is_old = OLDER.contains(&own) || is_outdated(file);
         let is_other = !own.eq_ignore_ascii_case(right) && !is_asset && !is_old && !COMPANIONS.contains(&own);
         let is_meant = pictured.contains(&stem) || (library, own) == ("expressions", "mhupb");
-        if is_other && is_meant && layer.file_ignoring_case(&format!("{stem}.{right}")).is_none() {
+        let is_there = |extension: &str| layer.file_ignoring_case(&format!("{stem}.{extension}")).is_some();
+        if is_other && is_meant && !is_there(right) && !is_there("mhpxy") {
             let message =
                 format!("`{}` must end in `.{right}`: nothing else is listed in `{library}`", file.file_name());
             out.push(rule.at(file, Place::File, message).key("suffix").help(format!("rename it to end in `.{right}`")));

@@ -1,14 +1,12 @@
 //! The mesh of an asset must be found.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::{Lone, Text, blender, is_unwalked, lone_archives, missing::missing, neighbours, texts};
+use super::{Text, blender, is_unwalked, lone_archives, missing::missing, neighbours, packed_proxy, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    Case, Finding, Level, Place, RuleInfo,
+    Case, Finding, Level, RuleInfo,
 };
-use crate::formats::asset_mesh::KeptFaces;
-use crate::repo::makehuman1::narrow_mesh;
-use crate::repo::{Body, FileFacts, Reference, ReferenceKind, Resolution};
+use crate::repo::{Body, Reference, ReferenceKind, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "refuses the asset with a message: it cannot be put on"), (Makehuman1, "does not put the asset on"), (Mpfb, "fails with `OSError` when the asset is loaded")],
@@ -37,7 +35,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
         return blender::names::mesh(&RULE, body, cx, out);
     }
-    out.extend(lone_archives(body).filter_map(|archive| of_archive(body, &archive)));
+    out.extend(lone_archives(body).filter_map(|archive| packed_proxy::mesh(&RULE, body, &archive)));
     // MakeHuman 1 reads the archive of a mesh, be the OBJ there or not.
     for text in texts(body).filter(|text| text.worn.packed_mesh.is_none()) {
         let finding = match text.worn.reference(ReferenceKind::AssetMesh) {
@@ -56,8 +54,8 @@ fn absent(body: &Body<'_>, text: &Text<'_, '_>, reference: &Reference<'_>, cx: &
         Resolution::Unusable if !is_unwalked(body, reference) => "cannot be opened as a file",
         _ => return None,
     };
-    if let Some(narrow) = narrow_mesh(body.layers, text.worn) {
-        return Some(without_room(text.file, reference, narrow));
+    if let Some(finding) = packed_proxy::without_room(&RULE, body, text.worn, reference) {
+        return Some(finding);
     }
     let message = format!("mesh `{}` {what}", reference.text);
     let names = neighbours(body, text, "obj");
@@ -67,34 +65,4 @@ fn absent(body: &Body<'_>, text: &Text<'_, '_>, reference: &Reference<'_>, cx: &
         None => did_you_mean(cx.suggestions.nearest(reference.text, names), "correct the name, or restore the mesh"),
     };
     Some(RULE.at(text.file, reference.place.clone(), message).key(reference.text).help(help))
-}
-
-/// An archive that is all there is of an asset, and was packed elsewhere.
-fn of_archive(body: &Body<'_>, archive: &Lone<'_, '_>) -> Option<Finding> {
-    let reference = archive.worn.reference(ReferenceKind::AssetMesh)?;
-    let (text, file) = (reference.text, archive.file);
-    if archive.has_moved() {
-        let message = format!("mesh `{text}` of the archive does not exist: it was packed in another place");
-        let finding = RULE.at(file, Place::File, message).key(text);
-        return Some(finding.help("move the archive back to its folder, or restore the mesh"));
-    }
-    // An OBJ is read in place of an archive that does not do.
-    let is_packed = reference.found().is_some_and(|found| found.packed().is_some());
-    narrow_mesh(body.layers, archive.worn).filter(|_| is_packed).map(|narrow| without_room(file, reference, narrow))
-}
-
-/// The archive of the mesh cannot be used, and there is no OBJ to be read instead.
-fn without_room(
-    file: &FileFacts,
-    reference: &Reference<'_>,
-    (packed, kept, asked): (&FileFacts, KeptFaces, u64),
-) -> Finding {
-    let message = format!(
-        "mesh `{}` does not exist, and `{}` has room for {} faces at a vertex, not for {asked}",
-        reference.text,
-        packed.file_name(),
-        kept.columns
-    );
-    let finding = RULE.at(file, reference.place.clone(), message).key(reference.text);
-    finding.related(packed.path.clone(), Place::File, "the packed mesh").help("restore the OBJ")
 }

@@ -1,14 +1,14 @@
 //! The archive that MakeHuman 1 makes of something worn (`.mhpxy`), against its text (makehuman1-observed.md 4.8, 4.11).
 
 use super::super::Rule;
-use super::listed;
+use super::{Lone, listed};
 use crate::diag::{Application::Makehuman1, Case, Finding, Level, Place};
 use crate::formats::mhbin_asset::Packed;
 use crate::formats::mhclo::Clothes;
 use crate::formats::mhpxy::PackedProxy;
 use crate::formats::python_int;
-use crate::repo::makehuman1::named_by_archive;
-use crate::repo::{Body, FileFacts, ReferenceKind, Resolution, Worn};
+use crate::repo::makehuman1::{named_by_archive, narrow_mesh};
+use crate::repo::{Body, FileFacts, Reference, ReferenceKind, Resolution, Worn};
 
 const FOREIGN: Case = &[(Makehuman1, Level::Error, "does not put the asset on, unless the text is newer")];
 
@@ -98,4 +98,33 @@ fn has_other_mask(proxy: &PackedProxy, clothes: &Clothes) -> bool {
     let Some(vertices) = length else { return false };
     let runs = proxy.mask.as_ref().map(|mask| mask.runs.as_slice()).unwrap_or_default();
     clothes.merged_deletes(vertices) != runs
+}
+
+/// The mesh of an archive that is all there is of an asset: the archive was packed elsewhere, or its mesh has no room.
+pub(super) fn mesh(rule: &Rule, body: &Body<'_>, archive: &Lone<'_, '_>) -> Option<Finding> {
+    let reference = archive.worn.reference(ReferenceKind::AssetMesh)?;
+    if archive.has_moved() {
+        let text = reference.text;
+        let message = format!("mesh `{text}` of the archive does not exist: it was packed in another place");
+        let finding = rule.at(archive.file, Place::File, message).key(text);
+        return Some(finding.help("move the archive back to its folder, or restore the mesh"));
+    }
+    // An OBJ is read in place of an archive that does not do.
+    let is_packed = reference.found().is_some_and(|found| found.packed().is_some());
+    if is_packed { without_room(rule, body, archive.worn, reference) } else { None }
+}
+
+/// The archive of a mesh that cannot be used, where there is no OBJ to be read instead.
+pub(super) fn without_room(
+    rule: &Rule,
+    body: &Body<'_>,
+    worn: &Worn<'_>,
+    reference: &Reference<'_>,
+) -> Option<Finding> {
+    let (packed, kept, asked) = narrow_mesh(body.layers, worn)?;
+    let (text, name, columns) = (reference.text, packed.file_name(), kept.columns);
+    let message =
+        format!("mesh `{text}` does not exist, and `{name}` has room for {columns} faces at a vertex, not for {asked}");
+    let finding = rule.at(worn.file, reference.place.clone(), message).key(text);
+    Some(finding.related(packed.path.clone(), Place::File, "the packed mesh").help("restore the OBJ"))
 }
