@@ -87,9 +87,15 @@ mod tests {
     fn signs_tell_and_names_of_folders_do_not() {
         let helpers = |folder: &str| vec![(folder.to_owned(), Aside::Helpers)];
         assert_eq!(found(&["x/data/hm08.config", "x/data/tags.json"]), helpers("x/data"));
-        assert_eq!(found(&["maketarget/data/hm08helper.mhclo", "maketarget/data/hm08.mirror"]), helpers("maketarget/data"));
+        assert_eq!(
+            found(&["maketarget/data/hm08helper.mhclo", "maketarget/data/hm08.mirror"]),
+            helpers("maketarget/data")
+        );
         assert_eq!(found(&["maketarget/data/helper.mhclo", "makeclothes/data/tags.json"]), []);
-        assert_eq!(found(&["test/testdata/a.mhclo", "src/mpfb/__init__.py"]), [("test/testdata".to_owned(), Aside::Tests)]);
+        assert_eq!(
+            found(&["test/testdata/a.mhclo", "src/mpfb/__init__.py"]),
+            [("test/testdata".to_owned(), Aside::Tests)]
+        );
         assert_eq!(found(&["test/testdata/a.mhclo", "src/other/__init__.py"]), []);
     }
 

@@ -82,7 +82,9 @@ impl Root<'_> {
 
     fn has_folder(&self, rel: &str) -> bool {
         let below = format!("{rel}/");
-        self.files.get(self.files.partition_point(|file| *file < below.as_str())).is_some_and(|file| file.starts_with(&below))
+        self.files
+            .get(self.files.partition_point(|file| *file < below.as_str()))
+            .is_some_and(|file| file.starts_with(&below))
     }
 
     fn any(&self, is_wanted: impl Fn(&[&str]) -> bool) -> bool {
@@ -121,7 +123,9 @@ fn base_of_many_libraries(root: &Root<'_>) -> Option<String> {
     let mut libraries: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for file in &root.files {
         if let [library, base, _, ..] = parts(file).as_slice()
-            && (WORN.contains(library) || LIBRARIES.contains(library) || matches!(*library, "target" | "proxy" | "models"))
+            && (WORN.contains(library)
+                || LIBRARIES.contains(library)
+                || matches!(*library, "target" | "proxy" | "models"))
         {
             libraries.entry(base).or_default().insert(library);
         }
@@ -146,12 +150,16 @@ fn of_makehuman1(root: &Root<'_>) -> Signs {
     }
     let mut others = Vec::new();
     others.extend(root.has("3dobjs/base.obj").then_some("3dobjs/base.obj"));
-    others.extend(root.any(|file| matches!(file, ["modifiers", name] if name.ends_with("_modifiers.json"))).then_some("modifiers/"));
+    others.extend(
+        root.any(|file| matches!(file, ["modifiers", name] if name.ends_with("_modifiers.json")))
+            .then_some("modifiers/"),
+    );
     others.extend(root.has("rigs/default.mhskel").then_some("rigs/default.mhskel"));
     others.extend(root.folders(&["custom/", "proxymeshes/", "poseunits/", "litspheres/"]));
     others.extend(root.any(|file| file.last().is_some_and(|name| extension(name) == "mhpxy")).then_some(".mhpxy"));
     others.extend(root.any(|file| file.last().is_some_and(|name| extension(name) == "meta")).then_some(".meta"));
-    let is_asset = |file: &[&str]| matches!(file, [library, _, name] if WORN.contains(library) && extension(name) == "mhclo");
+    let is_asset =
+        |file: &[&str]| matches!(file, [library, _, name] if WORN.contains(library) && extension(name) == "mhclo");
     others.extend(root.any(is_asset).then_some("assets directly in their libraries"));
     (certain, others)
 }
@@ -163,15 +171,24 @@ fn of_mpfb(root: &Root<'_>) -> Signs {
         certain.push("config/human.*.json beside it".to_owned());
     }
     let says = |file: &str, word: &str| root.listing.says(&at(root.path, file), &[word]);
-    let of = |folder: &'static str| root.files.iter().filter(move |file| parts(file).len() == 2 && file.starts_with(folder));
+    let of =
+        |folder: &'static str| root.files.iter().filter(move |file| parts(file).len() == 2 && file.starts_with(folder));
     let rig = of("rigs/").find(|file| extension(file) == "json" && says(file, "\"identifying_bones\""));
     certain.extend(rig.map(|file| format!("{file} with `identifying_bones`")));
     let pack = of("packs/").find(|file| extension(file) == "json" && says(file, "\"license\""));
     certain.extend(pack.map(|file| (*file).to_owned()));
     let mut others = Vec::new();
     others.extend(root.has("targets/target.json").then_some("targets/target.json"));
-    others.extend(root.folders(&["mesh_metadata/", "node_trees/", "rigs/standard/", "ink_layers/", "uv_layers/", "packs/"]));
-    others.extend(root.any(|file| file.last().is_some_and(|name| name.ends_with(".target.gz"))).then_some(".target.gz"));
+    others.extend(root.folders(&[
+        "mesh_metadata/",
+        "node_trees/",
+        "rigs/standard/",
+        "ink_layers/",
+        "uv_layers/",
+        "packs/",
+    ]));
+    others
+        .extend(root.any(|file| file.last().is_some_and(|name| name.ends_with(".target.gz"))).then_some(".target.gz"));
     others.extend(root.folders(&["targets/custom/"]));
     (certain, others)
 }

@@ -52,7 +52,10 @@ impl<'l> Listing<'l> {
     /// The files below a folder; of the top all.
     pub(crate) fn below(&self, folder: &str) -> impl Iterator<Item = &'l str> + use<'_, 'l> {
         let prefix = if folder.is_empty() { String::new() } else { format!("{folder}/") };
-        self.files.range::<str, _>((Bound::Included(prefix.as_str()), Bound::Unbounded)).copied().take_while(move |path| path.starts_with(&prefix))
+        self.files
+            .range::<str, _>((Bound::Included(prefix.as_str()), Bound::Unbounded))
+            .copied()
+            .take_while(move |path| path.starts_with(&prefix))
     }
 
     /// Whether the run knows a base mesh of this name.

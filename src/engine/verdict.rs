@@ -59,7 +59,13 @@ mod tests {
     use crate::diag::{FailedStep, Finding, OF_TWO as RULE, Place, RootSummary, RuleInfo};
 
     fn checked(findings: Vec<Finding>) -> Outcome {
-        let root = |application| RootSummary { path: String::new(), application, bases: Vec::new(), identity: crate::diag::Identity::default(), checked: true };
+        let root = |application| RootSummary {
+            path: String::new(),
+            application,
+            bases: Vec::new(),
+            identity: crate::diag::Identity::default(),
+            checked: true,
+        };
         let roots = [Application::Mpfb, Application::Makehuman2].map(root).to_vec();
         Outcome { roots, findings, ..Outcome::default() }
     }

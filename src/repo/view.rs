@@ -1,8 +1,8 @@
 //! The data of one application as it sees them.
 
 use super::{
-    Body, FileFacts, Gaps, Landmarks, Layers, MisnamedFolder, PictureFolders, Reference, References, Resolution, Shown, Surface, Target,
-    Worn, makehuman1, makehuman2, mpfb,
+    Body, FileFacts, Gaps, Landmarks, Layers, MisnamedFolder, PictureFolders, Reference, References, Resolution, Shown,
+    Surface, Target, Worn, makehuman1, makehuman2, mpfb,
 };
 use crate::diag::{Application, Version};
 use crate::discover::{Kind, Layout, library_of, material_of};
@@ -76,7 +76,9 @@ impl<'a> View<'a> {
                 })
             }
             Self::Makehuman1(view) => view.gaps(),
-            Self::Mpfb(view) => Gaps::of_references(&view.references, |one| !matches!(one.resolution, Resolution::Missing)),
+            Self::Mpfb(view) => {
+                Gaps::of_references(&view.references, |one| !matches!(one.resolution, Resolution::Missing))
+            }
         }
     }
 

@@ -76,7 +76,9 @@ fn clause(entry: &NotChecked) -> String {
         Unchecked::Evaluation => {
             format!("some effects of sliders on {} (over the limit for one base mesh)", names(entry))
         }
-        Unchecked::Helpers => format!("{files} of an add-on that makes assets (no assets; name their folder to check them)"),
+        Unchecked::Helpers => {
+            format!("{files} of an add-on that makes assets (no assets; name their folder to check them)")
+        }
         Unchecked::Tests => format!("{files} of test data (name their folder to check them)"),
         Unchecked::NotCompared => format!("whether findings in {files} are new (previous contents are not available)"),
     }

@@ -48,10 +48,10 @@ mod wearers;
 mod weights;
 
 pub(crate) use archived::lower_archived;
-pub(crate) use editions::word_for_version;
 pub use cause::consequence::Unread;
 pub(crate) use cause::consequence::unread;
 pub(crate) use cause::outdated::drop_outdated;
+pub(crate) use editions::word_for_version;
 pub(crate) use rule::{Check, Rule, RuleCx};
 use rule::{and_more, bones_in_words, counted, did_you_mean, either, enumerated, shown, such};
 pub(crate) use wearers::name_wearers;

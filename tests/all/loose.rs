@@ -275,8 +275,7 @@ fn damaged_assets_are_findings_and_other_files_are_none() {
 /// not, it is checked for that one, and with neither for those that may be meant.
 #[test]
 fn a_loose_file_of_any_kind_is_checked_for_who_is_meant() {
-    let skeleton =
-        r#"{"name": "x", "bones": {"root": {"head": "a", "tail": "b", "parent": null}}, "joints": {"a": [99999], "b": [1]}}"#;
+    let skeleton = r#"{"name": "x", "bones": {"root": {"head": "a", "tail": "b", "parent": null}}, "joints": {"a": [99999], "b": [1]}}"#;
     let weights = r#"{"name": "x", "version": 1, "weights": {"root": [[0, 1.0], [99999, 1.0]]}}"#;
     for (application, file, text, rule, alone) in [
         ("makehuman1", "far.target", "0 0.1 0 0\n99999 0.1 0 0\n", "target-vertex-out-of-range", 2),
@@ -284,7 +283,13 @@ fn a_loose_file_of_any_kind_is_checked_for_who_is_meant() {
         ("makehuman1", "ann.mhm", "version v1.3.0\nmodifier head/head-oval abc\n", "model-modifier", 1),
         ("makehuman1", "rig.mhw", weights, "weights-vertex-out-of-range", 2),
         ("makehuman1", "step.bvh", "HIERARCHY\nROOT upperleg02.L\n{\n", "bvh-syntax", 2),
-        ("makehuman1", "smile.mhpose", "{\"name\": \"smile\", \"unit_poses\": {\"nobody\": 0.5}}", "pose-unknown-unit", 1),
+        (
+            "makehuman1",
+            "smile.mhpose",
+            "{\"name\": \"smile\", \"unit_poses\": {\"nobody\": 0.5}}",
+            "pose-unknown-unit",
+            1,
+        ),
         ("mpfb", "far.target", "0 0.1 0 0\n99999 0.1 0 0\n", "target-vertex-out-of-range", 2),
         ("mpfb", "ue5.json", "{\"identifying_bones\": [], \"bones\": 5}", "", 1),
         ("mpfb", "ann.mhm", "name ann\nmodifier head/head-oval abc\n", "model-modifier", 2),
@@ -301,7 +306,8 @@ fn a_loose_file_of_any_kind_is_checked_for_who_is_meant() {
             &[file, "--app", application],
         ] {
             let report = report(folder.path(), args);
-            let own: Vec<String> = verdicts(&report).iter().map(|one| one.split(' ').next().unwrap().to_owned()).collect();
+            let own: Vec<String> =
+                verdicts(&report).iter().map(|one| one.split(' ').next().unwrap().to_owned()).collect();
             let is_found = found(&report).iter().any(|one| one.starts_with(rule));
             assert!(own == [application], "{args:?}: {own:?}");
             assert!(is_found || !args.contains(&"--system"), "{args:?}: {:?}", found(&report));

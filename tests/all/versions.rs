@@ -39,7 +39,10 @@ fn where_versions_differ_each_is_told_its_own_and_nobody_in_particular_both() {
     fs::write(repository.path().join("data/rigs/figure/second.mhskel"), "{ \"name\": ").unwrap();
     let words = |args: &[&str]| told(&report(repository.path(), &[&["data"], args].concat()), "json-syntax").1;
     let both = words(&[]);
-    assert!(both.contains("up to 2026-08-05 crashes at start") && both.contains("since 2026-08-14 logs a line"), "{both}");
+    assert!(
+        both.contains("up to 2026-08-05 crashes at start") && both.contains("since 2026-08-14 logs a line"),
+        "{both}"
+    );
     let crash = "crashes at start with `AttributeError` while scanning the assets";
     assert_eq!(words(&["--app", "makehuman2@2026-08-05"]), crash);
     for version in ["makehuman2@2026-08-20", "makehuman2@2025"] {

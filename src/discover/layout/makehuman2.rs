@@ -216,7 +216,8 @@ fn role(below: &[Candidate<'_>]) -> Role {
     };
     // What the program opens at start nobody else has.
     let is_programs = |one: &Candidate<'_>| matches!(one.kind_in(LAYOUT.application), Kind::Version | Kind::Shaders);
-    let has_base = below.iter().any(is_base) || has_packed_base(below) || below.iter().any(is_programs) || has_indexes(below);
+    let has_base =
+        below.iter().any(is_base) || has_packed_base(below) || below.iter().any(is_programs) || has_indexes(below);
     match (has_base, below.iter().any(is_override)) {
         (true, false) => Role::System,
         (true, true) => Role::Both,

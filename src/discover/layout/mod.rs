@@ -156,7 +156,17 @@ struct HiddenPath<'p> {
 
 /// Folders of the programs that hold no assets.
 const OF_PROGRAMS: [&str; 12] = [
-    "..", "cache", "config", "dbcache", "downloads", "languages", "models", "poseunits", "props", "settings", "shaders",
+    "..",
+    "cache",
+    "config",
+    "dbcache",
+    "downloads",
+    "languages",
+    "models",
+    "poseunits",
+    "props",
+    "settings",
+    "shaders",
     "themes",
 ];
 

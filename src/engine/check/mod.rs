@@ -97,8 +97,18 @@ fn check_view(
 /// be named.
 fn asks_for_whole(rule: &Rule) -> bool {
     const FAMILIES: [&str; 12] = [
-        "base", "catalog", "filter", "library", "macro", "metadata", "modelling", "modifiers", "numeric", "overlay",
-        "parts", "program",
+        "base",
+        "catalog",
+        "filter",
+        "library",
+        "macro",
+        "metadata",
+        "modelling",
+        "modifiers",
+        "numeric",
+        "overlay",
+        "parts",
+        "program",
     ];
     const OTHERS: [&str; 6] = [
         "archive-undiscovered",

@@ -22,17 +22,14 @@ pub(super) fn identify(root: &mut Loaded<'_>, options: &Config) {
     let identities = root.roles.iter().map(|(application, role)| {
         let own = options.versions.iter().find(|version| version.application() == *application).copied();
         let found = || version(place, &root.layer, *application, *role);
-        let Evidence { signs, is_certain } = if place.is_supposed() {
-            Evidence::default()
-        } else {
-            evidence(&listing, &place.root, *application)
-        };
+        let Evidence { signs, is_certain } =
+            if place.is_supposed() { Evidence::default() } else { evidence(&listing, &place.root, *application) };
         let mut evidence: Vec<Sign> = signs.into_iter().map(|sign| speaks(*application, Speaks::For, sign)).collect();
         if !evidence.is_empty() {
             let others = Application::ALL.into_iter().filter(|other| !place.is_of(*other));
-            evidence.extend(others.map(|other| {
-                speaks(other, Speaks::Against, lacks(&listing, &place.root, other).to_owned())
-            }));
+            evidence.extend(
+                others.map(|other| speaks(other, Speaks::Against, lacks(&listing, &place.root, other).to_owned())),
+            );
         }
         let kind = Some(kind(place, *application, *role));
         (*application, Identity { kind, version: own.or_else(found), evidence, is_certain })
@@ -114,7 +111,11 @@ impl<'p> Paths<'p> {
     }
 
     fn first(&self, start: &str) -> Option<&'p str> {
-        self.all.range::<str, _>((Bound::Included(start), Bound::Unbounded)).next().copied().filter(|path| path.starts_with(start))
+        self.all
+            .range::<str, _>((Bound::Included(start), Bound::Unbounded))
+            .next()
+            .copied()
+            .filter(|path| path.starts_with(start))
     }
 
     /// Whether a path begins so.

@@ -82,7 +82,8 @@ pub(in crate::engine) fn open(
 /// Whose test data a path lies among: those of MPFB stand beside its source.
 fn tests_of(path: &Path) -> Option<Application> {
     let place = slashed(&source::canonical(path)?);
-    let (above, _) = format!("{place}/").split_once("/test/testdata/").map(|(above, rest)| (above.to_owned(), rest.to_owned()))?;
+    let (above, _) =
+        format!("{place}/").split_once("/test/testdata/").map(|(above, rest)| (above.to_owned(), rest.to_owned()))?;
     Path::new(&above).join("src/mpfb").is_dir().then_some(Application::Mpfb)
 }
 

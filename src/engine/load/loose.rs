@@ -137,7 +137,9 @@ fn recognised(input: &Input, entry: &Entry, options: &Config, is_meant: bool) ->
         }
         "mhclo" => Some(base_of(&read())),
         // Only MPFB has rigs in such files, and weights under names that say so.
-        "json" => (is_meant && (is_named() || is_named_as_of_rig(&entry.path)) || says(&read(), "\"identifying_bones\"")).then_some(None),
+        "json" => (is_meant && (is_named() || is_named_as_of_rig(&entry.path))
+            || says(&read(), "\"identifying_bones\""))
+        .then_some(None),
         "gz" => Some(None),
         "proxy" => {
             let text = read();

@@ -106,7 +106,8 @@ impl<'t> Roots<'t> {
         if at_hand.is_empty() {
             at_hand = with_data(applications, &systems);
         }
-        let bases: BTreeSet<String> = systems.iter().flat_map(base_meshes).chain(options.bases.iter().cloned()).collect();
+        let bases: BTreeSet<String> =
+            systems.iter().flat_map(base_meshes).chain(options.bases.iter().cloned()).collect();
         let mut found = found_in(&folders, &at_hand, &bases);
         let left = set_aside(&mut found, outcome);
         let taken = Taken { systems: &systems, options, applications };
@@ -335,7 +336,13 @@ fn note_unchecked(place: &Place<'_>, layout: &Layout, outcome: &mut Outcome) {
     let files = place.below.iter().filter(|file| file.is_file());
     let files = files.map(|file| place.tree.shown(&file.entry.path)).collect();
     outcome.not_checked.push(NotChecked::of(Some(application), Unchecked::Application, files));
-    outcome.roots.push(RootSummary { path, application, bases: Vec::new(), identity: Identity::default(), checked: false });
+    outcome.roots.push(RootSummary {
+        path,
+        application,
+        bases: Vec::new(),
+        identity: Identity::default(),
+        checked: false,
+    });
 }
 
 /// A path, or what stands for the working directory.

@@ -15,8 +15,8 @@ use crate::formats::mhbin_asset::Packed;
 use crate::formats::obj::Mesh;
 use crate::repo::extent::{extent, is_plausible};
 use crate::repo::{
-    Body, BodyWeights, Doubt, FileFacts, Gaps, Layer, Layers, ReferenceKind, References, Rig, Surface, Target, WeightsUse,
-    Worn, parent,
+    Body, BodyWeights, Doubt, FileFacts, Gaps, Layer, Layers, ReferenceKind, References, Rig, Surface, Target,
+    WeightsUse, Worn, parent,
 };
 
 /// Whose uses of a file count here.

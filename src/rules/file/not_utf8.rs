@@ -59,7 +59,9 @@ fn by_version(view: &View<'_>, file: &FileFacts, finding: Finding) -> Finding {
         Kind::Clothes => {
             let own = finding.breaks.iter().find(|one| one.application == Makehuman1).map(|one| one.effect.clone());
             match own {
-                Some(effect) => finding.effect_in(Makehuman1, format!("{effect}; up to 1.2 loses the whole list of its folder")),
+                Some(effect) => {
+                    finding.effect_in(Makehuman1, format!("{effect}; up to 1.2 loses the whole list of its folder"))
+                }
                 None => finding,
             }
         }
@@ -68,8 +70,11 @@ fn by_version(view: &View<'_>, file: &FileFacts, finding: Finding) -> Finding {
     }
 }
 
-const LIST_LOST: Case =
-    &[(Makehuman1, Level::Error, "loses the whole list: its scan ends with `UnicodeDecodeError` (1.3 drops the letters)")];
+const LIST_LOST: Case = &[(
+    Makehuman1,
+    Level::Error,
+    "loses the whole list: its scan ends with `UnicodeDecodeError` (1.3 drops the letters)",
+)];
 const READ_AS_BYTES: Case = &[(Makehuman1, Level::Info, "reads it all the same; from 1.2 on rejects the file")];
 
 /// Of an asset in another encoding, or of something else under its name, no line is left.

@@ -45,8 +45,9 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     else {
         return;
     };
-    let measure_of =
-        |name: &'_ str| name.strip_prefix("measure/measure-").and_then(|name| name.strip_suffix("-decr|incr")).map(str::to_owned);
+    let measure_of = |name: &'_ str| {
+        name.strip_prefix("measure/measure-").and_then(|name| name.strip_suffix("-decr|incr")).map(str::to_owned)
+    };
     let is_known = |name: &str| measure_of(name).is_some_and(|measure| RULERS.contains(&&*measure));
     // What no modifier has is told as that.
     let unknown: Vec<_> = sliders
@@ -60,7 +61,9 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let message = format!("the program has a ruler for none of the {} measures", unknown.len());
         let finding = RULE.at(file, Place::Pointer(first.pointer.clone()), message).key("all");
         let names = Evidence::of_cases(unknown.iter().map(|named| &named.name));
-        return out.push(finding.evidence(names).help("compare the names with those of the version of MakeHuman 1 that is used"));
+        return out.push(
+            finding.evidence(names).help("compare the names with those of the version of MakeHuman 1 that is used"),
+        );
     }
     for named in unknown {
         let near = measure_of(&named.name).and_then(|measure| cx.suggestions.nearest(&measure, RULERS));
