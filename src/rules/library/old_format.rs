@@ -31,6 +31,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         mesh. Export the asset again from its mesh, for `hm08`, or keep old files outside of the data.\n\n\
         Whatever else would be reported of such a file (a missing mesh, a wrong folder) is not.",
     counts: "files",
+    of_pieces: true,
     ..RuleInfo::new("library-old-format", Level::Error, "assets in a format of an older version")
 });
 
