@@ -95,6 +95,11 @@ pub(crate) fn find_roots(listing: &Listing<'_>, asked: &[Application], at_hand: 
     roots
 }
 
+/// Whether a file belongs to a package that a project in another language brings along.
+fn is_of_package(file: &str) -> bool {
+    file.split('/').any(|part| part == "node_modules")
+}
+
 /// What speaks for data roots.
 #[derive(Default)]
 struct Signs {
@@ -107,7 +112,7 @@ struct Signs {
 impl Signs {
     fn in_listing(listing: &Listing<'_>) -> Self {
         let mut found = Self::default();
-        for file in listing.files() {
+        for file in listing.files().filter(|file| !is_of_package(file)) {
             for application in Application::ALL {
                 found.confirmed.extend(beside_of(file, application));
                 let layout = Layout::of(application);

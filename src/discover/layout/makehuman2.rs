@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use super::super::kind::extension;
 use super::super::listing::{Listing, at};
 use super::super::{Candidate, Kind};
-use super::{HiddenPath, Layout, MAKEHUMAN2_BASES, Role, Sign, WORN, first_of, worn_shelf};
+use super::{HiddenPath, Layout, Role, Sign, WORN, first_of, worn_shelf};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -74,9 +74,10 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
             // The folder of macro targets that MPFB has, below a misspelt `targets`.
         ] if *base != "macrodetails" => Some((Sign::Strong, 3)),
         [.., "rigs", _, name] if extension(name) == "mhskel" => Some((Sign::Weak, 3)),
+        [.., "dbcache", _, "repository.db"] => Some((Sign::Weak, 3)),
         // Below one of its own base meshes: in a pack or of a user there may be nothing else.
         [.., category, base, _, _, _] | [.., category, base, _, _] | [.., category, base, _]
-            if is_filtered(category) && MAKEHUMAN2_BASES.contains(base) =>
+            if is_filtered(category) && *base != MATERIALS =>
         {
             let levels = parts.iter().rposition(|part| part == category).map_or(0, |at| parts.len() - at);
             (Kind::by_extension(parts.last().copied().unwrap_or_default()) != Kind::Other)
@@ -96,11 +97,21 @@ fn weigh(listing: &Listing<'_>, root: &str, file: &str, sign: Sign) -> Option<Si
     let has = |folder: &str| listing.below(&at(root, &format!("{folder}/{name}"))).next().is_some();
     let is_base = match folder {
         "base" => ["target", "contarget", "rigs"].into_iter().any(has) || has_settings(listing, file),
-        "rigs" => has("base"),
+        "rigs" => has("base") || is_in_many(listing, root, name),
+        _ if is_filtered(folder) => is_in_many(listing, root, name),
         _ => true,
     };
     (is_base || listing.knows_base(name)).then_some(sign)
 }
+
+/// Whether three of the libraries have a folder of this name: it is that of a base mesh.
+fn is_in_many(listing: &Listing<'_>, root: &str, name: &str) -> bool {
+    let has = |folder: &&&str| listing.below(&at(root, &format!("{folder}/{name}"))).next().is_some();
+    name != MATERIALS && WORN.iter().chain(&SCANNED).chain(&["skins", "target"]).filter(has).count() >= 3
+}
+
+/// Materials that several assets share lie in folders of this name.
+const MATERIALS: &str = "materials";
 
 /// Whether the folder with this file has a `base.json` that can be that of a base mesh.
 fn has_settings(listing: &Listing<'_>, file: &str) -> bool {

@@ -3,7 +3,7 @@
 pub(crate) mod importer;
 
 use super::super::kind::extension;
-use super::super::listing::Listing;
+use super::super::listing::{Listing, at};
 use super::super::{Candidate, Kind};
 use super::{CLOTHES, HM08, HiddenPath, LIBRARIES, Layout, Role, Sign, WORN, worn_shelf};
 use crate::diag::Application;
@@ -67,7 +67,13 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
 /// application is meant.
 fn weigh(listing: &Listing<'_>, root: &str, file: &str, sign: Sign) -> Option<Sign> {
     let rel = file.get(root.len()..).unwrap_or_default().trim_start_matches('/');
+    let has = |folder: &str| listing.below(&at(root, folder)).next().is_some();
     match rel.split_once('/')? {
+        // Other programs have lists of this name.
+        ("targets", "target.json") => {
+            let is_own = || ["mesh_metadata", "rigs", "targets/macrodetails", "3dobjs"].into_iter().any(has);
+            (listing.says(file, &["\"categories\""]) || !listing.says(file, &["{", "["]) || is_own()).then_some(sign)
+        }
         ("rigs", name) if !name.contains('/') => listing.says(file, &["\"identifying_bones\""]).then_some(sign),
         ("packs", _) if listing.says(file, &["\"author\"", "\"license\"", "\"category\""]) => Some(Sign::OfUser),
         _ => Some(sign),

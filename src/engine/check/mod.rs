@@ -110,11 +110,12 @@ fn asks_for_whole(rule: &Rule) -> bool {
         "parts",
         "program",
     ];
-    const OTHERS: [&str; 6] = [
+    const OTHERS: [&str; 7] = [
         "archive-undiscovered",
         "file-unreferenced",
         "material-missing-litsphere",
         "material-missing-shader",
+        "rig-missing-weights",
         "skeleton-base-name",
         "target-unreferenced",
     ];

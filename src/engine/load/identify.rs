@@ -123,6 +123,11 @@ impl<'p> Paths<'p> {
         self.first(start).is_some()
     }
 
+    /// Whether a path begins and ends so.
+    fn has_kind(&self, start: &str, end: &str) -> bool {
+        self.all.iter().any(|path| path.starts_with(start) && path.ends_with(end))
+    }
+
     /// Whether a word stands in the file at a path.
     fn says(&self, rel: &str, word: &str) -> bool {
         let root = &self.place.root;
@@ -139,19 +144,31 @@ fn version_of_makehuman1(paths: &Paths<'_>, layer: &Layer) -> Option<&'static st
     }
     let is_mesh = |file: &&FileFacts| file.kind_in(Application::Makehuman1) == Kind::BaseMesh;
     let mesh = layer.files.values().find(is_mesh).and_then(FileFacts::mesh);
-    let has_all = || ["targets/", "modifiers/", "rigs/default.mhskel"].iter().all(|rel| paths.has(rel));
+    let has_all = || ["targets/", "modifiers/"].iter().all(|rel| paths.has(rel));
     match mesh.map_or((0, 0), |mesh| (mesh.positions.len(), mesh.uvs.len())) {
         (15340, _) => Some("alpha 6"),
         (18528, _) => Some("alpha 7"),
         (19158, 21333) if paths.has("costumes/") || paths.has("mhx/") => Some("alpha 8"),
         (19158, 21333) => Some("1.0"),
-        // In an archive nobody looks for names.
-        (19158, 21334) if paths.has("targets.npz") => None,
         (19158, 21334) if paths.says("VERSION", "{") || is_of_2020(paths) => Some("1.2"),
-        (19158, 21334) if has_all() => Some("1.1"),
-        // Of another mesh nobody knows, and one folder may be gone; all of what came with 1.3 is not.
-        _ if has_all() && !paths.has("targets.npz") => Some("1.2"),
+        (19158, 21334) if has_all() && !paths.has("targets.npz") => Some("1.1"),
+        (19158, 21334) => None,
+        // Of another mesh nobody knows.
+        _ if !paths.has_kind("rigs/", ".mhskel") && let Some(old) = version_without_skeletons(paths) => Some(old),
+        // One folder may be gone; all of what came with 1.3 is not. In an archive nobody looks for names.
+        _ if has_all() || paths.has("targets.npz") && paths.has("modifiers/") => Some("1.2"),
         _ => None,
+    }
+}
+
+/// Told by the folders that went.
+fn version_without_skeletons(paths: &Paths<'_>) -> Option<&'static str> {
+    let has_any = |starts: &[&str]| starts.iter().any(|start| paths.has(start));
+    match paths.has("modifiers/") {
+        true => paths.has_kind("rigs/", ".json").then_some("1.0"),
+        false if has_any(&["costumes/", "vertexgroups/"]) => Some("alpha 8"),
+        false if has_any(&["cages/", "hairstyles/", "landmarks/"]) => Some("alpha 7"),
+        false => has_any(&["templates/", "hairs/"]).then_some("alpha 6"),
     }
 }
 
@@ -167,7 +184,9 @@ fn version_of_makehuman2(paths: &Paths<'_>) -> Option<&'static str> {
     }
     let settings = || paths.all.iter().filter(|rel| rel.starts_with("base/") && rel.ends_with("/base.json"));
     let any = |word: &str| settings().any(|rel| paths.says(rel, word));
-    let is_old = paths.says("makehuman2_version.json", "\"standardnumverts\"");
+    let is_old = ["\"standardnumverts\"", "MakeHuman Community"].iter().any(|word| paths.says("makehuman2_version.json", word))
+        || paths.has("base/cube/")
+        || paths.has("base/spider/");
     match is_old {
         _ if settings().next().is_none() || any("\"numverts\"") => None,
         true if any("\"equipment\"") => Some("2025"),

@@ -26,6 +26,10 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let Some(meta) = file.meta().filter(|_| is_read) else { return };
     let stem = file.rel.strip_suffix("meta").unwrap_or(&file.rel);
     let layer = view.layers().checked;
+    // Unity keeps one beside each file, under its whole name.
+    if layer.file(stem.trim_end_matches('.')).is_some() {
+        return;
+    }
     let has = |suffix: &str| layer.file(&format!("{stem}{suffix}")).is_some();
     if is_makehuman1 {
         // Capitals make no difference to it, and any letters are kept.

@@ -185,8 +185,10 @@ pub(in crate::rules) fn of_value(view: &View<'_>, file: &FileFacts, fault: &Sche
 /// Whether the application takes a value that does not fit the schema, which is for others as well.
 pub(in crate::rules) fn is_accepted(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -> bool {
     // It came with the programs of 2026.
-    let is_later = file.kind == Kind::Version && fault.missing() == Some("suffix");
-    is_later && view.is_before("2026-08-05") || view.is_makehuman1() && makehuman1_values::is_accepted(file, fault)
+    let is_later = file.kind == Kind::Version
+        && (fault.missing() == Some("suffix") && view.is_before("2026-08-05")
+            || fault.missing().is_some() && view.is_before("2025"));
+    is_later || view.is_makehuman1() && makehuman1_values::is_accepted(file, fault)
 }
 
 /// What numbers come to that JSON does not have.
