@@ -170,8 +170,8 @@ impl<'s> Surveyor<'s> {
 
     fn worn_at_rest(&mut self, rest: &[Point]) {
         let mut near = Vec::new();
-        let anchor = |vertex, place| self.anchor(&self.visible, vertex, place, rest, &mut near);
-        let probes = probes(&self.scene.worn, rest, anchor);
+        let around = |vertex, place| anchor(&self.visible, vertex, place, rest, &mut near);
+        let probes = probes(&self.scene.worn, rest, around);
         for vertex in probes.iter().flat_map(Probe::vertices) {
             if let Some(holds) = self.holds_probe.get_mut(vertex as usize) {
                 *holds = true;
@@ -263,10 +263,10 @@ impl<'s> Surveyor<'s> {
         self.is_without_anchors = joints.len().saturating_mul(around) > MOST_PAIRS;
         let mut near = Vec::new();
         for (joint, place) in joints.iter().enumerate().filter(|_| !self.is_without_anchors) {
-            let Some(anchor) = self.anchor(&self.visible, joint, *place, rest, &mut near) else { return };
-            let helper = self.anchor(&of_helpers, joint, *place, rest, &mut near);
-            self.helpers.push(helper.filter(|helper| helper.stand < anchor.stand));
-            self.anchors.push(anchor);
+            let Some(of_skin) = anchor(&self.visible, joint, *place, rest, &mut near) else { return };
+            let helper = anchor(&of_helpers, joint, *place, rest, &mut near);
+            self.helpers.push(helper.filter(|helper| helper.stand < of_skin.stand));
+            self.anchors.push(of_skin);
         }
         let anchors = self.anchors.iter().chain(self.helpers.iter().flatten());
         let holding = anchors.map(|anchor| &anchor.skin).chain(&skeleton.joints).flatten();
@@ -294,32 +294,25 @@ impl<'s> Surveyor<'s> {
         vertices.into_iter().collect()
     }
 
-    /// Those of `skin` that are nearest to a joint. `None` without any. `near` is room for all of them, which is made once.
-    fn anchor(
-        &self,
-        skin: &[u32],
-        joint: usize,
-        place: Point,
-        rest: &[Point],
-        near: &mut Vec<(f32, u32)>,
-    ) -> Option<Anchor> {
-        let square = |vertex: u32| rest.get(vertex as usize).map(|point| sub(*point, place)).map(|way| dot(way, way));
-        near.clear();
-        near.extend(skin.iter().filter_map(|vertex| Some((square(*vertex)?, *vertex))));
-        let count = SKIN_AROUND_JOINT.min(near.len());
-        near.select_nth_unstable_by(count.checked_sub(1)?, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        near.truncate(count);
-        let mut skin: Vec<u32> = near.iter().map(|(_, vertex)| *vertex).collect();
-        skin.sort_unstable();
-        let distance = stand(place, &skin, rest);
-        let stand = (distance + radius(&skin, rest)).max(f64::MIN_POSITIVE);
-        Some(Anchor { joint, skin, distance, stand })
-    }
-
     pub(super) fn joints(&self, positions: &[Point]) -> Option<Vec<Point>> {
         let skeleton = self.scene.skeleton.as_ref()?;
         skeleton.joint_positions(positions).ok()
     }
+}
+
+/// Those of `skin` that are nearest to a joint. `None` without any. `near` is room for all of them, which is made once.
+fn anchor(skin: &[u32], joint: usize, place: Point, rest: &[Point], near: &mut Vec<(f32, u32)>) -> Option<Anchor> {
+    let square = |vertex: u32| rest.get(vertex as usize).map(|point| sub(*point, place)).map(|way| dot(way, way));
+    near.clear();
+    near.extend(skin.iter().filter_map(|vertex| Some((square(*vertex)?, *vertex))));
+    let count = SKIN_AROUND_JOINT.min(near.len());
+    near.select_nth_unstable_by(count.checked_sub(1)?, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    near.truncate(count);
+    let mut skin: Vec<u32> = near.iter().map(|(_, vertex)| *vertex).collect();
+    skin.sort_unstable();
+    let distance = stand(place, &skin, rest);
+    let stand = (distance + radius(&skin, rest)).max(f64::MIN_POSITIVE);
+    Some(Anchor { joint, skin, distance, stand })
 }
 
 /// Distance of a joint from the mean of the skin around it.
