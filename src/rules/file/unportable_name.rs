@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::named::differs_in_form;
 use crate::diag::{
-    Application::{self, Makehuman1, Makehuman2, Mpfb},
+    Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, RuleInfo,
 };
 use crate::repo::{Resolution, View};
@@ -56,16 +56,19 @@ fn named_in_another_form<'a>(view: &View<'a>) -> Vec<&'a str> {
     files.collect()
 }
 
-/// A consequence that every application has.
-const fn in_all(effect: &'static str) -> [(Application, Level, &'static str); 3] {
-    [(Makehuman2, Level::Warning, effect), (Makehuman1, Level::Warning, effect), (Mpfb, Level::Warning, effect)]
-}
+const NOWHERE: &str = "does not find it where a file names it: JSON and text files cannot contain such a name";
+const REFUSED: &str = "does not find it on Windows, where it cannot be unpacked or checked out";
+const CUT: &str = "does not find it on Windows, where it has another name";
+const LIKE: &str = "finds it only where a reference writes the accents in the same way; copies may get another name";
 
-const UNNAMED: Case = &in_all("does not find it where a file names it: JSON and text files cannot contain such a name");
-const NOT_ON_WINDOWS: Case = &in_all("does not find it on Windows, where it cannot be unpacked or checked out");
-const SHORTENED: Case = &in_all("does not find it on Windows, where it has another name");
+const UNNAMED: Case =
+    &[(Makehuman2, Level::Warning, NOWHERE), (Makehuman1, Level::Warning, NOWHERE), (Mpfb, Level::Warning, NOWHERE)];
+const NOT_ON_WINDOWS: Case =
+    &[(Makehuman2, Level::Warning, REFUSED), (Makehuman1, Level::Warning, REFUSED), (Mpfb, Level::Warning, REFUSED)];
+const SHORTENED: Case =
+    &[(Makehuman2, Level::Warning, CUT), (Makehuman1, Level::Warning, CUT), (Mpfb, Level::Warning, CUT)];
 const IN_ANOTHER_FORM: Case =
-    &in_all("finds it only where a reference writes the accents in the same way; copies may get another name");
+    &[(Makehuman2, Level::Warning, LIKE), (Makehuman1, Level::Warning, LIKE), (Mpfb, Level::Warning, LIKE)];
 
 /// What is wrong with a name, what comes of it, and what to do.
 struct Fault {

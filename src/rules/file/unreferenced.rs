@@ -111,7 +111,7 @@ fn reason(base: &Base<'_>, file: &FileFacts, references: &References<'_>) -> Opt
     // A file called `icons` stands in the place of a folder: unreadable.
     // A format that nobody reads any more is reported of the whole folder.
     let is_told = file.encoding.lfs_pointer || file.gzip_fault.is_some() || is_outdated(file);
-    if is_told || name == "icons" || is_note(name) || is_code(name) {
+    if is_told || name == "icons" || is_note(name) {
         return None;
     }
     if file.kind == Kind::TargetIcon {
@@ -143,15 +143,10 @@ fn folder_of(rel: &str) -> &str {
     rel.rfind('/').and_then(|at| rel.get(..=at)).unwrap_or_default()
 }
 
-/// Programs, which no loader of assets opens: a plug-in may bring its skeleton along.
-fn is_code(name: &str) -> bool {
-    ["py", "pyc", "pyd", "pyi", "pyw", "toml", "sh", "bat", "cfg"].contains(&extension(&name.to_lowercase()))
-}
-
-/// Texts for people.
+/// Texts for people, and programs: a plug-in may bring its skeleton along.
 fn is_note(name: &str) -> bool {
     let lower = name.to_lowercase();
     let words = ["readme", "licen", "copying", "authors", "changelog", "changes", "credits", "notice", "copyright"];
-    let endings = ["txt", "md", "rst", "html", "pdf"];
+    let endings = ["txt", "md", "rst", "html", "pdf", "py", "pyc", "pyd", "pyi", "toml", "sh", "bat", "cfg"];
     words.iter().any(|word| lower.starts_with(word)) || endings.contains(&extension(&lower))
 }

@@ -152,7 +152,6 @@ mod tests {
             ("diffuseTexturehat.png", "diffuseTexture hat.png"),
             ("transparentTrue", "transparent True"),
             ("names", "name"),
-            ("shaderFoo", "-"),
         ] {
             assert_eq!(written(word), line, "{word}");
         }

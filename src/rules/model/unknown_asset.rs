@@ -98,9 +98,8 @@ fn asset(lines: &[Line<'_>], known: &Known<'_>, cx: &RuleCx<'_>) -> Option<Findi
     let help = if let Some(asset) = renamed {
         format!("write `{category} {} {}`", asset.name, asset.uuid)
     } else {
-        // Of another kind it is another asset, not another name.
-        let same_kind = known.by_uuid.values().filter(|asset| *asset.category == **category);
-        let near = cx.suggestions.nearest(name, same_kind.map(|asset| asset.name.as_str()));
+        let alike = known.by_uuid.values().filter(|asset| *asset.category == **category).map(|asset| &*asset.name);
+        let near = cx.suggestions.nearest(name, alike);
         did_you_mean(near, "add the asset, or check it together with the pack that has it; otherwise remove the line")
     };
     let place = |line: &WornLine| Place::Span(line.name.span.clone());
@@ -144,9 +143,8 @@ fn file(view: &View<'_>, base: &Base<'_>, references: &[&Reference<'_>], cx: &Ru
     let parts = references.iter().map(|one| (one.from.shown(), &one.from.path, one.place.clone()));
     let finding = finding.parts_at(parts);
     let finding = finding.evidence(Evidence::of_cases(references.iter().map(|one| one.from.shown())));
-    let effect = match what {
+    Some(finding.effect(match what {
         "skin" => "silently shows the default skin",
         _ => "silently loads the model without a skeleton",
-    };
-    Some(finding.effect(effect))
+    }))
 }
