@@ -49,9 +49,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn is_told(view: &View<'_>, path: &str) -> bool {
     let is_worn = |extension: &str| matches!(extension.to_lowercase().as_str(), "mhclo" | "proxy");
     let has_capitals = |extension: &str| is_worn(extension) && extension.chars().any(char::is_uppercase);
-    // Of the data of MPFB all folders are looked for by their names.
-    let is_of_program = view.is_mpfb() && view.layers().checks_system();
-    is_of_program && view.layout().folder_in_other_case(path).is_some()
+    // Of the data of MPFB all folders are looked for by their names, and what lies in no library of MakeHuman 1 is told.
+    let is_looked_for = view.is_mpfb() && view.layers().checks_system() || view.is_makehuman1();
+    is_looked_for && view.layout().folder_in_other_case(path).is_some()
         || view.misnamed_folders().iter().any(|folder| folder.rel == path)
         || has_capitals(extension(path))
 }
