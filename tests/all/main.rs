@@ -22,6 +22,7 @@ mod files;
 mod fixes;
 mod folders;
 mod generated;
+mod help;
 mod honest;
 mod hostile;
 mod hostile_makehuman1;

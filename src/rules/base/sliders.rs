@@ -68,7 +68,9 @@ fn without_sliders(checked: &Layer, base: &Base<'_>, folder: &str) -> Option<Gap
     let help = if sure {
         format!("add `{file}`")
     } else {
-        format!("add `{file}`; if the system data has it, pass that with `--system`")
+        format!(
+            "add `{file}` with its macro.json and target_cat.json; if the system data has them, pass that with `--system`"
+        )
     };
     let effect = "shows no sliders for the base and applies none of its targets; only a log line says so";
     Some(Gap { name: "modelling.json", level, message, effect, help })

@@ -43,7 +43,9 @@ fn instead(expected: &str, found: &str) -> String {
     let keyword = expected.trim_matches('`');
     match found.strip_prefix(keyword).filter(|rest| keyword.ends_with(':') && !rest.is_empty()) {
         Some(value) => format!("write `{keyword} {value}`, with a space between them"),
-        None if found == "ROOT" => "keep one `ROOT`, and make the other a `JOINT` in it".to_owned(),
+        None if found == "ROOT" && keyword != "HIERARCHY" => {
+            "keep one `ROOT`, and make the other a `JOINT` in it".to_owned()
+        }
         None => format!("write {expected} on a line of its own here"),
     }
 }

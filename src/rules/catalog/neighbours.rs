@@ -36,7 +36,11 @@ impl<'v, 'a> Neighbours<'v, 'a> {
         } else if let Some(plain) = plain.filter(|_| reference.kind == ReferenceKind::Slot) {
             format!("pack `{}` with gzip: a slider with `opposites` loads only `.target.gz`", plain.file_name())
         } else if let Some(other) = self.elsewhere(reference) {
-            format!("move or copy it from `{}` to `{}`", parent(&other.rel), parent(&reference.rel))
+            format!(
+                "move it from `{}` to `{}`, or copy it if something else uses it",
+                parent(&other.rel),
+                parent(&reference.rel)
+            )
         } else if let Some(near) = self.nearest(reference) {
             format!("did you mean `{near}`?")
         } else {

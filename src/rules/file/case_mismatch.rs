@@ -82,7 +82,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let alike = holder.map(|layer| layer.alike(target)).unwrap_or_default();
         if let Some(others) = others(alike, target) {
-            out.push(finding.help(format!("write the name of one of these files: `{target}`, {others}")));
+            let help =
+                format!("write the name of one of these files, and remove what is not used: `{target}`, {others}");
+            out.push(finding.help(help));
             continue;
         }
         let fix = fix(view, &cause, &format!("write `{meant}`"));

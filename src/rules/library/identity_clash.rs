@@ -83,7 +83,7 @@ fn words(told: &Asset<'_>, other: &Asset<'_>) -> (&'static str, &'static str) {
         );
     }
     match told.category {
-        "models" => ("the same name and file name as", "give the newer of the two another file name"),
+        "models" => ("the same name and file name as", "give the newer of the two another name and file name"),
         "skins" => ("the same file name as", "give the newer of the two another file name"),
         "poses" if told.uuid.starts_with("bvh_") => {
             ("the same name and file name as", "give the newer of the two another file name")

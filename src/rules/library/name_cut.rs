@@ -47,7 +47,10 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
                 let bare = entry.value.split(" #").next().unwrap_or_default();
                 finding.help(format!("move the comment to a line of its own: `{keyword} {bare}`"))
             }
-            "name" => finding.help(format!("write `{keyword} {}`", entry.value.replace(' ', "_"))),
+            "name" => finding.help(format!(
+                "write `{keyword} {}`, and the new name in models that wear it",
+                entry.value.replace(' ', "_")
+            )),
             _ => finding.case(UUID).help(format!("write `uuid {}`, without spaces", joined(entry))),
         });
     }

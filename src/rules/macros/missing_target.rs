@@ -81,7 +81,7 @@ impl<'s> Moved<'s> {
     fn help(&self, link: &MacroLink<'_>) -> Option<String> {
         let stem = link.reference.text.rsplit('/').next()?;
         let from = self.0.get(stem).copied().flatten()?;
-        Some(format!("move or copy `{from}` to `{}`", link.reference.rel))
+        Some(format!("move `{from}` to `{}`, or copy it if something else uses it", link.reference.rel))
     }
 }
 

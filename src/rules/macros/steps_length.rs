@@ -33,7 +33,9 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let effect = surplus_effect(steps.len());
             let level = if is_dead(steps) { Level::Error } else { Level::Warning };
             let finding = finding.level(level).effect(effect);
-            finding.help("add a step for every value, or remove the last values, which are never used")
+            finding.help(
+                "add a step for every value, or remove the last values and their combinations, which are never used",
+            )
         };
         out.push(weigh(finding, macros, component));
     }

@@ -39,6 +39,6 @@ pub(super) fn fault(file: &FileFacts) -> Option<String> {
 }
 
 /// Whether a file is a mesh, a material or another text. Of unknown files nobody can tell.
-fn is_something_else(kind: Kind) -> bool {
+pub(super) fn is_something_else(kind: Kind) -> bool {
     kind.is_text() && kind != Kind::Other
 }

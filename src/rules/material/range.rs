@@ -30,6 +30,13 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         // Of several lines the last counts.
         let faults =
             lines.filter_map(|line| Some((line, words(surface.application, line)?))).filter(|(line, _)| is_last(line));
+        // Beside a texture MakeHuman 2 shows the texture alone (`material-tinted-texture`).
+        let is_tint = |line: &Line| {
+            line.keyword.name == "diffuseColor"
+                && !loader::is_1(surface.application)
+                && material.last("diffuseTexture").is_some()
+        };
+        let white = "write `1.0 1.0 1.0`: beside `diffuseTexture` MakeHuman 2 shows the texture alone";
         let fault = |(line, (effect, help)): (&Line, (String, String))| Fault {
             key: line.keyword.name.to_owned(),
             place: Surface::place(line),
@@ -41,7 +48,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 limits(surface.application, line)
             ),
             effect,
-            help,
+            help: if is_tint(line) { white.to_owned() } else { help },
         };
         report(&RULE, surface, faults.map(fault).collect(), "have numbers outside their range", out);
     }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::cause::consequence::NO_FRAME;
 use super::super::{Check, Rule, RuleCx};
 use super::blender;
-use super::picture::fault;
+use super::picture::{fault, is_something_else};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
@@ -47,6 +47,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some(message) = fault(file) else { continue };
         let finding = RULE.at(file, Place::File, message).evidence(Evidence::of_unnamed(cases));
         let finding = if is_blended(file) { finding.case(BLENDED) } else { finding };
-        out.push(finding.help("export it again as PNG, or restore it"));
+        out.push(finding.help(if is_something_else(file.kind) {
+            "name a picture in the material"
+        } else {
+            "export it again as PNG, or restore it"
+        }));
     }
 }

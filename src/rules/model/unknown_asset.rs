@@ -96,7 +96,9 @@ fn asset(lines: &[Line<'_>], known: &Known<'_>, cx: &RuleCx<'_>) -> Option<Findi
         None => format!("no asset is named `{name}`{more}"),
     };
     let help = if let Some(asset) = renamed {
-        format!("write `{category} {} {}`", asset.name, asset.uuid)
+        let has_material = saved.model.materials.iter().any(|line| *line.name.text == **name);
+        let material = if has_material { ", and the new name in the line of its material" } else { "" };
+        format!("write `{category} {} {}`{material}", asset.name, asset.uuid)
     } else {
         let alike = known.by_uuid.values().filter(|asset| *asset.category == **category).map(|asset| &*asset.name);
         let near = cx.suggestions.nearest(name, alike);

@@ -128,7 +128,9 @@ fn help(view: &View<'_>, one: &KnownModifier<'_>, group: &str, cx: &RuleCx<'_>) 
     let Some(target) = of_group else { return otherwise };
     let file = &target.file.rel;
     match near.and_then(|near| near.strip_prefix(&one.modifier.group)?.strip_prefix('-')) {
-        Some(right) if one.parts.len() == 1 => format!("write `{right}` in `target` for `{file}`"),
+        Some(right) if one.parts.len() == 1 => {
+            format!("write `{right}` in `target` for `{file}`, and correct the name in its slider and description")
+        }
         _ => format!("did you mean `{file}`?"),
     }
 }

@@ -36,6 +36,18 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             Place::Pointer(earlier.modifier.pointer.clone()),
             "the first modifier for it",
         );
-        out.push(finding.help(format!("move the modifier to group `{}`", earlier.modifier.group)));
+        out.push(finding.help(help(view, &variable.name, &earlier.modifier.group)));
+    }
+}
+
+/// A group has one modifier for a variable.
+fn help(view: &View<'_>, variable: &str, group: &str) -> String {
+    let is_there = |one: &KnownModifier<'_>| {
+        one.modifier.group == group && one.modifier.variable.as_ref().is_some_and(|own| own.name == variable)
+    };
+    if view.modifiers.all.iter().any(is_there) {
+        format!("remove the modifier with its slider and description: group `{group}` has one for `{variable}`")
+    } else {
+        format!("move the modifier to group `{group}`, and correct its name in sliders and descriptions")
     }
 }

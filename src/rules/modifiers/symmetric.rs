@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
 use crate::repo::FileFacts;
 use crate::repo::makehuman1::{KnownModifier, View};
@@ -20,7 +20,8 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let told = |file: &FileFacts, place: Place, name: &str, other: &str, near: Option<&str>| {
         let finding = RULE.at(file, place, format!("`{name}` has no counterpart: `{other}` does not exist")).key(name);
-        finding.help(did_you_mean(near, "add the counterpart"))
+        let renamed = |near| format!("if `{near}` is meant, rename it, with its targets, slider and description");
+        finding.help(near.map_or_else(|| "add the counterpart".to_owned(), renamed))
     };
     if view.layers.checks_system() {
         // What a file that cannot be read holds, nobody knows.

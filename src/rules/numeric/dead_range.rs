@@ -45,7 +45,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         let finding = RULE.at(file, place, message).key(title(macrodef)).evidence(Evidence::of_cases(&parts));
         let finding = finding.parts(ranges.iter().flat_map(|range| dead_values(macros, range)));
         out.push(if is_wide {
-            finding.help("list the combinations, or write `null` where no shape is meant")
+            finding.help("list the combinations; `null` for those where no shape is meant makes this an info")
         } else {
             finding.case(NARROW).help("leave it if no shape is meant there; otherwise give the combinations targets")
         });

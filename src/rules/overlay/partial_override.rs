@@ -71,7 +71,8 @@ fn without_macros(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
     let folder = format!("target/{}", base.name);
     let help = "add a macro.json to contarget; without macros, write `{\"components\": {}, \"macrodef\": []}`";
     // With a macro.json nothing is read from the folder of the system data any more.
-    let whole = "add a macro.json to contarget, with all targets of the base: none are read from `target/` then";
+    let whole = "remove it, or add a macro.json to contarget, with all targets and icons of the base: none are read from `target/` \
+        then";
     let own = base.other_targets.map_or(0, |contarget| contarget.targets().count());
     match system {
         SystemFolder::Absent => {
@@ -94,7 +95,7 @@ fn without_macros(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
 }
 
 fn categories_alone(base: &Base<'_>, system: SystemFolder) -> Gap {
-    let help = "add the modelling.json that these categories are for";
+    let help = "remove it, or add all that belongs to these categories: modelling.json, macro.json, targets and icons";
     let shown = "shows the sliders of the system data under these categories";
     if base.modelling.winner().is_some() {
         let message = "only target_cat.json is overridden: sliders and targets come from the system data".to_owned();

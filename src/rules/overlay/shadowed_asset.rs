@@ -137,5 +137,7 @@ fn unused(view: &View<'_>, folder: &str, files: &[&FileFacts]) -> Option<Finding
     let finding = RULE.at(first, Place::File, message).case(UNUSED).asset(view.layers.checked.display(folder));
     let parts = files.iter().map(|file| (file.file_name(), &file.path));
     let finding = finding.parts_in(parts).evidence(Evidence::of_cases(files.iter().map(|file| file.file_name())));
-    Some(finding.help("copy the whole asset to the user's folder, or remove the file"))
+    Some(finding.help(
+        "remove what is not used; a changed asset needs all of its files here, with a name and a uuid of its own",
+    ))
 }

@@ -13,7 +13,8 @@ const LOST: [(&str, &str); 4] = [
 
 /// What to do about a unit that is known elsewhere.
 pub(super) fn help(body: &Body<'_>, pose: &BodyPose<'_>, unit: &str) -> Option<String> {
-    let lost = LOST.iter().find(|(old, _)| *old == unit).filter(|_| pose.is_expression);
+    let has = |new: &str| body.unit_names(pose).is_some_and(|(_, known)| known.contains(new));
+    let lost = LOST.iter().find(|(old, new)| *old == unit && has(new)).filter(|_| pose.is_expression);
     if let Some((_, new)) = lost {
         return Some(format!("write `{new}`, with a negative value for the other direction"));
     }

@@ -32,6 +32,12 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
+/// The member that names collections in place of layers: of a bone, or among the parameters of Rigify.
+fn successor(pointer: &str) -> String {
+    let member = pointer.rsplit('/').next().and_then(|member| member.strip_suffix("_layers"));
+    member.map_or_else(|| "collections".to_owned(), |part| format!("{part}_coll_refs"))
+}
+
 fn finding(file: &RigFile<'_>, all: Vec<&LayersFault>, case: Option<Case>) -> Option<Finding> {
     let more = |pointer: &str| (subject(pointer), such(all.len(), "lists"));
     let (pointer, key, message, help) = match *all.first()? {
@@ -41,16 +47,22 @@ fn finding(file: &RigFile<'_>, all: Vec<&LayersFault>, case: Option<Case>) -> Op
                 pointer,
                 "beyond",
                 format!("entry {at} of {subject} is set, counted from 0: there are 32 layers{more}"),
-                "remove the entry",
+                "keep the first 32 entries".to_owned(),
             )
         }
         LayersFault::Length(pointer, count) => {
             let (subject, more) = more(pointer);
-            (pointer, "length", format!("{subject} is a list of {count}, usually of 32{more}"), "write 32 entries")
+            (
+                pointer,
+                "length",
+                format!("{subject} is a list of {count}, usually of 32{more}"),
+                "write 32 entries".to_owned(),
+            )
         }
         LayersFault::Dead(pointer, _) => {
             let (subject, more) = more(pointer);
-            (pointer, "dead", format!("{subject} is not read at version 110{more}"), "write `collections` instead")
+            let help = format!("write `{}` instead, with names of collections", successor(pointer));
+            (pointer, "dead", format!("{subject} is not read at version 110{more}"), help)
         }
     };
     let finding = RULE.at(file.file, Place::Pointer(pointer.clone()), message).key(key).help(help);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::{Check, Rule, RuleCx, did_you_mean, such};
+use super::super::{Check, Rule, RuleCx, such};
 use super::{at_bones, pairs};
 use crate::diag::{Application::Mpfb, Finding, Level, RuleInfo};
 use crate::repo::mpfb::{RigPart, View};
@@ -33,6 +33,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let found: Vec<&str> = lonely.iter().map(|(name, _)| *name).collect();
         let finding = at_bones(&RULE, file, rig, &found, "", message);
         let otherwise = format!("leave it if the bone has no counterpart; otherwise add `{partner}`");
-        out.extend(finding.map(|finding| finding.help(did_you_mean(near, otherwise))));
+        let misspelt = |near| format!("if `{near}` is meant, rename it to `{partner}`, here and in the weights");
+        out.extend(finding.map(|finding| finding.help(near.map_or(otherwise, misspelt))));
     }
 }

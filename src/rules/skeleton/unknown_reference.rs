@@ -57,7 +57,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 }
             }
         }
-        let found = spelled_out(&rig, &spelled).into_iter().chain(finding(&rig, &unknown, &known, cx));
+        let found = spelled_out(&rig, &spelled, &known).into_iter().chain(finding(&rig, &unknown, &known, cx));
         // Others refer to the default skeleton; what it refers to itself is never read.
         let is_default = std::ptr::eq(rig.file, default.file);
         out.extend(found.map(|one| if is_default { one.case(OF_DEFAULT) } else { one }));
@@ -108,14 +108,19 @@ fn of_makehuman1(body: &Body<'_>, known: &BTreeSet<&str>, cx: &RuleCx<'_>, out: 
 const OF_DEFAULT: Case = &[(Makehuman2, Level::Info, "never reads references in the default skeleton")];
 
 /// Texts in place of lists. What writes one writes all of them so.
-fn spelled_out(rig: &Rig<'_>, texts: &[(&str, &str, &str)]) -> Option<Finding> {
+fn spelled_out(rig: &Rig<'_>, texts: &[(&str, &str, &str)], known: &BTreeSet<&str>) -> Option<Finding> {
     let (bone, member, text) = texts.first()?;
     let more = such(texts.len(), "strings");
     let message = format!("`{member}` of bone `{bone}` is the string `{text}`, which is read letter by letter{more}");
     let finding = RULE.at(rig.file, Place::pointer(["bones", bone, member]), message).key("strings");
     let cases = texts.iter().map(|(bone, member, _)| format!("{bone}/{member}"));
     let finding = finding.parts(cases.clone()).evidence(Evidence::of_cases(cases).out_of(rig.skeleton.bones.len()));
-    Some(finding.help(format!("write a list: `[\"{text}\"]`")))
+    let help = if known.contains(text) {
+        format!("write a list: `[\"{text}\"]`")
+    } else {
+        "write a list with names of bones of the default skeleton".to_owned()
+    };
+    Some(finding.help(help))
 }
 
 fn finding(rig: &Rig<'_>, unknown: &[(&str, &str, &str)], known: &BTreeSet<&str>, cx: &RuleCx<'_>) -> Option<Finding> {

@@ -41,7 +41,9 @@ fn odd(group: &MacroGroup<'_>, target: &NamedTarget<'_>) -> Finding {
     let told = |message: String| RULE.at(target.file, Place::File, message).key("categories");
     if lacking.is_empty() {
         let message = format!("has a value of {}, unlike the other targets of `{}`", quoted(more), group.name);
-        return told(message).case(SELDOM).help("remove the word from the name");
+        return told(message)
+            .case(SELDOM)
+            .help("remove the word from the name, unless another target has that name already");
     }
     let message = format!("has no value of {}, unlike the other targets of `{}`", quoted(lacking.clone()), group.name);
     let words = lacking.first().and_then(|first| CATEGORIES.iter().find(|(own, _)| own == first));

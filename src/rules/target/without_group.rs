@@ -19,6 +19,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let bare = view.targets.of_group("").iter().filter_map(|place| view.targets.at(*place));
     out.extend(bare.filter(|target| target.name.is_macro()).map(|target| {
         let message = "its path has nothing but values of macros";
-        RULE.at(target.file, Place::File, message).help("give it another word, or put it into a folder")
+        RULE.at(target.file, Place::File, message)
+            .help("add a word to its name and a modifier for it, or keep it outside of the data")
     }));
 }

@@ -52,7 +52,12 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let help = did_you_mean(
             cx.suggestions.nearest(first, known.iter().copied()),
-            format!("name a bone of the {of} that uses these weights"),
+            match unknown.len() {
+                1 => {
+                    format!("name a bone of the {of} that uses these weights, or remove it if its vertices have others")
+                }
+                _ => format!("use the weights that were made for this {of}, or rename the bones"),
+            },
         );
         let finding = RULE
             .at(file, Place::key(["weights", first]), message)

@@ -130,6 +130,13 @@ impl Memory {
         case.folder.iter().for_each(|folder| self.make(folder));
     }
 
+    /// Brings back a file, or a folder with everything in it, as it is in another repository.
+    pub fn restore(&mut self, path: &str, whole: &Self) {
+        for (below, bytes) in whole.clone().take(path) {
+            self.put_or_make(&format!("{path}{below}"), bytes);
+        }
+    }
+
     /// Whether there is a file at a path.
     pub fn has(&self, path: &str) -> bool {
         self.files.contains_key(path)

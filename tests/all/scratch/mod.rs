@@ -1,6 +1,7 @@
 //! Throw-away copies of the example repository, damaged as a `case.toml` says, and the real binary on them.
 #![allow(unreachable_pub, reason = "a program has no other crates")]
 
+pub mod advice;
 mod compiled;
 pub mod exchanged;
 pub mod memory;

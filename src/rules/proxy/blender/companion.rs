@@ -51,7 +51,7 @@ pub(in crate::rules::proxy) fn other(rule: &Rule, body: &Body<'_>, out: &mut Vec
             ),
             None => (
                 format!("`{}` is named for the bone weights, and `{wanted}` is looked for", named.word),
-                format!("call the file `{wanted}`, and put it beside the asset"),
+                format!("call the file `{wanted}`, put it beside the asset, and write that name in the line"),
             ),
         };
         let finding = rule.at(text.file, named.place, message).key(named.word);
