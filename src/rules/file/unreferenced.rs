@@ -51,7 +51,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         };
         let asset = view.layers.checked.display(folder);
         let is_lost = reason.0.ends_with(".target") && base.user_targets.is_some() && folder.starts_with("target/");
-        let help = help(&reason.0, is_lost);
+        let help = help(&reason.0);
         let finding = match files.len() {
             _ if is_lost => finding.case(NO_SLIDER),
             1 => finding,
@@ -62,16 +62,14 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
 }
 
 /// What to do about files that have a reason in common.
-fn help(reason: &str, is_lost: bool) -> &'static str {
+fn help(reason: &str) -> &'static str {
     match reason {
         "packed" => "unpack it with `gzip -d` and give it a slider, or keep it outside of the data",
         "icon" => {
             "write its name in the `icon` of a slider, rename it after the first target of a slider, or keep it outside of the data"
         }
         "picture" => "if it is an icon, move it to `icons/`; otherwise keep it outside of the data",
-        reason if reason.starts_with("capitals") && reason.ends_with(".target") && !is_lost => {
-            "rename it, with its extension in small letters, and give it a slider; or keep it outside of the data"
-        }
+        reason if reason.ends_with(".target") => "rename it to end in `.target`; give it a slider if it has none",
         reason if reason.starts_with("capitals") => "rename it, with its extension in small letters",
         _ => "correct the name, or keep it outside of the data: backups and sources are not needed there",
     }

@@ -19,7 +19,8 @@ mod unparted;
 pub(in crate::rules) mod version;
 
 use super::Rule;
-use crate::repo::makehuman2::{Base, SavedModel, View};
+use crate::formats::mhm::WornLine;
+use crate::repo::makehuman2::{Asset, Base, SavedModel, View};
 
 /// The rules of the family.
 pub(super) static RULES: &[&Rule] = &[
@@ -41,4 +42,11 @@ fn own<'v>(view: &'v View<'_>, base: &Base<'_>) -> impl Iterator<Item = &'v Save
 /// When what is wrong with a character is met.
 fn when(model: &SavedModel<'_>) -> &'static str {
     if model.is_start { "at start" } else { "when the model is loaded" }
+}
+
+/// What to write where an asset goes by another name now. The line of its material names it as well.
+fn renamed_line(saved: &SavedModel<'_>, line: &WornLine, asset: &Asset<'_>) -> String {
+    let has_material = saved.model.materials.iter().any(|other| other.name.text == line.name.text);
+    let also = if has_material { ", and the new name in the line of its material" } else { "" };
+    format!("write `{} {} {}`{also}", line.category.text, asset.name, asset.uuid)
 }

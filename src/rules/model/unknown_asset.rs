@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::{makehuman1, mpfb_asset, own};
+use super::{makehuman1, mpfb_asset, own, renamed_line};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped,
@@ -96,9 +96,7 @@ fn asset(lines: &[Line<'_>], known: &Known<'_>, cx: &RuleCx<'_>) -> Option<Findi
         None => format!("no asset is named `{name}`{more}"),
     };
     let help = if let Some(asset) = renamed {
-        let has_material = saved.model.materials.iter().any(|line| *line.name.text == **name);
-        let material = if has_material { ", and the new name in the line of its material" } else { "" };
-        format!("write `{category} {} {}`{material}", asset.name, asset.uuid)
+        renamed_line(saved, line, asset)
     } else {
         let alike = known.by_uuid.values().filter(|asset| *asset.category == **category).map(|asset| &*asset.name);
         let near = cx.suggestions.nearest(name, alike);

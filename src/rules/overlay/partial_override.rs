@@ -71,8 +71,7 @@ fn without_macros(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
     let folder = format!("target/{}", base.name);
     let help = "add a macro.json to contarget; without macros, write `{\"components\": {}, \"macrodef\": []}`";
     // With a macro.json nothing is read from the folder of the system data any more.
-    let whole = "remove it, or add a macro.json to contarget, with all targets and icons of the base: none are read from `target/` \
-        then";
+    let whole = "remove it, or add a macro.json with all targets and icons: none are read from `target/` then";
     let own = base.other_targets.map_or(0, |contarget| contarget.targets().count());
     match system {
         SystemFolder::Absent => {
