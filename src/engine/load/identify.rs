@@ -154,7 +154,11 @@ fn version_of_makehuman1(paths: &Paths<'_>, layer: &Layer) -> Option<&'static st
         (19158, 21334) if has_all() && !paths.has("targets.npz") => Some("1.1"),
         (19158, 21334) => None,
         // Of another mesh nobody knows.
-        _ if !paths.has_kind("rigs/", ".mhskel") && let Some(old) = version_without_skeletons(paths) => Some(old),
+        _ if !paths.has_kind("rigs/", ".mhskel")
+            && let Some(old) = version_without_skeletons(paths) =>
+        {
+            Some(old)
+        }
         // One folder may be gone; all of what came with 1.3 is not. In an archive nobody looks for names.
         _ if has_all() || paths.has("targets.npz") && paths.has("modifiers/") => Some("1.2"),
         _ => None,
@@ -184,9 +188,10 @@ fn version_of_makehuman2(paths: &Paths<'_>) -> Option<&'static str> {
     }
     let settings = || paths.all.iter().filter(|rel| rel.starts_with("base/") && rel.ends_with("/base.json"));
     let any = |word: &str| settings().any(|rel| paths.says(rel, word));
-    let is_old = ["\"standardnumverts\"", "MakeHuman Community"].iter().any(|word| paths.says("makehuman2_version.json", word))
-        || paths.has("base/cube/")
-        || paths.has("base/spider/");
+    let is_old =
+        ["\"standardnumverts\"", "MakeHuman Community"].iter().any(|word| paths.says("makehuman2_version.json", word))
+            || paths.has("base/cube/")
+            || paths.has("base/spider/");
     match is_old {
         _ if settings().next().is_none() || any("\"numverts\"") => None,
         true if any("\"equipment\"") => Some("2025"),

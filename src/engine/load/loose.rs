@@ -112,9 +112,7 @@ impl<'t> Outside<'t, '_> {
             (Application::Mpfb, "json" | "gz") => false,
             (Application::Mpfb, _) | (Application::Makehuman1, "mhpose") => true,
             (Application::Makehuman2, "mhm") => says(&text(), "version v1.") || says(&text(), "Written by MakeHuman 1"),
-            (Application::Makehuman1, "mhm") => {
-                says(&text(), "MakeHuman2 Model File") || says(&text(), "version v2.")
-            }
+            (Application::Makehuman1, "mhm") => says(&text(), "MakeHuman2 Model File") || says(&text(), "version v2."),
             _ => false,
         }
     }
