@@ -24,6 +24,8 @@ pub struct RuleInfo {
     pub told_apart: bool,
     /// Says how things stand in a library or a data folder: it is not asked of assets that lie in none.
     pub of_library: bool,
+    /// Takes the data of a program for a whole: it is not asked of a part of them.
+    pub of_whole: bool,
     /// Is asked of a part of a program's data, too, although its family is about the whole.
     pub of_pieces: bool,
     /// What each application does with it.
@@ -76,7 +78,8 @@ pub struct OptionInfo {
 impl RuleInfo {
     /// A rule with nothing but the obligatory parts; the rest by struct update.
     pub const fn new(id: &'static str, level: Level, summary: &'static str) -> Self {
-        let (fix, cannot_be_ignored, told_apart, of_library, of_pieces) = (FixKind::None, false, false, false, false);
+        let (fix, cannot_be_ignored, told_apart) = (FixKind::None, false, false);
+        let (of_library, of_whole, of_pieces) = (false, false, false);
         let (levels, breaks, options, counts) = (&[], &[], &[], "");
         Self {
             id,
@@ -87,6 +90,7 @@ impl RuleInfo {
             cannot_be_ignored,
             told_apart,
             of_library,
+            of_whole,
             of_pieces,
             breaks,
             counts,

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::kind::extension;
 use super::listing::{Listing, at};
+use crate::diag::Application;
 use crate::source::folder_and_name;
 
 /// Why files that look like assets are none.
@@ -45,12 +46,26 @@ fn is_helper(listing: &Listing<'_>, folder: &str, name: &str) -> bool {
     }
 }
 
-/// The folder of test data of MPFB that a file lies in: `test/` stands beside its source.
+/// Where an application has its test data.
+pub(crate) struct TestData {
+    /// The folder.
+    pub(crate) folder: &'static str,
+    /// The source of the application, as seen from the same place.
+    pub(crate) source: &'static str,
+    /// Whose.
+    pub(crate) application: Application,
+}
+
+/// The test data of MPFB.
+pub(crate) const TEST_DATA: TestData =
+    TestData { folder: "test/testdata", source: "src/mpfb", application: Application::Mpfb };
+
+/// The folder of test data that a file lies in.
 fn test_data(listing: &Listing<'_>, file: &str) -> Option<String> {
-    const FOLDER: &str = "test/testdata";
-    let start = format!("/{file}").find(&format!("/{FOLDER}/"))?;
+    let TestData { folder, source, .. } = TEST_DATA;
+    let start = format!("/{file}").find(&format!("/{folder}/"))?;
     let above = file.get(..start)?.trim_end_matches('/');
-    listing.has_folder(&at(above, "src/mpfb")).then(|| at(above, FOLDER))
+    listing.has_folder(&at(above, source)).then(|| at(above, folder))
 }
 
 /// Whether what should be an asset is a table for fitting others: it has rows, and neither a name nor a mesh of its own, not

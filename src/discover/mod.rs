@@ -11,9 +11,10 @@ mod kind;
 mod layout;
 mod listing;
 mod loose;
+mod paths;
 mod roots;
 
-pub(crate) use aside::{Aside, aside, is_fitting_table};
+pub(crate) use aside::{Aside, TEST_DATA, aside, is_fitting_table};
 pub(crate) use candidate::{Candidate, Use, candidates, kind_in, owner_of, uses_of};
 pub(crate) use evidence::{Evidence, evidence, lacks};
 pub(crate) use kind::{Kind, SHADER_FILES, extension, is_asset_anywhere, meant_extension};
@@ -24,4 +25,5 @@ pub(crate) use layout::mpfb::importer::Refusal;
 pub(crate) use layout::{Layout, Role, Single, is_read_though_hidden};
 pub(crate) use listing::Listing;
 pub(crate) use loose::{Binding, Known, UNKNOWN_BASE, loose};
+pub(crate) use paths::Paths;
 pub(crate) use roots::find_roots;

@@ -253,6 +253,11 @@ impl<'v> Body<'v> {
     }
 
     /// Whether `MakeHuman` 1 has it.
+    pub(crate) fn is_before(&self, version: &str) -> bool {
+        self.layers.are_before(self.application(), version)
+    }
+
+    /// Whether it is that of `MakeHuman` 1.
     pub(crate) const fn is_makehuman1(&self) -> bool {
         self.view.is_makehuman1()
     }

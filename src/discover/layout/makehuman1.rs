@@ -1,9 +1,11 @@
 //! MakeHuman 1: one base mesh, libraries without a folder for it (formats/makehuman1.md §1, §2.1).
 
+mod version;
+
 use super::super::kind::{SHADER_FILES, extension};
 use super::super::listing::{Listing, at};
 use super::super::{Candidate, Kind};
-use super::{HM08, HiddenPath, LIBRARIES, Layout, MAKEHUMAN2_BASES, Role, Sign, Single, WORN, worn_shelf};
+use super::{HM08, HiddenPath, LIBRARIES, Layout, MAKEHUMAN2_BASES, Role, Says, Sign, Single, WORN, worn_shelf};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -13,6 +15,9 @@ pub(super) static LAYOUT: Layout = Layout {
     folders: &[&["targets", "modifiers", "3dobjs", "custom"], &LIBRARIES, &WORN],
     sign,
     weigh,
+    version: version::version,
+    is_release: version::is_release,
+    is_of_others,
     place,
     role,
     shelf,
@@ -90,6 +95,11 @@ fn above_data(parts: &[&str]) -> Option<usize> {
         [.., "models", _, name] if extension(name).eq_ignore_ascii_case("mhm") => Some(3),
         _ => None,
     }
+}
+
+/// Models say which program wrote them; poses of the body and of the face are most often of another.
+fn is_of_others(extension: &str, says: Says<'_>) -> bool {
+    extension == "mhpose" || extension == "mhm" && (says("MakeHuman2 Model File") || says("version v2."))
 }
 
 /// Only the program has such files: it opens them by their names. Its first rig users copy, too.

@@ -2,13 +2,14 @@
 
 pub(crate) mod importer;
 pub(crate) mod opened;
+mod version;
 
 use std::collections::BTreeSet;
 
 use super::super::kind::extension;
 use super::super::listing::{Listing, at};
 use super::super::{Candidate, Kind};
-use super::{HiddenPath, Layout, Role, Sign, WORN, first_of, worn_shelf};
+use super::{HiddenPath, Layout, Role, Says, Sign, WORN, first_of, worn_shelf};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -18,6 +19,10 @@ pub(super) static LAYOUT: Layout = Layout {
     folders: &[&WORN, &SCANNED, &NOT_SCANNED],
     sign,
     weigh,
+    version: version::version,
+    is_release: |_| false,
+    is_of_user: |_| false,
+    is_of_others,
     place,
     reads_hidden,
     loose_place,
@@ -216,6 +221,11 @@ fn loose_place(path: &str, base: Option<&str>) -> Option<String> {
         _ => return None,
     };
     Some(place)
+}
+
+/// Models say which program wrote them.
+fn is_of_others(extension: &str, says: Says<'_>) -> bool {
+    extension == "mhm" && (says("version v1.") || says("Written by MakeHuman 1"))
 }
 
 /// Base meshes make a root the system, or both with `contarget/`, which is read in the user's folder only (§1.1). Capitals

@@ -7,6 +7,7 @@ pub(super) mod mpfb;
 use mpfb::importer::Refusal;
 
 use super::listing::Listing;
+use super::paths::Paths;
 use super::{Candidate, Kind, Use, extension};
 use crate::diag::Application;
 use crate::source::{folder_and_name, folders_above};
@@ -26,6 +27,14 @@ pub(crate) struct Layout {
     sign: fn(&[&str]) -> Option<(Sign, usize)>,
     /// What such a sign is worth, with what lies around it: of a data root, the file, and what it was taken for.
     weigh: fn(&Listing<'_>, &str, &str, Sign) -> Option<Sign>,
+    /// The version that the data of a program are of, where something in them says so.
+    pub version: fn(&Paths<'_>) -> Option<&'static str>,
+    /// Whether the data of a program are those of a release, compiled.
+    pub is_release: fn(&Paths<'_>) -> bool,
+    /// Whether only the folder of a user has a file at such a path, besides those that all such folders have.
+    pub is_of_user: fn(&[&str]) -> bool,
+    /// Whether a loose file with this extension, and what is in it, is for other applications where nobody asks.
+    pub is_of_others: fn(&str, Says<'_>) -> bool,
     /// What a path below a data root is for, and the base mesh that it belongs to.
     place: Classify,
     /// Whether the file of this name, in these folders, is read although it is hidden.
@@ -112,6 +121,8 @@ pub(crate) enum Single {
 }
 
 /// What is asked of a name or path.
+pub(super) type Says<'q> = &'q dyn Fn(&str) -> bool;
+/// The same.
 type Holds<'q> = &'q dyn Fn(&str) -> bool;
 /// Why a pack with members of these names is refused.
 type Refuses = fn(&[String]) -> Option<Refusal>;
@@ -205,6 +216,10 @@ impl Layout {
         folders: &[],
         sign: |_| None,
         weigh: |_, _, _, sign| Some(sign),
+        version: |_| None,
+        is_release: |_| false,
+        is_of_user: |_| false,
+        is_of_others: |_, _| false,
         place: |_| (Kind::Other, None),
         reads_hidden: |_| false,
         loose_place: |_, _| None,

@@ -1,6 +1,7 @@
 //! MPFB: one base mesh, packed targets, sliders in a catalogue (formats/mpfb.md §1).
 
 pub(crate) mod importer;
+mod version;
 
 use super::super::kind::extension;
 use super::super::listing::{Listing, at};
@@ -19,6 +20,10 @@ pub(super) static LAYOUT: Layout = Layout {
     ],
     sign,
     weigh,
+    version: version::version,
+    is_of_user: |parts| matches!(parts, ["rigs", _]),
+    // What it shares with others is for these where nobody asks.
+    is_of_others: |extension, _| !matches!(extension, "json" | "gz"),
     place,
     loose_place,
     shelf,

@@ -110,17 +110,8 @@ fn asks_for_whole(rule: &Rule) -> bool {
         "parts",
         "program",
     ];
-    const OTHERS: [&str; 7] = [
-        "archive-undiscovered",
-        "file-unreferenced",
-        "material-missing-litsphere",
-        "material-missing-shader",
-        "rig-missing-weights",
-        "skeleton-base-name",
-        "target-unreferenced",
-    ];
     let info = &rule.info;
-    !info.of_pieces && (info.of_library || FAMILIES.contains(&info.family()) || OTHERS.contains(&info.id))
+    !info.of_pieces && (info.of_library || info.of_whole || FAMILIES.contains(&info.family()))
 }
 
 /// What these rules find in the system data alone.

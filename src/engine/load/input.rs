@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::super::error::{Error, PathFault};
 use super::roots::{look_into, roots_of};
 use crate::diag::Application;
-use crate::discover::{Layout, Listing, find_roots, is_read_though_hidden, new_base};
+use crate::discover::{Layout, Listing, TEST_DATA, find_roots, is_read_though_hidden, new_base};
 use crate::source::{
     self, EntryKind, Limits, ReadFault, Tree, folder_name, folder_of, inside, is_below, read_file, slashed,
 };
@@ -79,12 +79,11 @@ pub(in crate::engine) fn open(
     Ok(inputs.into_iter().map(|(_, input)| input).collect())
 }
 
-/// Whose test data a path lies among: those of MPFB stand beside its source.
+/// Whose test data a path lies among: they stand beside the source of the application.
 fn tests_of(path: &Path) -> Option<Application> {
-    let place = slashed(&source::canonical(path)?);
-    let (above, _) =
-        format!("{place}/").split_once("/test/testdata/").map(|(above, rest)| (above.to_owned(), rest.to_owned()))?;
-    Path::new(&above).join("src/mpfb").is_dir().then_some(Application::Mpfb)
+    let place = format!("{}/", slashed(&source::canonical(path)?));
+    let (above, _) = place.split_once(&format!("/{}/", TEST_DATA.folder))?;
+    Path::new(above).join(TEST_DATA.source).is_dir().then_some(TEST_DATA.application)
 }
 
 /// Opens `--system`.

@@ -104,17 +104,10 @@ impl<'t> Outside<'t, '_> {
         Some(named.or_else(|| is_usual.then(|| Layout::USUAL_BASE.to_owned())))
     }
 
-    /// Whether a file says which application wrote it, or is of a kind that this one shares with others and that these alone
-    /// have a use for where nobody asks.
+    /// Whether a file is for other applications where nobody asks, as it says itself, or by its kind.
     fn is_written_for_others(&self, entry: &Entry, layout: &Layout) -> bool {
-        let text = || self.input.tree.read(entry, &self.options.limits).unwrap_or_default();
-        match (layout.application, meant_extension(&entry.path)) {
-            (Application::Mpfb, "json" | "gz") => false,
-            (Application::Mpfb, _) | (Application::Makehuman1, "mhpose") => true,
-            (Application::Makehuman2, "mhm") => says(&text(), "version v1.") || says(&text(), "Written by MakeHuman 1"),
-            (Application::Makehuman1, "mhm") => says(&text(), "MakeHuman2 Model File") || says(&text(), "version v2."),
-            _ => false,
-        }
+        let text = self.input.tree.read(entry, &self.options.limits).unwrap_or_default();
+        (layout.is_of_others)(meant_extension(&entry.path), &|word| says(&text, word))
     }
 
     /// Whether a file is a motion without this joint.

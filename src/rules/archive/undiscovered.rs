@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
         Make the archive again, or delete `targets.npz` and `images.list`: the program then reads \
         the texts.",
     counts: "targets",
+    of_whole: true,
     ..RuleInfo::new("archive-undiscovered", Level::Warning, "an archive hides targets or pictures that lie beside it")
 });
 

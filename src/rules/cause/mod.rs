@@ -3,6 +3,7 @@
 //! Predicates are named after facts, not after rules. What only one rule asks stands in its file.
 
 pub(super) mod archived;
+pub(in crate::rules) mod bytes_by_version;
 mod capitals;
 pub(super) mod component;
 pub(super) mod consequence;

@@ -1,6 +1,7 @@
 //! Text must be UTF-8.
 
 use super::super::cause::archived::weigh;
+use super::super::cause::bytes_by_version::by_version;
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::cause::is_unmet;
 use super::super::{Check, Rule, RuleCx};
@@ -48,34 +49,9 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         Kind::Material if file.encoding.only_comments_invalid && is_dropped => finding.case(IN_COMMENTS_OF_MATERIAL),
         _ => finding,
     };
-    let finding = if view.is_makehuman1() { by_version(view, file, finding) } else { finding };
+    let finding = by_version(view, file, finding);
     out.push(if file.kind == Kind::Target { weigh(&view.target(file), finding) } else { finding });
 }
-
-/// What other versions of MakeHuman 1 do with such a file (formats/versions.md §3): it is said where they differ.
-fn by_version(view: &View<'_>, file: &FileFacts, finding: Finding) -> Finding {
-    match file.kind {
-        Kind::Clothes if view.is_before("1.3") => finding.case(LIST_LOST),
-        Kind::Clothes => {
-            let own = finding.breaks.iter().find(|one| one.application == Makehuman1).map(|one| one.effect.clone());
-            match own {
-                Some(effect) => {
-                    finding.effect_in(Makehuman1, format!("{effect}; up to 1.2 loses the whole list of its folder"))
-                }
-                None => finding,
-            }
-        }
-        Kind::Target | Kind::Motion if view.is_before("1.2") => finding.case(READ_AS_BYTES),
-        _ => finding,
-    }
-}
-
-const LIST_LOST: Case = &[(
-    Makehuman1,
-    Level::Error,
-    "loses the whole list: its scan ends with `UnicodeDecodeError` (1.3 drops the letters)",
-)];
-const READ_AS_BYTES: Case = &[(Makehuman1, Level::Info, "reads it all the same; from 1.2 on rejects the file")];
 
 /// Of an asset in another encoding, or of something else under its name, no line is left.
 const NO_LINE: Case = &[(Makehuman1, Level::Error, "lists the asset and does not put it on: it recognises no line")];

@@ -19,6 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         mesh. Notes, licences and programs are left out. Targets and weights have their own rules.\n\nRename the file, \
         refer to it, or remove it.",
     counts: "files",
+    of_whole: true,
     ..RuleInfo::new("file-unreferenced", Level::Info, "a file that nothing refers to and no loader opens")
 });
 

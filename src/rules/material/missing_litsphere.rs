@@ -17,6 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         Without a picture it draws the surface with the shader `phong`. If the picture does not exist and the material has no \
         `name`, it crashes with `TypeError` instead (error).\n\nMakeHuman 1 looks for the picture as for any other, mostly in `litspheres/` of its data.\n\n\
         Use a picture of that folder, or put this one there.",
+    of_whole: true,
     ..RuleInfo::new("material-missing-litsphere", Level::Warning, "a litsphere without its picture")
 });
 

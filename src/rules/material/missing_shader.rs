@@ -16,6 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         and `toon`, in small letters; of a path such as `shaders/glsl/litsphere` it takes the last part.\n\n\
         With another name the surface is drawn like phong, but without the settings that phong gets. The name is kept \
         when the material is saved.\n\nA shader of MakeHuman 1 is a path without its ending, such as `shaders/glsl/litsphere`. Without one of its files the surface is drawn without a shader.\n\nWrite one of the four names for MakeHuman 2, and the whole path for MakeHuman 1.",
+    of_whole: true,
     ..RuleInfo::new("material-missing-shader", Level::Warning, "a material asks for a shader that does not exist")
 });
 

@@ -1,6 +1,7 @@
 //! Files of the programs themselves.
 
 pub(in crate::rules) mod file_content;
+mod later;
 pub(in crate::rules) mod missing_file;
 mod mpfb_content;
 mod mpfb_files;

@@ -1,9 +1,10 @@
 //! Data of an older version of a program: said once, in place of all that came later.
 
 use super::super::{Check, Rule, RuleCx};
+use super::later::later;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    Case, Finding, Level, RuleInfo, Version,
+    Case, Finding, Level, RuleInfo,
 };
 use crate::repo::View;
 
@@ -39,18 +40,4 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let finding = RULE.in_layer(layers.checked, "", message).key("version");
     let finding = if view.is_in_pieces() { finding.case(IN_PIECES) } else { finding };
     out.push(finding);
-}
-
-/// What newer programs have besides (formats/versions.md §2).
-fn later(version: Version) -> Option<&'static str> {
-    let before = |name: &str| version.is_before(name);
-    match version.application() {
-        Makehuman1 if before("1.0") => Some("the base mesh of 1.0, and modifiers and skeletons of 1.1,"),
-        Makehuman1 if before("1.1") => Some("skeletons, poses and expressions of 1.1"),
-        Makehuman1 if before("1.3") => Some("the body shapes"),
-        Makehuman2 if before("2025") => Some("`equipment`, `measure`, `random` and `numverts`"),
-        Makehuman2 if before("2026-08-05") => Some("`numverts` and `geometry.json`"),
-        Mpfb if before("2.0.16") => Some("expressions"),
-        _ => None,
-    }
 }

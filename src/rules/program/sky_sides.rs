@@ -1,10 +1,14 @@
 //! What OpenGL is handed of the sides of a skybox: the bytes of the picture as Qt holds it (formats/additions.md 1.2).
 
+use std::collections::BTreeMap;
+
 use super::super::Rule;
-use super::skybox::Sides;
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, grouped};
 use crate::formats::picture::{Picture, PictureFormat, Pixels};
 use crate::repo::FileFacts;
+
+/// The pictures of a skybox by their sides.
+pub(super) type Sides<'l> = BTreeMap<&'l str, &'l FileFacts>;
 
 /// When a skybox is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

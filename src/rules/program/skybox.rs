@@ -3,13 +3,14 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::sky_sides::{Shown, faults};
+use super::sky_sides::{Shown, Sides, faults};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
-use crate::discover::{SKY_SIDES, Single};
+use crate::discover::{Layout, SKY_SIDES, Single};
 use crate::formats::program::Shaders;
-use crate::repo::{FileFacts, Layer, View};
+use crate::repo::makehuman2::View;
+use crate::repo::{FileFacts, Layer};
 
-pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "leaves out the missing sides of the background")],
     docs: "A skybox is a folder in `shaders/skybox/` with six pictures: `posx`, `negx`, `posy`, `negy`, `posz` and `negz`, as \
         `.png` or `.jpg`. `skyboxname` in `shaders/shader.json` names the one that is shown at start; the others are chosen in \
@@ -26,16 +27,15 @@ const SHADERS: &str = "shaders/shader.json";
 const FOLDER: &str = "shaders/skybox";
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let View::Makehuman2(_) = view else { return };
-    let layers = view.layers();
+    let layers = view.layers;
     // A user's is never read.
     let file = layers.system.and_then(|system| system.file(SHADERS));
     let known = file.and_then(|file| Some((file, file.shaders()?)));
     let at_start = known.and_then(|(file, shaders)| Some((file, first(shaders)?)));
     let own = at_start.filter(|(file, _)| layers.is_checked(file));
-    let is_absent = |name: &str| layers.strongest_first().all(|layer| boxes(view, layer, Some(name)).is_empty());
+    let is_absent = |name: &str| layers.strongest_first().all(|layer| boxes(layer, Some(name)).is_empty());
     out.extend(own.filter(|(_, name)| is_absent(name)).map(|(file, name)| absent(file, name)));
-    for (name, sides) in boxes(view, layers.checked, None) {
+    for (name, sides) in boxes(layers.checked, None) {
         let is_first = at_start.is_some_and(|(_, first)| first == name);
         let shown = match known {
             _ if is_first => Shown::AtStart,
@@ -43,7 +43,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             None => Shown::Perhaps,
         };
         faults(&RULE, name, &sides, shown, out);
-        let hides = layers.system.filter(|_| !layers.checks_system()).map(|system| boxes(view, system, Some(name)));
+        let hides = layers.system.filter(|_| !layers.checks_system()).map(|system| boxes(system, Some(name)));
         let named_in = own.filter(|_| is_first).map(|(file, _)| file);
         out.extend(lacking(layers.checked, name, &sides, named_in, hides.is_some_and(|hidden| !hidden.is_empty())));
     }
@@ -55,9 +55,9 @@ fn first(shaders: &Shaders) -> Option<&str> {
 }
 
 /// The skyboxes of a layer, or the one of a name: its sides by their names. Of two pictures of a side the PNG is taken.
-fn boxes<'l>(view: &View<'_>, layer: &'l Layer, wanted: Option<&str>) -> BTreeMap<&'l str, Sides<'l>> {
+fn boxes<'l>(layer: &'l Layer, wanted: Option<&str>) -> BTreeMap<&'l str, Sides<'l>> {
     let mut found: BTreeMap<&str, Sides<'_>> = BTreeMap::new();
-    for file in layer.below(FOLDER).filter(|file| (view.layout().single)(&file.rel) == Some(Single::SkySide)) {
+    for file in layer.below(FOLDER).filter(|file| (Layout::of(Makehuman2).single)(&file.rel) == Some(Single::SkySide)) {
         let mut parts = file.rel.split('/').skip(2);
         let (Some(name), Some((side, suffix))) = (parts.next(), parts.next().and_then(|last| last.rsplit_once('.')))
         else {
@@ -71,9 +71,6 @@ fn boxes<'l>(view: &View<'_>, layer: &'l Layer, wanted: Option<&str>) -> BTreeMa
     found.retain(|name, _| wanted.is_none_or(|wanted| wanted == *name));
     found
 }
-
-/// The pictures of a skybox by their sides.
-pub(super) type Sides<'l> = BTreeMap<&'l str, &'l FileFacts>;
 
 fn absent(file: &FileFacts, name: &str) -> Finding {
     let finding = RULE.at(file, Place::pointer(["skyboxname"]), format!("skybox `{name}` does not exist")).key(name);

@@ -16,6 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
         finding.\n\n\
         Add the weights.",
     counts: "rigs",
+    of_whole: true,
     ..RuleInfo::new("rig-missing-weights", Level::Error, "the weights of a rig are missing")
 });
 

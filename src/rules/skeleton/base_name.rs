@@ -12,6 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     )],
     docs: "MakeHuman 1 knows its base skeleton by its `name`. Another skeleton with the same name counts as that.\n\n\
         Give it a name of its own.",
+    of_whole: true,
     ..RuleInfo::new("skeleton-base-name", Level::Warning, "a skeleton with the name of the base skeleton")
 });
 

@@ -30,6 +30,7 @@ pub(in crate::rules) static RULE: Rule =
         MakeHuman 1 ships such targets: an info for each folder.\n\n\
         Add a slider to modelling.json, or keep the file outside of the data.",
         counts: "targets",
+        of_whole: true,
         ..RuleInfo::new("target-unreferenced", Level::Warning, "no slider and no macro uses a target")
     });
 
