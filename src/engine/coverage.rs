@@ -165,8 +165,9 @@ fn needs_mesh(file: &FileFacts) -> bool {
 
 /// Why no rule is about a file: none is about any of its kind, or it is part of nothing that was checked.
 fn without_rules(file: &FileFacts, application: Application) -> Unchecked {
-    let is_of_part = has_rules(application, Kind::by_extension(file.file_name()));
-    if is_of_part { Unchecked::Unused } else { Unchecked::Kind }
+    let kind = Kind::by_extension(file.file_name());
+    let is_part = matches!(kind, Kind::AssetWeights | Kind::AssetMesh | Kind::UvMap);
+    if is_part && has_rules(application, kind) { Unchecked::Unused } else { Unchecked::Kind }
 }
 
 /// Whether nothing at all was checked of the files.
