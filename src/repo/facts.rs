@@ -38,7 +38,6 @@ use crate::formats::picture_list::PictureList;
 use crate::formats::pose_units::PoseUnits;
 use crate::formats::program::{Shaders, Version};
 use crate::formats::proxy_corrections::ProxyCorrections;
-use crate::formats::randomization::Randomization;
 use crate::formats::rig::Rig;
 use crate::formats::scene::Scene;
 use crate::formats::selection_filter::SelectionFilter;
@@ -263,11 +262,6 @@ impl FileFacts {
     /// The makeup, if it is one that could be read.
     pub fn makeup(&self) -> Option<&Makeup> {
         if let Content::Makeup(makeup) = &*self.content { Some(makeup) } else { None }
-    }
-
-    /// The preset of the randomizer, if it is one that could be read.
-    pub fn randomization(&self) -> Option<&Randomization> {
-        if let Content::Randomization(preset) = &*self.content { Some(preset) } else { None }
     }
 
     /// What the loader of a JSON cannot take, where nothing else of it matters.

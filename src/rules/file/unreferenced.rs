@@ -38,11 +38,10 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let names = files.iter().map(|file| file.file_name());
         let parts = files.iter().map(|file| (file.file_name(), &file.path));
         let finding = match files.as_slice() {
-            [file] => RULE.in_layer(
-                view.layers.checked,
-                &file.rel,
-                format!("`{}` is not used: {}", file.file_name(), reason.1),
-            ),
+            [file] => {
+                let message = format!("`{}` is not used: {}", file.file_name(), reason.1);
+                RULE.in_layer(view.layers.checked, &file.rel, message)
+            }
             [first, ..] => {
                 let (count, first) = (files.len(), first.file_name());
                 let message = format!("{count} files are not used, first `{first}`: {}", reason.1);
@@ -110,8 +109,7 @@ impl<'r> References<'r> {
 /// Why nothing uses the file, if nothing does.
 fn reason(base: &Base<'_>, file: &FileFacts, references: &References<'_>) -> Option<Reason> {
     let (name, layer, layout) = (file.file_name(), references.view.layers.checked, Layout::of(Makehuman2));
-    // A file called `icons` stands in the place of a folder: unreadable.
-    // A format that nobody reads any more is reported of the whole folder.
+    // `icons` in the place of a folder is unreadable; a format that nobody reads is reported of the whole folder.
     let is_told = file.encoding.lfs_pointer || file.gzip_fault.is_some() || is_outdated(file);
     if is_told || name == "icons" || is_note(name) {
         return None;

@@ -37,16 +37,12 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if view.is_makehuman1() {
         return of_makehuman1(view, system, out);
     }
-    if mpfb_files::missing(&RULE, view, system, out) {
-        return;
-    }
-    if !holds_program(system) {
+    if mpfb_files::missing(&RULE, view, system, out) || !holds_program(system) {
         return;
     }
     // It came at the end of 2024.
     let is_later = |rel: &str| rel == NEEDED[1].0 && view.is_before("2025");
-    let missing = NEEDED.into_iter().filter(|(rel, _)| !exists(system, rel) && !is_later(rel));
-    for (rel, code) in missing {
+    for (rel, code) in NEEDED.into_iter().filter(|(rel, _)| !exists(system, rel) && !is_later(rel)) {
         let message = format!("`{rel}` does not exist");
         let finding = RULE
             .in_layer(system, rel, message)

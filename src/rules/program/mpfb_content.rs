@@ -6,6 +6,7 @@ use super::mpfb_files::{OWN_SKIN_SETTINGS, SKIN_SETTINGS, has_own_skin_settings}
 use super::randomization;
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
 use crate::discover::Kind;
+use crate::formats::Content;
 use crate::formats::unfit::{NamedAt, Why};
 use crate::repo::{FileFacts, View, mpfb};
 
@@ -33,7 +34,7 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, file: &FileFacts, cx: &RuleCx
         out.extend(stops.map(|(_, finding)| finding.case(STOPPED_MAKEUP)));
         out.extend(missing_layers(rule, own, file, &makeup.layers, cx));
     }
-    if let Some(preset) = file.randomization() {
+    if let Content::Randomization(preset) = &*file.content {
         randomization::faults(rule, own, file, preset, cx, out);
     }
     let Some(faults) = file.loader_faults() else { return };
@@ -79,7 +80,7 @@ fn missing_layers(
     let missing: Vec<&NamedAt> = layers.iter().filter(|one| !view.named.has("ink_layers", &one.name)).collect();
     let first = missing.first()?;
     let message = format!("ink layer `{}` does not exist{}", first.name, such(missing.len(), "names"));
-    let near = cx.suggestions.nearest_of_kind(&first.name, view.named.names("ink_layers"));
+    let near = cx.suggestions.nearest(&first.name, view.named.names("ink_layers"));
     let finding = rule.at(file, Place::Pointer(first.pointer.clone()), message).key("layers").case(STOPPED_MAKEUP);
     let finding = finding.evidence(Evidence::of_cases(missing.iter().map(|one| one.name.as_str())));
     Some(finding.help(did_you_mean(near, "correct the name, or add the ink layer")))
