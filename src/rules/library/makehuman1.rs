@@ -135,13 +135,13 @@ const OLDER: [&str; 8] = ["mhp", "mhstx", "lmk", "hair", "rig", "dat", "rot", "m
 pub(super) fn misnamed(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
     let stem = |file: &FileFacts| file.rel.rsplit_once('.').map(|(stem, _)| stem.to_owned());
-    let pictures = layer.files.values().filter(|file| extension(&file.rel) == "thumb").filter_map(stem);
+    let thumbs = layer.files.values().filter(|file| extension(&file.rel) == "thumb").filter_map(stem);
     // The picture of a material or of an asset of another kind says nothing of a source beside it.
     let is_of_other = |stem: &str| {
         let mut suffixes = libraries().filter_map(library_extension).chain(["mhmat"]);
         suffixes.any(|suffix| layer.file_ignoring_case(&format!("{stem}.{suffix}")).is_some())
     };
-    let pictured: BTreeSet<String> = pictures.filter(|stem| !is_of_other(stem)).collect();
+    let pictured: BTreeSet<String> = thumbs.filter(|stem| !is_of_other(stem)).collect();
     for file in layer.files.values().filter(|file| !file.file_name().starts_with('.')) {
         let (own, library) = (extension(&file.rel), file.rel.split('/').next().unwrap_or_default());
         let (Some(right), Some(stem)) = (library_extension(library), stem(file)) else { continue };

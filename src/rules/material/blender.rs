@@ -235,11 +235,13 @@ pub(super) fn unknown(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut V
             let known = is_key(word);
             if statement.is_indented && known && look.last_of(word).is_none() {
                 indented.push((place, word.to_owned(), format!("`{word}` is indented")));
-            } else if !known && !look.reads(word) && !is_of_others(word) {
-                if let Meant::Keyword(meant) = spelling::meant(word, is_key, &cx.suggestions) {
-                    let message = format!("`{}` is not a keyword of a material, but `{meant}` is", shown(word));
-                    near.push((place, word.to_owned(), message));
-                }
+            } else if !known
+                && !look.reads(word)
+                && !is_of_others(word)
+                && let Meant::Keyword(meant) = spelling::meant(word, is_key, &cx.suggestions)
+            {
+                let message = format!("`{}` is not a keyword of a material, but `{meant}` is", shown(word));
+                near.push((place, word.to_owned(), message));
             }
         }
         let lines = Lines { rule, file: look.file, case: &[] };

@@ -38,10 +38,8 @@ fn in_folder(view: &View<'_>, folder: &str, targets: &[&CustomTarget<'_>]) -> Fi
     let finding = finding.evidence(Evidence::of_cases(targets.iter().map(|one| one.file.shown())));
     let right = dashed(folder.rsplit('/').next().unwrap_or(folder));
     let below = |one: &&CustomTarget<'_>| one.file.rel.get(folder.len()..).is_some_and(has_blank);
-    finding.help(match targets.iter().any(below) {
-        true => format!("rename it to `{right}`, and what is in it without blanks, too"),
-        false => format!("rename it to `{right}`"),
-    })
+    let more = if targets.iter().any(below) { ", and what is in it without blanks, too" } else { "" };
+    finding.help(format!("rename it to `{right}`{more}"))
 }
 
 /// The first folder of a path with a blank in its name.
