@@ -22,6 +22,7 @@ mod files;
 mod fixes;
 mod folders;
 mod generated;
+#[cfg(unix)]
 mod help;
 mod honest;
 mod hostile;
