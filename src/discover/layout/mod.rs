@@ -166,7 +166,7 @@ struct HiddenPath<'p> {
 }
 
 /// Folders of the programs that hold no assets.
-const OF_PROGRAMS: [&str; 12] = [
+const OF_PROGRAMS: [&str; 13] = [
     "..",
     "cache",
     "config",
@@ -179,6 +179,7 @@ const OF_PROGRAMS: [&str; 12] = [
     "settings",
     "shaders",
     "themes",
+    "vertexgroups",
 ];
 
 /// The base mesh of the applications that have but one.

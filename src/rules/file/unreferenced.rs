@@ -2,8 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::cause::outdated::is_outdated;
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, cause::outdated::is_outdated};
 use super::icons;
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, RuleInfo, grouped};
 use crate::discover::{Kind, Layout, extension};
@@ -23,7 +22,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     ..RuleInfo::new("file-unreferenced", Level::Info, "a file that nothing refers to and no loader opens")
 });
 
-/// Folders with one for each base mesh in them of which it is known what the loaders open.
+/// Folders of base meshes of which it is known what the loaders open.
 const FOLDERS: [&str; 4] = ["target", "contarget", "rigs", "base"];
 
 /// Of the user's targets every one that is called so becomes a slider.
@@ -51,13 +50,13 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         };
         let asset = view.layers.checked.display(folder);
         let is_lost = reason.0.ends_with(".target") && base.user_targets.is_some() && folder.starts_with("target/");
-        let help = help(&reason.0);
         let finding = match files.len() {
             _ if is_lost => finding.case(NO_SLIDER),
             1 => finding,
             _ => finding.effect("never opens them"),
         };
-        out.push(finding.key(reason.0).asset(asset).parts_in(parts).evidence(Evidence::of_cases(names)).help(help));
+        let finding = finding.help(help(&reason.0)).key(reason.0).asset(asset);
+        out.push(finding.parts_in(parts).evidence(Evidence::of_cases(names)));
     }
 }
 
@@ -109,7 +108,7 @@ impl<'r> References<'r> {
 /// Why nothing uses the file, if nothing does.
 fn reason(base: &Base<'_>, file: &FileFacts, references: &References<'_>) -> Option<Reason> {
     let (name, layer, layout) = (file.file_name(), references.view.layers.checked, Layout::of(Makehuman2));
-    // `icons` in the place of a folder is unreadable; a format that nobody reads is reported of the whole folder.
+    // A file `icons` is unreadable; a format that nobody reads is reported of the whole folder.
     let is_told = file.encoding.lfs_pointer || file.gzip_fault.is_some() || is_outdated(file);
     if is_told || name == "icons" || is_note(name) {
         return None;

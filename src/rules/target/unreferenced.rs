@@ -3,8 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
-use super::meant::meant_by_missing;
-use super::{parent, shipped_unused};
+use super::{meant::meant_by_missing, parent, shipped_unused};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
     Evidence, Finding, Level, Place, RuleInfo, grouped,
