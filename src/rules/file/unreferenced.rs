@@ -48,14 +48,13 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             }
             [] => continue,
         };
-        let asset = view.layers.checked.display(folder);
         let is_lost = reason.0.ends_with(".target") && base.user_targets.is_some() && folder.starts_with("target/");
         let finding = match files.len() {
             _ if is_lost => finding.case(NO_SLIDER),
             1 => finding,
             _ => finding.effect("never opens them"),
         };
-        let finding = finding.help(help(&reason.0)).key(reason.0).asset(asset);
+        let finding = finding.help(help(&reason.0)).key(reason.0).asset(view.layers.checked.display(folder));
         out.push(finding.parts_in(parts).evidence(Evidence::of_cases(names)));
     }
 }
