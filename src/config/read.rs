@@ -211,11 +211,11 @@ impl Reader<'_> {
         let texts = self.take(value::texts(name, value)).unwrap_or_default();
         let mut found = Vec::new();
         for (text, span) in texts {
-            match Edition::parse(&text) {
+            match Edition::parse(text) {
                 Ok(edition) => found.push(edition),
                 Err(EditionFault::Application) => {
                     let known = Application::ALL.map(Application::word);
-                    self.fault((span, format!("unknown application `{text}`"), meant(&text, known)));
+                    self.fault((span, format!("unknown application `{text}`"), meant(text, known)));
                 }
                 Err(EditionFault::Version(application)) => {
                     let known = Version::names(application).map(|name| format!("`{}@{name}`", application.word()));

@@ -6,6 +6,7 @@ use super::{Application, Level};
 
 /// The declared half of a rule; everything public (table, `explain`, reports) is derived from it.
 #[derive(Debug, Clone, Copy)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a declared property of its own, most of them rare")]
 pub struct RuleInfo {
     /// `family-fault`, kebab-case; never reused, never renamed without an alias.
     pub id: &'static str,

@@ -87,7 +87,7 @@ impl<'a> View<'a> {
     pub(crate) fn is_partial(&self) -> bool {
         let layers = self.layers();
         // Indexes in `target/` are the program's, and are no sign of its data where the base mesh is a user's.
-        let has_index = || layers.system.is_none() && layers.checked.files.values().any(|file| is_index(file));
+        let has_index = || layers.system.is_none() && layers.checked.files.values().any(is_index);
         let is_programs = layers.checks_system() || self.makehuman2().is_some() && has_index();
         let is_whole_place = is_programs && !layers.checked.is_loose && layers.checked.pack.is_none();
         let has_mesh = || layers.checked.files.values().any(|file| is_mesh_of_body(file, self.application()));

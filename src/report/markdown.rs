@@ -117,8 +117,8 @@ fn head(outcome: &Outcome, view: &View<'_>) -> String {
     );
     let roots: Vec<String> = verdict::roots(outcome).iter().map(|root| inline(&printable(root))).collect();
     let checked = if roots.is_empty() { String::new() } else { format!("\nChecked: {}\n", roots.join(", ")) };
-    let taken =
-        taken::lines(outcome, false).iter().map(|line| format!("\n{}\n", inline(&printable(line)))).collect::<String>();
+    let taken: Vec<String> = taken::lines(outcome, false).iter().map(|line| inline(&printable(line))).collect();
+    let taken = if taken.is_empty() { String::new() } else { format!("\n{}\n", taken.join("\n\n")) };
     table + &checked + &taken + &matrix(outcome)
 }
 

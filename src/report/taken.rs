@@ -20,8 +20,8 @@ pub(super) fn lines(outcome: &Outcome, full: bool) -> Vec<String> {
 fn is_worth_a_line(root: &RootSummary, full: bool) -> bool {
     let identity = &root.identity;
     let is_old = identity.version.is_some_and(|version| !version.is_newest());
-    let is_odd = matches!(identity.kind, Some(PlaceKind::Partial | PlaceKind::Release));
-    !identity.evidence.is_empty() && (full || !identity.is_certain || is_old || is_odd)
+    let is_special = matches!(identity.kind, Some(PlaceKind::Partial | PlaceKind::Release));
+    !identity.evidence.is_empty() && (full || !identity.is_certain || is_old || is_special)
 }
 
 fn line(root: &RootSummary) -> String {

@@ -75,7 +75,7 @@ impl Damaged {
     fn followed(row: Row) -> Self {
         let mut damaged = Self::of(&[row.rule.clone(), row.case.clone()]);
         damaged.case.args = row.args.clone().unwrap_or(damaged.case.args);
-        damaged.restore = row.restore.clone();
+        damaged.restore.clone_from(&row.restore);
         damaged.then = Some(row.into_edits());
         damaged
     }

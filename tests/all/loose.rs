@@ -293,7 +293,7 @@ fn a_loose_file_of_any_kind_is_checked_for_who_is_meant() {
         ("mpfb", "far.target", "0 0.1 0 0\n99999 0.1 0 0\n", "target-vertex-out-of-range", 2),
         ("mpfb", "ue5.json", "{\"identifying_bones\": [], \"bones\": 5}", "", 1),
         ("mpfb", "ann.mhm", "name ann\nmodifier head/head-oval abc\n", "model-modifier", 2),
-        ("makehuman2", "far.target", "# basemesh figure\n99999 0.1 0 0\n", "target-vertex-out-of-range", 2),
+        ("makehuman2", "far.target", "# basemesh figure\n99999 0.1 0 0\n", "target-vertex-out-of-range", 1),
         ("makehuman2", "rig.mhskel", skeleton, "skeleton-joint-out-of-range", 2),
     ] {
         let folder = tempfile::tempdir().unwrap();

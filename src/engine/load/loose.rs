@@ -80,9 +80,11 @@ impl<'t> Outside<'t, '_> {
             _ => None,
         };
         let header = recognised(input, entry, options, self.is_meant)?;
+        let is_target = meant_extension(&entry.path) == "target";
         // What was made for another one is not held against an application that nobody named.
         let is_of_others = || {
             header.as_deref().is_some_and(|base| layout.is_base_of_others(base))
+                || is_target && header.as_deref().is_some_and(|base| is_for_another(base, layout))
                 || layout.joint.is_some_and(|joint| self.lacks(entry, joint))
                 || self.is_written_for_others(entry, layout)
         };
@@ -91,7 +93,6 @@ impl<'t> Outside<'t, '_> {
             return None;
         }
         let only = bases.first().filter(|_| bases.len() == 1);
-        let is_target = meant_extension(&entry.path) == "target";
         let folder = above.iter().find(|name| !is_target && bases.contains(**name)).map(|name| (*name).to_owned());
         let asked = layout.only_base.map(str::to_owned).or_else(|| asked.cloned());
         let named = asked.or(header).or(folder).or_else(|| only.cloned());
@@ -141,6 +142,11 @@ fn recognised(input: &Input, entry: &Entry, options: &Config, is_meant: bool) ->
         "bvh" => (is_named() || is_of_makehuman(input, entry, &read())).then_some(None),
         _ => Some(None),
     }
+}
+
+/// Whether the base mesh in the header of a target is not the only one that there is, nor that of an older version.
+fn is_for_another(base: &str, layout: &Layout) -> bool {
+    layout.only_base.is_some_and(|only| only != base) && !base.starts_with("alpha")
 }
 
 /// Whether a file has a name as rigs and their weights have it among those of the add-on.

@@ -17,7 +17,7 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
     // Models beside the data folder are in their place.
     let is_model = |file: &FileFacts| extension(&file.rel) == "mhm";
-    let files = layer.files.values().filter(|file| !is_outdated(file) && !(is_model(file) && file.is_loose));
+    let files = layer.files.values().filter(|file| !(is_outdated(file) || is_model(file) && file.is_loose));
     let by_folder = grouped(files.map(|file| ((file.rel.split('/').next(), extension(&file.rel)), file)));
     for ((library, extension), files) in by_folder {
         let place = match extension {
