@@ -73,9 +73,9 @@ fn what_a_character_names_may_lie_in_another_folder_of_the_user() {
 #[test]
 fn what_has_no_rules_yet_is_not_passed_over_in_silence() {
     let folder = example();
-    let rigs = folder.path().join("data/rigs/standard");
-    std::fs::create_dir_all(&rigs).unwrap();
-    std::fs::write(rigs.join("rig.default.json"), "{}").unwrap();
+    let walks = folder.path().join("data/walkcycles");
+    std::fs::create_dir_all(&walks).unwrap();
+    std::fs::write(walks.join("walk.json"), "{}").unwrap();
     let report = report(folder.path(), &["check", "."]);
     let kinds = report["not_checked"].as_array().unwrap().iter().find(|one| one["what"] == "kind").unwrap();
     let examples: Vec<&str> = kinds["examples"].as_array().unwrap().iter().map(|one| one.as_str().unwrap()).collect();
