@@ -14,7 +14,7 @@ use super::files::{by_file, for_page};
 use super::matrix::Matrix;
 use super::phrase::{self, Piece, pieces};
 use super::unchecked::unchecked;
-use super::{View, count, printable, taken, verdict};
+use super::{View, count, printable, verdict};
 use crate::diag::{Application, Finding, Level, Outcome, RuleInfo};
 
 const STYLE: &str = include_str!("page.css");
@@ -98,9 +98,6 @@ fn top(outcome: &Outcome, view: &View<'_>) -> Markup {
             }
             @for root in verdict::roots(outcome) {
                 p .root { "Checked: " (inline(&printable(&root))) }
-            }
-            @for line in taken::lines(outcome, false) {
-                p .root { (inline(&printable(&line))) }
             }
             p .root {
                 (verdict::files(summary))
