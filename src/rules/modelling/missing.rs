@@ -68,7 +68,10 @@ pub(super) fn nearest<'a>(view: &View<'a>, reference: &Reference<'_>, suggestion
     let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
     let files = view.layers.strongest_first().flat_map(|layer| layer.below(folder));
     let free = files.filter(|file| !file.kind.is_json() && !is_used(view, file));
-    suggestions.nearest_file(wanted, free.map(FileFacts::file_name))
+    let names: Vec<&str> = free.map(FileFacts::file_name).collect();
+    // Editors on Windows put a second suffix behind the name: the file is the one that is meant.
+    let doubled = names.iter().copied().find(|name| name.strip_suffix(".txt") == Some(wanted));
+    doubled.or_else(|| suggestions.nearest_file(wanted, names))
 }
 
 /// Whether something uses a target already. It is not meant: the other side or the other direction often has nearly the

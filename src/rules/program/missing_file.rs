@@ -3,7 +3,7 @@
 use super::super::cause::consequence::STOPS_AT_START;
 use super::super::cause::library::{FIRST_EYES, FIRST_SKIN};
 use super::super::{Check, Rule, RuleCx};
-use super::mpfb_files;
+use super::{mpfb_files, restoring::restoring};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, RuleInfo,
@@ -139,7 +139,7 @@ fn of_makehuman1(view: &View<'_>, system: &Layer, out: &mut Vec<Finding>) {
             continue;
         }
         let finding = RULE.in_layer(system, rel, format!("`{rel}` does not exist")).case(case);
-        out.push(finding.help("restore the file from the download of the program"));
+        out.push(finding.help(restoring(system, rel)));
     }
     // Without skins it is not the whole program.
     let shaders = "shaders/glsl";

@@ -8,6 +8,7 @@ mod mpfb_files;
 pub(in crate::rules) mod older_version;
 pub(in crate::rules) mod partial_copy;
 mod randomization;
+mod restoring;
 mod sky_sides;
 pub(in crate::rules) mod skybox;
 mod version_keys;

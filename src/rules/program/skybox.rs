@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::{Check, Rule, RuleCx, counted};
 use super::sky_sides::{Shown, Sides, faults};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
-use crate::discover::{Layout, SKY_SIDES, Single};
+use crate::discover::{Layout, SKY_SIDES, Single, extension};
 use crate::formats::program::Shaders;
 use crate::repo::makehuman2::View;
 use crate::repo::{FileFacts, Layer};
@@ -83,7 +83,10 @@ fn lacking(layer: &Layer, name: &str, sides: &Sides<'_>, named_in: Option<&FileF
     let folder = format!("{FOLDER}/{name}");
     let (message, help) = match missing.as_slice() {
         [] => return None,
-        [side] => (format!("skybox `{name}` has no `{side}`"), format!("add `{side}.png` to `{folder}`")),
+        [side] => {
+            let suffix = sides.values().next().map_or("png", |other| extension(&other.rel));
+            (format!("skybox `{name}` has no `{side}`"), format!("add `{side}.{suffix}` to `{folder}`"))
+        }
         [side, ..] => (
             format!("skybox `{name}` lacks {}, first `{side}`", counted(missing.len(), "side")),
             format!("add the pictures to `{folder}`: {}", SKY_SIDES.join(", ")),

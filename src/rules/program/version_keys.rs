@@ -1,7 +1,7 @@
 //! Keys of `makehuman2_version.json` that are taken without being asked for, each where something else is opened
 //! (formats/additions.md 1.6). Those without which nothing starts are told by the schema.
 
-use super::super::{Rule, RuleCx, either};
+use super::super::{Rule, RuleCx, either, enumerated};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place};
 use crate::formats::program::Version;
 use crate::repo::FileFacts;
@@ -30,11 +30,15 @@ pub(super) fn missing<'f>(
     TAKEN.iter().filter(move |_| is_current).filter_map(move |(keys, case)| {
         let missing: Vec<&str> = keys.iter().copied().filter(|key| !has(key)).collect();
         let first = missing.first()?;
-        let near = cx.suggestions.nearest(first, unknown(version));
-        let help = near.map_or_else(
-            || "add it with its address".to_owned(),
-            |near| format!("did you mean `{first}` instead of `{near}`?"),
-        );
+        let others: Vec<String> = missing.iter().skip(1).map(|key| format!("`{key}`")).collect();
+        let help = match (cx.suggestions.nearest(first, unknown(version)), others.is_empty()) {
+            (None, true) => "add it with its address".to_owned(),
+            (None, false) => "add them with their addresses".to_owned(),
+            (Some(near), true) => format!("did you mean `{first}` instead of `{near}`?"),
+            (Some(near), false) => {
+                format!("write `{first}` in place of `{near}`, and add {} with its address", enumerated(&others))
+            }
+        };
         let names: Vec<String> = missing.iter().map(|key| format!("`{key}`")).collect();
         let finding = rule.at(file, Place::File, format!("the file has no {}", either(&names))).key(*first);
         let finding = finding.help(help).case(case);
