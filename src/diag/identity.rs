@@ -13,7 +13,7 @@ pub struct Identity {
     /// The version of the application that its data are of, where something says so.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub version: Option<Version>,
-    /// What speaks for it, and against others.
+    /// What points to it, and away from others.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub evidence: Vec<Sign>,
     /// Whether nothing else could be meant.
@@ -41,12 +41,12 @@ pub enum PlaceKind {
     Loose,
 }
 
-/// Something that speaks for or against an application.
+/// Something that points to an application, or away from it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Sign {
     /// Which.
     pub application: Application,
-    /// Whether it speaks for it.
+    /// Whether it points to it.
     pub speaks: Speaks,
     /// What it is: a file or folder, or what is missing.
     pub sign: String,

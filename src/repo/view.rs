@@ -86,8 +86,9 @@ impl<'a> View<'a> {
     /// indexes name.
     pub(crate) fn is_partial(&self) -> bool {
         let layers = self.layers();
-        // Indexes in `target/` are the program's, and are no sign of its data where the base mesh is a user's.
-        let has_index = || layers.system.is_none() && layers.checked.files.values().any(is_index);
+        // Indexes in `target/` are the program's, and are no sign of its data where the base mesh or targets are a user's.
+        let has_contarget = || layers.checked.files.values().any(|file| file.rel.starts_with("contarget/"));
+        let has_index = || layers.system.is_none() && layers.checked.files.values().any(is_index) && !has_contarget();
         let is_programs = layers.checks_system() || self.makehuman2().is_some() && has_index();
         let is_whole_place = is_programs && !layers.checked.is_loose && layers.checked.pack.is_none();
         let has_mesh = || layers.checked.files.values().any(|file| is_mesh_of_body(file, self.application()));

@@ -37,7 +37,7 @@ fn advice_names_what_is_meant() {
         ("proxy-missing-mesh", "bad-makehuman1-blank-lost", "write `obj_file kilt.obj`"),
         ("proxy-unknown-keyword", "bad-blank-lost", "did you mean `material shirt.mhmat`?"),
         ("model-category", "bad-makehuman1-blank-lost", "did you mean `name Visitor`?"),
-        ("model-syntax", "bad-mpfb-blank-lost", "did you mean `clothes Hat 7f0c9d5e-3a51-4c66-9d0b-0000000000b2`?"),
+        ("model-syntax", "bad-mpfb-blank-lost", "did you mean `clothes Hat 7f0c9d5e-3a51-4c66-9d0b-0000000000a2`?"),
         ("library-name-cut", "bad-makehuman1-folder", "rename the folder, and what is in it, without spaces"),
     ];
     for (rule, case, expected) in cases {

@@ -252,7 +252,7 @@ fn a_file_is_a_matter_of_the_applications_that_read_it() {
     let files = [
         ("base/cube/base.json", b"{}".as_slice()),
         ("target/cube/head/a.target.gz", broken),
-        ("targets/target.json", b"{}"),
+        ("targets/target.json", b"{\"nose\": {\"label\": \"nose\", \"categories\": []}}"),
         ("targets/nose/b.target.gz", broken),
     ];
     let tree = Tree::in_memory("", files.map(|(path, bytes)| (path.to_owned(), bytes.to_vec())));

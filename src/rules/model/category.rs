@@ -20,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::EachBase(run, |view, cx, out| ma
         `teeth`, `tongue` or `proxy`.\n\n\
         MakeHuman 2 ignores a line with another word, so the asset is missing. If the word is one of these but not the \
         folder of the asset, the asset is worn as something else: hair as clothes is exported to glTF with another way of \
-        blending (a warning). Several lines `hair` are all worn (a warning). A keyword with its value written against it, such as `nameAda`, is no keyword \
+        blending (a warning). Several lines `hair` are all worn (a warning). A keyword with its value written against it, such as `nameAda`, is not a keyword \
         either.\n\n\
         MakeHuman 1 ignores every line whose first word it does not know, with a warning in the log (a warning); capitals \
         count.\n\n\
