@@ -10,6 +10,7 @@ impl Kind {
             Self::BaseJson
             | Self::BaseMesh
             | Self::MeshArchive
+            | Self::PackedBaseMesh
             | Self::Geometry
             | Self::VertexGroups
             | Self::BodyDimensions

@@ -9,6 +9,8 @@ pub enum Kind {
     BaseMesh,
     /// `base.mhbin` of MakeHuman 2: the base mesh, packed.
     MeshArchive,
+    /// `3dobjs/base.npz` of MakeHuman 1: the same.
+    PackedBaseMesh,
     /// `geometry.json` of MakeHuman 2.
     Geometry,
     /// `macro.json` of MakeHuman 2.
@@ -189,7 +191,7 @@ impl Kind {
 
     /// Whether it is a base mesh, in whatever form.
     pub(crate) const fn is_base_mesh(self) -> bool {
-        matches!(self, Self::BaseMesh | Self::MeshArchive)
+        matches!(self, Self::BaseMesh | Self::MeshArchive | Self::PackedBaseMesh)
     }
 
     /// The kind of a file of which nothing but its name counts. Extensions are compared as the applications do:

@@ -41,6 +41,8 @@ pub struct AssetMesh {
     pub face_starts: Box<[u32]>,
     /// What an archive of MakeHuman 1 has room for.
     pub kept_faces: Option<KeptFaces>,
+    /// All of it, where it is a base mesh.
+    pub whole: Option<Box<Mesh>>,
 }
 
 /// How many faces of a vertex an archive of MakeHuman 1 has room for (formats/makehuman1.md §11).
@@ -94,6 +96,7 @@ impl AssetMesh {
             corners: mesh.corners.into(),
             facts,
             kept_faces: None,
+            whole: None,
         }
     }
 

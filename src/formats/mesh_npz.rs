@@ -26,17 +26,59 @@ pub(super) fn is_mesh(members: &Members<'_>) -> bool {
 /// # Errors
 /// When the application could not load it.
 pub(super) fn read(members: &mut Members<'_>) -> Result<AssetMesh, MeshFault> {
+    let (mesh, kept) = open(members, &Groups::default())?;
+    Ok(AssetMesh { kept_faces: Some(kept), ..AssetMesh::of(mesh) })
+}
+
+/// The same of a base mesh, which is kept whole, with its groups.
+///
+/// # Errors
+/// As in [`read`].
+pub(super) fn read_base(members: &mut Members<'_>) -> Result<AssetMesh, MeshFault> {
+    let groups = Groups::read(members).unwrap_or_default();
+    let (mesh, kept) = open(members, &groups)?;
+    let whole = Some(Box::new(mesh.clone()));
+    Ok(AssetMesh { kept_faces: Some(kept), whole, ..AssetMesh::of(mesh) })
+}
+
+fn open(members: &mut Members<'_>, groups: &Groups) -> Result<(Mesh, KeptFaces), MeshFault> {
     let missing: Vec<&str> = MEMBERS.into_iter().filter(|name| !members.has(name)).collect();
     if !missing.is_empty() {
         return Err(MeshFault::Missing(missing));
     }
     let coord = table(members, "coord", &[Cell::Number; 3])?;
     let faces = table(members, "fvert", &[Cell::Integer; 4])?;
-    let uvs = table(members, "texco", &[Cell::Number; 2])?.rows;
+    let uvs = table(members, "texco", &[Cell::Number; 2])?;
     // Without texture coordinates there is no such member.
     let of_faces = if members.has("fuvs") { Some(table(members, "fuvs", &[Cell::Integer; 4])?) } else { None };
     let kept = kept_faces(members, coord.rows)?;
-    Ok(AssetMesh { kept_faces: Some(kept), ..AssetMesh::of(build(&coord, &faces, uvs, of_faces.as_ref())) })
+    Ok((build(&coord, &faces, &uvs, of_faces.as_ref(), groups), kept))
+}
+
+/// The groups of faces.
+#[derive(Default)]
+struct Groups {
+    names: Vec<String>,
+    /// The group of each face.
+    of_faces: Vec<u32>,
+}
+
+impl Groups {
+    /// All names are one text: another member says where each begins.
+    fn read(members: &mut Members<'_>) -> Option<Self> {
+        let mut own = |name, cell| table(members, name, &[cell]).ok();
+        let (of_faces, letters, starts) =
+            (own("group", Cell::Integer)?, own("fgstr", Cell::Text)?, own("fgidx", Cell::Integer)?);
+        let number = |table: &Table, row| usize::try_from(table.integer(row, 0)?).ok();
+        let start = |row| if row < starts.rows { number(&starts, row) } else { Some(letters.rows) };
+        let letter = |at| letters.text(at, 0).unwrap_or_default();
+        let name = |row| Some((start(row)?..start(row + 1)?).flat_map(letter).copied().collect::<Vec<u8>>());
+        let name = |row| Some(String::from_utf8_lossy(&name(row)?).into_owned());
+        let names: Vec<String> = (0..starts.rows).map(name).collect::<Option<_>>()?;
+        let group = |row| u32::try_from(number(&of_faces, row).filter(|group| *group < names.len())?).ok();
+        let of_faces = (0..of_faces.rows).map(group).collect::<Option<_>>()?;
+        Some(Self { names, of_faces })
+    }
 }
 
 /// A row for each vertex, and a column for each face that is kept of it.
@@ -65,13 +107,17 @@ fn table(members: &mut Members<'_>, name: &'static str, cells: &[Cell]) -> Resul
 }
 
 /// Triangles have their first vertex once more at the end.
-fn build(coord: &Table, faces: &Table, uvs: usize, of_faces: Option<&Table>) -> Mesh {
+fn build(coord: &Table, faces: &Table, uvs: &Table, of_faces: Option<&Table>, groups: &Groups) -> Mesh {
     let cell = |row, cell| coord.number(row, cell).map_or(0.0, stored);
     let positions: Vec<[f32; 3]> = (0..coord.rows).map(|row| [0, 1, 2].map(|axis| cell(row, axis))).collect();
     let vertices = positions.len();
-    // Where the coordinates lie nobody asks.
-    let mut mesh = Mesh { positions, uvs: vec![[0.0; 2]; uvs], ..Mesh::default() };
-    mesh.groups.push(Group { name: String::new(), line: 0, faces: 0, vertices: None });
+    let uv_at = |row| [0, 1].map(|axis| uvs.number(row, axis).map_or(0.0, stored));
+    let mut mesh = Mesh { positions, uvs: (0..uvs.rows).map(uv_at).collect(), ..Mesh::default() };
+    let group = |name: &str| Group { name: name.to_owned(), line: 0, faces: 0, vertices: None };
+    mesh.groups.extend(groups.names.iter().map(|name| group(name)));
+    if mesh.groups.is_empty() {
+        mesh.groups.push(group(""));
+    }
     for row in 0..faces.rows {
         let corners = [0, 1, 2, 3].map(|corner| faces.integer(row, corner).unwrap_or(-1));
         let count = if corners[0] == corners[3] { 3 } else { 4 };
@@ -83,7 +129,7 @@ fn build(coord: &Table, faces: &Table, uvs: usize, of_faces: Option<&Table>) -> 
                 let uv = |corner| u32::try_from(of_faces?.integer(row, corner)?).ok();
                 mesh.corner_uvs.extend((0..count).map(|corner| uv(corner).unwrap_or(NO_UV)));
                 mesh.corners.extend(corners);
-                mesh.push_face(first, 0);
+                mesh.push_face(first, groups.of_faces.get(row).copied().unwrap_or_default());
             }
             None => mesh.facts.face_out_of_range.add(0, i64::try_from(row).unwrap_or(i64::MAX)),
         }

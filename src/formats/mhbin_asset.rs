@@ -117,6 +117,15 @@ pub fn parse(bytes: &[u8], limits: &Limits, size: Option<MeshSize>) -> Packed {
     Packed::Other
 }
 
+/// Reads the archive of a base mesh of MakeHuman 1 within `limits`: the mesh is kept whole.
+pub fn parse_base(bytes: &[u8], limits: &Limits) -> Packed {
+    match Members::open(bytes, limits) {
+        Ok(mut members) if mesh_npz::is_mesh(&members) => Packed::Mesh(mesh_npz::read_base(&mut members).map(Box::new)),
+        Ok(_) => Packed::Other,
+        Err(fault) => Packed::Unopened(fault),
+    }
+}
+
 fn read(members: &mut Members<'_>, name: &'static str, cells: &[Cell]) -> Result<Table, PackedFault> {
     let table = members.read(name, |reader| npy_table::read(reader, cells)).ok_or(PackedFault::Missing(name))?;
     table.map_err(|fault| if name == "asset" { PackedFault::Asset(fault) } else { PackedFault::Member(name, fault) })

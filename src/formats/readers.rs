@@ -291,6 +291,16 @@ pub(super) fn zip(input: &Input<'_>) -> Parsed {
     parsed
 }
 
+/// The base mesh of MakeHuman 1, packed as its other meshes are.
+pub(super) fn base_zip(input: &Input<'_>) -> Parsed {
+    let parsed = zip_within(input, &input.limits.of_arrays());
+    let content = match &parsed.gzip_fault {
+        Some(_) => parsed.content,
+        None => Content::Packed(Box::new(mhbin_asset::parse_base(input.bytes, input.limits))),
+    };
+    Parsed { content, ..parsed }
+}
+
 fn zip_within(input: &Input<'_>, limits: &Limits) -> Parsed {
     Parsed { gzip_fault: zip_bomb(input.bytes, limits), ..Parsed::default() }
 }

@@ -2,9 +2,9 @@
 
 use super::picture::{HEAD, TAIL};
 use super::readers::{
-    archive, asset_mesh, clothes, index_table, library_cache, material, mesh, mesh_archive, meta, mirror_table, model,
-    modifier_mapping, motion, packed, picture, picture_list, pose, scene, shader_source, stored_pose, target,
-    targets_archive, unlisted, uv_layer, uv_map, weights, zip,
+    archive, asset_mesh, base_zip, clothes, index_table, library_cache, material, mesh, mesh_archive, meta,
+    mirror_table, model, modifier_mapping, motion, packed, picture, picture_list, pose, scene, shader_source,
+    stored_pose, target, targets_archive, unlisted, uv_layer, uv_map, weights, zip,
 };
 use super::{
     Content, Input, Parsed, base_json, face_expression, face_units, geometry, human_preset, importer_preset, ink_layer,
@@ -97,10 +97,11 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 69] = [
+pub(crate) static FORMATS: [Format; 70] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
+    read(Kind::PackedBaseMesh, "packed base mesh", Syntax::Binary, base_zip),
     json(Kind::Geometry, "geometry.json", "geometry", |json| Content::Geometry(Box::new(geometry::read(json)))),
     json(Kind::MacroJson, "macro.json", "macro", |json| Content::Macro(Box::new(macro_json::read(json)))),
     json(Kind::ModellingJson, "modelling.json", "modelling", |json| {

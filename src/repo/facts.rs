@@ -384,6 +384,10 @@ impl FileFacts {
         match &*self.content {
             Content::Mesh(mesh) => Some(mesh),
             Content::MeshArchive(packed) => packed.as_ref().as_ref().ok(),
+            Content::Packed(packed) => match &**packed {
+                Packed::Mesh(Ok(mesh)) => mesh.whole.as_deref(),
+                _ => None,
+            },
             _ => None,
         }
     }

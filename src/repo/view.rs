@@ -288,7 +288,7 @@ fn is_index(file: &FileFacts) -> bool {
 
 /// Whether it is a base mesh, be it damaged or packed.
 fn is_mesh_of_body(file: &FileFacts, application: Application) -> bool {
-    file.kind_in(application).is_base_mesh() || application == Application::Makehuman1 && file.rel == "3dobjs/base.npz"
+    file.kind_in(application).is_base_mesh()
 }
 
 /// Of `MakeHuman` 1 not all kinds are checked so far.

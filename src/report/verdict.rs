@@ -159,7 +159,8 @@ pub(crate) fn why_nothing(outcome: &Outcome, what: Option<Unchecked>) -> String 
         }
         None => format!(
             "no data of {} found; name the data folder (MakeHuman 2: with `base/`, `target/` or `rigs/`; MakeHuman 1: with \
-             `targets/` and `modifiers/`; MPFB: with `targets/target.json`), or for the folder of a user of MPFB use `--app mpfb`",
+             `targets/` and `modifiers/`; MPFB: with `targets/target.json`), or for the folder of a user of MPFB use `--app mpfb`; \
+             folders whose names begin with a dot are searched only if PATH names them",
             titles(&outcome.looked_for)
         ),
     }

@@ -393,6 +393,23 @@ fn targets_of_makehuman1_are_those_of_its_archive() {
     assert!((width(&data) - sound - 0.001).abs() < 1e-6, "the text counts without an archive");
 }
 
+/// As in releases, which have no texts.
+#[test]
+fn a_packed_mesh_of_makehuman1_is_evaluated_where_there_is_no_obj() {
+    let repository = crate::scratch::example_of("makehuman1");
+    let data = text(&repository.path().join("data")).to_owned();
+    let outputs = |command: &[&str]| {
+        let args = ["--set", "head/head-oval=1", "--set", "macrodetails/Gender=0.9"];
+        json_of(&eval(&[command, &[&data], &args].concat()))["outputs"].clone()
+    };
+    let all = || [outputs(&["mesh", "--format", "json", "--vertices", "0,17,337,665"]), outputs(&["skeleton"])];
+    let of_text = all();
+    let packed = project("fixtures/rules/program-missing-file/good-makehuman1-base-packed");
+    crate::scratch::Case::read(&packed).apply(repository.path());
+    assert!(!repository.path().join("data/3dobjs/base.obj").exists());
+    assert_eq!(all(), of_text);
+}
+
 #[test]
 fn sliders_of_makehuman1_end_at_their_range() {
     let at = |value: &str| {

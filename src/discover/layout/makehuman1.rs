@@ -104,9 +104,9 @@ fn is_of_others(extension: &str, says: Says<'_>) -> bool {
 
 /// Only the program has such files: it opens them by their names. Its first rig users copy, too.
 fn role(below: &[Candidate<'_>]) -> Role {
-    const OWN: [&str; 3] = ["modifiers/modeling_modifiers.json", "3dobjs/base.npz", "images.list"];
+    const OWN: [&str; 2] = ["modifiers/modeling_modifiers.json", "images.list"];
     let is_own = |one: &Candidate<'_>| {
-        one.kind_in(Application::Makehuman1) == Kind::BaseMesh || OWN.contains(&&*one.rel) && !one.is_loose
+        one.kind_in(Application::Makehuman1).is_base_mesh() || OWN.contains(&&*one.rel) && !one.is_loose
     };
     let has = |start: &str| below.iter().any(|one| one.rel.starts_with(start) && !one.is_loose);
     let has_rig = || has("rigs/default.mhskel") && !has("custom/");
@@ -116,6 +116,7 @@ fn role(below: &[Candidate<'_>]) -> Role {
 fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
     let kind = match parts {
         ["3dobjs", "base.obj"] => Kind::BaseMesh,
+        ["3dobjs", "base.npz"] => Kind::PackedBaseMesh,
         // Users have some in `custom` alone, where capitals count; the program has them anywhere in its data.
         ["custom", .., file] if extension(file) == "target" => Kind::Target,
         [folder, .., file] if *folder != "custom" && extension(file).eq_ignore_ascii_case("target") => Kind::Target,

@@ -4,7 +4,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::skeleton::skeleton_of;
 use super::{OWN, weights};
-use crate::discover::Kind;
 use crate::eval::macros::Macros;
 use crate::eval::makehuman1::Modifiers as Formula;
 use crate::eval::makehuman1::modifiers::{Factor, TargetGroup};
@@ -28,9 +27,7 @@ use crate::source::Limits;
 
 /// The name of the body, if there is a mesh for it.
 pub(in crate::evaluate) fn with_mesh(layers: Layers<'_>) -> BTreeSet<&str> {
-    let files = layers.system.into_iter().flat_map(|layer| layer.files.values());
-    let meshes = files.filter(|file| file.kind_in(OWN) == Kind::BaseMesh && file.mesh().is_some());
-    meshes.filter_map(|file| file.base_in(OWN)).collect()
+    crate::repo::makehuman1::mesh(layers).and_then(|(file, _)| file.base_in(OWN)).into_iter().collect()
 }
 
 /// Takes what its files hold, but for the rows of its targets.

@@ -59,6 +59,7 @@ pub(crate) const fn is_checked(kind: Kind) -> bool {
     matches!(
         kind,
         Kind::BaseMesh
+            | Kind::PackedBaseMesh
             | Kind::Target
             | Kind::ModifierFile
             | Kind::ModifierTexts
@@ -273,10 +274,11 @@ pub(crate) fn mesh_archive<'a>(layer: &'a Layer, rel: &str) -> Option<(&'a FileF
     }
 }
 
-/// The base mesh, which only the system has.
+/// The base mesh, which only the system has; in releases packed alone.
 pub(crate) fn mesh(layers: Layers<'_>) -> Option<(&FileFacts, &Mesh)> {
-    let files = layers.system.into_iter().flat_map(|layer| layer.files.values());
-    let file = files.into_iter().find(|file| file.kind_in(OWN) == Kind::BaseMesh)?;
+    let files = || layers.system.into_iter().flat_map(|layer| layer.files.values());
+    let of_kind = |kind| files().find(move |file| file.kind_in(OWN) == kind);
+    let file = of_kind(Kind::BaseMesh).or_else(|| of_kind(Kind::PackedBaseMesh))?;
     Some((file, file.mesh()?))
 }
 

@@ -45,7 +45,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         Kind::TargetArchive => "delete it; MakeHuman 2 rebuilds it from the targets",
         Kind::BaseJson | Kind::BaseMesh => "restore the content",
         Kind::MeshArchive => "delete the archive, or rebuild it with compile_meshes.py",
-        Kind::Packed if view.layers().checked.text_of_archive(&file.rel).is_some() => {
+        Kind::Packed | Kind::PackedBaseMesh if view.layers().checked.text_of_archive(&file.rel).is_some() => {
             "delete the archive: it is built again from the text beside it"
         }
         Kind::Packed => "get the asset again from its source",

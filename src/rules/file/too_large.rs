@@ -64,7 +64,7 @@ fn option(file: &FileFacts) -> &'static str {
     match file.kind {
         kind if kind.is_json() => "json",
         Kind::Target | Kind::PackedTarget => "target",
-        Kind::BaseMesh | Kind::MeshArchive | Kind::AssetMesh => "mesh",
+        Kind::BaseMesh | Kind::MeshArchive | Kind::PackedBaseMesh | Kind::AssetMesh => "mesh",
         Kind::Image | Kind::TargetIcon => "picture",
         _ => "other",
     }

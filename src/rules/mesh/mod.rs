@@ -25,9 +25,9 @@ use super::Rule;
 use super::cause::mesh::weigh;
 use super::proxy::{STOPS_WITH_INDEX, STOPS_WITH_OVERFLOW};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level};
-use crate::discover::Single;
+use crate::discover::{Kind, Single};
 use crate::formats::asset_mesh::AssetMesh;
-use crate::formats::obj::MeshFacts;
+use crate::formats::obj::{Mesh, MeshFacts};
 use crate::repo::makehuman1::mesh_archive;
 use crate::repo::{FileFacts, ReferenceKind, View};
 
@@ -64,9 +64,14 @@ struct ReadMesh<'f> {
     asset: Option<&'f AssetMesh>,
 }
 
+/// The mesh of a body. One that MakeHuman 1 packed has been read by it before: what is wrong with its archive is told as such.
+fn of_body(file: &FileFacts) -> Option<&Mesh> {
+    file.mesh().filter(|_| file.kind != Kind::PackedBaseMesh)
+}
+
 /// What is read of a file, if it is a mesh that is read.
 fn read<'f>(view: &View<'_>, file: &'f FileFacts) -> Option<ReadMesh<'f>> {
-    if let Some(mesh) = file.mesh() {
+    if let Some(mesh) = of_body(file) {
         return Some(ReadMesh { facts: &mesh.facts, faces: mesh.faces.len(), uvs: mesh.uvs.len(), asset: None });
     }
     of_asset(view, file).map(ReadMesh::of)

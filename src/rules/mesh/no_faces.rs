@@ -4,7 +4,7 @@ use super::super::cause::is_unmet;
 use super::super::cause::mesh::{is_in_archive, weigh};
 use super::super::proxy::STOPS_WITH_INDEX;
 use super::super::{Check, Rule, RuleCx};
-use super::of_asset;
+use super::{of_asset, of_body};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo,
@@ -56,7 +56,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         let is_cloud = mesh.faces == 0 && is_read(&mesh.facts) && mesh.facts.short_faces.is_empty();
         return out.extend(is_cloud.then(|| of_worn(file, mesh.facts.vertices)));
     }
-    let Some(mesh) = file.mesh().filter(|mesh| is_cloud(mesh)) else { return };
+    let Some(mesh) = of_body(file).filter(|mesh| is_cloud(mesh)) else { return };
     if is_in_archive(view, file, is_cloud) {
         return;
     }

@@ -2,7 +2,7 @@
 
 use super::super::cause::mesh::{is_in_archive, weigh};
 use super::super::{Check, Rule, RuleCx};
-use super::of_asset;
+use super::{of_asset, of_body};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Element, Finding, Level, Place, RuleInfo,
@@ -47,7 +47,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         out.extend(of_worn(file, &asset.facts).filter(|_| !view.is_mpfb()));
         return out.extend(positions(view, file, &asset.facts).map(|finding| finding.case(FITTED)));
     }
-    let Some(mesh) = file.mesh() else { return };
+    let Some(mesh) = of_body(file) else { return };
     if !is_in_archive(view, file, |mesh| mesh.facts.non_finite.count > 0) {
         let weighed = |finding: Finding| weigh(view, file, finding).case(OF_BASE);
         out.extend(positions(view, file, &mesh.facts).map(weighed));

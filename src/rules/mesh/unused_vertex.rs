@@ -1,7 +1,7 @@
 //! Vertices that no face uses.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{ReadMesh, read};
+use super::{ReadMesh, of_body, read};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, Place, RuleInfo,
@@ -41,7 +41,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     }
     // Faces that could not be read may be the ones that use them; a mesh without faces has a finding of its own.
     let is_whole = |mesh: &&Mesh| can_be_read(&mesh.facts) && !mesh.faces.is_empty();
-    let Some(mesh) = file.mesh().filter(is_whole) else { return };
+    let Some(mesh) = of_body(file).filter(is_whole) else { return };
     let tally = &mesh.facts.unused;
     let Some((_, vertex)) = tally.first.first() else { return };
     let vertex = view.landmarks(file).map_or_else(|| format!("vertex {vertex}"), |body| body.vertex(*vertex));

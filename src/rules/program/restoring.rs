@@ -4,7 +4,7 @@ use crate::repo::Layer;
 
 /// With other capitals it may be there: a second one beside it would be one too many.
 pub(super) fn restoring(layer: &Layer, rel: &str) -> String {
-    let other = layer.file_ignoring_case(rel).map(|file| file.file_name());
+    let other = layer.file_ignoring_case(rel).map(crate::repo::FileFacts::file_name);
     let name = rel.rsplit('/').next().unwrap_or(rel);
     match other.filter(|other| other.eq_ignore_ascii_case(name)) {
         Some(other) => format!("rename `{other}` to `{name}`"),

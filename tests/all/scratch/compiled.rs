@@ -77,11 +77,13 @@ fn mesh(text: &str, columns: usize) -> Vec<(&'static str, Vec<u8>)> {
         let own: Vec<u32> = face.map(|word| word.split('/').next().unwrap().parse::<u32>().unwrap() - 1).collect();
         corners.extend(own.iter().chain([&own[0]]).take(4));
     }
+    let (names, groups) = groups(text);
+    let starts = names.iter().scan(0, |next, name| Some(std::mem::replace(next, *next + name.len())));
+    let starts: Vec<u8> = starts.flat_map(|start| whole(u32::try_from(start).unwrap())).collect();
     let (vertices, faces) = (positions.len() / 3, corners.len() / 4);
     let texture: Vec<f64> = lines("vt").flat_map(|words| words.take(2).map(|word| word.parse().unwrap())).collect();
     let uvs = texture.len() / 2;
-    let rest = ["nfaces", "group", "fgstr", "fgidx"];
-    let mut members = vec![
+    vec![
         ("coord", npy("'<f4'", &format!("({vertices}, 3)"), floats(positions.into_iter()))),
         ("fvert", npy("'<u4'", &format!("({faces}, 4)"), corners.into_iter().flat_map(whole))),
         ("texco", npy("'<f4'", &format!("({uvs}, 2)"), floats(texture.into_iter()))),
@@ -90,9 +92,32 @@ fn mesh(text: &str, columns: usize) -> Vec<(&'static str, Vec<u8>)> {
         // Nor which faces a vertex has.
         ("vface", npy("'<u4'", &format!("({vertices}, {columns})"), std::iter::repeat_n(0, 4 * vertices * columns))),
         ("MAX_FACES", npy("'<i4'", "(1,)", int(columns).into_iter())),
-    ];
-    members.extend(rest.map(|name| (name, npy("'<u4'", "(0,)", std::iter::empty()))));
-    members
+        ("nfaces", npy("'|u1'", &format!("({vertices},)"), std::iter::repeat_n(0, vertices))),
+        ("group", npy("'<u2'", &format!("({faces},)"), groups.into_iter().flat_map(u16::to_le_bytes))),
+        ("fgstr", text_of(&names.concat())),
+        ("fgidx", npy("'<u4'", &format!("({},)", names.len()), starts.into_iter())),
+    ]
+}
+
+/// The names of groups, and the group of each face.
+fn groups(text: &str) -> (Vec<String>, Vec<u16>) {
+    let mut names = Vec::new();
+    let mut of_faces = Vec::new();
+    let mut current = "default-dummy-group";
+    for line in text.lines() {
+        match line.split_once(' ') {
+            Some(("g", name)) => current = name.trim(),
+            Some(("f", _)) => {
+                let at = names.iter().position(|name| name == current).unwrap_or(names.len());
+                if at == names.len() {
+                    names.push(current.to_owned());
+                }
+                of_faces.push(u16::try_from(at).unwrap());
+            }
+            _ => {}
+        }
+    }
+    (names, of_faces)
 }
 
 /// All tags in one text, and where each begins.

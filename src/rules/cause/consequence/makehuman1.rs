@@ -134,6 +134,10 @@ const ROWS: &[Row] = &[
         cell(Pointer, Warning, NO_PICTURES),
         cell(Empty, Warning, NO_PICTURES),
     ]),
+    anywhere(Kind::PackedBaseMesh, Start, &[
+        cell(Dangling, Info, BESIDE),
+        cells(LOST_WHOLE, Info, BESIDE),
+    ]),
     anywhere(Kind::Packed, Scan, &[
         cell(Dangling, Info, BESIDE),
         cells(LOST_WHOLE, Info, BESIDE),
