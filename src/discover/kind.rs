@@ -9,7 +9,7 @@ pub enum Kind {
     BaseMesh,
     /// `base.mhbin` of MakeHuman 2: the base mesh, packed.
     MeshArchive,
-    /// `3dobjs/base.npz` of MakeHuman 1: the same.
+    /// `3dobjs/base.npz` of MakeHuman 1: the base mesh, packed.
     PackedBaseMesh,
     /// `geometry.json` of MakeHuman 2.
     Geometry,
