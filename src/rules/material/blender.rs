@@ -8,7 +8,7 @@ use super::picture::fault;
 use super::spelling::{self, Meant};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, Suggestions, grouped};
 use crate::discover::Kind;
-use crate::formats::mhmat::Unknown;
+use crate::formats::mhmat::{Unknown, Word};
 use crate::formats::python_float;
 use crate::repo::mpfb::{self, Look, Reads, Set, key_names};
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, View, Wearer, parent};
@@ -235,20 +235,26 @@ pub(super) fn unknown(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut V
             let known = is_key(word);
             if statement.is_indented && known && look.last_of(word).is_none() {
                 indented.push((place, word.to_owned(), format!("`{word}` is indented")));
-            } else if !known
-                && !look.reads(word)
-                && !is_of_others(word)
-                && let Meant::Keyword(meant) = spelling::meant(word, is_key, &cx.suggestions)
-            {
-                let message = format!("`{}` is not a keyword of a material, but `{meant}` is", shown(word));
-                near.push((place, word.to_owned(), message));
+            } else if !known && !look.reads(word) && !is_of_others(word) {
+                near.extend(misspelt(&statement.key, cx));
             }
         }
+        // Words of more than letters are lines to nobody here.
+        let is_statement = |word: &Word| look.material.statements.iter().any(|own| own.key.text == word.text);
+        let others = look.material.unknown.iter().map(|one| &one.word).filter(|word| !is_statement(word));
+        near.extend(others.filter_map(|word| misspelt(word, cx)));
         let lines = Lines { rule, file: look.file, case: &[] };
         out.extend(lines.told(&indented, "remove the white space in front of the line"));
         out.extend(lines.told(&near, "correct the keyword, or put `# ` in front of the line"));
         out.extend(look.material.unknown.iter().find_map(|one| unparted(rule, look, one, cx)));
     }
+}
+
+/// A word that is meant as a keyword.
+fn misspelt(word: &Word, cx: &RuleCx<'_>) -> Option<(Place, String, String)> {
+    let Meant::Keyword(meant) = spelling::meant(&word.text, is_key, &cx.suggestions) else { return None };
+    let message = format!("`{}` is not a keyword of a material, but `{meant}` is", shown(&word.text));
+    Some((Place::Span(word.span.clone()), word.text.to_string(), message))
 }
 
 /// Whether it is a keyword, in whatever capitals.
