@@ -41,6 +41,7 @@ mod packs;
 #[cfg(unix)]
 mod pictures;
 mod places;
+mod reflexive;
 mod replacements;
 mod reports;
 mod rules;

@@ -46,8 +46,8 @@ impl Baseline {
     /// The file: sorted, one entry a line, so that changes can be read and merged.
     pub fn text(&self) -> String {
         let mut entries = self.entries.clone();
+        // Equal ones stay: two findings may differ in nothing that is kept, and each has its own.
         entries.sort();
-        entries.dedup();
         let line = |entry: &Entry| serde_json::to_string(entry).unwrap_or_default();
         let lines: Vec<String> = entries.iter().map(line).collect();
         let list = if lines.is_empty() { "[]".to_owned() } else { format!("[\n{}\n]", lines.join(",\n")) };

@@ -50,12 +50,29 @@ pub(in crate::engine) struct Comparison {
 
 /// Compares findings. Several may have asset and key in common: a rule may report each part, or all together. Together
 /// they count as one, and one counts as them. One without parts stands for one.
+///
+/// First each finding takes the one that it was before, so that nothing that stayed is new, whatever else has its asset and
+/// key: each takes one that is equal, and there are as many of these as before.
 pub(in crate::engine) fn compare(before: &[Claim<'_>], now: &[Claim<'_>]) -> Comparison {
     let met = vec![Cell::new(false); before.len()];
     let known = before.iter().zip(&met);
     let alike = grouped(known.map(|(claim, met)| (claim.subject(), Known { claim, met })));
-    let now = now.iter().map(|claim| alike.get(&claim.subject()).map_or(Standing::New, |known| standing(claim, known)));
-    Comparison { now: now.collect(), gone: (0..).zip(&met).filter(|(_, met)| !met.get()).map(|(at, _)| at).collect() }
+    let now: Vec<(&Claim<'_>, &[Known<'_>])> =
+        now.iter().map(|claim| (claim, alike.get(&claim.subject()).map_or(&[][..], Vec::as_slice))).collect();
+    let stayed: Vec<bool> = now.iter().map(|(claim, known)| take_equal(claim, known)).collect();
+    let standing = |((claim, known), stayed): (&(&Claim<'_>, &[Known<'_>]), bool)| match known {
+        [] => Standing::New,
+        _ if stayed => Standing::Same,
+        known => standing(claim, known),
+    };
+    let now = now.iter().zip(stayed).map(standing).collect();
+    Comparison { now, gone: (0..).zip(&met).filter(|(_, met)| !met.get()).map(|(at, _)| at).collect() }
+}
+
+/// Takes one that is equal and that no other finding has taken.
+fn take_equal(claim: &Claim<'_>, known: &[Known<'_>]) -> bool {
+    let equal = known.iter().find(|known| !known.met.get() && known.claim.is_equal(claim));
+    equal.inspect(|known| known.met.set(true)).is_some()
 }
 
 /// Those that are new, and those that are worse with what is worse of them. Of files that are not `compared` everything is
@@ -121,9 +138,15 @@ impl<'f> Claim<'f> {
 
     /// Whether no application is worse off with the other.
     fn is_as_bad_as(&self, other: &Self) -> bool {
-        let of = |one: &Break| self.breaks.iter().find(|own| own.application == one.application);
-        let is_covered = |one: &Break| of(one).is_some_and(|own| own.level >= one.level);
+        let covers = |own: &Break, one: &Break| own.application == one.application && own.level >= one.level;
+        let is_covered = |one: &Break| self.breaks.iter().any(|own| covers(own, one));
         self.level >= other.level && (self.breaks.is_empty() || other.breaks.iter().all(is_covered))
+    }
+
+    /// Whether it is the same, with the same parts and as bad for each application.
+    fn is_equal(&self, other: &Self) -> bool {
+        let levels = |claim: &Self| claim.breaks.iter().map(|one| (one.application, one.level)).collect::<Vec<_>>();
+        self.level == other.level && self.parts == other.parts && levels(self) == levels(other)
     }
 
     /// What it is about, without its parts.
@@ -219,6 +242,19 @@ mod tests {
         assert_eq!(compared(&[&["x", "y"]], &[x, y]), (vec![same.clone(), same.clone()], vec![]));
         assert_eq!(compared(&[x, y], &[y]), (vec![same.clone()], vec![0]));
         assert_eq!(compared(&[x, y], &[x, &["z"]]), (vec![same, Standing::New], vec![1]));
+    }
+
+    /// Rules of two applications have a finding each of one subject, and only one of them has parts.
+    #[test]
+    fn what_stayed_is_not_taken_by_another() {
+        let all: [&[&[&str]]; 4] =
+            [&[&[], &["x"]], &[&["x"], &[]], &[&[], &["x"], &["x", "y"], &[]], &[&["x"], &["x"], &["y"]]];
+        for findings in all {
+            let same = vec![Standing::Same; findings.len()];
+            assert_eq!(compared(findings, findings), (same, vec![]), "{findings:?}");
+        }
+        let back: Vec<&[&str]> = vec![&["x"], &[]];
+        assert_eq!(compared(&back, &[&[], &["x"]]), (vec![Standing::Same; 2], vec![]), "in another order");
     }
 
     #[test]

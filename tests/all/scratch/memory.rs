@@ -74,6 +74,11 @@ impl Asked {
         Some(asked)
     }
 
+    /// Everything, for all applications.
+    pub fn of_all(config: Config) -> Self {
+        Self { paths: vec![String::new()], system: None, config, application: None }
+    }
+
     /// Runs the library on a repository.
     pub fn lint(&self, repository: &Memory) -> Outcome {
         let (trees, system) = self.trees(repository);
@@ -99,6 +104,40 @@ impl Memory {
     /// The example repository of a case, as it is before.
     pub fn example(case: &Case) -> Self {
         EXAMPLES[case.application.as_deref().unwrap_or("makehuman2")].clone()
+    }
+
+    /// An example repository by the name of its application.
+    pub fn of(name: &str) -> Self {
+        EXAMPLES[name].clone()
+    }
+
+    /// Puts another one into a folder, or over what is there.
+    pub fn add(&mut self, other: &Self, folder: &str) {
+        for (path, bytes) in &other.files {
+            self.put(&format!("{folder}{path}"), Arc::clone(bytes));
+        }
+    }
+
+    /// The paths of its files, in order.
+    pub fn paths(&self) -> Vec<String> {
+        self.files.keys().cloned().collect()
+    }
+
+    /// What is in a file.
+    pub fn bytes(&self, path: &str) -> &[u8] {
+        self.get(path)
+    }
+
+    /// Writes a file.
+    pub fn write(&mut self, path: &str, bytes: Vec<u8>) {
+        self.put(path, bytes.into());
+    }
+
+    /// Gives a file another name.
+    pub fn move_away(&mut self, path: &str, to: &str) {
+        for (below, bytes) in self.take(path) {
+            self.put_or_make(&format!("{to}{below}"), bytes);
+        }
     }
 
     /// Applies a case without links, in the order of [`Case::apply`].
