@@ -9,9 +9,11 @@ use super::exit::Failure;
 use super::output::Target;
 use super::patch::{Names, names};
 use super::terminal::Terminal;
+use super::watch::Watch;
 use crate::config::Config;
+use crate::diag::Outcome;
 use crate::engine::{self, Fixed, fixable};
-use crate::fix::{FileChange, unified, unpack, write_all};
+use crate::fix::{FileChange, Left, Pending, unified, unpack, write_all};
 use crate::report::{Paint, count, printable};
 use crate::source::Limits;
 
@@ -48,9 +50,37 @@ pub(super) fn check(
     Ok(Fixed { outcome: lint(paths, options)?, ..Fixed::default() })
 }
 
-/// Brings the changes to disk.
+/// Brings the changes to disk. Who ends the run meanwhile finds nothing of it beside the data.
 pub(super) fn write(changes: &[FileChange]) -> Result<(), Failure> {
-    write_all(changes).map_err(|error| Failure::Usage(printable(&error.to_string())))
+    if changes.is_empty() {
+        return Ok(());
+    }
+    let pending = Pending::default();
+    let _watch = Watch::over(&pending);
+    write_all(changes, &pending).map_err(|error| Failure::Usage(printable(&error.to_string())))
+}
+
+/// Says what runs left beside the data that were ended while they fixed; one that fixes removes it.
+pub(super) fn sweep(outcome: &Outcome, args: FixArgs, err: &mut dyn Write) -> Result<(), Failure> {
+    for left in outcome.journals.iter().filter_map(|journal| Left::by(journal)) {
+        let files = count(left.count(), "hidden file");
+        let folder = printable(&left.folder().display().to_string());
+        if !args.fix {
+            writeln!(
+                err,
+                "mhlint: a `--fix` that was interrupted left {files} in `{folder}`; the next `--fix` removes them"
+            )?;
+        } else if let Err(error) = left.remove() {
+            let error = printable(&error.to_string());
+            writeln!(
+                err,
+                "mhlint: a `--fix` that was interrupted left {files} in `{folder}`, which cannot be removed: {error}"
+            )?;
+        } else {
+            writeln!(err, "mhlint: {files} of a `--fix` that was interrupted removed from `{folder}`")?;
+        }
+    }
+    Ok(())
 }
 
 /// Shows the changes. Gives whether there are any.

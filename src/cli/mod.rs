@@ -24,6 +24,7 @@ mod schema;
 mod shell;
 mod step_summary;
 mod terminal;
+mod watch;
 mod workspace;
 
 use std::io::{self, Write};

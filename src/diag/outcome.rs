@@ -1,6 +1,7 @@
 //! What a run gives back: plain data, made for several applications.
 
 use std::collections::BTreeSet;
+use std::path::PathBuf;
 use std::time::Duration;
 
 use serde::Serialize;
@@ -26,6 +27,8 @@ pub struct Outcome {
     pub findings: Vec<Finding>,
     /// What a reader should know besides findings.
     pub notes: Vec<Note>,
+    /// Journals of runs that fix, or that were ended while they did.
+    pub journals: Vec<PathBuf>,
     /// Counts.
     pub summary: Summary,
     /// Time per phase and rule, in order of the run.

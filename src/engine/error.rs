@@ -74,6 +74,8 @@ pub enum SelectorFault {
         /// One that may be meant.
         nearest: Option<&'static str>,
     },
+    /// It is several, with commas between them.
+    Several,
     /// All of `select` in the configuration file matches no rule.
     EmptySelect {
         /// The file, with the line.
@@ -164,6 +166,7 @@ impl fmt::Display for SelectorFault {
         match self {
             Self::NoGlob(reason) => write!(f, "is not a valid glob: {reason}"),
             Self::NoRule { nearest } => write!(f, "matches no rule; {}", meant(*nearest)),
+            Self::Several => f.write_str("matches no rule; give the option once for each rule"),
             Self::EmptySelect { place, nearest } => {
                 write!(f, "matches no rule, so `select` in {place} selects nothing; {}", meant(*nearest))
             }

@@ -7,8 +7,9 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::{Builder, TempPath};
+use tempfile::{Builder, NamedTempFile, TempPath};
 
+use super::pending::Pending;
 use crate::source::{folder_of, link_targets};
 
 /// A content that waits beside its file; goes away if it is not used.
@@ -16,26 +17,42 @@ use crate::source::{folder_of, link_targets};
 pub(super) struct Beside {
     file: PathBuf,
     content: TempPath,
+    pending: Pending,
 }
 
 impl Beside {
     /// Writes the content, with owner and permissions of the file that is there already. The name is hidden, so that
     /// no walk over the data takes it for an asset should a killed run leave it behind.
     pub(super) fn write(file: PathBuf, bytes: &[u8]) -> io::Result<Self> {
-        let mut beside = Builder::new().prefix(".mhlint-").make_in(folder_of(&file), |path| File::create_new(path))?;
+        let pending = Pending::default();
+        let make = || Builder::new().prefix(".mhlint-").make_in(folder_of(&file), |path| File::create_new(path));
+        let beside = pending.make(make)?;
+        Self::fill(beside, file, bytes, pending)
+    }
+
+    /// The same under a name that is written down before.
+    pub(super) fn write_as(name: &Path, file: PathBuf, bytes: &[u8], pending: &Pending) -> io::Result<Self> {
+        let make = || Ok(NamedTempFile::from_parts(File::create_new(name)?, TempPath::try_from_path(name)?));
+        let beside = pending.make(make)?;
+        Self::fill(beside, file, bytes, pending.clone())
+    }
+
+    fn fill(mut beside: NamedTempFile, file: PathBuf, bytes: &[u8], pending: Pending) -> io::Result<Self> {
         beside.as_file_mut().write_all(bytes)?;
         if let Ok(before) = fs::metadata(&file) {
             keep_owner(&before, beside.path());
             beside.as_file().set_permissions(before.permissions())?;
         }
         beside.as_file().sync_all()?;
-        Ok(Self { file, content: beside.into_temp_path() })
+        Ok(Self { file, content: beside.into_temp_path(), pending })
     }
 
     /// The content becomes that of the file.
     pub(super) fn take_place(self) -> io::Result<()> {
-        self.content.persist(&self.file).map_err(|refused| refused.error)?;
-        sync_folder(&self.file);
+        let Self { file, content, pending } = self;
+        let name = content.to_path_buf();
+        pending.done(&name, || content.persist(&file)).map_err(|refused| refused.error)?;
+        sync_folder(&file);
         Ok(())
     }
 }

@@ -6,12 +6,16 @@
 
 mod beside;
 mod diff;
+mod journal;
 mod packed;
+mod pending;
 mod plan;
 mod write;
 
 pub use beside::replace;
 pub use diff::unified;
+pub use journal::Left;
 pub use packed::{is_packed, pack, unpack};
+pub use pending::Pending;
 pub use plan::{Patch, Plan, apply};
 pub use write::{FileChange, WriteError, write_all};

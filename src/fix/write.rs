@@ -1,5 +1,6 @@
 //! Changes to disk: every file is replaced as a whole, and all are prepared before the first is.
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::fs;
 use std::io;
@@ -8,6 +9,8 @@ use std::path::{Path, PathBuf};
 use xxhash_rust::xxh3::xxh3_64;
 
 use super::beside::{Beside, sync_folder};
+use super::journal::Journal;
+use super::pending::Pending;
 
 /// A file before and after.
 #[derive(Debug, Clone)]
@@ -87,37 +90,62 @@ struct Prepared<'c> {
     beside: Option<Beside>,
 }
 
-/// Writes all changes. Contents come first, files go away last.
+/// Writes all changes. Contents come first, files go away last. What is made on the way is noted in `pending`, and in a
+/// journal in each folder that is fixed.
 ///
 /// # Errors
 /// The first file that cannot be changed. Then nothing was, unless the operating system refused a step that it
 /// had allowed a moment before.
-pub fn write_all(changes: &[FileChange]) -> Result<(), WriteError> {
-    let mut prepared = changes.iter().map(prepare).collect::<Result<Vec<_>, _>>()?;
+pub fn write_all(changes: &[FileChange], pending: &Pending) -> Result<(), WriteError> {
+    let mut by_root: BTreeMap<&Path, Vec<(&FileChange, PathBuf)>> = BTreeMap::new();
+    for change in changes {
+        let file = changeable(change).map_err(|reason| failed(change, reason))?;
+        by_root.entry(&change.root).or_default().push((change, file));
+    }
+    let (mut journals, mut prepared) = (Vec::new(), Vec::new());
+    for (root, files) in by_root {
+        let Some((first, _)) = files.first() else { continue };
+        let kept = files.iter().filter(|(change, _)| change.after.is_some()).map(|(_, file)| file.as_path());
+        let opened = Journal::open(root, kept, pending);
+        let mut journal = opened.map_err(|error| failed(first, Reason::Io(error)))?;
+        for (change, file) in files {
+            let beside = content(change, &file, &mut journal, pending);
+            let beside = beside.map_err(|error| failed(change, Reason::Io(error)))?;
+            prepared.push(Prepared { change, file, beside });
+        }
+        journals.push(journal);
+    }
     prepared.sort_by_key(|one| one.beside.is_none());
     for Prepared { change, file, beside } in prepared {
-        let failed = |reason| WriteError { path: change.path.clone(), reason };
-        refuse_changed(&file, change.checked).map_err(failed)?;
+        refuse_changed(&file, change.checked).map_err(|reason| failed(change, reason))?;
         let done = match beside {
             Some(beside) => beside.take_place(),
             None => fs::remove_file(&file).inspect(|()| sync_folder(&file)),
         };
-        done.map_err(|error| failed(Reason::Io(error)))?;
+        done.map_err(|error| failed(change, Reason::Io(error)))?;
     }
     Ok(())
 }
 
-fn prepare(change: &FileChange) -> Result<Prepared<'_>, WriteError> {
-    let failed = |reason| WriteError { path: change.path.clone(), reason };
-    let file = real_file(change).map_err(failed)?;
-    let permissions = fs::metadata(&file).map_err(|error| failed(Reason::Io(error)))?.permissions();
-    if permissions.readonly() {
-        return Err(failed(Reason::ReadOnly));
+fn failed(change: &FileChange, reason: Reason) -> WriteError {
+    WriteError { path: change.path.clone(), reason }
+}
+
+/// The file of a change, if nothing keeps it from being changed.
+fn changeable(change: &FileChange) -> Result<PathBuf, Reason> {
+    let file = real_file(change)?;
+    if fs::metadata(&file).map_err(Reason::Io)?.permissions().readonly() {
+        return Err(Reason::ReadOnly);
     }
-    refuse_changed(&file, change.checked).map_err(failed)?;
-    let write = |bytes: &Vec<u8>| Beside::write(file.clone(), bytes);
-    let beside = change.after.as_ref().map(write).transpose().map_err(|error| failed(Reason::Io(error)))?;
-    Ok(Prepared { change, file, beside })
+    refuse_changed(&file, change.checked)?;
+    Ok(file)
+}
+
+/// Writes the new content beside the file, if it has one.
+fn content(change: &FileChange, file: &Path, journal: &mut Journal, pending: &Pending) -> io::Result<Option<Beside>> {
+    let Some(bytes) = &change.after else { return Ok(None) };
+    let name = journal.next_name().ok_or(io::ErrorKind::NotFound)?;
+    Beside::write_as(&name, file.to_owned(), bytes, pending).map(Some)
 }
 
 /// The file behind all links, inside the root.
@@ -153,6 +181,10 @@ mod tests {
         }
     }
 
+    fn written(changes: &[FileChange]) -> Result<(), WriteError> {
+        write_all(changes, &Pending::default())
+    }
+
     fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
         let folder = tempfile::tempdir().unwrap();
         files.iter().for_each(|(name, text)| fs::write(folder.path().join(name), text).unwrap());
@@ -176,7 +208,7 @@ mod tests {
         let folder = folder(&[("a", "old"), ("b", "gone")]);
         let root = folder.path();
         fs::set_permissions(root.join("a"), fs::Permissions::from_mode(0o640)).unwrap();
-        write_all(&[change(root, "b", "gone", None), change(root, "a", "old", Some("new"))]).unwrap();
+        written(&[change(root, "b", "gone", None), change(root, "a", "old", Some("new"))]).unwrap();
         assert_eq!(content(root), texts(&[("a", "new")]));
         assert_eq!(fs::metadata(root.join("a")).unwrap().permissions().mode() & 0o777, 0o640);
     }
@@ -187,10 +219,10 @@ mod tests {
         let folder = folder(&before);
         let root = folder.path();
         let first = change(root, "a", "old", Some("new"));
-        let changed = write_all(&[first.clone(), change(root, "b", "judged", Some("x"))]).unwrap_err();
+        let changed = written(&[first.clone(), change(root, "b", "judged", Some("x"))]).unwrap_err();
         assert!(changed.to_string().contains("`b`: it changed during the check"), "{changed}");
         fs::set_permissions(root.join("b"), fs::Permissions::from_mode(0o444)).unwrap();
-        let read_only = write_all(&[first, change(root, "b", "other", Some("x"))]).unwrap_err();
+        let read_only = written(&[first, change(root, "b", "other", Some("x"))]).unwrap_err();
         assert!(read_only.to_string().contains("`b`: it is read-only"), "{read_only}");
         assert_eq!(content(root), texts(&before));
     }
@@ -212,10 +244,10 @@ mod tests {
         fs::write(root.join("a"), "old").unwrap();
         symlink("a", root.join("link")).unwrap();
         symlink("../outside", root.join("out")).unwrap();
-        write_all(&[change(&root, "link", "old", Some("new"))]).unwrap();
+        written(&[change(&root, "link", "old", Some("new"))]).unwrap();
         assert!(fs::symlink_metadata(root.join("link")).unwrap().is_symlink());
         assert_eq!(fs::read_to_string(root.join("a")).unwrap(), "new");
-        let leaves = write_all(&[change(&root, "out", "old", Some("new"))]).unwrap_err();
+        let leaves = written(&[change(&root, "out", "old", Some("new"))]).unwrap_err();
         assert!(leaves.to_string().contains("leads out of the data folder"), "{leaves}");
         assert_eq!(fs::read_to_string(folder.path().join("outside")).unwrap(), "old");
     }

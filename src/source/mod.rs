@@ -34,4 +34,5 @@ pub(crate) use pack::{MemberFault, PackFacts, PackFault};
 pub(crate) use place::{canonical, folder_name, folder_of, link_targets, own_place, resolved, slashed};
 pub(crate) use read::read_file;
 pub(crate) use tree::{Contents, Entry, EntryKind, ReadFault, WalkFault, WalkFaultKind};
+pub(crate) use walk::JOURNAL;
 pub(crate) use zip_size::zip_bomb;

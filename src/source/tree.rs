@@ -11,7 +11,7 @@ use super::folder::{has_hidden_part, inside};
 use super::listing::{Room, add_file, add_folders, folders_above, memory_entries};
 use super::pack::{Pack, PackFacts};
 use super::read::{ends_of, read_bounded, too_large};
-use super::walk::{self, Wanted};
+use super::walk::{self, Walk, Wanted};
 use crate::diag::grouped;
 
 /// Contents of files by path, where they are not those that lie there; `None`: there is no such file.
@@ -29,6 +29,8 @@ pub struct Tree {
     depth: usize,
     entries: Vec<Entry>,
     faults: Vec<WalkFault>,
+    /// Journals of runs that fix.
+    journals: Vec<PathBuf>,
     /// Contents that stand in for those of files, until they are written.
     changed: BTreeMap<String, Vec<u8>>,
     /// Hashes of what was read first, where somebody watches.
@@ -124,8 +126,8 @@ impl Tree {
     /// The same, not deeper than `depth` levels.
     pub fn on_disk_to_depth(label: impl Into<String>, root: impl Into<PathBuf>, depth: usize, wanted: Wanted) -> Self {
         let root = root.into();
-        let (entries, faults) = walk::walk(&root, depth, wanted);
-        Self { depth, ..Self::new(label.into(), Backend::Disk(root), entries, faults) }
+        let Walk { entries, faults, journals } = walk::walk(&root, depth, wanted);
+        Self { depth, journals, ..Self::new(label.into(), Backend::Disk(root), entries, faults) }
     }
 
     /// A tree of files held in memory: `Vec<u8>`, or `Arc<[u8]>` where several trees share their bytes. A path that ends
@@ -154,8 +156,8 @@ impl Tree {
     }
 
     fn new(label: String, backend: Backend, entries: Vec<Entry>, faults: Vec<WalkFault>) -> Self {
-        let (changed, seen, pack) = (BTreeMap::new(), None, None);
-        Self { label, backend, depth: usize::MAX, entries, faults, changed, seen, pack }
+        let (changed, seen, pack, journals) = (BTreeMap::new(), None, None, Vec::new());
+        Self { label, backend, depth: usize::MAX, entries, faults, journals, changed, seen, pack }
     }
 
     /// What reports put before the paths; empty for the working directory.
@@ -185,6 +187,11 @@ impl Tree {
     /// What the walk could not list.
     pub fn faults(&self) -> &[WalkFault] {
         &self.faults
+    }
+
+    /// Journals of runs that fix, where they lie on disk.
+    pub fn journals(&self) -> impl Iterator<Item = PathBuf> {
+        self.root().into_iter().flat_map(|root| self.journals.iter().map(move |journal| root.join(journal)))
     }
 
     /// What is to be known of a zip besides the files in it, if it is one.
@@ -316,7 +323,7 @@ impl Tree {
         let faults = faults.chain(given_up).collect();
         let entries = entries.into_values().collect();
         let (label, backend, pack) = (self.label.clone(), self.backend.clone(), self.pack.clone());
-        Self { label, backend, depth: self.depth, entries, faults, changed, seen: None, pack }
+        Self { label, backend, depth: self.depth, entries, faults, journals: Vec::new(), changed, seen: None, pack }
     }
 
     /// Whether what is read at `path` is the same in both trees.

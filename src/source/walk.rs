@@ -24,18 +24,30 @@ pub(super) const TOO_LONG: &str = "the paths take more than 32 MiB in total; the
 /// listed.
 pub(super) type Wanted = fn(&str, &str, bool) -> bool;
 
+/// What the names of journals begin with that runs leave which are killed while they fix.
+pub(crate) const JOURNAL: &str = ".mhlint-journal-";
+
+/// What a walk finds.
+pub(super) struct Walk {
+    pub(super) entries: Vec<Entry>,
+    pub(super) faults: Vec<WalkFault>,
+    /// Journals of runs that fix, from the top of the tree.
+    pub(super) journals: Vec<PathBuf>,
+}
+
 /// Lists everything below `root`, of hidden files and what is in hidden folders (`.git` and its kin) only what is
 /// `wanted`, not deeper than `depth` levels.
-pub(super) fn walk(root: &Path, depth: usize, wanted: Wanted) -> (Vec<Entry>, Vec<WalkFault>) {
+pub(super) fn walk(root: &Path, depth: usize, wanted: Wanted) -> Walk {
     walk_at_most(root, depth, wanted, MOST_ENTRIES)
 }
 
-fn walk_at_most(root: &Path, depth: usize, wanted: Wanted, most: usize) -> (Vec<Entry>, Vec<WalkFault>) {
+fn walk_at_most(root: &Path, depth: usize, wanted: Wanted, most: usize) -> Walk {
     let canonical = resolved(root);
     let name = folder_name(root);
     let wanted = |path: &Path, is_folder| wanted(&name, &slashed(path), is_folder);
     let mut entries = Vec::new();
     let mut faults = Vec::new();
+    let mut journals = Vec::new();
     let walk = WalkDir::new(root).follow_links(true).min_depth(1).max_depth(depth);
     let mut walker = walk.into_iter();
     let mut links = Links::default();
@@ -57,6 +69,9 @@ fn walk_at_most(root: &Path, depth: usize, wanted: Wanted, most: usize) -> (Vec<
         }
         match step {
             Ok(found) if is_hidden(root, &found) && !is_wanted(root, &found, &wanted) => {
+                if found.file_name().as_encoded_bytes().starts_with(JOURNAL.as_bytes()) {
+                    journals.push(relative(root, found.path()));
+                }
                 skip_folder(&mut walker, &found);
             }
             Ok(found) if found.path_is_symlink() && leaves(&canonical, found.path()) => {
@@ -69,7 +84,7 @@ fn walk_at_most(root: &Path, depth: usize, wanted: Wanted, most: usize) -> (Vec<
     }
     entries.sort_by(|a, b| a.path.cmp(&b.path));
     faults.sort_by(|a, b| a.path.cmp(&b.path));
-    (entries, faults)
+    Walk { entries, faults, journals }
 }
 
 fn skip_folder(walker: &mut walkdir::IntoIter, found: &DirEntry) {
@@ -214,7 +229,7 @@ mod tests {
         }
         let wanted =
             |_: &str, path: &str, is_folder: bool| path.starts_with("b/") && (is_folder || path.ends_with(".x"));
-        let listed = |wanted| walk(folder.path(), usize::MAX, wanted).0.into_iter().map(|entry| entry.path);
+        let listed = |wanted| walk(folder.path(), usize::MAX, wanted).entries.into_iter().map(|entry| entry.path);
         assert_eq!(listed(nothing).collect::<Vec<_>>(), ["b", "b/f"]);
         assert_eq!(listed(wanted).collect::<Vec<_>>(), ["b", "b/.c", "b/.c/d.x", "b/.e.x", "b/f"]);
     }
@@ -226,14 +241,14 @@ mod tests {
         fs::write(folder.path().join("real/file"), "").unwrap();
         symlink("real", folder.path().join("linked")).unwrap();
         symlink("real/file", folder.path().join("one")).unwrap();
-        let (entries, _) = walk(folder.path(), usize::MAX, nothing);
+        let entries = walk(folder.path(), usize::MAX, nothing).entries;
         let links: Vec<_> =
             entries.iter().filter_map(|entry| Some((&*entry.path, entry.link_to.as_deref()?))).collect();
         assert_eq!(links, [("linked", "real"), ("linked/file", "real/file"), ("one", "real/file")]);
     }
 
     fn faults(root: &Path) -> Vec<(String, WalkFaultKind)> {
-        walk(root, usize::MAX, nothing).1.into_iter().map(|fault| (fault.path, fault.kind)).collect()
+        walk(root, usize::MAX, nothing).faults.into_iter().map(|fault| (fault.path, fault.kind)).collect()
     }
 
     #[test]
@@ -269,7 +284,7 @@ mod tests {
         fs::create_dir(folder.path().join("real")).unwrap();
         fs::write(folder.path().join("real/file"), "").unwrap();
         symlink("real", folder.path().join("data")).unwrap();
-        let (entries, faults) = walk(&folder.path().join("data"), usize::MAX, nothing);
+        let Walk { entries, faults, .. } = walk(&folder.path().join("data"), usize::MAX, nothing);
         assert_eq!((entries.len(), faults), (1, Vec::new()));
     }
 
@@ -283,7 +298,7 @@ mod tests {
                 symlink(format!("../{other}"), folder.path().join(name).join(other)).unwrap();
             }
         }
-        let (entries, faults) = walk_at_most(folder.path(), usize::MAX, nothing, 500);
+        let Walk { entries, faults, .. } = walk_at_most(folder.path(), usize::MAX, nothing, 500);
         assert!(entries.len() <= 500);
         assert!(
             faults

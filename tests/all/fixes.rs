@@ -334,7 +334,73 @@ fn killed_at_any_moment_every_file_is_whole() {
             let is_left_behind = path.file_name().unwrap().to_str().unwrap().starts_with('.');
             assert!(is_left_behind || old.get(&path) == Some(&bytes) || new.get(&path) == Some(&bytes), "{path:?}");
         }
+        check(copy.path(), &["--fix"]);
+        assert_eq!(content(copy.path()), new, "nothing is left after the next one");
     }
+}
+
+/// Many targets to fix, so that signals come while they are written.
+fn much_to_fix() -> tempfile::TempDir {
+    let repository = example();
+    for at in 0..300 {
+        let target = repository.path().join(format!("data/target/figure/head/many-{at}.target"));
+        fs::write(target, "# basemesh figure\n1 .1 0 0\n2 0 0 0\n").unwrap();
+    }
+    repository
+}
+
+/// Starts a fix, and sends it a signal as soon as something of it lies beside the data. Gives how it ended.
+fn interrupted(root: &Path, signal: &str) -> Option<std::process::ExitStatus> {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mhlint"));
+    let child = child.current_dir(root).args(["check", ".", "--fix", "--no-eval", "--only", "target-zero-delta"]);
+    let mut child = child.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+    while hidden(root).is_empty() {
+        if child.try_wait().unwrap().is_some() {
+            return None;
+        }
+        std::thread::yield_now();
+    }
+    Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
+    Some(child.wait().unwrap())
+}
+
+/// Hidden files of fixes.
+fn hidden(root: &Path) -> Vec<String> {
+    let names = ["", "data/target/figure/head"].map(|folder| fs::read_dir(root.join(folder)).unwrap());
+    let names = names.into_iter().flatten().map(|one| one.unwrap().file_name().into_string().unwrap());
+    names.filter(|name| name.starts_with(".mhlint-")).collect()
+}
+
+#[test]
+fn a_fix_that_is_ended_by_a_signal_leaves_nothing() {
+    for (signal, code) in [("-INT", 130), ("-TERM", 143)] {
+        let repository = much_to_fix();
+        let ended = interrupted(repository.path(), signal);
+        assert!(ended.is_none_or(|status| matches!(status.code(), Some(found) if found == code || found == 0)));
+        assert_eq!(hidden(repository.path()), [""; 0], "{signal}");
+    }
+}
+
+#[test]
+fn what_a_killed_fix_leaves_is_said_and_removed_by_the_next() {
+    let repository = much_to_fix();
+    let root = repository.path();
+    fs::write(root.join("data/target/figure/head/.mhlint-other"), "mine").unwrap();
+    if interrupted(root, "-KILL").is_none_or(|status| status.success()) {
+        return;
+    }
+    let left = hidden(root).len() - 1;
+    let said = |args: &[&str]| text(&check(root, args).stderr);
+    if left == 0 {
+        return;
+    }
+    let told = said(&[]);
+    assert!(told.contains("a `--fix` that was interrupted left"), "{told}");
+    assert_eq!(hidden(root).len() - 1, left, "checking removes nothing");
+    let told = said(&["--fix"]);
+    assert!(told.contains("of a `--fix` that was interrupted removed from"), "{told}");
+    assert_eq!(hidden(root), [".mhlint-other"], "another one's file stays");
+    assert_eq!(said(&[]).matches("interrupted").count(), 0);
 }
 
 #[test]

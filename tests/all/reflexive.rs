@@ -98,7 +98,7 @@ fn damage(tree: &mut Memory, chance: &mut Chance) {
     let Some(path) = chance.of(&paths).cloned() else { return };
     let text = String::from_utf8_lossy(tree.bytes(&path)).into_owned();
     let mut lines: Vec<&str> = text.lines().collect();
-    let at = chance.below(lines.len() as u64 + 1) as usize;
+    let at = chance.below(lines.len() + 1);
     match chance.below(6) {
         0 => lines.insert(at, chance.of(&LINES).unwrap()),
         1 if at < lines.len() => drop(lines.remove(at)),
@@ -118,12 +118,12 @@ fn damage(tree: &mut Memory, chance: &mut Chance) {
 struct Chance(u64);
 
 impl Chance {
-    fn below(&mut self, most: u64) -> u64 {
+    fn below(&mut self, most: usize) -> usize {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) % most
+        usize::try_from(self.0 >> 33).unwrap() % most
     }
 
     fn of<'a, T>(&mut self, all: &'a [T]) -> Option<&'a T> {
-        all.get(self.below(all.len().max(1) as u64) as usize)
+        all.get(self.below(all.len().max(1)))
     }
 }

@@ -195,7 +195,7 @@ fn selector(text: &str) -> Result<Selector, Error> {
     if listed().any(|rule| selector.fits(rule.info.id)) {
         return Ok(selector);
     }
-    Err(refuse(SelectorFault::NoRule { nearest: like(text) }))
+    Err(refuse(if text.contains(',') { SelectorFault::Several } else { SelectorFault::NoRule { nearest: like(text) } }))
 }
 
 /// A rule that may be meant.
