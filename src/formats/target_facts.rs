@@ -51,7 +51,7 @@ pub struct TargetFacts {
     pub median_length: f32,
     /// Length that all but the longest two percent (at least one row) stay below or reach, in decimetres.
     pub tail_length: f32,
-    /// The rows that are longer than that, where the longest one is at least [`STANDS_OUT`] times as long: few, and all that
+    /// The rows that are longer than that, where the longest one is at least `STANDS_OUT` times as long: few, and all that
     /// is needed to see whether it leaves its neighbours in the mesh.
     pub longest: Vec<(u32, [f32; 3])>,
     /// Largest index.
