@@ -92,7 +92,16 @@ impl<'a> View<'a> {
         let is_programs = layers.checks_system() || self.makehuman2().is_some() && has_index();
         let is_whole_place = is_programs && !layers.checked.is_loose && layers.checked.pack.is_none();
         let has_mesh = || layers.checked.files.values().any(|file| is_mesh_of_body(file, self.application()));
-        is_whole_place && !has_mesh() && self.gaps().are_most()
+        is_whole_place && (self.is_port() || !has_mesh() && self.gaps().are_most())
+    }
+
+    /// Whether a port took meshes and targets of `MakeHuman` 1, and called the folder `base` (formats/versions.md §5): none of
+    /// what the program itself needs besides is there.
+    pub(crate) fn is_port(&self) -> bool {
+        let checked = self.layers().checked;
+        let is_renamed = checked.path.rsplit('/').next() == Some("base");
+        let is_gone = |folder: &&str| checked.below(folder).next().is_none();
+        self.is_makehuman1() && is_renamed && PORTS_LACK.iter().all(|folder| is_gone(folder))
     }
 
     /// Whether the data of a program are not what the newest one needs as a whole: a part of them, or so old that what is
@@ -280,6 +289,9 @@ impl<'a> View<'a> {
         self.makehuman2().is_none_or(|view| view.is_known_by(reference))
     }
 }
+
+/// Folders of a program without which it does not start, and that are nothing to a port.
+pub(crate) const PORTS_LACK: [&str; 2] = ["rigs", "poseunits"];
 
 /// Whether it names the targets of a base mesh where only the program has such files.
 fn is_index(file: &FileFacts) -> bool {

@@ -19,6 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         MakeHuman 1 makes expressions of the frames of `poseunits/face-poseunits.bvh`, which have their names in \
         `face-poseunits.json` beside it. Without either no expression can be shown.\n\n\
         Add the file, or remove the poses.",
+    of_whole: true,
     ..RuleInfo::new("pose-missing-units", Level::Error, "the units that poses are made of do not exist")
 });
 

@@ -1,11 +1,11 @@
 //! A part of a program's data, as ports take some: said once, in place of all that is missing.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, enumerated};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Evidence, Finding, Level, RuleInfo,
 };
-use crate::repo::View;
+use crate::repo::{PORTS_LACK, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         more than half of the targets that the indexes name, is a copy of some files: ports to engines and add-ons have such. \
         Its files are checked one by one, and what an index names is not asked for.\n\n\
         A folder that lacks the base mesh alone, or the targets alone, is a damaged one: then everything that is missing is \
-        reported.\n\n\
+        reported. A port of MakeHuman 1 that calls the folder `base` is a copy without `rigs/` and `poseunits/`.\n\n\
         If it is to be whole, copy the data of the program again.",
     counts: "targets",
     of_library: true,
@@ -28,6 +28,11 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if !view.is_partial() {
         return;
+    }
+    if view.is_port() {
+        let folders = PORTS_LACK.map(|folder| format!("`{folder}/`"));
+        let message = format!("a part of the data of {}: {} are missing", view.application(), enumerated(&folders));
+        return out.push(RULE.in_layer(view.layers().checked, "", message).key("partial"));
     }
     let gaps = view.gaps();
     let (missing, named) = (gaps.missing.len(), gaps.named);
