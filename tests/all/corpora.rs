@@ -119,6 +119,8 @@ fn nothing_else_in_makehuman2_is_an_error_or_a_warning() {
         "modelling-measure",
         "modelling-measure",
         "pose-matrix",
+        // `url_mhcommunity` (formats/additions.md 1.6).
+        "program-file-content",
     ];
     assert_eq!(rules, known);
     assert_eq!(mhlint(&corpus, &["data", "--no-eval"]).status.code(), Some(0), "no error");
