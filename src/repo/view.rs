@@ -101,7 +101,7 @@ impl<'a> View<'a> {
         let checked = self.layers().checked;
         let is_renamed = checked.path.rsplit('/').next() == Some("base");
         let is_gone = |folder: &&str| checked.below(folder).next().is_none();
-        self.is_makehuman1() && is_renamed && PORTS_LACK.iter().all(|folder| is_gone(folder))
+        self.is_makehuman1() && is_renamed && PORTS_LACK.iter().all(is_gone)
     }
 
     /// Whether the data of a program are not what the newest one needs as a whole: a part of them, or so old that what is

@@ -5,7 +5,7 @@ mod version;
 use super::super::kind::{SHADER_FILES, extension};
 use super::super::listing::{Listing, at};
 use super::super::{Candidate, Kind};
-use super::{HM08, HiddenPath, LIBRARIES, Layout, MAKEHUMAN2_BASES, Role, Says, Sign, Single, WORN, worn_shelf};
+use super::{HM08, HiddenPath, LIBRARIES, Layout, MAKEHUMAN2_BASES, Role, Says, Sign, Single, WORN, near, worn_shelf};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -201,7 +201,7 @@ fn is_dangerous(path: &str) -> bool {
 fn loose_place(path: &str, _: Option<&str>) -> Option<String> {
     let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
     let above: Vec<&str> = folder.rsplit('/').collect();
-    let near = if folder.is_empty() { "loose" } else { &folder.replace('/', "_") };
+    let near = near(folder);
     match extension(name).to_ascii_lowercase().as_str() {
         "target" => Some(format!("{CUSTOM}/{near}/{name}")),
         "mhw" => Some(format!("rigs/{near}/{name}")),

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use super::super::kind::extension;
 use super::super::listing::{Listing, at};
 use super::super::{Candidate, Kind};
-use super::{HiddenPath, Layout, Role, Says, Sign, WORN, first_of, worn_shelf};
+use super::{HiddenPath, Layout, Role, Says, Sign, WORN, first_of, near, worn_shelf};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -211,9 +211,8 @@ fn loose_place(path: &str, base: Option<&str>) -> Option<String> {
     let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
     let (_, extension) = file.rsplit_once('.')?;
     // Targets and skeletons are looked for one folder below the base; deeper ones would be out of sight.
-    let near = folder.replace('/', "_");
+    let near = near(folder);
     let place = match (extension, base) {
-        ("target", Some(base)) if folder.is_empty() => format!("target/{base}/loose/{file}"),
         ("target", Some(base)) => format!("target/{base}/{near}/{file}"),
         ("mhskel" | "mhw", Some(base)) if folder.is_empty() => format!("rigs/{base}/{file}"),
         ("mhskel" | "mhw", Some(base)) => format!("rigs/{base}/{near}/{file}"),

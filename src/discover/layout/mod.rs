@@ -5,6 +5,7 @@ pub(super) mod makehuman2;
 pub(super) mod mpfb;
 
 use mpfb::importer::Refusal;
+use xxhash_rust::xxh3::xxh3_64;
 
 use super::listing::Listing;
 use super::paths::Paths;
@@ -350,6 +351,18 @@ pub(crate) fn is_read_though_hidden(folder: &str, path: &str, is_folder: bool) -
     Application::ALL
         .iter()
         .any(|application| Layout::of(*application).takes_below(&whole, folder.len(), is_folder, false))
+}
+
+/// A name that stands for the folder of a loose file: where the file will lie nobody knows, so that nothing is wrong with its
+/// name. Folders keep names of their own.
+fn near(folder: &str) -> String {
+    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || matches!(letter, '-' | '_');
+    let plain: String = folder.chars().map(|letter| if is_plain(letter) { letter } else { '_' }).collect();
+    match plain == folder.replace('/', "_") {
+        _ if folder.is_empty() => "loose".to_owned(),
+        true => plain,
+        false => format!("{plain}_{:x}", xxh3_64(folder.as_bytes())),
+    }
 }
 
 /// The path without its last `levels` parts.

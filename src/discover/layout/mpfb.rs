@@ -6,7 +6,7 @@ mod version;
 use super::super::kind::extension;
 use super::super::listing::{Listing, at};
 use super::super::{Candidate, Kind};
-use super::{CLOTHES, HM08, HiddenPath, LIBRARIES, Layout, Role, Sign, WORN, worn_shelf};
+use super::{CLOTHES, HM08, HiddenPath, LIBRARIES, Layout, Role, Sign, WORN, near, worn_shelf};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -185,7 +185,7 @@ fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
 /// What has no library: targets and rigs as their author would put them, and a model, which is imported from wherever it is.
 fn loose_place(path: &str, _: Option<&str>) -> Option<String> {
     let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
-    let near = if folder.is_empty() { "loose" } else { &folder.replace('/', "_") };
+    let near = near(folder);
     match extension(name) {
         _ if Kind::of_target(name).is_some() => Some(format!("custom/{near}/{name}")),
         "json" => Some(format!("rigs/{name}")),
