@@ -64,7 +64,7 @@ struct Groups {
 }
 
 impl Groups {
-    /// All names are one text: another member says where each begins.
+    /// All names are one text: another member says where each begins, one behind the other.
     fn read(members: &mut Members<'_>) -> Option<Self> {
         let mut own = |name, cell| table(members, name, &[cell]).ok();
         let (of_faces, letters, starts) =
@@ -72,8 +72,12 @@ impl Groups {
         let number = |table: &Table, row| usize::try_from(table.integer(row, 0)?).ok();
         let start = |row| if row < starts.rows { number(&starts, row) } else { Some(letters.rows) };
         let letter = |at| letters.text(at, 0).unwrap_or_default();
-        let name = |row| Some((start(row)?..start(row + 1)?).flat_map(letter).copied().collect::<Vec<u8>>());
-        let name = |row| Some(String::from_utf8_lossy(&name(row)?).into_owned());
+        let name = |row| {
+            let (from, to) = (start(row)?, start(row + 1)?);
+            // Whatever the numbers are, no letter belongs to two names, and none lies beyond the text.
+            let letters = (from <= to && to <= letters.rows).then_some(from..to)?;
+            Some(String::from_utf8_lossy(&letters.flat_map(letter).copied().collect::<Vec<u8>>()).into_owned())
+        };
         let names: Vec<String> = (0..starts.rows).map(name).collect::<Option<_>>()?;
         let group = |row| u32::try_from(number(&of_faces, row).filter(|group| *group < names.len())?).ok();
         let of_faces = (0..of_faces.rows).map(group).collect::<Option<_>>()?;
@@ -177,6 +181,34 @@ mod tests {
         let mesh = parse(&zip_of(&members())).unwrap();
         let text = AssetMesh::of(obj::parse(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2 3\n"));
         assert_eq!((mesh.print, mesh.positions), (text.print, text.positions));
+    }
+
+    /// The names of the groups of a base mesh with a text `bodyhead` of eight letters.
+    fn groups(starts: &[u32], of_faces: [u16; 2]) -> Vec<String> {
+        let mut members = members();
+        let mut set = |name: &str, array: Vec<u8>| {
+            members.iter_mut().find(|(own, _)| *own == name).unwrap().1 = array;
+        };
+        let bytes: Vec<u8> = starts.iter().flat_map(|start| start.to_le_bytes()).collect();
+        set("fgidx.npy", npy("'<u4'", &format!("({},)", starts.len()), &bytes));
+        set("fgstr.npy", npy("'|S1'", "(8,)", b"bodyhead"));
+        set("group.npy", npy("'<u2'", "(2,)", &of_faces.map(u16::to_le_bytes).concat()));
+        match mhbin_asset::parse_base(&zip_of(&members), &Limits::default()) {
+            Packed::Mesh(Ok(mesh)) => mesh.whole.unwrap().groups.into_iter().map(|group| group.name).collect(),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn groups_lie_one_behind_the_other_in_their_text() {
+        assert_eq!(groups(&[0, 4], [0, 1]), ["body", "head"]);
+        assert_eq!(groups(&[0, 8], [0, 0]), ["bodyhead", ""]);
+        // Else there is one for all: names that overlap, that never end, and groups that do not exist.
+        for (starts, of_faces) in
+            [(&[4, 0][..], [0, 1]), (&[0, 9], [0, 0]), (&[0, u32::MAX, 0, u32::MAX], [0, 1]), (&[0, 4], [0, 2])]
+        {
+            assert_eq!(groups(starts, of_faces), [""], "{starts:?} {of_faces:?}");
+        }
     }
 
     #[test]
