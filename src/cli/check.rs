@@ -56,7 +56,7 @@ pub(super) fn run(
             _ => Exit::Clean,
         });
     }
-    fix::sweep(outcome, args.fixes, err)?;
+    fix::sweep(outcome, args, err)?;
     fix::write(&checked.changes)?;
     if let (Some(file), Some(baseline)) = (new_baseline, &outcome.baseline) {
         write_baseline(file, baseline, outcome.taken_over, exit, args, err)?;

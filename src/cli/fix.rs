@@ -61,24 +61,19 @@ pub(super) fn write(changes: &[FileChange]) -> Result<(), Failure> {
 }
 
 /// Says what runs left beside the data that were ended while they fixed; one that fixes removes it.
-pub(super) fn sweep(outcome: &Outcome, args: FixArgs, err: &mut dyn Write) -> Result<(), Failure> {
+pub(super) fn sweep(outcome: &Outcome, asked: &CheckArgs, err: &mut dyn Write) -> Result<(), Failure> {
     for left in outcome.journals.iter().filter_map(|journal| Left::by(journal)) {
         let files = count(left.count(), "hidden file");
-        let folder = printable(&left.folder().display().to_string());
-        if !args.fix {
-            writeln!(
-                err,
-                "mhlint: a `--fix` that was interrupted left {files} in `{folder}`; the next `--fix` removes them"
-            )?;
-        } else if let Err(error) = left.remove() {
-            let error = printable(&error.to_string());
-            writeln!(
-                err,
-                "mhlint: a `--fix` that was interrupted left {files} in `{folder}`, which cannot be removed: {error}"
-            )?;
-        } else {
-            writeln!(err, "mhlint: {files} of a `--fix` that was interrupted removed from `{folder}`")?;
-        }
+        let folder = left.folder().display();
+        let told = match asked.fixes.fix.then(|| left.remove()) {
+            Some(Err(error)) => {
+                format!("a `--fix` that was interrupted left {files} in `{folder}`, which cannot be removed: {error}")
+            }
+            _ if asked.quiet => continue,
+            Some(Ok(())) => format!("{files} of a `--fix` that was interrupted removed from `{folder}`"),
+            None => format!("a `--fix` that was interrupted left {files} in `{folder}`; the next `--fix` removes them"),
+        };
+        writeln!(err, "mhlint: {}", printable(&told))?;
     }
     Ok(())
 }

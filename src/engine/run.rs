@@ -101,7 +101,8 @@ pub(super) fn lint_sides(
     let trees: Vec<&Tree> = now.trees().chain([&settings]).collect();
     outcome.roots.sort_by(|a, b| (&a.path, a.application).cmp(&(&b.path, b.application)));
     place_and_sort(&mut outcome.findings, &trees, &options.limits, &mut outcome.failed_steps);
-    outcome.journals = now.trees().flat_map(Tree::journals).collect();
+    // System data are read and never written.
+    outcome.journals = now.inputs.iter().flat_map(|input| input.tree.journals()).collect();
     conclude(&mut outcome, options);
     outcome.notes.extend(nothing_for(&outcome, options));
     outcome.timings.push(timing(Phase::Places, started));

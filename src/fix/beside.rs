@@ -23,28 +23,25 @@ pub(super) struct Beside {
 impl Beside {
     /// Writes the content, with owner and permissions of the file that is there already. The name is hidden, so that
     /// no walk over the data takes it for an asset should a killed run leave it behind.
-    pub(super) fn write(file: PathBuf, bytes: &[u8]) -> io::Result<Self> {
-        let pending = Pending::default();
+    pub(super) fn write(file: PathBuf, bytes: &[u8], pending: &Pending) -> io::Result<Self> {
         let make = || Builder::new().prefix(".mhlint-").make_in(folder_of(&file), |path| File::create_new(path));
-        let beside = pending.make(make)?;
-        Self::fill(beside, file, bytes, pending)
+        Self::fill(pending.make(make)?, file, bytes, pending)
     }
 
     /// The same under a name that is written down before.
     pub(super) fn write_as(name: &Path, file: PathBuf, bytes: &[u8], pending: &Pending) -> io::Result<Self> {
         let make = || Ok(NamedTempFile::from_parts(File::create_new(name)?, TempPath::try_from_path(name)?));
-        let beside = pending.make(make)?;
-        Self::fill(beside, file, bytes, pending.clone())
+        Self::fill(pending.make(make)?, file, bytes, pending)
     }
 
-    fn fill(mut beside: NamedTempFile, file: PathBuf, bytes: &[u8], pending: Pending) -> io::Result<Self> {
+    fn fill(mut beside: NamedTempFile, file: PathBuf, bytes: &[u8], pending: &Pending) -> io::Result<Self> {
         beside.as_file_mut().write_all(bytes)?;
         if let Ok(before) = fs::metadata(&file) {
             keep_owner(&before, beside.path());
             beside.as_file().set_permissions(before.permissions())?;
         }
         beside.as_file().sync_all()?;
-        Ok(Self { file, content: beside.into_temp_path(), pending })
+        Ok(Self { file, content: beside.into_temp_path(), pending: pending.clone() })
     }
 
     /// The content becomes that of the file.
@@ -63,14 +60,15 @@ impl Beside {
 /// # Errors
 /// What the operating system says. Then the file is as it was.
 pub fn replace(file: &Path, bytes: &[u8]) -> io::Result<()> {
+    let pending = Pending::default();
     match fs::metadata(file) {
         Ok(before) if !before.is_file() => fs::OpenOptions::new().write(true).open(file)?.write_all(bytes),
-        Ok(_) => Beside::write(fs::canonicalize(file)?, bytes)?.take_place(),
+        Ok(_) => Beside::write(fs::canonicalize(file)?, bytes, &pending)?.take_place(),
         // What a link leads to may not be there yet.
         Err(error) => match link_targets(file).pop() {
             Some(end) if end.is_symlink() => Err(error),
-            Some(end) => Beside::write(end, bytes)?.take_place(),
-            None => Beside::write(file.to_owned(), bytes)?.take_place(),
+            Some(end) => Beside::write(end, bytes, &pending)?.take_place(),
+            None => Beside::write(file.to_owned(), bytes, &pending)?.take_place(),
         },
     }
 }

@@ -66,6 +66,11 @@ impl Drop for Journal {
     }
 }
 
+/// Whether a file is the journal of some run.
+pub(super) fn is_journal(path: &Path) -> bool {
+    id(path).is_some()
+}
+
 /// What tells one journal from another.
 fn id(journal: &Path) -> Option<String> {
     Some(journal.file_name()?.to_str()?.strip_prefix(JOURNAL)?.to_owned()).filter(|id| !id.is_empty())

@@ -104,12 +104,11 @@ pub fn write_all(changes: &[FileChange], pending: &Pending) -> Result<(), WriteE
     }
     let (mut journals, mut prepared) = (Vec::new(), Vec::new());
     for (root, files) in by_root {
-        let Some((first, _)) = files.first() else { continue };
         let kept = files.iter().filter(|(change, _)| change.after.is_some()).map(|(_, file)| file.as_path());
-        let opened = Journal::open(root, kept, pending);
-        let mut journal = opened.map_err(|error| failed(first, Reason::Io(error)))?;
+        // The folder may be closed although its files may be changed. Then a run that is killed leaves what nobody names.
+        let mut journal = Journal::open(root, kept, pending).ok();
         for (change, file) in files {
-            let beside = content(change, &file, &mut journal, pending);
+            let beside = content(change, &file, journal.as_mut(), pending);
             let beside = beside.map_err(|error| failed(change, Reason::Io(error)))?;
             prepared.push(Prepared { change, file, beside });
         }
@@ -142,10 +141,17 @@ fn changeable(change: &FileChange) -> Result<PathBuf, Reason> {
 }
 
 /// Writes the new content beside the file, if it has one.
-fn content(change: &FileChange, file: &Path, journal: &mut Journal, pending: &Pending) -> io::Result<Option<Beside>> {
+fn content(
+    change: &FileChange,
+    file: &Path,
+    journal: Option<&mut Journal>,
+    pending: &Pending,
+) -> io::Result<Option<Beside>> {
     let Some(bytes) = &change.after else { return Ok(None) };
-    let name = journal.next_name().ok_or(io::ErrorKind::NotFound)?;
-    Beside::write_as(&name, file.to_owned(), bytes, pending).map(Some)
+    match journal.and_then(Journal::next_name) {
+        Some(name) => Beside::write_as(&name, file.to_owned(), bytes, pending).map(Some),
+        None => Beside::write(file.to_owned(), bytes, pending).map(Some),
+    }
 }
 
 /// The file behind all links, inside the root.

@@ -87,11 +87,12 @@ impl<'a> View<'a> {
     pub(crate) fn is_partial(&self) -> bool {
         let layers = self.layers();
         // Indexes in `target/` are the program's, and are no sign of its data where the base mesh or targets are a user's.
-        let has_contarget = || layers.checked.files.values().any(|file| file.rel.starts_with("contarget/"));
+        let has_contarget = || layers.checked.below("contarget").next().is_some();
         let has_index = || layers.system.is_none() && layers.checked.files.values().any(is_index) && !has_contarget();
         let is_programs = layers.checks_system() || self.makehuman2().is_some() && has_index();
         let is_whole_place = is_programs && !layers.checked.is_loose && layers.checked.pack.is_none();
-        let has_mesh = || layers.checked.files.values().any(|file| is_mesh_of_body(file, self.application()));
+        let application = self.application();
+        let has_mesh = || layers.checked.files.values().any(|file| file.kind_in(application).is_base_mesh());
         is_whole_place && (self.is_port() || !has_mesh() && self.gaps().are_most())
     }
 
@@ -296,11 +297,6 @@ pub(crate) const PORTS_LACK: [&str; 2] = ["rigs", "poseunits"];
 /// Whether it names the targets of a base mesh where only the program has such files.
 fn is_index(file: &FileFacts) -> bool {
     matches!(file.kind, Kind::MacroJson | Kind::ModellingJson) && file.rel.starts_with("target/")
-}
-
-/// Whether it is a base mesh, be it damaged or packed.
-fn is_mesh_of_body(file: &FileFacts, application: Application) -> bool {
-    file.kind_in(application).is_base_mesh()
 }
 
 /// Of `MakeHuman` 1 not all kinds are checked so far.

@@ -21,13 +21,13 @@ use crate::evaluate::{Error, Evaluation, Rows};
 use crate::formats::modifier_file::Part;
 use crate::formats::obj::Mesh;
 use crate::formats::target_name::TargetName;
-use crate::repo::makehuman1::{KnownModifier, NamedTarget, View, shows};
+use crate::repo::makehuman1::{KnownModifier, NamedTarget, View, mesh, shows};
 use crate::repo::{FileFacts, Layers};
 use crate::source::Limits;
 
 /// The name of the body, if there is a mesh for it.
 pub(in crate::evaluate) fn with_mesh(layers: Layers<'_>) -> BTreeSet<&str> {
-    crate::repo::makehuman1::mesh(layers).and_then(|(file, _)| file.base_in(OWN)).into_iter().collect()
+    mesh(layers).and_then(|(file, _)| file.base_in(OWN)).into_iter().collect()
 }
 
 /// Takes what its files hold, but for the rows of its targets.

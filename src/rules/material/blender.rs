@@ -239,8 +239,8 @@ pub(super) fn unknown(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut V
                 near.extend(misspelt(&statement.key, cx));
             }
         }
-        // Words of more than letters are lines to nobody here.
-        let is_statement = |word: &Word| look.material.statements.iter().any(|own| own.key.text == word.text);
+        // Words of more than letters begin no statement.
+        let is_statement = |word: &Word| word.text.bytes().all(|byte| byte.is_ascii_alphabetic());
         let others = look.material.unknown.iter().map(|one| &one.word).filter(|word| !is_statement(word));
         near.extend(others.filter_map(|word| misspelt(word, cx)));
         let lines = Lines { rule, file: look.file, case: &[] };
