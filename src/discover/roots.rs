@@ -121,8 +121,13 @@ impl Signs {
                 }
                 // A user's folder may hold nothing but what lies beside the data.
                 let above = layout.above_data(file).map(|above| data_in(above, application));
-                if let Some(data) = above.filter(|data| listing.has_folder(&data.path)) {
-                    found.add(data, Sign::Faint);
+                if let Some(data) = above {
+                    // And without that folder, where its content says whose it is.
+                    if listing.has_folder(&data.path) {
+                        found.add(data, Sign::Faint);
+                    } else if (layout.tells_without_data)(listing, file) {
+                        found.add(data, Sign::OfUser);
+                    }
                 }
             }
         }

@@ -6,6 +6,7 @@
 
 mod archived;
 mod body;
+pub(crate) mod cubes;
 pub(crate) mod extent;
 mod facts;
 mod gaps;

@@ -1,7 +1,7 @@
 //! What was not checked, in words.
 
 use std::cmp::Reverse;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::count;
 use crate::diag::{NotChecked, Outcome, Unchecked};
@@ -47,7 +47,7 @@ pub fn unchecked_line(outcome: &Outcome) -> Option<String> {
 fn clause(entry: &NotChecked) -> String {
     let files = count(entry.count, "file");
     match entry.what {
-        Unchecked::Kind => format!("{} (no rules yet)", by_extension(entry)),
+        Unchecked::Kind => of_kinds(entry),
         Unchecked::Unused => format!("{} (part of nothing that was checked)", by_extension(entry)),
         Unchecked::Outside => format!("{} (not in a data folder)", by_extension(entry)),
         Unchecked::Application => {
@@ -83,6 +83,25 @@ fn clause(entry: &NotChecked) -> String {
         Unchecked::NotCompared => format!("whether findings in {files} are new (previous contents are not available)"),
     }
 }
+
+/// Those of other kinds, and those that would be of one of ours if their suffix were in small letters.
+fn of_kinds(entry: &NotChecked) -> String {
+    let is_in_capitals = |path: &String| {
+        let suffix = path.rsplit('/').next().and_then(|name| name.rsplit_once('.')).map_or("", |(_, suffix)| suffix);
+        let is_packed = path.to_lowercase().ends_with(".target.gz");
+        suffix != suffix.to_lowercase() && (is_packed || OURS.contains(&&*suffix.to_lowercase()))
+    };
+    let (misspelt, other): (BTreeSet<String>, BTreeSet<String>) = entry.paths.iter().cloned().partition(is_in_capitals);
+    let clauses = [(other, "no rules yet"), (misspelt, "not read with a suffix in capitals")];
+    let clauses = clauses
+        .into_iter()
+        .filter(|(paths, _)| !paths.is_empty())
+        .map(|(paths, why)| format!("{} ({why})", by_extension(&NotChecked::of(entry.application, entry.what, paths))));
+    clauses.collect::<Vec<_>>().join("; ")
+}
+
+/// Suffixes of files that are checked.
+const OURS: [&str; 10] = ["mhclo", "proxy", "mhmat", "mhskel", "mhw", "mhpose", "mhm", "bvh", "target", "mhpxy"];
 
 /// What of the files depends on the base mesh.
 fn of_base_mesh(entry: &NotChecked) -> &'static str {
@@ -155,7 +174,8 @@ mod tests {
     #[test]
     fn files_are_named_as_people_call_them() {
         let paths = ["a.mhclo", "b.mhclo", "c.PROXY", "d.mhm", "e.blend"];
-        let words = "2 .mhclo clothes, 1 .PROXY proxy, 1 .blend, 1 .mhm model (no rules yet).";
+        let words = "2 .mhclo clothes, 1 .blend, 1 .mhm model (no rules yet); \
+                     1 .PROXY proxy (not read with a suffix in capitals).";
         assert_eq!(line(Unchecked::Kind, &paths), format!("Not checked: {words}"));
         assert_eq!(line(Unchecked::Kind, &paths[..1]), "Not checked: 1 .mhclo clothes file (no rules yet).");
     }

@@ -7,6 +7,7 @@ use std::sync::LazyLock;
 mod archive;
 mod archived;
 mod base;
+mod beside;
 mod bvh;
 mod catalog;
 mod cause;
@@ -48,12 +49,14 @@ mod wearers;
 mod weights;
 
 pub(crate) use archived::lower_archived;
+use beside::meant_beside;
 pub use cause::consequence::Unread;
 pub(crate) use cause::consequence::unread;
 pub(crate) use cause::outdated::drop_outdated;
+pub(crate) use cause::unmerged::drop_unmerged;
 pub(crate) use editions::word_for_version;
 pub(crate) use rule::{Check, Rule, RuleCx};
-use rule::{and_more, bones_in_words, counted, did_you_mean, either, enumerated, shown, such};
+use rule::{and_more, bones_in_words, counted, did_you_mean, either, enumerated, plain_letters, shown, such};
 pub(crate) use wearers::name_wearers;
 
 /// The rules of each family. A rule that its family does not list does not exist.

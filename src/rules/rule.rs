@@ -159,6 +159,18 @@ pub(super) fn either<T: AsRef<str>>(names: &[T]) -> String {
     }
 }
 
+/// What to write in place of a letter that is not ASCII: accents go, other scripts are written in letters from a to z.
+pub(super) fn plain_letters(letter: char) -> &'static str {
+    if letter < FIRST_OF_OTHER_SCRIPTS {
+        "write it with plain letters, without accents: `Joerg` for `Jörg`"
+    } else {
+        "write it with letters from a to z"
+    }
+}
+
+/// Behind the Latin letters with accents.
+const FIRST_OF_OTHER_SCRIPTS: char = '\u{250}';
+
 /// The help on a name that is unknown: a known one that is near, or else what to do.
 pub(super) fn did_you_mean(near: Option<&str>, otherwise: impl Into<String>) -> String {
     near.map_or_else(|| otherwise.into(), |near| format!("did you mean `{near}`?"))

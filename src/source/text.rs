@@ -26,6 +26,8 @@ pub struct Encoding {
     pub guess: Option<Guess>,
     /// Words of the first line behind a byte order mark; what is read wrongly because of it.
     pub marked_words: Vec<String>,
+    /// Offset of the first of the lines that git leaves around both sides of a merge conflict.
+    pub conflict_at: Option<usize>,
 }
 
 /// Words of a marked line that are kept.
@@ -49,6 +51,7 @@ impl Encoding {
                 && lines(content).all(|(_, line)| is_comment_or_valid(line)),
             guess: invalid_utf8_at.map(|_| guess(bytes)),
             marked_words: if byte_order_mark { marked_words(content) } else { Vec::new() },
+            conflict_at: conflict(bytes),
         }
     }
 }
@@ -89,6 +92,21 @@ fn marked_words(content: &[u8]) -> Vec<String> {
     first.split_whitespace().take(MARKED_WORDS).map(str::to_owned).collect()
 }
 
+/// What git puts in front of the first side of a conflict, between both, and behind the second.
+const MARKERS: [&[u8]; 3] = [b"<<<<<<< ", b"=======", b">>>>>>> "];
+
+/// Where a conflict begins of which all three lines are there.
+fn conflict(bytes: &[u8]) -> Option<usize> {
+    // Few files have such a letter at all, and this is fast.
+    if !bytes.contains(&b'<') {
+        return None;
+    }
+    let mut lines = lines(bytes).map(|(_, line)| line);
+    let places = MARKERS.map(|marker| lines.find(|line| line.starts_with(marker)));
+    let [Some(first), Some(_), Some(_)] = places else { return None };
+    Some(first.as_ptr() as usize - bytes.as_ptr() as usize)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -114,6 +132,13 @@ mod tests {
         assert_eq!(seen("# a\r\n\n  # b"), (false, true));
         assert_eq!(seen("# a\n1 0 0 1"), (false, false));
         assert_eq!((seen("\u{feff}"), seen("\u{feff}# a")), ((true, false), (false, true)));
+    }
+
+    #[test]
+    fn a_conflict_has_three_markers() {
+        assert_eq!(Encoding::of(b"a\n<<<<<<< HEAD\nb\n=======\nc\n>>>>>>> other\n").conflict_at, Some(2));
+        assert_eq!(Encoding::of(b"<<<<<<< HEAD\n=======\n").conflict_at, None);
+        assert_eq!(Encoding::of(b"# <<<<<<< a\n=======\n>>>>>>> b\n").conflict_at, None);
     }
 
     #[test]

@@ -26,6 +26,7 @@ pub(super) static LAYOUT: Layout = Layout {
     // In a folder `custom` there nobody looks, but it is a usual mistake.
     beside: &["models", "custom", CACHE, SETTINGS],
     above_data,
+    tells_without_data: |_, _| false,
     is_folder: |rel, _| is_beside(rel, CACHE),
     // §5: what is called a target is one.
     everywhere: Some(Kind::Target),

@@ -33,6 +33,7 @@ pub(super) static LAYOUT: Layout = Layout {
     beside: &[],
     is_telling: |_| false,
     above_data: |_| None,
+    tells_without_data: |_, _| false,
     everywhere: None,
     shares_roots_of: None,
     has_second_user: false,

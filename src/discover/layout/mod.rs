@@ -65,6 +65,8 @@ pub(crate) struct Layout {
     pub beside: &'static [&'static str],
     /// The folder above that with a user's data folder which a file lies beside that only such a user has; it may be empty.
     above_data: fn(&[&str]) -> Option<usize>,
+    /// Whether such a file is of a user even where no folder of data is.
+    pub tells_without_data: fn(&Listing<'_>, &str) -> bool,
     /// Files that it looks for in all of its data root, also where that of another application is inside it.
     pub everywhere: Option<Kind>,
     /// Another application whose users' folders are its own, too, where it is asked for or has data at hand.
@@ -236,6 +238,7 @@ impl Layout {
         beside: &[],
         is_telling: |_| false,
         above_data: |_| None,
+        tells_without_data: |_, _| false,
         everywhere: None,
         shares_roots_of: None,
         has_second_user: false,

@@ -37,6 +37,7 @@ pub(super) static LAYOUT: Layout = Layout {
         [.., "config", name] if of_config(name) == Some(Kind::HumanPreset) => Some(2),
         _ => None,
     },
+    tells_without_data: |listing, file| listing.says(file, &["\"phenotype\""]),
     shares_roots_of: Some(Application::Makehuman1),
     has_second_user: true,
     role,
@@ -64,6 +65,7 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         [.., "targets" | "custom", name] if Kind::of_target(name).is_some() => Some((Sign::Faint, 2)),
         [.., "expressions", name] if extension(name) == "json" => Some((Sign::Faint, 2)),
         [.., "rigs", name] if extension(name) == "json" => Some((Sign::OfUser, 2)),
+        [.., "poses", _, name] if extension(name) == "json" => Some((Sign::OfUser, 3)),
         _ => None,
     }
 }
@@ -80,6 +82,7 @@ fn weigh(listing: &Listing<'_>, root: &str, file: &str, sign: Sign) -> Option<Si
             (listing.says(file, &["\"categories\""]) || !listing.says(file, &["{", "["]) || is_own()).then_some(sign)
         }
         ("rigs", name) if !name.contains('/') => listing.says(file, &["\"identifying_bones\""]).then_some(sign),
+        ("poses", _) => listing.says(file, &["\"skeleton_type\"", "\"bone_rotations\""]).then_some(sign),
         ("packs", _) if listing.says(file, &["\"author\"", "\"license\"", "\"category\""]) => Some(Sign::OfUser),
         _ => Some(sign),
     }
@@ -187,6 +190,7 @@ fn loose_place(path: &str, _: Option<&str>) -> Option<String> {
     let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
     let near = near(folder);
     match extension(name) {
+        "json" if of_config(name) == Some(Kind::HumanPreset) => Some(format!("config/{name}")),
         _ if Kind::of_target(name).is_some() => Some(format!("custom/{near}/{name}")),
         "json" => Some(format!("rigs/{name}")),
         "mhw" => Some(format!("{CLOTHES}/{near}/{name}")),

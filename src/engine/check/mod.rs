@@ -19,7 +19,9 @@ use crate::config::Config;
 use crate::diag::{Finding, Outcome, Timed, Timing, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
 use crate::repo::{Body, FileFacts, Layers, View};
-use crate::rules::{Check, RULES, Rule, RuleCx, drop_outdated, lower_archived, name_wearers, word_for_version};
+use crate::rules::{
+    Check, RULES, Rule, RuleCx, drop_outdated, drop_unmerged, lower_archived, name_wearers, word_for_version,
+};
 
 /// A view with what is computed once for all rules.
 struct Checked<'v> {
@@ -85,6 +87,7 @@ fn check_view(
         }
     }
     drop_outdated(view, &mut findings);
+    drop_unmerged(&mut findings);
     name_wearers(view, &mut findings);
     lower_archived(view, &mut findings);
     word_for_version(view, &mut findings);

@@ -5,7 +5,7 @@ use super::place::Place;
 use super::roots::look_into;
 use crate::config::Config;
 use crate::diag::{Application, Identity, PlaceKind, Sign, Speaks, Version};
-use crate::discover::{Evidence, Kind, Layout, Listing, Paths, Role, evidence, lacks};
+use crate::discover::{Candidate, Evidence, Kind, Layout, Listing, Paths, Role, evidence, lacks};
 use crate::repo::{FileFacts, Layer};
 use crate::source::EntryKind;
 
@@ -57,20 +57,25 @@ fn kind(place: &Place<'_>, paths: &Paths<'_>, application: Application, role: Ro
         Role::Both => PlaceKind::User,
         Role::System if (Layout::of(application).is_release)(paths) => PlaceKind::Release,
         Role::System => PlaceKind::Program,
-        Role::User if is_users(place, application) => PlaceKind::User,
+        Role::User if is_users(&place.below, application) => PlaceKind::User,
         Role::User => PlaceKind::Pack,
     }
 }
 
+/// Whether what lies in a data root is a pack.
+pub(super) fn is_pack(below: &[Candidate<'_>], layout: &Layout) -> bool {
+    (layout.role)(below) == Role::User && !is_users(below, layout.application)
+}
+
 /// Whether it has what only the folder of a user has: a pack is assets alone.
-fn is_users(place: &Place<'_>, application: Application) -> bool {
+fn is_users(below: &[Candidate<'_>], application: Application) -> bool {
     const OWN: [&str; 8] = ["custom", "contarget", "dbcache", "downloads", "exports", "grab", "config", "models"];
     let is_own = |rel: &str| match rel.split('/').collect::<Vec<_>>().as_slice() {
         [top, _, ..] if OWN.contains(top) => true,
         ["targets", "custom", ..] => true,
         parts => (Layout::of(application).is_of_user)(parts),
     };
-    place.below.iter().any(|one| one.is_loose || is_own(&one.rel))
+    below.iter().any(|one| one.is_loose || is_own(&one.rel))
 }
 
 fn files<'p>(place: &'p Place<'_>) -> impl Iterator<Item = &'p str> {

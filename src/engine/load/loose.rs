@@ -130,9 +130,10 @@ fn recognised(input: &Input, entry: &Entry, options: &Config, is_meant: bool) ->
             is_ours.then(|| target.and_then(|target| target.basemesh).filter(|name| is_folder_name(name)))
         }
         "mhclo" => Some(base_of(&read())),
-        // Only MPFB has rigs in such files, and weights under names that say so.
+        // Only MPFB has rigs in such files, and weights and presets under names that say so.
         "json" => (is_meant && (is_named() || is_named_as_of_rig(&entry.path))
-            || says(&read(), "\"identifying_bones\""))
+            || says(&read(), "\"identifying_bones\"")
+            || says(&read(), "\"phenotype\""))
         .then_some(None),
         "gz" => Some(None),
         "proxy" => {

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
+use super::identify::is_pack;
 use super::input::Input;
 use super::loose::Outside;
 use super::pack::{asked, packed};
@@ -78,15 +79,24 @@ pub(super) fn checked_places<'t>(
 
 fn places(tree: &Tree, roots: impl IntoIterator<Item = (String, Vec<&'static Layout>)>) -> Vec<Place<'_>> {
     let roots: BTreeMap<String, Vec<&'static Layout>> = roots.into_iter().collect();
-    roots.iter().map(|(path, layouts)| Place::around(tree, path, layouts, inner(&roots, path, layouts))).collect()
+    let inner = |path: &str, layouts: &[&'static Layout]| inner(tree, &roots, path, layouts);
+    roots.iter().map(|(path, layouts)| Place::around(tree, path, layouts, inner(path, layouts))).collect()
 }
 
-/// The data roots inside another one that are of other applications.
-fn inner(roots: &BTreeMap<String, Vec<&'static Layout>>, path: &str, layouts: &[&'static Layout]) -> Vec<String> {
+/// The data roots inside another one that are of other applications; inside a pack those of its own as well, since what
+/// is parked there is no part of it.
+fn inner(
+    tree: &Tree,
+    roots: &BTreeMap<String, Vec<&'static Layout>>,
+    path: &str,
+    layouts: &[&'static Layout],
+) -> Vec<String> {
     let is_of = |own: &[&'static Layout], other: &Layout| own.iter().any(|one| one.application == other.application);
     let is_foreign = |others: &[&'static Layout]| !others.iter().any(|other| is_of(layouts, other));
-    let inside = roots.iter().filter(|(other, _)| other.as_str() != path && is_below(other, path));
-    inside.filter(|(_, others)| is_foreign(others)).map(|(other, _)| other.clone()).collect()
+    let inside: Vec<_> = roots.iter().filter(|(other, _)| other.as_str() != path && is_below(other, path)).collect();
+    let is_pack =
+        !inside.is_empty() && layouts.iter().all(|layout| is_pack(&candidates(tree, path, &[layout]), layout));
+    inside.into_iter().filter(|(_, others)| is_pack || is_foreign(others)).map(|(other, _)| other.clone()).collect()
 }
 
 impl<'t> Roots<'t> {
@@ -141,7 +151,7 @@ impl<'t> Roots<'t> {
             if !scope.excludes(&shown) && !below.contains(&shown) {
                 let asked = layouts.iter().copied().filter(|layout| options.asks_for(layout.application));
                 let (checked, others) = asked.partition(|layout| applications.contains(&layout.application));
-                let inner = inner(all, path, layouts);
+                let inner = inner(&input.tree, all, path, layouts);
                 roots.add(input, path, inner, [checked, others], outcome);
             }
         }

@@ -28,6 +28,9 @@ const OWN: Application = Application::Makehuman1;
 /// Measures the body with what it wears, taking the rows of its targets out of `rows`.
 pub(super) fn measure(layers: Layers<'_>, rows: &mut Rows, options: &Config) -> Measures {
     let view = View::connect(layers);
+    if view.foreign_mesh.is_some() {
+        return Measures::default();
+    }
     let worn = worn::measure(layers);
     let measured = base::compose(&view, rows).map(|composed| gauge(&composed, options)).unwrap_or_default();
     Measures { worn, ..measured }

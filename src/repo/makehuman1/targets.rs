@@ -144,6 +144,16 @@ impl<'a> Targets<'a> {
         self.shipped.get(place)
     }
 
+    /// The folder of all targets at the top of the data, where it has another name than `targets`, which is then a word of
+    /// every group (formats/makehuman1.md §5).
+    pub(crate) fn renamed_folder(&self) -> Option<&str> {
+        let folders: BTreeSet<&str> =
+            self.shipped.iter().map(|target| target.rel.split_once('/').map_or("", |(top, _)| top)).collect();
+        let only = folders.first().filter(|_| folders.len() == 1)?;
+        // The word `target` is in no group.
+        (!matches!(*only, "" | "target" | "targets")).then_some(*only)
+    }
+
     /// The names of all groups.
     pub(crate) fn groups(&self) -> impl Iterator<Item = &str> {
         self.by_group.keys().map(String::as_str)

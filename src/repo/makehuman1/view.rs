@@ -13,6 +13,7 @@ use crate::discover::{Kind, library_of};
 use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::mhbin_asset::Packed;
 use crate::formats::obj::Mesh;
+use crate::repo::cubes::{Strays, strays_of};
 use crate::repo::extent::{extent, is_plausible};
 use crate::repo::{
     Body, BodyWeights, Doubt, FileFacts, Gaps, Layer, Layers, ReferenceKind, References, Rig, Surface, Target,
@@ -33,6 +34,8 @@ pub(crate) struct View<'a> {
     pub references: References<'a>,
     /// The base mesh, if it can be read.
     pub(crate) mesh: Option<(&'a FileFacts, &'a Mesh)>,
+    /// A base mesh that the default rig is not made for: nothing else is measured against it.
+    pub(crate) foreign_mesh: Option<(&'a FileFacts, Strays)>,
     /// The skeletons of all layers.
     rigs: Vec<Rig<'a>>,
     /// The groups of the body that are shown.
@@ -100,6 +103,8 @@ impl<'a> View<'a> {
         let models = models(layers);
         references.extend(models::references(layers, &models, &worn));
         let mesh = mesh(layers);
+        let skeleton = rigs.iter().find(|rig| rig.is_default).and_then(Rig::skeleton);
+        let strays = mesh.zip(skeleton).and_then(|((file, mesh), rig)| Some((file, strays_of(mesh, &rig.joints)?)));
         let mut targets = Targets::of(layers);
         let modifiers = Modifiers::of(layers, &targets);
         if targets.are_archived() && modifiers.has_no_macro() {
@@ -113,6 +118,7 @@ impl<'a> View<'a> {
             references: References::new(references),
             shown: groups.filter(|name| shows(name)).cloned().collect(),
             mesh,
+            foreign_mesh: strays,
             rigs,
             worn,
             surfaces,
@@ -178,11 +184,12 @@ impl<'a> View<'a> {
     /// The body, also where its mesh is not at hand.
     pub(in crate::repo) fn body<'v>(&'v self, view: &'v crate::repo::View<'v>) -> Body<'v> {
         let mut body = Body::new(BODY, view, self.own_targets());
-        body.mesh = self.mesh;
+        body.mesh = self.mesh.filter(|_| self.foreign_mesh.is_none());
         body.obj = self.mesh;
         body.visible_groups = self.mesh.map(|_| &self.shown);
         let size = self.mesh.and_then(|(_, mesh)| extent(mesh, shows));
-        body.doubt = size.filter(|size| !is_plausible(*size)).map(|_| Doubt::Misplaced);
+        let is_of_size = size.is_none_or(is_plausible);
+        body.doubt = self.foreign_mesh.map(|_| Doubt::Foreign).or((!is_of_size).then_some(Doubt::Misplaced));
         body.rigs = &self.rigs;
         body.worn = &self.worn;
         // On a mesh that stops the program nobody counts vertices.

@@ -3,6 +3,7 @@
 
 use crate::formats::mesh_metadata::{MirrorRow, MirrorTable, VertexGroup, VertexGroups};
 use crate::formats::obj::Mesh;
+use crate::repo::cubes::{Strays, strays, torn};
 
 /// Where the vertices lie instead.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,6 +16,8 @@ pub(crate) enum Misplaced {
     Mirrored(usize, usize),
     /// Vertices have other numbers: those that are not where the mirror table has them, of so many.
     Order(usize, usize),
+    /// The same shown by the cubes of joints, which have other vertices than in the table of groups.
+    Cubes(Strays),
 }
 
 /// Vertices of the one base mesh that there is. Of any other mesh nobody knows how large it should be.
@@ -27,6 +30,8 @@ const OTHER_UNIT: f32 = 3.0;
 pub(crate) const MIDDLE: f32 = 1e-3;
 /// Counterparts are farther from where they mirror each other only where numbers are wrong, mesh units.
 const APART: f32 = 0.5;
+/// More vertices no cube of a joint has.
+const LARGEST_CUBE: i64 = 64;
 /// Where one vertex of so many is not where it should be, all numbers are in doubt; fewer are faults of the table.
 const MANY: usize = 4;
 
@@ -38,8 +43,21 @@ impl Misplaced {
         }
         let by_size = (mesh.facts.vertices == VERTICES).then(|| by_size(mesh)).flatten();
         let mirror = mirror.filter(|table| table.unreadable.is_none());
-        by_size.or_else(|| mirror.and_then(|table| by_mirror(mesh, table, groups)))
+        let by_mirror = || mirror.and_then(|table| by_mirror(mesh, table, groups));
+        by_size.or_else(by_mirror).or_else(|| by_cubes(mesh, groups?))
     }
+}
+
+/// Whether most cubes of joints have other vertices than the table of groups says.
+fn by_cubes(mesh: &Mesh, groups: &VertexGroups) -> Option<Misplaced> {
+    let of_joint = |group: &'_ VertexGroup| match group.ranges.as_slice() {
+        [(first, last)] if last.checked_sub(*first).is_some_and(|more| more < LARGEST_CUBE) => {
+            Some((*first..=*last).collect())
+        }
+        _ => None,
+    };
+    let joints = groups.groups.iter().filter_map(|group| Some((group.name.strip_prefix("joint-")?, of_joint(group)?)));
+    torn(mesh).or_else(|| strays(mesh, joints)).map(Misplaced::Cubes)
 }
 
 fn by_size(mesh: &Mesh) -> Option<Misplaced> {

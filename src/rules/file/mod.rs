@@ -12,6 +12,7 @@ mod gzip_corrupt;
 mod in_place_of_folder;
 mod lfs_pointer;
 mod link_loop;
+mod merge_conflict;
 mod not_utf8;
 mod path_escape;
 mod too_large;
@@ -41,6 +42,7 @@ pub(super) static RULES: &[&Rule] = &[
     &in_place_of_folder::RULE,
     &lfs_pointer::RULE,
     &link_loop::RULE,
+    &merge_conflict::RULE,
     &not_utf8::RULE,
     &path_escape::RULE,
     &too_large::RULE,

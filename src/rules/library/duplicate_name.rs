@@ -1,7 +1,7 @@
 //! What a list shows has names of its own, also where it is not known by the name alone.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::{makehuman1, shelves};
+use super::{as_copy, makehuman1, shelves};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo, grouped,
@@ -83,6 +83,8 @@ fn find(
 }
 
 fn finding(rule: &Rule, assets: &[&Asset<'_>], what: &str, help: &str) -> Option<Finding> {
+    let mut assets = assets.to_vec();
+    assets.sort_by_key(|one| as_copy(one.file));
     let (told, others) = assets.split_last()?;
     let is_other = |one: &&&Asset<'_>| (&one.name, &one.uuid) != (&told.name, &told.uuid);
     let others: Vec<&&Asset<'_>> = others.iter().filter(is_other).collect();

@@ -1,6 +1,6 @@
 //! What an asset says of itself must fit into the binary that is made of it.
 
-use super::super::{Check, Rule, RuleCx, such};
+use super::super::{Check, Rule, RuleCx, plain_letters, such};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::mhclo::{Clothes, Entry};
@@ -32,7 +32,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let message = format!("`{}` has the letter `{letter}`, which is not ASCII{more}", first.keyword);
     let finding = RULE.at(file, Place::Span(first.span.clone()), message);
     let evidence = Evidence::of_cases(foreign.iter().map(|entry| entry.keyword.to_string()));
-    out.push(finding.evidence(evidence).help("write it with plain letters, without accents: `Joerg` for `Jörg`"));
+    out.push(finding.evidence(evidence).help(plain_letters(letter)));
 }
 
 /// A comment with another word that begins with `author`, such as `# authors`: it counts as well.
@@ -41,7 +41,7 @@ fn other_author(file: &FileFacts, clothes: &Clothes) -> Option<Finding> {
     let letter = author.text.chars().find(|letter| !letter.is_ascii())?;
     let message = format!("the comment on the author has the letter `{letter}`, which is not ASCII");
     let finding = RULE.at(file, Place::Span(author.span.clone()), message).key("author");
-    Some(finding.help("write it with plain letters, without accents: `Joerg` for `Jörg`"))
+    Some(finding.help(plain_letters(letter)))
 }
 
 /// What of a line is written: of the names of files the first word.

@@ -2,6 +2,7 @@
 
 use super::super::cause::copies::is_copy;
 use super::super::{Check, Rule, RuleCx};
+use super::as_copy;
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Asset, View};
 
@@ -42,8 +43,7 @@ fn finding(view: &View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
     if own.len() < 2 || own.iter().all(is_told) {
         return None;
     }
-    // The one with the longer or hidden name is the copy.
-    own.sort_by_key(|one| (one.file.file_name().starts_with('.'), one.file.shown().len(), one.file.shown()));
+    own.sort_by_key(|one| as_copy(one.file));
     let (told, others) = own.split_last()?;
     let first = others.first()?;
     let (what, help) = words(told, first);

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use super::super::cause::outdated::is_outdated;
 use super::super::{Rule, counted, did_you_mean};
-use super::{mpfb, of_folder};
+use super::{as_copy, aside, is_pack, mpfb, of_folder, top};
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped, nearest};
-use crate::discover::{archive_library_of, extension, libraries, library_extension, library_of};
+use crate::discover::{Kind, archive_library_of, extension, libraries, library_extension, library_of};
 use crate::formats::mhbin_asset::Packed;
 use crate::repo::makehuman1::{Asset, CUSTOM, Known, View};
 use crate::repo::{FileFacts, Layer};
@@ -17,7 +17,9 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
     // Models beside the data folder are in their place.
     let is_model = |file: &FileFacts| extension(&file.rel) == "mhm";
-    let files = layer.files.values().filter(|file| !(is_outdated(file) || is_model(file) && file.is_loose));
+    // And beside the libraries of a pack they are somebody's examples.
+    let is_aside = |file: &FileFacts| file.is_loose || is_aside(layer, file);
+    let files = layer.files.values().filter(|file| !(is_outdated(file) || is_model(file) && is_aside(file)));
     let by_folder = grouped(files.map(|file| ((file.rel.split('/').next(), extension(&file.rel)), file)));
     for ((library, extension), files) in by_folder {
         let place = match extension {
@@ -60,14 +62,15 @@ pub(super) fn targets(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let beside = if layer.is_loose { Vec::new() } else { targets(CUSTOM, true) };
     let mut places = vec![("`targets` of the user".to_owned(), targets("targets", false))];
     places.push(("`custom` beside `data`".to_owned(), beside));
-    // Folders such as `Custom`.
-    let near = |file: &&FileFacts| {
-        let top = file.rel.split('/').next().unwrap_or_default();
-        let is_other = top != CUSTOM && extension(&file.rel) == "target" && !file.is_loose;
-        is_other && (top.eq_ignore_ascii_case(CUSTOM) || nearest(top, [CUSTOM]).is_some())
+    // Any other folder, such as `Custom` or `morphs`; what else ends so there is nobody's business.
+    let has_rows = |file: &FileFacts| file.target().is_some_and(|facts| facts.rows > 0);
+    let is_lost = |file: &&FileFacts| {
+        let is_other = !matches!(top(file), CUSTOM | "targets") && library_extension(top(file)).is_none();
+        let is_target = extension(&file.rel) == "target" && file.rel.contains('/') && !file.is_loose;
+        is_other && is_target && has_rows(file) && !is_aside(layer, file)
     };
-    for (top, files) in grouped(layer.files.values().filter(near).map(|file| (file.rel.split('/').next(), file))) {
-        places.push((format!("`{}`", top.unwrap_or_default()), files));
+    for (top, files) in grouped(layer.files.values().filter(is_lost).map(|file| (top(file), file))) {
+        places.push((format!("`{top}`"), files));
     }
     for (folder, lost) in places {
         let Some(first) = lost.first() else { continue };
@@ -79,6 +82,18 @@ pub(super) fn targets(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     }
 }
 
+/// Languages of a user: the list has them, but texts are read from the program's folder alone (formats/makehuman1.md §2.1).
+pub(super) fn languages(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers.checked;
+    let files = layer.files.values().filter(|file| file.kind_in(Makehuman1) == Kind::Language && !file.is_loose);
+    for file in files.filter(|_| !view.layers.checks_system()) {
+        let message = format!("the texts of language `{}` are read from the folder of the program alone", file.stem());
+        let finding = rule.at(file, Place::File, message).key("language").case(UNTRANSLATED);
+        out.push(finding.help("move it to `languages` in the data folder of the program"));
+    }
+}
+
+const UNTRANSLATED: Case = &[(Makehuman1, Level::Warning, "lists the language, and stays English when it is chosen")];
 const NO_SLIDER: Case = &[(Makehuman1, Level::Error, "shows no slider for them")];
 
 /// Targets of a user with their suffix in capitals.
@@ -180,6 +195,7 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             && library_extension(top).is_none()
             && (is_worn || of_other_case)
     });
+    let lost = lost.filter(|(_, file)| !is_aside(layer, file));
     for (top, files) in grouped(lost) {
         let Some(first) = files.first() else { continue };
         let message = if first.rel.contains('/') {
@@ -193,6 +209,25 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
         out.push(finding.help(did_you_mean(near, "move the assets to the folder of their kind, such as `clothes`")));
     }
+}
+
+/// What lies beside the libraries of a pack.
+pub(super) fn beside_libraries(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers.checked;
+    let is_asset = |file: &FileFacts| matches!(extension(&file.rel), "mhclo" | "proxy" | "mhskel" | "mhpose" | "mhm");
+    let is_target =
+        |file: &FileFacts| extension(&file.rel) == "target" && file.target().is_some_and(|facts| facts.rows > 0);
+    let is_asset = |file: &FileFacts| is_asset(file) || is_target(file);
+    let files = layer.files.values().filter(|file| is_asset(file) && !is_outdated(file) && is_aside(layer, file));
+    out.extend(aside(rule, &files.collect::<Vec<_>>()));
+}
+
+/// Whether a file lies in a folder of a pack that is no library, and not called nearly as one.
+fn is_aside(layer: &Layer, file: &FileFacts) -> bool {
+    let top = top(file);
+    let is_read = || library_extension(top).is_some() || KNOWN.contains(&top) || top == "models";
+    let is_beside = || file.rel.contains('/') && !file.is_loose && !is_read() && nearest(top, libraries()).is_none();
+    is_pack(layer, Makehuman1) && is_beside()
 }
 
 /// Folders that hold assets for the program itself.
@@ -325,7 +360,7 @@ fn told<'t, 'a>(view: &View<'_>, assets: &'t [Asset<'a>]) -> Option<(&'t Asset<'
     let linked = &view.layers.checked.linked_folders;
     let is_listed = |asset: &&Asset<'_>| !linked.iter().any(|folder| is_below(&asset.file.rel, folder));
     let own = assets.iter().filter(|asset| view.layers.is_checked(asset.file));
-    let told = own.filter(is_listed).max_by_key(|asset| &asset.file.rel)?;
+    let told = own.filter(is_listed).max_by_key(|asset| as_copy(asset.file))?;
     // What lies in no library yet may be the next state of what the system has.
     let is_next = |other: &&Asset<'_>| {
         let name = |asset: &Asset<'_>| asset.name.map(|name| name.text.to_owned());

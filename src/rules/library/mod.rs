@@ -17,8 +17,11 @@ pub(in crate::rules) mod too_deep;
 pub(in crate::rules) mod unreadable_thumbnail;
 pub(in crate::rules) mod wrong_folder;
 
-use super::Rule;
-use crate::diag::{Evidence, Finding};
+use super::{Rule, counted, enumerated};
+use crate::diag::{
+    Application::{self, Makehuman1, Makehuman2, Mpfb},
+    Case, Evidence, Finding, Level, Place, PlaceKind,
+};
 use crate::discover::extension;
 use crate::repo::{FileFacts, Layer};
 
@@ -58,4 +61,36 @@ fn of_folder(layer: &Layer, folder: &str, files: &[&FileFacts], one: Finding, me
     let many = Finding { message, ..one }.key(key).asset(layer.display(folder));
     let many = many.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
     many.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())))
+}
+
+const ASIDE: Case =
+    &[(Makehuman2, Level::Info, LISTS_NONE), (Makehuman1, Level::Info, LISTS_NONE), (Mpfb, Level::Info, LISTS_NONE)];
+const LISTS_NONE: &str = "does not list what is there";
+
+/// Whether a layer is a pack: what lies in folders beside its libraries may be there on purpose, such as `docs` or `old`.
+fn is_pack(layer: &Layer, application: Application) -> bool {
+    layer.identities.get(&application).is_some_and(|identity| identity.kind == Some(PlaceKind::Pack))
+}
+
+/// What lies beside the libraries of a pack, in folders that are not read.
+fn aside(rule: &Rule, files: &[&FileFacts]) -> Option<Finding> {
+    let mut folders: Vec<String> = files.iter().map(|file| format!("`{}`", top(file))).collect();
+    folders.dedup();
+    let word = if folders.len() > 1 { "folders" } else { "folder" };
+    let message =
+        format!("{} in {word} {}, beside those that are read", counted(files.len(), "asset"), enumerated(&folders));
+    let finding = rule.at(files.first()?, Place::File, message).key("aside").case(ASIDE);
+    let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
+    let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
+    Some(finding.help("move them to the folder of their kind, such as `clothes`, if they belong to the pack"))
+}
+
+/// By what files are sorted that have something in common: the copy, with a longer or a hidden name, comes last.
+fn as_copy(file: &FileFacts) -> (bool, usize, &str) {
+    (file.file_name().starts_with('.'), file.shown().len(), file.shown())
+}
+
+/// The first folder of a path.
+fn top(file: &FileFacts) -> &str {
+    file.rel.split('/').next().unwrap_or_default()
 }

@@ -2,6 +2,7 @@
 
 use super::super::cause::outdated::is_outdated;
 use super::super::{Rule, counted, did_you_mean};
+use super::{aside, is_pack};
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, grouped, nearest};
 use crate::discover::{Kind, Layout, extension};
 use crate::repo::FileFacts;
@@ -37,9 +38,15 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let message = format!("{} in no folder of a kind", counted(loose.len(), "asset"));
     out.extend(finding(rule, &loose, "", message, NOT_LISTED, TO_KIND));
     let tops = files().filter_map(|file| Some((file.rel.split_once('/')?.0, file)));
+    let mut beside: Vec<&FileFacts> = Vec::new();
     for (top, files) in grouped(tops.filter(|(top, _)| !is_other(top))) {
         let of_targets: Vec<&FileFacts> = files.iter().copied().filter(|file| is_target(file)).collect();
         let is_known = own.has_at_top(top) || other.has_at_top(top);
+        let is_near = || nearest(top, own.at_top().filter(|one| !OF_PROGRAM.contains(one))).is_some();
+        if !is_known && !is_zip && is_pack(view.layers.checked, Application::Mpfb) && !is_near() {
+            beside.extend(files.into_iter().filter(|file| is_worn(file) || is_target(file)));
+            continue;
+        }
         if !of_targets.is_empty() && !matches!(top, "targets" | "custom") {
             let message =
                 format!("{} in `{top}`, where MPFB does not look for any", counted(of_targets.len(), "target"));
@@ -56,6 +63,7 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             out.extend(finding(rule, &worn, top, message, NOT_LISTED, TO_KIND));
         }
     }
+    out.extend(aside(rule, &beside));
 }
 
 /// Expressions with a suffix that is not looked for.

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::cause::outdated::is_outdated;
 use super::super::{Rule, counted};
-use super::{mpfb, of_folder};
+use super::{as_copy, mpfb, of_folder};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, grouped};
 use crate::discover::extension;
 use crate::repo::mpfb::{View, uuid};
@@ -35,6 +35,11 @@ fn shelf_around(file: &FileFacts) -> Option<(&'static str, &'static str)> {
     SHELVES.into_iter().find(|(folder, _)| *folder == top)
 }
 
+/// Whether files that end in `suffix` are listed where a file lies.
+pub(super) fn lists(file: &FileFacts, suffix: &str) -> bool {
+    shelf_around(file).is_some_and(|(_, listed)| listed == suffix)
+}
+
 /// What the list shows in place of the file name.
 fn label(file: &FileFacts) -> String {
     file.stem().to_lowercase().replace('_', " ")
@@ -52,7 +57,8 @@ const COPY: Case = &[(Mpfb, Level::Warning, "lists one of the copies alone")];
 /// Assets of one list with the same label.
 pub(in crate::rules) fn same_labels(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let labelled = listed(view.layers.checked).map(|(folder, file)| ((folder, label(file)), file));
-    for ((folder, label), files) in grouped(labelled) {
+    for ((folder, label), mut files) in grouped(labelled) {
+        files.sort_by_key(|file| as_copy(file));
         let [first, .., last] = files.as_slice() else { continue };
         let more = if files.len() > 2 { format!(" and {} more", files.len() - 2) } else { String::new() };
         let message = format!("has the label `{label}` in the list of `{folder}`, like `{}`{more}", first.rel);
@@ -82,7 +88,8 @@ pub(in crate::rules) fn hidden(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
 /// Assets with one uuid.
 pub(super) fn same_uuids(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let own = view.worn_anywhere().filter(|worn| view.layers.is_checked(worn.file));
-    for (uuid, assets) in grouped(own.filter_map(|worn| Some((uuid(worn)?, worn.file)))) {
+    for (uuid, mut assets) in grouped(own.filter_map(|worn| Some((uuid(worn)?, worn.file)))) {
+        assets.sort_by_key(|file| as_copy(file));
         let [first, .., last] = assets.as_slice() else { continue };
         // Of copies with one label one is listed, which is reported for the label.
         let of_copy = |file: &FileFacts| (file.size, file.content_hash, label(file));

@@ -14,6 +14,10 @@ use crate::repo::{FileFacts, Layer, makehuman1, parent};
 pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(run, of_makehuman1, |view, _, out| {
     shelves::in_capitals(&RULE, view, out);
     mpfb::in_capitals(&RULE, view, out);
+    let layer = view.layers.checked;
+    let files = layer.files.values().filter(|file| !file.is_loose);
+    let lost = files.filter(|file| double(layer, file).is_some_and(|suffix| shelves::lists(file, suffix)));
+    out.extend(lost.map(doubled));
 })
 .rule(RuleInfo {
     breaks: &[
@@ -28,8 +32,8 @@ pub(in crate::rules) static RULE: Rule = Check::LibrariesOfAll(run, of_makehuman
         MakeHuman 1 looks in folders of any depth, but does not list a file with another suffix behind its own, \
         either, nor one that ends in something else (`smile.mhupb` beside its picture). Targets of a user in `custom` end in \
         `.target`; packed ones have no slider.\n\n\
-        MPFB looks in folders of any depth, too. What ends in capitals it neither lists nor finds by its name: `hat.MHCLO`, \
-        `smile.JSON`.\n\n\
+        MPFB looks in folders of any depth, too. What ends in capitals, or in another suffix behind its own, it neither lists nor \
+        finds by its name: `hat.MHCLO`, `smile.JSON`, `hat.mhclo.txt`.\n\n\
         Move the folder of the asset up, or rename the file.",
     ..RuleInfo::new("library-too-deep", Level::Error, "an asset that the list does not find")
 });
@@ -127,7 +131,11 @@ fn double(layer: &Layer, file: &FileFacts) -> Option<&'static str> {
     let (right, last) = file.rel.rsplit_once('.')?;
     let suffix = SUFFIXES.into_iter().find(|suffix| *suffix == extension(right))?;
     let is_text = matches!(last, "txt" | "text" | "json" | "html");
-    (is_text && layer.file(right).is_none()).then_some(suffix)
+    // Beside the asset of a folder of its own it is an older version, or a note.
+    let is_own = |other: &FileFacts| parent(&other.rel) == parent(right) && extension(&other.rel) == suffix;
+    let is_worn = matches!(suffix, "mhclo" | "proxy");
+    let has_asset = || right.matches('/').count() > 1 && layer.below(parent(right)).any(is_own);
+    (is_text && layer.file(right).is_none() && !(is_worn && has_asset())).then_some(suffix)
 }
 
 /// Whether something names the file, such as `base.json` a skeleton.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Bound;
 
-use super::super::did_you_mean;
+use super::super::{did_you_mean, meant_beside};
 use crate::diag::{Place, Suggestions, grouped};
 use crate::discover::extension;
 use crate::formats::mhmat::Line;
@@ -29,11 +29,15 @@ impl<'v, 'a> Advice<'v, 'a> {
 
     pub(super) fn on(&self, reference: &Reference<'_>) -> String {
         let otherwise = "correct the name, add the picture, or remove the line";
+        let whole = with_blanks(reference);
+        if let Some(help) = meant_beside(self.view.layers().checked, &reference.rel, whole.as_deref()) {
+            return help;
+        }
         let Some(folders) = self.view.picture_folders(reference) else { return otherwise.to_owned() };
-        if let Some(name) = with_blanks(reference).filter(|name| self.is_near(name, &folders)) {
+        if let Some(name) = whole.clone().filter(|name| self.is_near(name, &folders)) {
             return format!("rename `{name}` without spaces, and write that name: a name ends at the first space");
         }
-        let cut = with_blanks(reference).filter(|name| is_cut(reference.text, name)).map(|name| joined(&name));
+        let cut = whole.filter(|name| is_cut(reference.text, name)).map(|name| joined(&name));
         if let Some(name) = cut.iter().flatten().find(|name| self.is_near(name, &folders)) {
             return format!("write `{name}`: a name ends at the first space");
         }

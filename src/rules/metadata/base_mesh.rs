@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
         If the tables of faces agree with one another, but not with the mesh, the mesh was exported with other numbers of \
         vertices or in another order of faces. A mesh of the size of the body that is not about 17 units (1.7 m) high, or \
         does not stand upright along y, makes a giant, a dwarf, or a body that lies, while the movements of sliders stay as \
-        they are. If left and right are exchanged, or vertices have other numbers than in `hm08.mirror`, sliders, bones and \
+        they are. If left and right are exchanged, or vertices have other numbers than in `hm08.mirror` or `basemesh_vertex_groups.json`, sliders, bones and \
         assets take hold of other places. What is measured on the mesh is then left out.\n\n\
         Restore the base mesh.",
     ..RuleInfo::new("metadata-base-mesh", Level::Warning, "a base mesh that its tables are not for")
@@ -40,6 +40,6 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     out.extend(mesh.zip(view.misplaced).map(|((file, _), misplaced)| size::fault(&RULE, file, misplaced)));
     // Vertices with other numbers make other faces.
-    let is_told = matches!(view.misplaced, Some(Misplaced::Order(..)));
+    let is_told = matches!(view.misplaced, Some(Misplaced::Order(..) | Misplaced::Cubes(_)));
     out.extend(mesh.filter(|_| !is_told).and_then(|(file, mesh)| faces::of_mesh(&RULE, view, file, mesh)));
 }

@@ -3,6 +3,7 @@
 use super::super::Rule;
 use crate::diag::{Application::Mpfb, Case, Finding, Level, Place};
 use crate::repo::FileFacts;
+use crate::repo::cubes::Strays;
 use crate::repo::mpfb::misplaced::{HEIGHT, Misplaced};
 
 const GIANT: Case = &[(
@@ -16,6 +17,11 @@ const EXCHANGED: Case = &[(
     Level::Warning,
     "moves the right side of the figure with sliders and bones of the left one, and the other way round",
 )];
+
+fn of_cubes(Strays { are_torn, strayed, of }: Strays) -> String {
+    let how = if are_torn { "are torn apart" } else { "are not where `basemesh_vertex_groups.json` has them" };
+    format!("vertices have other numbers: {strayed} of {of} cubes of joints {how}")
+}
 
 /// What is wrong with where the vertices lie.
 pub(super) fn fault(rule: &Rule, file: &FileFacts, misplaced: Misplaced) -> Finding {
@@ -42,12 +48,15 @@ pub(super) fn fault(rule: &Rule, file: &FileFacts, misplaced: Misplaced) -> Find
             "order",
             "restore the base mesh, or export it with the order of its vertices kept",
         ),
+        Misplaced::Cubes(strays) => {
+            (of_cubes(strays), "order", "restore the base mesh, or export it with the order of its vertices kept")
+        }
     };
     let finding = rule.at(file, Place::File, message).key(key).help(help);
     match misplaced {
         Misplaced::Lying(_) => finding.case(LYING),
         Misplaced::OtherSize(_) => finding.case(GIANT),
         Misplaced::Mirrored(..) => finding.case(EXCHANGED),
-        Misplaced::Order(..) => finding,
+        Misplaced::Order(..) | Misplaced::Cubes(_) => finding,
     }
 }

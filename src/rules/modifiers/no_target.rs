@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
 use super::meant::Meant;
 use super::{LOST_FILE, LOST_TABS};
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
@@ -34,6 +34,9 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     let meant = Meant::of(view, cx);
     let bare = bare_groups(view);
+    if let Some(finding) = renamed_folder(view).filter(|_| !bare.is_empty()) {
+        return out.push(finding);
+    }
     out.extend(bare.values().filter_map(|all| group_finding(view, all, cx)));
     // What an archive hides has a finding of its own.
     let is_hidden = |one: &KnownModifier<'_>| {
@@ -47,6 +50,16 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             None => {}
         }
     }
+}
+
+/// The folder of all targets has another name.
+fn renamed_folder(view: &View<'_>) -> Option<Finding> {
+    let folder = view.targets.renamed_folder()?;
+    let targets = counted(view.targets.shipped.len(), "target");
+    let message =
+        format!("`{folder}` must be named `targets`: its name is a word of the groups of all {targets} in it");
+    let finding = RULE.in_layer(view.layers.checked, folder, message).key("folder").case(STOPPED);
+    Some(finding.help("rename it to `targets`"))
 }
 
 /// Groups of several modifiers of which none has a target: the group, or the folder of its targets, has another name.

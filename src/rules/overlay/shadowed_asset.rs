@@ -114,7 +114,9 @@ fn replacing(view: &View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
 
 /// Folders with something in them that is worn.
 fn asset_folders(layer: &Layer) -> BTreeSet<&str> {
-    let assets = layer.files.values().filter(|file| matches!(extension(&file.rel), "mhclo" | "proxy" | "mhbin"));
+    // One whose suffix is in capitals has a finding of its own.
+    let is_asset = |file: &&FileFacts| matches!(&*extension(&file.rel).to_lowercase(), "mhclo" | "proxy" | "mhbin");
+    let assets = layer.files.values().filter(is_asset);
     assets.map(|file| parent(&file.rel)).collect()
 }
 

@@ -37,7 +37,8 @@ pub(super) fn report(rule: &Rule, layer: &Layer, refusal: &Refusal) -> Option<Fi
             let help = "pack the folders of assets together with `packs`";
             of_whole(rule, layer, "there is nothing in the zip".to_owned(), NOTHING, help)
         }
-        Refusal::NoLists => without_lists(rule, layer),
+        Refusal::NoLists => without_lists(rule, layer, None),
+        Refusal::NoListsInFolder(folder) => without_lists(rule, layer, Some(folder)),
     })
 }
 
@@ -54,7 +55,7 @@ fn of_whole(rule: &Rule, layer: &Layer, message: String, effect: &str, help: &st
     rule.in_layer(layer, "", message).key("packs").effect_in(Mpfb, effect).help(help)
 }
 
-fn without_lists(rule: &Rule, layer: &Layer) -> Finding {
+fn without_lists(rule: &Rule, layer: &Layer, around: Option<&str>) -> Finding {
     let zips: Vec<&FileFacts> = layer.files.values().filter(|file| is_zip(&file.rel)).collect();
     if let Some(first) = zips.first() {
         return of_zips(rule, first, &zips).key("packs").effect_in(Mpfb, NOT_UNPACKED);
@@ -62,7 +63,13 @@ fn without_lists(rule: &Rule, layer: &Layer) -> Finding {
     let finding = rule.in_layer(layer, "", "there is no folder `packs` at the top of the zip").key("packs");
     let help =
         "add `packs/<pack>.json`, an object whose keys are the names of the assets, beside the folders of assets";
-    finding.effect_in(Mpfb, NO_FILTER).help(help)
+    match around {
+        Some(folder) => {
+            let help = format!("pack what is in `{folder}`, not the folder itself; and {help}");
+            finding.effect_in(Mpfb, FIX_FAILS).help(help)
+        }
+        None => finding.effect_in(Mpfb, NO_FILTER).help(help),
+    }
 }
 
 pub(super) fn is_zip(rel: &str) -> bool {

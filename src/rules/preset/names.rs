@@ -52,7 +52,19 @@ pub(super) fn named(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> V
             cases,
         }));
     }
+    if has_no_data(view) {
+        let is_users = |one: &&mut Named| one.key != "rig" || one.message.contains("`custom.");
+        all.iter_mut().filter(is_users).for_each(|one| (one.level, one.effect) = (Level::Info, UNLESS_USERS));
+    }
     all
+}
+
+/// What names lead to that may be in data of the user that are not at hand.
+const UNLESS_USERS: &str = "leaves it out, unless it is in the data of the user, which are not checked here";
+
+/// Whether saved characters are alone, without the user's data.
+fn has_no_data(view: &View<'_>) -> bool {
+    view.layers.checked.files.values().all(|file| file.is_loose)
 }
 
 fn targets(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> Option<Named> {

@@ -1,6 +1,6 @@
 //! An author or a licence must be ASCII.
 
-use super::super::{Check, Rule, RuleCx, such};
+use super::super::{Check, Rule, RuleCx, plain_letters, such};
 use super::{Text, texts};
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhbin_asset::Packed;
@@ -72,16 +72,22 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     for text in texts(body) {
-        let is_lost = |entry: &&Entry| entry.is_comment && KEPT.contains(&&*entry.keyword) && !entry.value.is_ascii();
+        // Bytes that are not UTF-8 are dropped before anything is counted (`file-not-utf8`).
+        let is_counted = |entry: &&Entry| {
+            entry.value.chars().any(|letter| !letter.is_ascii() && letter != char::REPLACEMENT_CHARACTER)
+        };
+        let is_lost = |entry: &&Entry| entry.is_comment && KEPT.contains(&&*entry.keyword) && is_counted(entry);
         let lost: Vec<&Entry> = text.clothes.entries.iter().filter(is_lost).collect();
         let Some(first) = lost.first() else { continue };
         let letter = first.value.chars().find(|letter| !letter.is_ascii()).unwrap_or_default();
         let more = such(lost.len(), "values");
         let message = format!("`{}` has the letter `{letter}`, which is not ASCII{more}", first.keyword);
         let finding = RULE.at(text.file, Place::Span(first.span.clone()), message);
+        let is_licensed = |entry: &Entry| {
+            entry.is_comment && *entry.keyword == *"license" && !entry.value.eq_ignore_ascii_case("cc0")
+        };
+        let finding = if text.clothes.entries.iter().any(is_licensed) { finding } else { finding.case(CUT) };
         let evidence = Evidence::of_cases(lost.iter().map(|entry| entry.keyword.to_string()));
-        out.push(
-            finding.evidence(evidence).help("write it with plain letters, without accents: `Juergen` for `Jürgen`"),
-        );
+        out.push(finding.evidence(evidence).help(plain_letters(letter)));
     }
 }

@@ -1,6 +1,6 @@
 //! The material of an asset must be found.
 
-use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::super::{Check, Rule, RuleCx, did_you_mean, meant_beside};
 use super::{Text, blender, is_unwalked, lone_archives, neighbours, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
@@ -59,7 +59,9 @@ fn absent(body: &Body<'_>, text: &Text<'_, '_>, reference: &Reference<'_>, cx: &
     };
     let message = format!("material `{}` {what}", reference.text);
     let near = cx.suggestions.nearest(reference.text, neighbours(body, text, "mhmat"));
-    let help = did_you_mean(near, "correct the name, or add the material");
+    let whole = text.last("material").map(|entry| &*entry.value);
+    let help = meant_beside(body.layers.checked, &reference.rel, whole);
+    let help = help.unwrap_or_else(|| did_you_mean(near, "correct the name, or add the material"));
     let finding = RULE.at(text.file, reference.place.clone(), message).key(reference.text).help(help);
     let is_picture = matches!(reference.resolution, Resolution::Found(file) if file.kind == Kind::Image);
     Some(if is_picture { finding.case(PICTURE) } else { finding })

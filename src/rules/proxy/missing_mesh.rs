@@ -1,6 +1,6 @@
 //! The mesh of an asset must be found.
 
-use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::super::{Check, Rule, RuleCx, did_you_mean, meant_beside};
 use super::{Text, blender, is_unwalked, lone_archives, missing::missing, neighbours, packed_proxy, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
@@ -59,10 +59,9 @@ fn absent(body: &Body<'_>, text: &Text<'_, '_>, reference: &Reference<'_>, cx: &
     }
     let message = format!("mesh `{}` {what}", reference.text);
     let names = neighbours(body, text, "obj");
-    let with_spaces = text.last("obj_file").filter(|entry| entry.value.contains(' '));
-    let help = match with_spaces.filter(|entry| names.contains(&&*entry.value)) {
-        Some(entry) => format!("rename `{}` without spaces: a name ends at the first space", entry.value),
-        None => did_you_mean(cx.suggestions.nearest(reference.text, names), "correct the name, or restore the mesh"),
-    };
+    let whole = text.last("obj_file").map(|entry| &*entry.value);
+    let help = meant_beside(body.layers.checked, &reference.rel, whole).unwrap_or_else(|| {
+        did_you_mean(cx.suggestions.nearest(reference.text, names), "correct the name, or restore the mesh")
+    });
     Some(RULE.at(text.file, reference.place.clone(), message).key(reference.text).help(help))
 }

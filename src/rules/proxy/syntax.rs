@@ -51,7 +51,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// The rows with a fault, without those that belong to a section whose keyword is wrong.
 fn of_rows<'v>(text: &Text<'_, 'v>, wanted: fn(FaultKind) -> bool) -> Option<(Vec<&'v Fault>, u64)> {
     let (faults, count) = text.faults(wanted)?;
-    let end = sections::misplaced_from(text);
+    // At `weights` MakeHuman 2 refuses the asset: it reads no row behind it.
+    let refused = text.faults(|kind| kind == FaultKind::OldFormat).filter(|_| !text.is_makehuman1());
+    let refused = refused.and_then(|(faults, _)| faults.first().map(|fault| fault.line)).unwrap_or(u32::MAX);
+    let end = sections::misplaced_from(text).min(refused);
     let own: Vec<&Fault> = faults.into_iter().filter(|fault| fault.line < end).collect();
     if own.is_empty() { None } else { Some((own, if end == u32::MAX { count } else { 1 })) }
 }

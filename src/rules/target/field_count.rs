@@ -71,6 +71,10 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     // A packed one only MPFB opens.
     let Some(facts) = file.target().filter(|_| file.kind == Kind::Target) else { return };
     let Some((line, fields)) = facts.field_count.first.first() else { return };
+    // What has no row is no target unless it lies where one is looked for: systemd has files of this name.
+    if facts.rows == 0 && view.is_makehuman1() && !view.layers().checks_system() && !view.lists(file) {
+        return;
+    }
     // A marker of four words stops the program: `target-syntax`.
     if facts.conflict.is_some() && facts.unreadable_rows > 0 {
         return;

@@ -13,7 +13,9 @@ const UNUSED: Case = &[(Makehuman1, Level::Info, "never applies it: no modifier 
 
 /// One finding for all in a folder of `targets`; what another rule says of a name is not told again.
 pub(super) fn unused(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let is_known = view.modifiers.is_whole() && !view.targets.is_packed && view.targets.clashes.is_empty();
+    let is_found =
+        !view.targets.is_packed && view.targets.clashes.is_empty() && view.targets.renamed_folder().is_none();
+    let is_known = view.modifiers.is_whole() && is_found;
     if !view.layers.checks_system() || !is_known {
         return;
     }

@@ -16,7 +16,7 @@ pub(super) fn version(paths: &Paths<'_>) -> Option<&'static str> {
         (19158, 21333) if paths.has("costumes/") || paths.has("mhx/") => Some("alpha 8"),
         (19158, 21333) => Some("1.0"),
         (19158, 21334) if paths.says("VERSION", "{") || is_of_2020(paths) => Some("1.2"),
-        (19158, 21334) if has_all() && !paths.has("targets.npz") => Some("1.1"),
+        (19158, 21334) if is_older_build(paths) || has_all() && !paths.has("targets.npz") => Some("1.1"),
         (19158, 21334) => None,
         // Of another mesh nobody knows.
         _ if !paths.has_kind("rigs/", ".mhskel")
@@ -24,6 +24,7 @@ pub(super) fn version(paths: &Paths<'_>) -> Option<&'static str> {
         {
             Some(old)
         }
+        _ if is_older_build(paths) => Some("1.1"),
         // One folder may be gone; all of what came with 1.3 is not. In an archive nobody looks for names.
         _ if has_all() || paths.has("targets.npz") && paths.has("modifiers/") => Some("1.2"),
         _ => None,
@@ -39,6 +40,11 @@ fn version_without_skeletons(paths: &Paths<'_>) -> Option<&'static str> {
         false if has_any(&["cages/", "hairstyles/", "landmarks/"]) => Some("alpha 7"),
         false => has_any(&["templates/", "hairs/"]).then_some("alpha 6"),
     }
+}
+
+/// Whether a build wrote its version as a text, `number:hash`; from 1.2 on it is JSON.
+fn is_older_build(paths: &Paths<'_>) -> bool {
+    paths.first("VERSION").is_some_and(|rel| rel == "VERSION" && paths.says(rel, ":") && !paths.says(rel, "{"))
 }
 
 /// Whether the headers of its targets are those of the autumn of 2020.

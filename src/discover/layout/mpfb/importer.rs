@@ -1,5 +1,7 @@
 //! Which asset packs MPFB refuses: it checks a zip by the names in it before it unpacks anything (formats/mpfb.md §8).
 
+use super::LAYOUT;
+
 /// Where the list of a pack lies: no zip without it is taken.
 const LISTS: &str = "packs/";
 
@@ -25,6 +27,8 @@ pub(crate) enum Refusal {
     Backslashes,
     /// There is no folder for the list.
     NoLists,
+    /// There is none either in the folder that is around everything.
+    NoListsInFolder(String),
     /// There is nothing in it.
     Empty,
 }
@@ -67,7 +71,11 @@ fn of_place(names: &[String]) -> Refusal {
     } else if names.is_empty() {
         Refusal::Empty
     } else {
-        Refusal::NoLists
+        let mut tops = visible().filter(|name| name.contains('/')).map(top);
+        let first = tops.next().filter(|first| !LAYOUT.has_at_top(first));
+        first
+            .filter(|first| tops.all(|other| other == *first))
+            .map_or(Refusal::NoLists, |folder| Refusal::NoListsInFolder(folder.to_owned()))
     }
 }
 
@@ -118,6 +126,8 @@ mod tests {
         assert_eq!(of(&[r"packs\a.json"]), Some(Refusal::Backslashes));
         assert_eq!(of(&["clothes/a/a.mhclo"]), Some(Refusal::NoLists));
         assert_eq!(of(&["packs"]), Some(Refusal::NoLists));
+        let wrapped = Some(Refusal::NoListsInFolder("repo-master".to_owned()));
+        assert_eq!(of(&["repo-master/", "repo-master/clothes/a/a.mhclo", "repo-master/README.md"]), wrapped);
         assert_eq!(of(&[]), Some(Refusal::Empty));
     }
 }

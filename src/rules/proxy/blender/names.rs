@@ -4,10 +4,10 @@ use super::super::keywords::corrected;
 use super::super::{Text, is_unwalked, neighbours, texts};
 use super::{at, whole};
 use crate::diag::{Application::Mpfb, Case, Finding, Level, Place};
-use crate::discover::Kind;
+use crate::discover::{Kind, extension};
 use crate::formats::mhclo::Entry;
 use crate::repo::{Body, Reference, ReferenceKind, Resolution};
-use crate::rules::{Rule, RuleCx, did_you_mean, shown};
+use crate::rules::{Rule, RuleCx, did_you_mean, meant_beside, shown};
 
 const NO_MESH: Case = &[(Mpfb, Level::Error, "fails with `ValueError` when the asset is loaded: no mesh is named")];
 
@@ -22,7 +22,8 @@ pub(in crate::rules::proxy) fn mesh(rule: &Rule, body: &Body<'_>, cx: &RuleCx<'_
         let Some((reference, what)) = reference.and_then(|one| Some((one, absent(body, one)?))) else { continue };
         let message = format!("mesh `{}` {what}", reference.text);
         let near = cx.suggestions.nearest(reference.text, neighbours(body, &text, "obj"));
-        let help = did_you_mean(near, "correct the name, or restore the mesh");
+        let help = meant_beside(body.layers.checked, &reference.rel, None);
+        let help = help.unwrap_or_else(|| did_you_mean(near, "correct the name, or restore the mesh"));
         out.push(rule.at(text.file, reference.place.clone(), message).key(reference.text).help(help));
     }
 }
@@ -31,7 +32,9 @@ const NONE: Case = &[(Mpfb, Level::Warning, "shows the asset without any materia
 
 /// The material. Proxies wear the skin.
 pub(in crate::rules::proxy) fn material(rule: &Rule, body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for text in whole(body).filter(|text| !text.worn.is_topology()) {
+    // One among other assets is not loaded at all (`library-wrong-folder`).
+    let is_worn = |text: &Text<'_, '_>| !text.worn.is_topology() && extension(&text.file.rel) != "proxy";
+    for text in whole(body).filter(is_worn) {
         if text.clothes.flow.line_of("material").is_none() {
             out.push(unread(rule, &text, "material", "a line `material` with the name of a material").case(NONE));
             continue;
@@ -41,7 +44,8 @@ pub(in crate::rules::proxy) fn material(rule: &Rule, body: &Body<'_>, cx: &RuleC
         let Some(what) = absent(body, reference).or(is_other.then_some("is not a `.mhmat` file")) else { continue };
         let message = format!("material `{}` {what}", reference.text);
         let near = cx.suggestions.nearest(reference.text, neighbours(body, &text, "mhmat"));
-        let help = did_you_mean(near, "correct the name, or add the material");
+        let help = meant_beside(body.layers.checked, &reference.rel, None);
+        let help = help.unwrap_or_else(|| did_you_mean(near, "correct the name, or add the material"));
         out.push(rule.at(text.file, reference.place.clone(), message).key(reference.text).help(help));
     }
 }
