@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Level, Parts};
+use super::{Figure, Level, Parts};
 
 /// Known findings. [`Baseline::text`] is the file.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -29,6 +29,9 @@ pub struct Entry {
     /// Everything it spoke for, by name, numbers in a row as `first-last`; empty where that is one thing.
     #[serde(default, skip_serializing_if = "Parts::is_empty")]
     pub parts: Parts,
+    /// How much of the fault there was; what has grown since is not known. Without it any amount is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub measure: Option<Figure>,
 }
 
 fn worst() -> Level {

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::{
-    Application, Case, Cases, Confidence, EXAMPLES, Evidence, Fix, Level, Location, Name, Parts, Place, RuleInfo,
-    Subject,
+    Application, Case, Cases, Confidence, EXAMPLES, Evidence, Figure, Fix, Grown, Grows, Level, Location, Measure,
+    MeasureKind, Name, Parts, Place, RuleInfo, Subject,
 };
 
 /// Something wrong in an asset repository.
@@ -47,6 +47,10 @@ pub struct Finding {
     pub between: Vec<String>,
     /// Where only some of [`Finding::files`] are ignored; filled by the engine.
     pub ignored: Option<IgnoredFiles>,
+    /// What the worst value of its evidence measures.
+    pub grows: Option<Grows>,
+    /// How much more of it there is than before, where that is why it is reported.
+    pub grown: Option<Grown>,
     /// How many of its parts are new, where only new ones are reported.
     pub new_parts: Option<NewParts>,
     /// Stable identity, filled by the engine.
@@ -127,9 +131,20 @@ impl Finding {
             ignored: None,
             fingerprint: String::new(),
             new_parts: None,
+            grows: rule.grows,
+            grown: None,
             places: BTreeMap::new(),
         };
         finding.at_worst()
+    }
+
+    /// How much of the fault there is: the worst value, or how many show it where they have no names.
+    pub fn measure(&self) -> Option<Measure> {
+        let evidence = self.evidence.as_ref()?;
+        let worst = self.grows.zip(evidence.worst.as_ref()).map(|(grows, worst)| (grows, worst.value));
+        let counted = || Some((Grows::more(MeasureKind::Count)?, evidence.count as f64));
+        let (grows, value) = worst.or_else(|| counted().filter(|_| self.subject.parts.is_empty()))?;
+        Some(Measure { grows, value: Figure(value) })
     }
 
     /// Says what to do.

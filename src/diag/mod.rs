@@ -13,6 +13,7 @@ mod grouped;
 mod identity;
 mod key;
 mod level;
+mod measure;
 mod nearest;
 mod note;
 mod outcome;
@@ -34,6 +35,7 @@ pub(crate) use grouped::grouped;
 pub use identity::{Identity, PlaceKind, Sign, Speaks};
 pub use key::{fingerprint, structural};
 pub use level::{Application, Confidence, Level};
+pub use measure::{Figure, Grown, Grows, Measure, MeasureKind, Towards};
 pub use nearest::{Sought, Suggestions, nearest};
 pub use note::Note;
 pub use outcome::{

@@ -60,6 +60,8 @@ pub struct Compared {
     pub with: String,
     /// How many findings no longer occur.
     pub gone: usize,
+    /// How many there are less of than before.
+    pub smaller: usize,
 }
 
 /// A data root.

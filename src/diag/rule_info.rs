@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Application, Level};
+use super::{Application, Grows, Level};
 
 /// The declared half of a rule; everything public (table, `explain`, reports) is derived from it.
 #[derive(Debug, Clone, Copy)]
@@ -31,6 +31,8 @@ pub struct RuleInfo {
     pub of_pieces: bool,
     /// What each application does with it.
     pub breaks: &'static [(Application, &'static str)],
+    /// What the worst value of its evidence measures, and which way that is worse.
+    pub grows: Option<Grows>,
     /// What its evidence counts, in the plural; empty where findings of it count different things.
     pub counts: &'static str,
     /// Typed options with their defaults.
@@ -94,6 +96,7 @@ impl RuleInfo {
             of_whole,
             of_pieces,
             breaks,
+            grows: None,
             counts,
             options,
             docs: "",

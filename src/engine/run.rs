@@ -9,7 +9,9 @@ use super::coverage::Coverage;
 use super::error::Error;
 use super::load::{Data, Loaded, Roots, Side, Stack, sides};
 use super::measure::{Measured, measure_bases};
-use super::settle::{Ignores, Keeper, Known, Placed, Root, Scope, Selection, gone, idle, new_or_worse, place_and_sort};
+use super::settle::{
+    Ignores, Keeper, Known, Placed, Root, Scope, Selection, gone_and_smaller, idle, new_or_worse, place_and_sort,
+};
 use super::summary::{check_bases, summarise};
 use super::verdict::conclude;
 use crate::config::{Before, Compare, Config, Selector};
@@ -264,7 +266,8 @@ impl Asked<'_> {
             outcome.in_baseline = compared.hidden;
             (outcome.baseline, outcome.taken_over) = (compared.new, compared.taken_over);
             let BaselineUse { path, stale, .. } = &compared.used;
-            outcome.compared_with_baseline = Some(Compared { with: path.clone(), gone: stale.len() });
+            outcome.compared_with_baseline =
+                Some(Compared { with: path.clone(), gone: stale.len(), smaller: compared.smaller });
             upkeep.baseline = Some(compared.used);
             compared.kept
         } else {
@@ -287,10 +290,10 @@ fn settle_comparison(before: Found, found: Found, compare: &Compare, now: &Side,
     let is_compared = |finding: &Finding| std::iter::once(&finding.path).chain(finding.files()).all(is_compared);
     let before = before.all.into_iter().filter(is_compared);
     let before: Vec<Finding> = before.map(Finding::without_ignored).collect();
-    let gone = gone(&before, &found.all);
+    let [gone, smaller] = gone_and_smaller(&before, &found.all);
     outcome.findings = new_or_worse(&before, found.shown, is_compared);
     outcome.notes.push(Note::Compared { with: compare.with.clone(), gone });
-    outcome.compared = Some(Compared { with: compare.with.clone(), gone });
+    outcome.compared = Some(Compared { with: compare.with.clone(), gone, smaller });
     if !missing.is_empty() {
         outcome.not_checked.insert(0, NotChecked::of(None, Unchecked::NotCompared, missing));
     }

@@ -11,7 +11,7 @@ use super::View;
 use super::phrase::message;
 use crate::diag::{
     Application, ApplicationVerdict, AssetGroup, Break, Compared, Confidence, Consumed, Consumer, Evidence, Fares,
-    Finding, Level, Location, NotChecked, Outcome, Related, RootSummary, Summary, Verdict,
+    Finding, Grown, Level, Location, MeasureKind, NotChecked, Outcome, Related, RootSummary, Summary, Verdict,
 };
 
 #[derive(Serialize)]
@@ -89,9 +89,20 @@ struct Item<'a> {
     help: Option<&'a str>,
     breaks: &'a [Break],
     evidence: Option<Evidence>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    measure: Option<MeasureItem>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    grown: Option<Grown>,
     related: &'a [Related],
     fix: Option<FixItem<'a>>,
     fingerprint: &'a str,
+}
+
+/// How much of the fault there is.
+#[derive(Serialize)]
+struct MeasureItem {
+    of: MeasureKind,
+    value: f64,
 }
 
 #[derive(Serialize)]
@@ -130,6 +141,8 @@ fn item(finding: &Finding) -> Item<'_> {
         help: finding.help.as_deref(),
         breaks: &finding.breaks,
         evidence: finding.evidence.clone().map(finite),
+        measure: finding.measure().map(|one| MeasureItem { of: one.grows.of, value: one.value.0 }),
+        grown: finding.grown,
         related: &finding.related,
         fix: finding.fix.as_ref().map(|fix| FixItem { kind: fix.kind.word(), title: &fix.title }),
         fingerprint: &finding.fingerprint,

@@ -3,7 +3,9 @@
 use std::borrow::Cow;
 
 use super::{count, printable};
-use crate::diag::{Confidence, Evidence, Finding, Fix, FixKind, IgnoredFiles, Location, NewParts, Related, Worst};
+use crate::diag::{
+    Confidence, Evidence, Finding, Fix, FixKind, Grown, IgnoredFiles, Location, MeasureKind, NewParts, Related, Worst,
+};
 
 /// Related places that a text names; formats with room for more have their own bound.
 pub(super) const RELATED: usize = 5;
@@ -92,10 +94,13 @@ pub(super) fn fixed_by(fix: &Fix) -> String {
     format!("{} ({option})", fix.title)
 }
 
-/// What is wrong; how much of it is new, or how many of the files that have it are ignored.
+/// What is wrong; how much of it is new, how much more of it there is, or how many of the files that have it are ignored.
 pub(super) fn message(finding: &Finding) -> Cow<'_, str> {
     let be = |count: u64| if count == 1 { "is" } else { "are" };
     let message = &finding.message;
+    if let Some(grown) = &finding.grown {
+        return Cow::Owned(format!("{message}; {}", worse(grown)));
+    }
     match (&finding.new_parts, &finding.ignored) {
         (Some(NewParts { count, of }), _) if count < of => {
             Cow::Owned(format!("{message}; {count} of these {of} {} new", be(*count)))
@@ -106,6 +111,28 @@ pub(super) fn message(finding: &Finding) -> Cow<'_, str> {
         }
         _ => Cow::Borrowed(message),
     }
+}
+
+/// `12 now, 7 before`.
+fn worse(grown: &Grown) -> String {
+    let of = match grown.of {
+        MeasureKind::Count => return format!("{} now, {} before", grown.to, grown.from),
+        MeasureKind::Distance => "distance",
+        MeasureKind::Gap => "gap",
+        MeasureKind::Share => "share",
+        MeasureKind::Factor => "factor",
+        MeasureKind::Length => "length",
+        MeasureKind::Weight => "weight",
+        MeasureKind::Sine => "sine of the angle",
+    };
+    format!("{of} {} now, {} before", figure(grown.to), figure(grown.from))
+}
+
+/// With four digits that count, and seven behind the point at most.
+fn figure(value: f64) -> String {
+    const LEAST: [f64; 7] = [1000.0, 100.0, 10.0, 1.0, 0.1, 0.01, 0.001];
+    let digits = LEAST.iter().take_while(|least| value.abs() < **least).count();
+    format!("{value:.digits$}")
 }
 
 /// Message and lines as plain text, each on its own line.

@@ -129,12 +129,18 @@ fn nothing_found(outcome: &Outcome) -> String {
     if only.is_empty() { "no findings".to_owned() } else { format!("no findings{only}; everything else was left out") }
 }
 
-/// ` 3 findings no longer occur.`
+/// ` 3 findings no longer occur. 1 finding is smaller than before.`
 fn gone(outcome: &Outcome) -> String {
-    match outcome.compared.as_ref().map_or(0, |compared| compared.gone) {
+    let [gone, smaller] = outcome.compared.as_ref().map_or([0; 2], |compared| [compared.gone, compared.smaller]);
+    let gone = match gone {
         0 => String::new(),
         1 => " 1 finding no longer occurs.".to_owned(),
         more => format!(" {more} findings no longer occur."),
+    };
+    match smaller {
+        0 => gone,
+        1 => format!("{gone} 1 finding is smaller than before."),
+        more => format!("{gone} {more} findings are smaller than before."),
     }
 }
 

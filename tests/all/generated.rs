@@ -177,7 +177,7 @@ pub(crate) fn check_file(file: &str, wanted: &str) {
 }
 
 /// Compares what lies between `<!-- NAME -->` and `<!-- /NAME -->`, or rewrites it.
-fn check(file: &str, name: &str, wanted: &str) {
+pub(crate) fn check(file: &str, name: &str, wanted: &str) {
     let path = project(file);
     let text = fs::read_to_string(&path).unwrap();
     let [open, close] = [format!("<!-- {name} -->\n"), format!("<!-- /{name} -->")];

@@ -22,6 +22,7 @@ mod files;
 mod fixes;
 mod folders;
 mod generated;
+mod growth;
 #[cfg(unix)]
 mod help;
 mod honest;

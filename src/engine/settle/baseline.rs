@@ -95,7 +95,8 @@ impl Entry {
 
     /// As it is compared, its asset at `path`.
     pub(super) fn claim<'e>(&'e self, path: &'e str) -> Claim<'e> {
-        Claim { rule: &self.rule, asset: path, key: &self.key, parts: &self.parts, level: self.level, breaks: &[] }
+        let (rule, key, parts, level) = (&self.rule, &self.key, &self.parts, self.level);
+        Claim { rule, asset: path, key, parts, level, breaks: &[], value: self.measure, measure: None }
     }
 }
 
@@ -121,7 +122,15 @@ mod tests {
 
     fn entry(path: &str, parts: &[&str]) -> Entry {
         let [rule, key, fingerprint] = ["r", "", "f"].map(str::to_owned);
-        Entry { path: path.to_owned(), rule, key, fingerprint, level: Level::Warning, parts: parts.iter().collect() }
+        Entry {
+            path: path.to_owned(),
+            rule,
+            key,
+            fingerprint,
+            level: Level::Warning,
+            parts: parts.iter().collect(),
+            measure: None,
+        }
     }
 
     fn homes(before: &[&str], now: &[&str], roots: &[&str]) -> Vec<String> {

@@ -1,8 +1,9 @@
 //! Two sets of findings compared: what is new, worse, the same or gone.
 
 use std::cell::Cell;
+use std::cmp::Ordering;
 
-use crate::diag::{Break, Finding, Level, NameIndex, Parts, grouped};
+use crate::diag::{Break, Figure, Finding, Grown, Level, Measure, NameIndex, Parts, grouped};
 
 /// A finding as it is compared.
 #[derive(Debug, Clone, Copy)]
@@ -15,6 +16,9 @@ pub(in crate::engine) struct Claim<'f> {
     pub(in crate::engine) level: Level,
     /// How bad it is in each application, where that is known.
     pub(in crate::engine) breaks: &'f [Break],
+    /// How much of it there is: which way that grows only the finding of today knows.
+    pub(in crate::engine) value: Option<Figure>,
+    pub(in crate::engine) measure: Option<Measure>,
 }
 
 /// What a finding is to those before.
@@ -24,8 +28,12 @@ pub(in crate::engine) enum Standing {
     New,
     /// It is of a higher level, or has parts that were not there as bad: these.
     Worse(Parts),
+    /// There is more of it: it has all its parts, and was so much.
+    Grown(Figure),
     /// It was there, as bad.
     Same,
+    /// It was there, and there is less of it.
+    Smaller,
 }
 
 impl Standing {
@@ -34,7 +42,12 @@ impl Standing {
         match self {
             Self::New => Some(finding),
             Self::Worse(parts) => finding.narrow(&parts).then_some(finding),
-            Self::Same => None,
+            Self::Grown(before) => {
+                let now = finding.measure();
+                finding.grown = now.map(|now| Grown { of: now.grows.of, from: before.0, to: now.value.0 });
+                Some(finding)
+            }
+            Self::Same | Self::Smaller => None,
         }
     }
 }
@@ -59,20 +72,36 @@ pub(in crate::engine) fn compare(before: &[Claim<'_>], now: &[Claim<'_>]) -> Com
     let alike = grouped(known.map(|(claim, met)| (claim.subject(), Known { claim, met })));
     let now: Vec<(&Claim<'_>, &[Known<'_>])> =
         now.iter().map(|claim| (claim, alike.get(&claim.subject()).map_or(&[][..], Vec::as_slice))).collect();
-    let stayed: Vec<bool> = now.iter().map(|(claim, known)| take_equal(claim, known)).collect();
-    let standing = |((claim, known), stayed): (&(&Claim<'_>, &[Known<'_>]), bool)| match known {
+    let mut stayed: Vec<Option<Standing>> = now.iter().map(|(claim, known)| take_equal(claim, known)).collect();
+    // One that is the same but for how much of it there is may have taken no one's place.
+    for ((claim, known), stayed) in now.iter().zip(&mut stayed).filter(|(_, stayed)| stayed.is_none()) {
+        *stayed = take_changed(claim, known);
+    }
+    let standing = |((claim, known), stayed): (&(&Claim<'_>, &[Known<'_>]), Option<Standing>)| match known {
         [] => Standing::New,
-        _ if stayed => Standing::Same,
-        known => standing(claim, known),
+        known => stayed.unwrap_or_else(|| standing(claim, known)),
     };
     let now = now.iter().zip(stayed).map(standing).collect();
     Comparison { now, gone: (0..).zip(&met).filter(|(_, met)| !met.get()).map(|(at, _)| at).collect() }
 }
 
 /// Takes one that is equal and that no other finding has taken.
-fn take_equal(claim: &Claim<'_>, known: &[Known<'_>]) -> bool {
-    let equal = known.iter().find(|known| !known.met.get() && known.claim.is_equal(claim));
-    equal.inspect(|known| known.met.set(true)).is_some()
+fn take_equal(claim: &Claim<'_>, known: &[Known<'_>]) -> Option<Standing> {
+    let is_as_much = |known: &&Known<'_>| known.claim.value == claim.value;
+    let mut free = known.iter().filter(|known| !known.met.get() && known.claim.is_equal(claim));
+    free.find(is_as_much).map(|known| {
+        known.met.set(true);
+        Standing::Same
+    })
+}
+
+/// The same for one of which there is another amount: the smallest that will do.
+fn take_changed(claim: &Claim<'_>, known: &[Known<'_>]) -> Option<Standing> {
+    let free = known.iter().filter(|known| !known.met.get() && known.claim.is_equal(claim));
+    let enough = free.filter(|known| claim.grown_since(known.claim.value).is_none());
+    let one = enough.min_by(|one, other| claim.compare(one.claim.value, other.claim.value))?;
+    one.met.set(true);
+    Some(if claim.is_smaller_than(one.claim.value) { Standing::Smaller } else { Standing::Same })
 }
 
 /// Those that are new, and those that are worse with what is worse of them. Of files that are not `compared` everything is
@@ -90,9 +119,10 @@ pub(in crate::engine) fn new_or_worse(
     told.collect()
 }
 
-/// How many of those before no longer occur.
-pub(in crate::engine) fn gone(before: &[Finding], now: &[Finding]) -> usize {
-    compare(&claims(before), &claims(now)).gone.len()
+/// How many of those before no longer occur, and of how many there is less.
+pub(in crate::engine) fn gone_and_smaller(before: &[Finding], now: &[Finding]) -> [usize; 2] {
+    let Comparison { now, gone } = compare(&claims(before), &claims(now));
+    [gone.len(), now.iter().filter(|standing| **standing == Standing::Smaller).count()]
 }
 
 fn claims(findings: &[Finding]) -> Vec<Claim<'_>> {
@@ -112,20 +142,33 @@ fn standing(claim: &Claim<'_>, known: &[Known<'_>]) -> Standing {
     let (whole, named): (Vec<&Known<'_>>, Vec<_>) = known.iter().partition(|known| known.claim.parts.is_empty());
     let unmet = || whole.iter().filter(|known| !known.met.get());
     // The mildest that will do: a worse one may be that of another finding.
-    let enough = unmet().filter(|known| is_as_bad(known)).min_by_key(|known| known.claim.level);
+    let has_grown = |known: &Known<'_>| claim.grown_since(known.claim.value).is_some();
+    let enough = unmet().filter(|known| is_as_bad(known)).min_by_key(|known| (has_grown(known), known.claim.level));
     if let Some(one) = enough.or_else(|| unmet().next()) {
         one.met.set(true);
-        return if is_as_bad(one) { Standing::Same } else { Standing::Worse(claim.parts.clone()) };
+        return match claim.grown_since(one.claim.value) {
+            _ if !is_as_bad(one) => Standing::Worse(claim.parts.clone()),
+            Some(before) => Standing::Grown(before),
+            None if claim.is_smaller_than(one.claim.value) => Standing::Smaller,
+            None => Standing::Same,
+        };
     }
     let own = NameIndex::of([claim.parts]);
     let told: Vec<&Known<'_>> =
         named.into_iter().filter(|one| known.len() == 1 || own.has_one_of(one.claim.parts)).collect();
     told.iter().for_each(|known| known.met.set(true));
     let worse = claim.parts.without(told.iter().filter(|known| is_as_bad(known)).map(|known| known.claim.parts));
+    // Of several that are one now the worst counts; of an old baseline nobody knows.
+    let most = told.iter().map(|known| known.claim.value).max_by(|one, other| claim.compare(*one, *other)).flatten();
+    let before = most.filter(|_| told.iter().all(|known| known.claim.value.is_some()));
     match (told.is_empty(), claim.parts.is_empty() || !worse.is_empty()) {
         (true, _) => Standing::New,
         (_, true) => Standing::Worse(worse),
-        (_, false) => Standing::Same,
+        (_, false) => match claim.grown_since(before) {
+            Some(before) => Standing::Grown(before),
+            None if claim.is_smaller_than(before) => Standing::Smaller,
+            None => Standing::Same,
+        },
     }
 }
 
@@ -133,7 +176,26 @@ impl<'f> Claim<'f> {
     fn of(finding: &'f Finding) -> Self {
         let Finding { rule, level, subject, breaks, .. } = finding;
         let (asset, key, parts) = (finding.asset_path(), &subject.key, &subject.parts);
-        Self { rule, asset, key, parts, level: *level, breaks }
+        let measure = finding.measure();
+        Self { rule, asset, key, parts, level: *level, breaks, value: measure.map(|one| one.value), measure }
+    }
+
+    /// What it was, if there is more of it now.
+    fn grown_since(&self, before: Option<Figure>) -> Option<Figure> {
+        let (now, before) = self.measure.zip(before)?;
+        now.is_worse_than(before).then_some(before)
+    }
+
+    fn is_smaller_than(&self, before: Option<Figure>) -> bool {
+        self.measure.zip(before).is_some_and(|(now, before)| now.is_better_than(before))
+    }
+
+    /// Which of two amounts is more of it.
+    fn compare(&self, one: Option<Figure>, other: Option<Figure>) -> Ordering {
+        match (self.measure, one, other) {
+            (Some(now), Some(one), Some(other)) => now.compare(one, other),
+            _ => one.cmp(&other),
+        }
     }
 
     /// Whether no application is worse off with the other.
@@ -158,14 +220,14 @@ impl<'f> Claim<'f> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diag::Application;
+    use crate::diag::{Application, Grows, MeasureKind};
 
     fn parts(names: &[&str]) -> Parts {
         names.iter().collect()
     }
 
     fn claim<'p>(key: &'p str, level: Level, parts: &'p Parts) -> Claim<'p> {
-        Claim { rule: "r", asset: "a", key, parts, level, breaks: &[] }
+        Claim { rule: "r", asset: "a", key, parts, level, breaks: &[], value: None, measure: None }
     }
 
     fn compared(before: &[&[&str]], now: &[&[&str]]) -> (Vec<Standing>, Vec<usize>) {
@@ -209,6 +271,29 @@ mod tests {
         assert_eq!(standing(&mild, &grave), [worse(&[])]);
         assert_eq!([standing(&grave, &mild), standing(&[], &grave)], [[Standing::Same], [Standing::Same]]);
         assert_eq!(standing(&mild[..1], &mild), [worse(&[])], "told for another application");
+    }
+
+    /// What findings of one subject are to others of it, by how much there is of each.
+    fn measured(before: &[Option<f64>], now: &[f64]) -> Vec<Standing> {
+        let none = Parts::default();
+        let value = |value: f64| Some(Figure(value));
+        let known = |of: &Option<f64>| Claim { value: of.map(Figure), ..claim("", Level::Warning, &none) };
+        let own = |now: &f64| {
+            let grows = Grows::more(MeasureKind::Gap);
+            let measure = grows.map(|grows| Measure { grows, value: Figure(*now) });
+            Claim { value: value(*now), measure, ..claim("", Level::Warning, &none) }
+        };
+        compare(&before.iter().map(known).collect::<Vec<_>>(), &now.iter().map(own).collect::<Vec<_>>()).now
+    }
+
+    #[test]
+    fn what_grew_is_worse_and_what_shrank_is_counted() {
+        assert_eq!(measured(&[Some(1.0)], &[1.2]), [Standing::Grown(Figure(1.0))]);
+        assert_eq!(measured(&[Some(1.0)], &[1.05]), [Standing::Same]);
+        assert_eq!(measured(&[Some(1.0)], &[0.5]), [Standing::Smaller]);
+        assert_eq!(measured(&[None], &[9.0]), [Standing::Same], "an entry without a measure hides any");
+        assert_eq!(measured(&[Some(10.0), Some(1.0)], &[1.0, 10.0]), [Standing::Same, Standing::Same]);
+        assert_eq!(measured(&[Some(5.0), Some(1.0)], &[2.0, 0.9]), [Standing::Smaller, Standing::Same]);
     }
 
     #[test]

@@ -28,6 +28,8 @@ pub(in crate::engine) struct Compared {
     pub(in crate::engine) kept: Vec<Finding>,
     pub(in crate::engine) hidden: usize,
     pub(in crate::engine) used: BaselineUse,
+    /// How many there are less of.
+    pub(in crate::engine) smaller: usize,
     /// The one to write.
     pub(in crate::engine) new: Option<Baseline>,
     /// What that one changes.
@@ -60,9 +62,12 @@ impl Known {
         let homes = self.old.homes(&entries, &roots, |entry| self.is_there(&entry.path));
         let before: Vec<Claim<'_>> =
             self.old.entries.iter().zip(homes).map(|(entry, path)| entry.claim(path)).collect();
-        let now: Vec<Claim<'_>> = entries.iter().map(|found| found.entry.claim(&found.entry.path)).collect();
+        let claims = entries.iter().map(|found| found.entry.claim(&found.entry.path)).zip(&rest);
+        let now: Vec<Claim<'_>> =
+            claims.map(|(claim, placed)| Claim { measure: placed.finding.measure(), ..claim }).collect();
         let Comparison { now, gone } = compare(&before, &now);
-        let known: Vec<bool> = now.iter().map(|standing| *standing == Standing::Same).collect();
+        let known: Vec<bool> = now.iter().map(|one| matches!(one, Standing::Same | Standing::Smaller)).collect();
+        let smaller = now.iter().filter(|standing| **standing == Standing::Smaller).count();
         let lost: Vec<&Entry> = gone.iter().filter_map(|number| self.old.entries.get(*number)).collect();
         // Data in memory have no places on disk to look for.
         let on_disk = roots.iter().any(|root| self.is_there(root));
@@ -93,7 +98,7 @@ impl Known {
         let told: Vec<Finding> = told.filter_map(|(placed, standing)| standing.of(placed.finding)).collect();
         let hidden = all - told.len();
         let kept = safe.into_iter().map(|placed| placed.finding).chain(told).collect();
-        Ok(Compared { kept, hidden, used, new, taken_over })
+        Ok(Compared { kept, hidden, used, smaller, new, taken_over })
     }
 
     /// Whether there is something at the path of an entry, or at one beside it.
@@ -125,6 +130,7 @@ impl Known {
             fingerprint: placed_at.known_as.clone(),
             level: placed_at.consequence,
             parts: finding.subject.parts.clone(),
+            measure: finding.measure().map(|measure| measure.value),
         };
         Found { entry, rel: placed_at.rel.clone() }
     }

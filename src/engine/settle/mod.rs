@@ -16,7 +16,7 @@ mod named;
 mod scope;
 mod select;
 
-pub(super) use compare::{gone, new_or_worse};
+pub(super) use compare::{gone_and_smaller, new_or_worse};
 pub(super) use identify::{Placed, Root};
 pub(super) use idle::idle;
 pub(super) use ignore::Ignores;

@@ -5,7 +5,7 @@ use super::super::{Check, Rule, RuleCx, counted};
 use super::packed_mesh;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Case, Evidence, Finding, Level, Place, RuleInfo,
+    Case, Evidence, Finding, Grows, Level, MeasureKind, Place, RuleInfo,
 };
 use crate::formats::mesh_difference::MeshDifference;
 use crate::formats::obj::Mesh;
@@ -32,6 +32,7 @@ pub(in crate::rules) static RULE: Rule = Check::EachBase(run, |view, _, out| pac
         one age, so the archive wins. Of the meshes of assets only the number of vertices and the faces count.\n\n\
         Delete the archive, or rebuild it: MakeHuman 2 does so with `compile_meshes.py`.",
     counts: "vertices",
+    grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new("mesh-stale-binary", Level::Warning, "a packed base mesh differs from its OBJ")
 });
 

@@ -5,7 +5,7 @@ use std::cell::LazyCell;
 use super::super::cause::schema::is_sound;
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, pointer};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Grows, Level, MeasureKind, Place, RuleInfo, pointer};
 use crate::eval::measure::{chain_length, closing_gap};
 use crate::repo::Landmarks;
 use crate::repo::makehuman2::{Base, BoundSlider, View};
@@ -22,6 +22,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         began lacks a piece, so the length is too small (a warning, with the gap on the unmorphed mesh).\n\nList \
         vertices of the base mesh, and repeat the first one at the end of a circumference.",
     counts: "entries",
+    grows: Grows::more(MeasureKind::Gap),
     ..RuleInfo::new("modelling-measure", Level::Error, "`measure` does not fit the base mesh")
 });
 

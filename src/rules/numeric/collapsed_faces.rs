@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, percent, untold};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    Case, Confidence, Evidence, Finding, Level, RuleInfo,
+    Case, Confidence, Evidence, Finding, Grows, Level, MeasureKind, RuleInfo,
 };
 use crate::eval::measures::{Measures, Seen};
 use crate::eval::survey::Trouble;
@@ -26,6 +26,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         The finding is reported at the target that moves the largest of these faces most. Reduce this target, or \
         those that add up with it at this setting.",
     counts: "faces",
+    grows: Grows::more(MeasureKind::Share),
     ..RuleInfo::new(
         "numeric-collapsed-faces",
         Level::Warning,

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{component, has_sound_steps, percent, title};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Grows, Level, MeasureKind, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
@@ -14,6 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         at the steps cause jumps of up to 0.01, which nobody sees.\n\n\
         Usually two steps are so close that there is nothing between them. Move them apart. For equal steps see \
         `macro-steps-order`.",
+    grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new("numeric-discontinuity", Level::Warning, "the shape jumps where a slider passes a step")
 });
 

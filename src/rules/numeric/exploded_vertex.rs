@@ -5,7 +5,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    Confidence, Evidence, Finding, Level, RuleInfo,
+    Confidence, Evidence, Finding, Grows, Level, MeasureKind, RuleInfo,
 };
 use crate::eval::measures::Measures;
 use crate::eval::survey::Trouble;
@@ -25,6 +25,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         to its target, is `target-oversized-delta` instead.\n\n\
         Check the target for a missing decimal point or a wrong unit.",
     counts: "vertices",
+    grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new(
         "numeric-exploded-vertex",
         Level::Warning,

@@ -5,7 +5,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Confidence, Evidence, Finding, Level, RuleInfo,
+    Confidence, Evidence, Finding, Grows, Level, MeasureKind, RuleInfo,
 };
 use crate::eval::measures::Measures;
 use crate::eval::survey::Trouble;
@@ -26,6 +26,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         reported at the target that moves the joint most at that setting. Move the joint cube and the skin \
         together.",
     counts: "joints",
+    grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new("numeric-joint-drift", Level::Warning, "a joint leaves its limb at some slider setting")
 });
 

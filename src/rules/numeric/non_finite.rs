@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Evidence, Finding, Level, RuleInfo,
+    Evidence, Finding, Grows, Level, MeasureKind, RuleInfo,
 };
 use crate::eval::measures::Measures;
 use crate::eval::skeleton::PARALLEL_SINE;
@@ -21,6 +21,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         The finding is reported at the target that moves the joints or the vertex most at that setting. Fix its \
         rows there. Planes whose joints are on one straight line on the default character and displacements that are NaN or infinite have \
         rules of their own.",
+    grows: Grows::less(MeasureKind::Sine),
     ..RuleInfo::new("numeric-non-finite", Level::Error, "a vertex or matrix is NaN or infinite at some slider setting")
 });
 

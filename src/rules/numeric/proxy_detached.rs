@@ -3,7 +3,7 @@
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::{to_see, untold};
-use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Grows, Level, MeasureKind, Place, RuleInfo};
 use crate::eval::measures::{Measures, Seen};
 use crate::eval::survey::Trouble;
 use crate::repo::{Body, Worn};
@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         Usually a row names vertices of another part of the body, or of a helper that the sliders move otherwise. The \
         setting beside the finding shows it. Tie the vertices to the skin that they lie on.",
     counts: "vertices",
+    grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new("numeric-proxy-detached", Level::Warning, "an asset leaves the body at some slider setting")
 });
 

@@ -4,7 +4,7 @@ use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Element, Evidence, Finding, Level, Place, RuleInfo,
+    Element, Evidence, Finding, Grows, Level, MeasureKind, Place, RuleInfo,
 };
 use crate::eval::measures::Measures;
 use crate::eval::skeleton::PARALLEL_SINE;
@@ -24,6 +24,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         units, that 32-bit floats are not precise enough.\n\n\
         Check the rotation planes of the bones that move the vertex. Bones without length and planes whose joints \
         are on one straight line are reported separately.",
+    grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new("numeric-rest-skinning", Level::Error, "skinning in the rest pose changes the mesh")
 });
 

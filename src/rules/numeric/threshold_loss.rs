@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{percent, title, to_see};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Grows, Level, MeasureKind, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
@@ -20,6 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         needs to be done; splitting a macrodef with many components reduces the loss.",
     options: &[OptionInfo { name: "percent", default: 5.0, docs: "how much weight may be lost, in per cent" }],
     counts: "macrodefs",
+    grows: Grows::more(MeasureKind::Share),
     ..RuleInfo::new(
         "numeric-threshold-loss",
         Level::Info,

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{component, has_sound_steps, title};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Grows, Level, MeasureKind, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::formats::macro_json::Component;
 use crate::repo::Body;
@@ -20,6 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         the third corner the macrodef applies nothing.\n\n\
         Give the component a value for each corner; the combinations of the third one may be `null`. Steps that do \
         not run from 0 to 1 and lists of unequal length also cause wrong sums; they have rules of their own.",
+    grows: Grows::from_one(MeasureKind::Weight),
     ..RuleInfo::new("numeric-weights-sum", Level::Warning, "the weights of a component do not add up to 1")
 });
 

@@ -5,7 +5,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Evidence, Finding, Level, RuleInfo,
+    Evidence, Finding, Grows, Level, MeasureKind, RuleInfo,
 };
 use crate::eval::measures::Measures;
 use crate::eval::survey::Trouble;
@@ -26,6 +26,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         is reported at that target.\n\n\
         Move the joint cubes together with the limb. For a bone without length on the default character see \
         `skeleton-zero-length-bone`.",
+    grows: Grows::less(MeasureKind::Length),
     ..RuleInfo::new("numeric-zero-length-bone", Level::Error, "a bone has no length at some slider setting")
 });
 

@@ -5,7 +5,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{Text, is_scaled_wrongly, is_told_by_scale, measured, numbering};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    Evidence, Finding, Level, Place, RuleInfo,
+    Evidence, Finding, Grows, Level, MeasureKind, Place, RuleInfo,
 };
 use crate::eval::measures::Measures;
 use crate::eval::worn::Drift;
@@ -25,6 +25,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         half the length of its edges. A vertex that only the OBJ displaces is not reported.\n\n\
         Usually a number in the row is wrong: a vertex, or the offset. Export the asset again, or correct the line.",
     counts: "vertices",
+    grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new("proxy-fit-drift", Level::Warning, "a fitted vertex that leaves its neighbours")
 });
 

@@ -5,7 +5,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{Text, blender, texts};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    Case, Finding, Level, Place, RuleInfo,
+    Case, Finding, Grows, Level, MeasureKind, Place, RuleInfo,
 };
 use crate::repo::Body;
 
@@ -21,6 +21,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         with three or four decimals: an info for MakeHuman 1, whose own assets have none that are off by more than 0.00002, and \
         nothing for the others. Off by less than 0.002, at most a few millimetres, they are an info for MakeHuman 2.\n\nMPFB divides by the sum when it takes the weights of bones from the body: a sum of 0 stops it (an error).\n\n\
         Export the asset again, or correct the weights.",
+    grows: Grows::from_one(MeasureKind::Weight),
     ..RuleInfo::new("proxy-weights-sum", Level::Warning, "the weights of a vertex row do not sum to 1")
 });
 

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::measured::{Measured, measured, plane_of};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Grows, Level, MeasureKind, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::skeleton::PARALLEL_SINE;
 use crate::formats::mhskel::Plane;
@@ -22,6 +22,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         of the angle below 0.0001, or 0.006°), there is a normal, but it is noise: a warning.\n\n\
         Choose three joints that form a triangle, such as shoulder, elbow and wrist of a bent arm.",
     counts: "bones",
+    grows: Grows::less(MeasureKind::Sine),
     ..RuleInfo::new("skeleton-degenerate-plane", Level::Error, "the joints of a rotation plane are on one straight line")
 });
 

@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::measured::{Measured, NO_LENGTH, measured, plane_of};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Evidence, Finding, Level, OptionInfo, Place, RuleInfo,
+    Evidence, Finding, Grows, Level, MeasureKind, OptionInfo, Place, RuleInfo,
 };
 use crate::eval::measures::Measures;
 use crate::repo::Body;
@@ -27,6 +27,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         docs: "cosine of the angle between bone and normal above which the roll counts as noise (0.999 is 2.6°)",
     }],
     counts: "bones",
+    grows: Grows::less(MeasureKind::Sine),
     ..RuleInfo::new(
         "skeleton-noisy-roll",
         Level::Info,

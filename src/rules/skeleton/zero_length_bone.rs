@@ -5,7 +5,7 @@ use super::joint_or_group::is_placed;
 use super::measured::{Measured, NO_LENGTH, measured};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
+    Case, Evidence, Finding, Grows, Level, MeasureKind, Place, RuleInfo, grouped,
 };
 use crate::eval::measures::Measures;
 use crate::repo::Body;
@@ -25,6 +25,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         Give the bone two different joints. For a bone that has no length only at some slider setting see \
         `numeric-zero-length-bone`.",
     counts: "bones",
+    grows: Grows::less(MeasureKind::Length),
     ..RuleInfo::new("skeleton-zero-length-bone", Level::Error, "head and tail of a bone coincide")
 });
 

@@ -7,7 +7,7 @@ use super::renumbered::Opposites;
 use super::shown::with_setting;
 use crate::diag::{
     Application::{Makehuman2, Mpfb},
-    Evidence, Finding, Level, OptionInfo, Place, RuleInfo,
+    Evidence, Finding, Grows, Level, MeasureKind, OptionInfo, Place, RuleInfo,
 };
 use crate::eval::measures::Measures;
 use crate::eval::side;
@@ -33,6 +33,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         default: 0.1,
         docs: "share of the moved vertices (0 to 1) above which a target gets a finding of its own",
     }],
+    grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new("target-asymmetric", Level::Info, "a target without a side in its name is asymmetric")
 });
 

@@ -5,7 +5,7 @@ use super::super::{Check, Rule, RuleCx, such};
 use super::shown::with_setting;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    Case, Element, Evidence, Finding, Level, Place, RuleInfo, grouped,
+    Case, Element, Evidence, Finding, Grows, Level, MeasureKind, Place, RuleInfo, grouped,
 };
 use crate::eval::measures::{Measures, PairMeasure};
 use crate::repo::{Body, FileFacts};
@@ -23,6 +23,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         If the left one moves the right side of the body and the right one the left side, their names are exchanged.\n\n\
         Mirror one of the two targets and save it over the other.",
     counts: "vertices",
+    grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new("target-asymmetric-pair", Level::Warning, "left and right targets are not mirror images")
 });
 

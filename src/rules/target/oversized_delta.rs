@@ -10,7 +10,7 @@ use super::shown::with_setting;
 use super::targets;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    Confidence, Finding, Level, OptionInfo, RuleInfo,
+    Confidence, Finding, Grows, Level, MeasureKind, OptionInfo, RuleInfo,
 };
 use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, is_torn_out, oversize};
 use crate::eval::tears::Neighbours;
@@ -39,6 +39,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         docs: "how many times its target's median displacement a vertex may move",
     }],
     counts: "rows",
+    grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new("target-oversized-delta", Level::Warning, "a displacement is out of proportion to mesh and target")
 });
 

@@ -5,7 +5,7 @@ use super::super::{Check, Rule, RuleCx, counted};
 use super::shown::with_setting;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Evidence, Finding, Level, OptionInfo, Place, RuleInfo,
+    Evidence, Finding, Grows, Level, MeasureKind, OptionInfo, Place, RuleInfo,
 };
 use crate::eval::measures::Measures;
 use crate::eval::target_measure::TargetMeasure;
@@ -29,6 +29,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         docs: "share of torn cubes (0 to 1) in all targets of a base above which nothing is reported",
     }],
     counts: "joint cubes",
+    grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new("target-splits-joint-cube", Level::Warning, "a target tears a joint cube")
 });
 

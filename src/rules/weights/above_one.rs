@@ -5,7 +5,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{Tallied, tallied, weigh, worst};
 use crate::diag::{
     Application::{Makehuman2, Mpfb},
-    Case, Finding, Level, RuleInfo,
+    Case, Finding, Grows, Level, MeasureKind, RuleInfo,
 };
 use crate::formats::mhw::{PairTally, WeightsFacts};
 use crate::repo::Body;
@@ -22,6 +22,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         number among small ones takes nearly all of the vertex. MPFB reads every weight above 1 as 1.\n\n\
         Write the share as a number from 0 to 1.",
     counts: "entries",
+    grows: Grows::more(MeasureKind::Weight),
     ..RuleInfo::new("weights-above-one", Level::Warning, "a weight is larger than 1")
 });
 

@@ -6,7 +6,7 @@ use super::super::{Check, Rule, RuleCx, percent};
 use super::has_unusable_entries;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Evidence, Finding, Level, Place, RuleInfo,
+    Evidence, Finding, Grows, Level, MeasureKind, Place, RuleInfo,
 };
 use crate::eval::measures::Measures;
 use crate::formats::mhw::Weights;
@@ -24,6 +24,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         of up to 0.01 is not reported.\n\n\
         Mirror the weights of one side. If the figure is asymmetric on purpose, leave them.",
     counts: "pairs of bones",
+    grows: Grows::more(MeasureKind::Weight),
     ..RuleInfo::new("weights-asymmetric", Level::Info, "left and right bones have different weights")
 });
 

@@ -5,7 +5,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::loss::{DISTANCE, ID, noticeable_loss};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Element, Evidence, Finding, Level, Place, RuleInfo,
+    Element, Evidence, Finding, Grows, Level, MeasureKind, Place, RuleInfo,
 };
 use crate::repo::Body;
 
@@ -25,6 +25,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         Remove the tiny weights and normalise the rest.",
     options: &[DISTANCE],
     counts: "vertices",
+    grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new(ID, Level::Warning, "vertices lose visible weight to the threshold of the loader")
 });
 

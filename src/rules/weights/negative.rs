@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{Tallied, tallied, weigh, worst};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    Case, Finding, Level, RuleInfo,
+    Case, Finding, Grows, Level, MeasureKind, RuleInfo,
 };
 use crate::repo::Body;
 
@@ -21,6 +21,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         shares are right: an info.\n\n\
         Remove the entry, or paint the weight again.",
     counts: "entries",
+    grows: Grows::more(MeasureKind::Weight),
     ..RuleInfo::new("weights-negative", Level::Error, "a weight is negative")
 });
 
