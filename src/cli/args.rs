@@ -24,7 +24,7 @@ Examples:
   mhlint data/ --report human --report json=r.json print a report, and write another for a program
   mhlint explain macro-steps-length                what a rule means, with examples";
 
-const SEE_LONG_HELP: &str = "Run with --help for details, examples and exit codes; `mhlint rules` lists all rules.";
+const SEE_LONG_HELP: &str = "Run with --help for all options, examples and exit codes; `mhlint rules` lists all rules.";
 
 const COMPLETIONS_HELP: &str = "\
 Where to save the script:
@@ -50,7 +50,14 @@ pub(super) struct Args {
     /// When to use colour.
     ///
     /// `auto` uses colour on a terminal, unless `NO_COLOR` is set; `FORCE_COLOR` and `CLICOLOR_FORCE` turn it on in pipes.
-    #[arg(long, value_name = "WHEN", default_value = "auto", global = true, help_heading = "Output")]
+    #[arg(
+        long,
+        value_name = "WHEN",
+        default_value = "auto",
+        global = true,
+        help_heading = "Output",
+        hide_short_help = true
+    )]
     pub(super) color: ColorChoice,
 }
 
@@ -123,7 +130,7 @@ pub(super) struct CheckArgs {
     /// In data folders files with these extensions are read: bmp bvh gif gz jpeg jpg json jsonw list meta mhbin mhc mhclo mhm mhmat mhpose mhpxy mhscene mhskel mhuv mhw npz obj png proxy target tga thumb tif tiff toml txt webp zip.
     #[arg(value_name = "PATH")]
     pub(super) paths: Vec<PathBuf>,
-    /// Data of the application itself, used to resolve references; can be repeated.
+    /// Data of the application itself, to resolve references; can be repeated.
     ///
     /// It is read, not reported on. Each application has its own.
     #[arg(long = "system", value_name = "FOLDER", help_heading = "Input")]
@@ -136,12 +143,12 @@ pub(super) struct CheckArgs {
     /// Report only on this base mesh; can be repeated.
     ///
     /// For files outside data folders it names the base mesh that they are for.
-    #[arg(long = "base", value_name = "NAME", help_heading = "Input")]
+    #[arg(long = "base", value_name = "NAME", help_heading = "Input", hide_short_help = true)]
     pub(super) bases: Vec<String>,
     /// Configuration file [default: the nearest mhlint.toml].
     ///
     /// Looked for at or above the first PATH, up to the top of the repository.
-    #[arg(long, value_name = "FILE", help_heading = "Input")]
+    #[arg(long, value_name = "FILE", help_heading = "Input", hide_short_help = true)]
     pub(super) config: Option<PathBuf>,
     /// Run only this rule, family or glob; can be repeated.
     ///
@@ -154,24 +161,26 @@ pub(super) struct CheckArgs {
     /// Change the level of a rule, family or glob; can be repeated.
     ///
     /// The level is one of error, warning, info, off.
-    #[arg(long = "level", value_name = "RULE=LEVEL", value_parser = level_setting, help_heading = "Rules")]
+    #[arg(long = "level", value_name = "RULE=LEVEL", value_parser = level_setting, help_heading = "Rules", hide_short_help = true)]
     pub(super) levels: Vec<(String, Option<Level>)>,
     /// Skip all rules that need evaluation.
-    #[arg(long, help_heading = "Evaluation")]
+    #[arg(long, help_heading = "Rules")]
     pub(super) no_eval: bool,
     /// Number of random slider settings to try (at most 100000).
     ///
     /// They are tried in addition to the systematic ones.
-    #[arg(long, value_name = "N", conflicts_with = "no_eval", value_parser = samples, help_heading = "Evaluation")]
+    #[arg(long, value_name = "N", conflicts_with = "no_eval", value_parser = samples, help_heading = "Rules", hide_short_help = true)]
     pub(super) samples: Option<usize>,
     /// Try every corner of the slider space.
-    #[arg(long, conflicts_with = "no_eval", help_heading = "Evaluation")]
+    #[arg(long, conflicts_with = "no_eval", help_heading = "Rules", hide_short_help = true)]
     pub(super) exhaustive: bool,
     /// Lowest level that makes the exit code 1 [default: error].
-    #[arg(long, value_name = "LEVEL", help_heading = "Verdict")]
+    ///
+    /// One of error, warning, info, never.
+    #[arg(long, value_name = "LEVEL", hide_possible_values = true, help_heading = "Output")]
     pub(super) fail_on: Option<FailOn>,
     /// Exit with code 1 if there are more warnings than this.
-    #[arg(long, value_name = "N", help_heading = "Verdict")]
+    #[arg(long, value_name = "N", help_heading = "Output", hide_short_help = true)]
     pub(super) max_warnings: Option<usize>,
     /// Check the staged files; report what is new since HEAD.
     ///
@@ -190,7 +199,7 @@ pub(super) struct CheckArgs {
     )]
     pub(super) since: Option<String>,
     /// Report only what is new or worse than in another folder or zip.
-    #[arg(long, value_name = "FOLDER", help_heading = "Only new findings")]
+    #[arg(long, value_name = "FOLDER", help_heading = "Only new findings", hide_short_help = true)]
     pub(super) against: Option<PathBuf>,
     /// Hide the findings that are listed in this file.
     #[arg(long, value_name = "FILE", help_heading = "Only new findings")]
@@ -198,7 +207,7 @@ pub(super) struct CheckArgs {
     /// Write the current findings to the baseline.
     ///
     /// Findings that no longer occur are removed from it.
-    #[arg(long, conflicts_with_all = ["fixing", "staged", "since", "against"], help_heading = "Only new findings")]
+    #[arg(long, conflicts_with_all = ["fixing", "staged", "since", "against"], help_heading = "Only new findings", hide_short_help = true)]
     pub(super) write_baseline: bool,
     /// Report format, and file to write it to; can be repeated.
     ///
@@ -211,12 +220,12 @@ pub(super) struct CheckArgs {
     #[arg(long, conflicts_with = "statistics", help_heading = "Output")]
     pub(super) full: bool,
     /// Show the number of findings for each rule instead.
-    #[arg(long, help_heading = "Output")]
+    #[arg(long, help_heading = "Output", hide_short_help = true)]
     pub(super) statistics: bool,
     /// Print the time taken by each phase and rule.
     ///
     /// It goes to standard error.
-    #[arg(long, help_heading = "Output")]
+    #[arg(long, help_heading = "Output", hide_short_help = true)]
     pub(super) timings: bool,
     /// Print only findings and the verdict.
     #[arg(long, short, help_heading = "Output")]

@@ -76,6 +76,14 @@ pub fn recognise(text: &[u8]) -> Option<Recognised> {
     has_row.then_some(Recognised { basemesh: None })
 }
 
+/// Whether lines of a text that cannot be recognised begin as rows do.
+pub fn has_broken_rows(text: &[u8]) -> bool {
+    lines(text).any(|(_, line)| {
+        let fields = fields(line);
+        fields.len() > 1 && begins_a_row(&fields)
+    })
+}
+
 /// Whether a line that is no row was to be one: prose begins with a word.
 fn begins_a_row(fields: &[(usize, &[u8])]) -> bool {
     fields.first().is_some_and(|(_, first)| python_float(first).is_some())

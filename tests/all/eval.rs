@@ -633,9 +633,12 @@ fn assets_of_mpfb_are_fitted() {
         (f64::from(mesh[0][1]) * 0.1 - place[2]).abs() < 1e-5 && (f64::from(mesh[0][2]) * 0.1 + place[1]).abs() < 1e-5
     );
     assert!(mesh[3].iter().all(|one| (one - 9.0).abs() < 1e-6));
-    fs::write(&asset, "obj_file hat.obj\nverts 0\n6\n").unwrap();
-    let output = fit(&[]);
-    assert!(output.status.code() == Some(2) && stderr(&output).contains("KeyError"), "{}", stderr(&output));
+    // Too few rows, and ranges above them that are counted as rows.
+    for rows in ["verts 0\n6\n", "delete_verts\n0 - 7\n\nverts 0\n6\n7\n3\n"] {
+        fs::write(&asset, format!("obj_file hat.obj\n{rows}")).unwrap();
+        let output = fit(&[]);
+        assert!(output.status.code() == Some(2) && stderr(&output).contains("KeyError"), "{}", stderr(&output));
+    }
 }
 
 #[test]

@@ -9,7 +9,7 @@ use super::unit_names::UnitNames;
 use crate::config::Config;
 use crate::diag::Application;
 use crate::discover::{Binding, Known, Layout, Role, candidates, extension, meant_extension};
-use crate::formats::target::recognise;
+use crate::formats::target::{has_broken_rows, recognise};
 use crate::source::{Entry, Limits, Tree, canonical, folder_and_name, is_below, lines, slashed};
 
 /// Files of an input outside of its data roots, on their way to an application.
@@ -125,8 +125,11 @@ fn recognised(input: &Input, entry: &Entry, options: &Config, is_meant: bool) ->
     let read = || input.tree.read(entry, &options.limits).unwrap_or_default();
     match meant_extension(&entry.path) {
         "target" => {
-            let target = recognise(&read());
-            let is_ours = target.is_some() || is_named();
+            let text = read();
+            let target = recognise(&text);
+            // Who names a base mesh means the targets that there are, also those of which no row can be read.
+            let is_asked = || !options.bases.is_empty() && has_broken_rows(&text);
+            let is_ours = target.is_some() || is_named() || is_asked();
             is_ours.then(|| target.and_then(|target| target.basemesh).filter(|name| is_folder_name(name)))
         }
         "mhclo" => Some(base_of(&read())),

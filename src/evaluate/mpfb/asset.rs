@@ -69,6 +69,11 @@ impl Asset {
                 format!("`{path}` has {} vertex lines, but its mesh has {} vertices", read.rows.len(), drawn.len());
             return Err(stops("KeyError", reason));
         }
+        if read.are_ranges_first && !drawn.is_empty() {
+            let reason =
+                format!("`{path}` has ranges of `delete_verts` above `verts`, which are counted as vertex lines");
+            return Err(stops("KeyError", reason));
+        }
         let row = |(vertices, weights, offset): &([i64; 3], [f64; 3], [f64; 3])| Row {
             vertices: *vertices,
             weights: *weights,

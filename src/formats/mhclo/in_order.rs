@@ -11,6 +11,8 @@ pub struct InOrder {
     pub rows: Vec<Row>,
     /// Vertices to hide as they are listed; the first one of a range is there twice.
     pub deleted: Vec<i64>,
+    /// Ranges to hide stood above the rows: they are counted as rows, and none has the number of its vertex any more.
+    pub are_ranges_first: bool,
     /// `x_scale`, `y_scale`, `z_scale`: two vertices and a distance.
     pub scales: [Option<([i64; 2], f64)>; 3],
     /// Name of its mesh.
@@ -49,6 +51,7 @@ const MOST: usize = 4_000_000;
 impl InOrder {
     /// Takes a vertex to hide, or the end of a range that begins at the one before.
     pub(super) fn hide(&mut self, vertex: i64, ends_range: bool) {
+        self.are_ranges_first |= ends_range && self.rows.is_empty();
         match self.deleted.last().copied().filter(|_| ends_range) {
             Some(from) => {
                 // The first one is there again.
@@ -76,6 +79,10 @@ mod tests {
         assert_eq!(read(b"verts 0\n5\n\ndelete_verts\n1 - 3 7\n").deleted, [1, 1, 2, 3, 7]);
         assert!(read(b"delete_verts\n\n1 2\n").deleted.is_empty());
         assert_eq!(read(b"delete_verts\n7 - 5 9\n").deleted, [7, 9]);
+        // Ranges above the rows are counted as such; single numbers are not.
+        let is_first = |text: &[u8]| read(text).are_ranges_first;
+        assert!(is_first(b"delete_verts\n5 - 7\n\nverts 0\n5\n"));
+        assert!(!is_first(b"delete_verts\n5 7\n\nverts 0\n5\n") && !is_first(b"verts 0\n5\n\ndelete_verts\n5 - 7\n"));
     }
 
     #[test]

@@ -32,10 +32,14 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         let edges = crowded(worn);
         let Some([one, other]) = edges.first() else { continue };
         let have = if edges.len() == 1 { "has" } else { "have" };
+        // Where that is on the figure, the row of the vertex tells.
+        let row = usize::try_from(*one).ok().and_then(|one| worn.file.clothes()?.kept.get(one));
+        let tied = row.map(|row| format!(", tied to {} of the body", body.vertex(row.vertices[0]))).unwrap_or_default();
         let message = format!(
-            "{} {have} more than two faces, first that from {} to vertex {other}",
+            "{} {have} more than two faces, first that from {} to {}{tied}",
             counted(edges.len(), "edge"),
-            mesh.named(*one)
+            mesh.named(*one),
+            mesh.named(*other)
         );
         let named = edges.iter().map(|[one, other]| format!("{one}-{other}"));
         let finding = RULE.at(file, Place::File, message).evidence(Evidence::of_unnamed(named));
