@@ -28,7 +28,7 @@ struct Shape {
     finds: Option<&'static str>,
 }
 
-const SHAPES: [Shape; 9] = [
+const SHAPES: [Shape; 13] = [
     Shape { name: "sliders", few: 2_000, make: sliders, finds: None },
     Shape { name: "sliders without targets", few: 1_000, make: dead_sliders, finds: Some("modelling-missing-target") },
     Shape { name: "unused pictures", few: 2_000, make: unused_pictures, finds: Some("file-unreferenced") },
@@ -38,6 +38,10 @@ const SHAPES: [Shape; 9] = [
     Shape { name: "faulty texts", few: 1_000, make: faulty_texts, finds: Some("json-syntax") },
     Shape { name: "faults in one JSON", few: 2_000, make: faults_in_one, finds: Some("json-schema") },
     Shape { name: "faults in one list", few: 2_000, make: faults_in_list, finds: Some("json-schema") },
+    Shape { name: "lines of a model", few: 2_000, make: lines_of_model, finds: Some("model-unknown-asset") },
+    Shape { name: "assets of one folder", few: 1_000, make: assets_of_folder, finds: Some("proxy-missing-mesh") },
+    Shape { name: "ink layers", few: 1_000, make: ink_layers, finds: Some("ink-layer") },
+    Shape { name: "names in other capitals", few: 500, make: capitals, finds: Some("file-case-conflict") },
 ];
 
 fn main() -> ExitCode {
@@ -214,4 +218,47 @@ fn faults_in_list(count: usize) -> Files {
     files.retain(|(path, _)| !path.ends_with("target_cat.json"));
     files.push(("target/cube/target_cat.json".to_owned(), text.into_bytes()));
     files
+}
+
+/// A character of MakeHuman 1 with lines for assets and materials that nobody has.
+fn lines_of_model(count: usize) -> Files {
+    let mut lines = "version v1.3.0\nname a\n".to_owned();
+    (0..count)
+        .for_each(|number| writeln!(lines, "clothes c{number} {number}\nmaterial c{number} {number} a.mhmat").unwrap());
+    vec![
+        ("data/3dobjs/base.obj".to_owned(), b"v 0 0 0\nv 1 0 0\nv 0 1 0\ng body\nf 1 2 3\n".to_vec()),
+        ("data/modifiers/modeling_modifiers.json".to_owned(), b"[]".to_vec()),
+        ("user/data/custom/x.target".to_owned(), b"0 0 0 .1\n".to_vec()),
+        ("user/models/a.mhm".to_owned(), lines.into_bytes()),
+    ]
+}
+
+/// Assets in the folder of one, all without their mesh.
+fn assets_of_folder(count: usize) -> Files {
+    let asset = |number: usize| {
+        let text = format!("name a{number}\nuuid {number}\nobj_file m{number}.obj\nverts 0\n5\n");
+        (format!("clothes/b/a/a{number}.mhclo"), text.into_bytes())
+    };
+    base("b").into_iter().chain((0..count).map(asset)).collect()
+}
+
+/// Ink layers of MPFB without their pictures.
+fn ink_layers(count: usize) -> Files {
+    let layer = |number: usize| {
+        let text = format!("{{\"focus\": \"\", \"image_name\": \"p{number}.png\"}}");
+        (format!("data/ink_layers/x{number}.json"), text.into_bytes())
+    };
+    let mut files: Files = (0..count).map(layer).collect();
+    files.push(("config/human.a.json".to_owned(), b"{\"phenotype\": {}}".to_vec()));
+    files
+}
+
+/// Pictures whose names differ in nothing but capitals.
+fn capitals(count: usize) -> Files {
+    let name = |number: usize| -> String {
+        let letters = "abcdefghijklmn".chars().enumerate();
+        letters.map(|(bit, letter)| if number >> bit & 1 == 1 { letter.to_ascii_uppercase() } else { letter }).collect()
+    };
+    let pictures = (0..count).map(|number| (format!("clothes/b/a/{}.png", name(number)), b"x".to_vec()));
+    base("b").into_iter().chain(pictures).collect()
 }

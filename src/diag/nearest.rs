@@ -16,7 +16,7 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 
 /// Letters compared for the suggestions of one rule: a twentieth of a second. Thousands of names that are looked for among
 /// thousands are no slips of the pen, and nobody reads that many suggestions.
-const COMPARED: usize = 1 << 25;
+const COMPARED: usize = 1 << 23;
 /// What a candidate costs beside its letters: the count of its letters is compared.
 const COST_OF_CANDIDATE: usize = LETTERS;
 /// What it costs to compare two letters, where a candidate is measured.
@@ -29,6 +29,11 @@ pub struct Suggestions {
 }
 
 impl Suggestions {
+    /// Whether too much was compared for another suggestion.
+    pub const fn are_over(&self) -> bool {
+        self.compared.get() > COMPARED
+    }
+
     /// As [`nearest`]; nothing more when too much was compared before.
     pub fn nearest<'a>(&self, name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
         self.best(name, candidates, |_| (None, 0))
@@ -65,6 +70,10 @@ impl Suggestions {
         candidates: impl IntoIterator<Item = &'a str>,
         between: impl Fn(&'a str) -> (Option<usize>, usize),
     ) -> Option<&'a str> {
+        // Longer ones are no names.
+        if name.len() > LONGEST_PATH {
+            return None;
+        }
         let sought = Sought::new(name);
         let mut best: Option<(Rank, &str)> = None;
         for candidate in candidates {

@@ -293,7 +293,7 @@ mod tests {
         assert_eq!(measured(&[Some(1.0)], &[0.5]), [Standing::Smaller]);
         assert_eq!(measured(&[None], &[9.0]), [Standing::Same], "an entry without a measure hides any");
         assert_eq!(measured(&[Some(10.0), Some(1.0)], &[1.0, 10.0]), [Standing::Same, Standing::Same]);
-        assert_eq!(measured(&[Some(5.0), Some(1.0)], &[2.0, 0.9]), [Standing::Smaller, Standing::Same]);
+        assert_eq!(measured(&[Some(5.0), Some(1.0)], &[2.0, 0.95]), [Standing::Smaller, Standing::Same]);
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! What a rig says to Rigify (formats/mpfb.md §20.8).
 
+use std::collections::BTreeSet;
+
 use super::attribute::{Properties, Wants, check, wanted};
 use super::bone::{Whole, names};
 use super::layers::OF_RIGIFY;
@@ -126,10 +128,11 @@ pub(super) fn panel(node: &Node, collections: &[String], faults: &mut RigFaults)
     for (at, color) in node.get("colors").map(Node::elements).unwrap_or_default().iter().enumerate() {
         lack(&format!("/rigify_ui/colors/{at}"), color, &["name", "normal"], faults);
     }
+    let collections: BTreeSet<&str> = collections.iter().map(String::as_str).collect();
     for member in node.get("collections").map(Node::effective_members).unwrap_or_default() {
         let pointer = below("/rigify_ui/collections", &member.key);
         lack(&pointer, &member.node, &OF_COLLECTION, faults);
-        if !collections.contains(&member.key) {
+        if !collections.contains(member.key.as_str()) {
             faults.panel_collections.push((pointer, member.key.clone()));
         }
     }

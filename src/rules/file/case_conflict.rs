@@ -1,5 +1,7 @@
 //! Names in one folder that differ in nothing but case.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
@@ -25,14 +27,19 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
         ((folder, name.to_lowercase()), path.as_str())
     }));
+    let misnamed: BTreeSet<String> = view.misnamed_folders().into_iter().map(|folder| folder.rel).collect();
     for ((folder, folded), mut paths) in siblings {
         paths.sort_unstable();
         let [first, others @ ..] = paths.as_slice() else { continue };
-        let Some(last) = others.last().filter(|_| !paths.iter().any(|path| is_told(view, path))) else { continue };
+        let Some(last) = others.last().filter(|_| !paths.iter().any(|path| is_told(view, &misnamed, path))) else {
+            continue;
+        };
         let name = |path: &str| path.rsplit('/').next().unwrap_or_default().to_owned();
         let before: Vec<String> =
-            paths.iter().filter(|path| *path != last).map(|path| format!("`{}`", name(path))).collect();
-        let message = format!("{} and `{}` differ only in case", before.join(", "), name(last));
+            paths.iter().filter(|path| *path != last).take(SHOWN).map(|path| format!("`{}`", name(path))).collect();
+        let more = paths.len() - 1 - before.len();
+        let more = if more > 0 { format!(", {more} more") } else { String::new() };
+        let message = format!("{}{more} and `{}` differ only in case", before.join(", "), name(last));
         let is_folder = paths.iter().any(|path| layer.has_folder(path));
         let help = if is_folder {
             "move all files into one of the folders, and remove the others"
@@ -45,13 +52,16 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
+/// Names that the message has before the last one.
+const SHOWN: usize = 5;
+
 /// Whether the application looks for another name, which has a finding of its own: with that the conflict goes.
-fn is_told(view: &View<'_>, path: &str) -> bool {
+fn is_told(view: &View<'_>, misnamed: &BTreeSet<String>, path: &str) -> bool {
     let is_worn = |extension: &str| matches!(extension.to_lowercase().as_str(), "mhclo" | "proxy");
     let has_capitals = |extension: &str| is_worn(extension) && extension.chars().any(char::is_uppercase);
     // Of the data of MPFB all folders are looked for by their names, and what lies in no library of MakeHuman 1 is told.
     let is_looked_for = view.is_mpfb() && view.layers().checks_system() || view.is_makehuman1();
     is_looked_for && view.layout().folder_in_other_case(path).is_some()
-        || view.misnamed_folders().iter().any(|folder| folder.rel == path)
+        || misnamed.contains(path)
         || has_capitals(extension(path))
 }

@@ -1,9 +1,11 @@
 //! An ink layer names a picture beside it and a UV layer that exists.
 
+use std::collections::BTreeMap;
+
 use super::super::pictures::blender_loads;
 use super::super::unfit::findings;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application::Mpfb, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Mpfb, Finding, Level, Place, RuleInfo, grouped};
 use crate::discover::Kind;
 use crate::formats::unfit::NamedAt;
 use crate::repo::mpfb::View;
@@ -22,22 +24,29 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let pictures = view.layers.checked.below("ink_layers").filter(|file| blender_loads(file));
+    let pictures = grouped(pictures.map(|file| (parent(&file.rel), file.file_name())));
     for file in view.own(Kind::InkLayer) {
         let Some(layer) = file.ink_layer() else { continue };
         out.extend(findings(&RULE, file, &layer.stops, cx).map(|(_, finding)| finding));
-        out.extend(layer.image.as_ref().and_then(|image| picture(view, file, image, cx)));
+        out.extend(layer.image.as_ref().and_then(|image| picture(view, file, image, &pictures, cx)));
         out.extend(layer.focus.as_ref().and_then(|focus| uv_layer(view, file, focus, cx)));
     }
 }
 
-fn picture(view: &View<'_>, file: &FileFacts, image: &NamedAt, cx: &RuleCx<'_>) -> Option<Finding> {
+fn picture(
+    view: &View<'_>,
+    file: &FileFacts,
+    image: &NamedAt,
+    pictures: &BTreeMap<&str, Vec<&str>>,
+    cx: &RuleCx<'_>,
+) -> Option<Finding> {
     let (layer, folder) = (view.layers.checked, parent(&file.rel));
     let rel = format!("{folder}/{}", image.name);
     if layer.file(&rel).is_some() || layer.has_unusable(&rel) {
         return None;
     }
-    let beside = layer.below(folder).filter(|other| parent(&other.rel) == folder && blender_loads(other));
-    let near = cx.suggestions.nearest(&image.name, beside.map(FileFacts::file_name));
+    let near = cx.suggestions.nearest(&image.name, pictures.get(folder).into_iter().flatten().copied());
     let message = format!("picture `{}` does not exist beside the ink layer", image.name);
     let finding = RULE.at(file, Place::Pointer(image.pointer.clone()), message).key("picture");
     Some(finding.help(did_you_mean(near, "correct the name, or add the picture beside this file")))

@@ -169,17 +169,26 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut V
     }
 }
 
+const OTHERWISE: &str = "correct the name, add the picture, or remove the line";
+
+/// Pictures of a folder that are looked at for a name: among more of them nobody finds one that was mistyped.
+const NEIGHBOURS: usize = 200;
+
 /// What to write for a picture that is not found.
 fn advice(view: &View<'_>, look: &Look<'_>, one: &Reference<'_>, cx: &RuleCx<'_>) -> String {
     if let Some((name, _)) = one.text.split_once(" #") {
         return format!("write `{}`: a comment behind it belongs to the name", name.trim_end());
     }
+    if cx.suggestions.are_over() {
+        return OTHERWISE.to_owned();
+    }
     let folder = parent(&look.file.rel);
     // One that something names is that of another map, however near its name.
     let is_free = |file: &&FileFacts| view.references().to_file(file).next().is_none();
-    let pictures = view.layers().checked.below(folder).filter(|file| blender_loads(file)).filter(is_free);
+    let pictures =
+        view.layers().checked.below(folder).filter(|file| blender_loads(file)).take(NEIGHBOURS).filter(is_free);
     let beside = pictures.filter_map(|file| file.rel.strip_prefix(folder)?.strip_prefix('/'));
-    did_you_mean(cx.suggestions.nearest(one.text, beside), "correct the name, add the picture, or remove the line")
+    did_you_mean(cx.suggestions.nearest(one.text, beside), OTHERWISE)
 }
 
 /// The line that names a picture.

@@ -65,8 +65,15 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// The files and their keywords that have a picture in some line.
 type Kept<'r> = BTreeSet<(&'r str, &'r str)>;
 
+/// Bytes of the longest path of any system.
+const LONGEST_PATH: usize = 4096;
+
 /// What is not there: the picture, or a folder above it.
 fn cause<'r>(layer: &Layer, reference: &'r Reference<'_>) -> &'r str {
+    // No system has such a path, and going up it takes long.
+    if reference.rel.len() > LONGEST_PATH {
+        return &reference.rel;
+    }
     let path = std::iter::successors(Some(reference.rel.as_str()), |path| Some(parent(path)));
     let absent = path.take_while(|path| !path.is_empty() && layer.below(path).next().is_none());
     absent.last().unwrap_or(&reference.rel)

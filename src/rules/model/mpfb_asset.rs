@@ -1,5 +1,7 @@
 //! What a model wears as MPFB imports it (formats/mpfb.md §7.2; formats/mpfb-observed.md 2.19).
 
+use std::collections::BTreeMap;
+
 use super::super::{Rule, RuleCx, did_you_mean, such};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, grouped};
 use crate::discover::Kind;
@@ -16,9 +18,14 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Ve
     if !view.is_complete() {
         return;
     }
+    let mut known = Known::new();
+    for worn in view.worn_anywhere() {
+        let folder = worn.file.rel.split('/').next().unwrap_or_default();
+        known.entry((folder, uuid(worn))).or_default().push(worn);
+    }
     for file in view.own(Kind::Model) {
         let Some(model) = file.model() else { continue };
-        let lost = model.columns.worn.iter().filter(|line| is_lost(view, line));
+        let lost = model.columns.worn.iter().filter(|line| is_lost(view, &known, line));
         for (category, lines) in grouped(lost.map(|line| (line.category, line))) {
             out.extend(finding(rule, view, file, category, &lines, cx));
         }
@@ -57,16 +64,25 @@ fn is_named(worn: &Worn<'_>, line: &Wearing) -> bool {
 }
 
 /// Clothes need both name and uuid; of the rest any asset of the uuid is taken. One that cannot be read may be meant.
-fn is_lost(view: &View<'_>, line: &Wearing) -> bool {
-    let is_it = |worn: &&Worn<'_>| {
-        let has_uuid = !line.uuid.is_empty() && uuid(worn) == Some(&*line.uuid);
-        match line.category {
-            "clothes" => is_named(worn, line) && (has_uuid || worn.clothes().is_none()),
-            // Without a uuid it is the first of the folder: right if it is the only one.
-            _ => has_uuid || is_named(worn, line) && (worn.clothes().is_none() || line.uuid.is_empty()),
+fn is_lost<'k>(view: &View<'_>, known: &'k Known<'k>, line: &'k Wearing) -> bool {
+    let with_uuid = if line.uuid.is_empty() { &[][..] } else { of_uuid(known, line, Some(&line.uuid)) };
+    // What cannot be read has no uuid.
+    let is_unread = of_uuid(known, line, None).iter().any(|worn| worn.clothes().is_none() && is_named(worn, line));
+    let is_there = match line.category {
+        "clothes" => with_uuid.iter().any(|worn| is_named(worn, line)),
+        // Without a uuid it is the first of the folder: right if it is the only one.
+        category => {
+            !with_uuid.is_empty() || line.uuid.is_empty() && assets(view, category).any(|worn| is_named(worn, line))
         }
     };
-    !assets(view, line.category).any(|worn| is_it(&worn))
+    !is_there && !is_unread
+}
+
+/// Assets by their folder and uuid: there may be thousands, and as many lines.
+type Known<'k> = BTreeMap<(&'k str, Option<&'k str>), Vec<&'k Worn<'k>>>;
+
+fn of_uuid<'k>(known: &'k Known<'k>, line: &'k Wearing, uuid: Option<&'k str>) -> &'k [&'k Worn<'k>] {
+    known.get(&(folder(line.category), uuid)).map_or(&[], Vec::as_slice)
 }
 
 fn finding(

@@ -282,10 +282,13 @@ fn neighbours<'v>(body: &Body<'v>, text: &Text<'_, '_>, extension: &str) -> Vec<
     if folder.matches('/').count() < levels {
         return Vec::new();
     }
-    let beside = body.layers.checked.below(folder);
+    let beside = body.layers.checked.below(folder).take(NEIGHBOURS);
     let own = beside.filter(|file| crate::discover::extension(&file.rel) == extension);
     own.filter_map(|file: &FileFacts| file.rel.strip_prefix(folder)?.strip_prefix('/')).collect()
 }
+
+/// Files of a folder that are looked at for a name: among more of them nobody finds one that was mistyped.
+const NEIGHBOURS: usize = 300;
 
 /// Whether what is named cannot be walked: a broken link, or a folder without permission, has a finding of its own.
 fn is_unwalked(body: &Body<'_>, reference: &Reference<'_>) -> bool {

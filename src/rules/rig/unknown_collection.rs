@@ -1,5 +1,7 @@
 //! Bone collections are declared before bones are put into them.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx, did_you_mean, such};
 use super::{STOPS, at_bones, stops, subject};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, RuleInfo};
@@ -24,13 +26,14 @@ const LONGEST: usize = 63;
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs() {
-        let is_known = |name: &String| rig.collections.contains(name) && name.len() <= LONGEST;
+        let declared: BTreeSet<&str> = rig.collections.iter().map(String::as_str).collect();
+        let is_known = |name: &String| declared.contains(name.as_str()) && name.len() <= LONGEST;
         let of_bones = rig.bones.iter().flat_map(|bone| bone.collections.iter().map(move |name| (bone, name)));
         let unknown: Vec<(&RigBone, &String)> = of_bones.filter(|(_, name)| !is_known(name)).collect();
         out.extend(of_bone(file, rig, &unknown, cx).map(|finding| stops(file, finding)));
         out.extend(in_panel(file, rig, cx).map(|finding| stops(file, finding)));
         let references = rig.bones.iter().flat_map(|bone| &bone.collection_references);
-        let lost: Vec<&(String, String)> = references.filter(|(_, name)| !rig.collections.contains(name)).collect();
+        let lost: Vec<&(String, String)> = references.filter(|(_, name)| !declared.contains(name.as_str())).collect();
         out.extend(reference(file, rig, &lost, cx));
     }
 }

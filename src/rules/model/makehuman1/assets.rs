@@ -1,5 +1,7 @@
 //! What a character wears and has is there.
 
+use std::collections::BTreeSet;
+
 use super::super::super::cause::library::{FIRST_EYES, FIRST_SKIN};
 use super::super::super::{Rule, RuleCx, did_you_mean, such};
 use super::own;
@@ -17,7 +19,8 @@ pub(in super::super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, ou
     }
     let lines = own(view).flat_map(|model| model.lines.all.iter().map(move |line| (model, line)));
     let worn = lines.filter(|(_, line)| CATEGORIES.contains(&&*line.keyword.text) && !line.values.is_empty());
-    let lost = worn.filter(|(_, line)| is_lost(view, line));
+    let known = Known::of(view);
+    let lost = worn.filter(|(_, line)| known.is_lost(line));
     let by_asset = grouped(lost.map(|one| ((&*one.1.keyword.text, one.1.value(0), one.1.value(1)), one)));
     out.extend(by_asset.into_values().filter_map(|lines| unknown(rule, view, &lines, cx)));
     let missing = own(view).flat_map(|model| view.references.of_file(model.file));
@@ -58,24 +61,50 @@ fn is_unread(worn: &Worn<'_>) -> bool {
     worn.clothes().is_none() && worn.packed_proxy().is_none()
 }
 
-/// Assets are known by their uuid. One that cannot be read, or has none, has a finding of its own.
-fn is_lost(view: &View<'_>, line: &Line) -> bool {
-    let (name, uuid) = (line.value(0), line.value(1));
-    let may_be_it = |worn: &Worn<'_>| match uuid_of(worn) {
-        Some(own) => own == uuid,
-        None => name_of(worn) == Some(name) || worn.file.stem() == name || is_unread(worn),
-    };
-    let own = library(&line.keyword.text);
-    let is_first = FIRST_EYES == format!("{own}/{name}/{name}.mhclo");
-    !listed(view, &line.keyword.text).any(may_be_it) && !is_first && !is_unlisted(view, name)
+/// What lines can mean, by the names that they have for it: of both there may be thousands.
+struct Known<'v> {
+    /// What is listed, by library and uuid.
+    uuids: BTreeSet<(&'v str, &'v str)>,
+    /// The names of assets without a uuid, and of their files.
+    names: BTreeSet<(&'v str, &'v str)>,
+    /// Libraries with an asset of which nobody can tell what it is known by.
+    unread: BTreeSet<&'v str>,
+    /// The names of files that are not listed, in small letters.
+    unlisted: BTreeSet<String>,
 }
 
-/// Whether an asset of this name is there and not listed: in another folder, or with another suffix.
-fn is_unlisted(view: &View<'_>, name: &str) -> bool {
-    let is_worn = |file: &FileFacts| view.worn().iter().any(|worn| std::ptr::eq(worn.file, file));
-    let starts = [".mhclo", ".proxy"].map(|suffix| format!("{name}{suffix}").to_lowercase());
-    let mut files = view.layers.strongest_first().flat_map(|layer| layer.files.values());
-    files.any(|file| starts.iter().any(|start| file.file_name().to_lowercase().starts_with(start)) && !is_worn(file))
+impl<'v> Known<'v> {
+    fn of(view: &'v View<'_>) -> Self {
+        let (mut uuids, mut names, mut unread) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
+        for (shelf, worn) in view.worn().iter().filter_map(|worn| Some((shelf(worn)?, worn))) {
+            match uuid_of(worn) {
+                Some(uuid) => drop(uuids.insert((shelf, uuid))),
+                None if is_unread(worn) => drop(unread.insert(shelf)),
+                None => names.extend(name_of(worn).into_iter().chain([worn.file.stem()]).map(|name| (shelf, name))),
+            }
+        }
+        let worn: BTreeSet<&str> = view.worn().iter().map(|worn| worn.file.path.as_str()).collect();
+        let files = view.layers.strongest_first().flat_map(|layer| layer.files.values());
+        let others = files.filter(|file| !worn.contains(file.path.as_str()));
+        Self { uuids, names, unread, unlisted: others.map(|file| file.file_name().to_lowercase()).collect() }
+    }
+
+    /// Assets are known by their uuid. One that cannot be read, or has none, has a finding of its own.
+    fn is_lost(&self, line: &Line) -> bool {
+        let (name, uuid, own) = (line.value(0), line.value(1), library(&line.keyword.text));
+        let is_listed =
+            self.uuids.contains(&(own, uuid)) || self.names.contains(&(own, name)) || self.unread.contains(own);
+        let is_first = FIRST_EYES == format!("{own}/{name}/{name}.mhclo");
+        !is_listed && !is_first && !self.is_unlisted(name)
+    }
+
+    /// Whether an asset of this name is there and not listed: in another folder, or with another suffix.
+    fn is_unlisted(&self, name: &str) -> bool {
+        [".mhclo", ".proxy"].iter().any(|suffix| {
+            let start = format!("{name}{suffix}").to_lowercase();
+            self.unlisted.range(start.clone()..).next().is_some_and(|file| file.starts_with(&start))
+        })
+    }
 }
 
 /// The same of a file that a character names.

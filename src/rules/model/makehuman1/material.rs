@@ -1,5 +1,7 @@
 //! A material line follows the line that puts the asset on, and names a file that exists.
 
+use std::collections::BTreeMap;
+
 use super::super::super::{Rule, RuleCx, did_you_mean};
 use super::own;
 use crate::diag::{Finding, Place};
@@ -22,20 +24,23 @@ pub(in super::super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, ou
 /// Lines for what is not worn, or not yet.
 fn astray(rule: &Rule, model: &SavedModel<'_>) -> Vec<Finding> {
     let lines = &model.lines.all;
-    let is_for = |at: usize, uuid: &str| {
-        let worn = lines.get(at).filter(|line| CATEGORIES.contains(&&*line.keyword.text));
-        worn.is_some_and(|line| line.value(1) == uuid)
-    };
+    let worn = lines.iter().enumerate().filter(|(_, line)| CATEGORIES.contains(&&*line.keyword.text));
+    let (mut by_uuid, mut by_name) = (BTreeMap::new(), BTreeMap::new());
+    for (at, line) in worn {
+        let ends = by_uuid.entry(line.value(1)).or_insert((at, at));
+        ends.1 = at;
+        by_name.entry(line.value(0)).or_insert(line);
+    }
     let mut found = Vec::new();
     for (at, line) in lines.iter().enumerate().filter(|(_, line)| &*line.keyword.text == "material") {
         let Some((_, uuid, path)) = material(line) else { continue };
-        if (0..at).any(|earlier| is_for(earlier, uuid)) {
+        let ends = by_uuid.get(uuid);
+        if ends.is_some_and(|(first, _)| *first < at) {
             continue;
         }
-        let later = (at..lines.len()).any(|later| is_for(later, uuid));
+        let later = ends.is_some_and(|(_, last)| *last > at);
         let name = if line.values.len() > 2 { line.value(0) } else { uuid };
-        let worn = lines.iter().find(|one| CATEGORIES.contains(&&*one.keyword.text) && one.value(0) == name);
-        let (message, help) = match worn {
+        let (message, help) = match by_name.get(name) {
             _ if later => (
                 format!("the material of `{name}` stands above the line that puts it on"),
                 "move the line below it".to_owned(),
