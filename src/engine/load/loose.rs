@@ -136,7 +136,7 @@ fn recognised(input: &Input, entry: &Entry, options: &Config, is_meant: bool) ->
         // Only MPFB has rigs in such files, and weights and presets under names that say so.
         "json" => (is_meant && (is_named() || is_named_as_of_rig(&entry.path))
             || says(&read(), "\"identifying_bones\"")
-            || says(&read(), "\"phenotype\""))
+            || is_named_as_preset(&entry.path) && says(&read(), "\"phenotype\""))
         .then_some(None),
         "gz" => Some(None),
         "proxy" => {
@@ -157,6 +157,11 @@ fn is_for_another(base: &str, layout: &Layout) -> bool {
 fn is_named_as_of_rig(path: &str) -> bool {
     let (_, name) = folder_and_name(path);
     name.starts_with("rig.") || name.starts_with("weights.")
+}
+
+/// Whether a file has a name as saved characters have it.
+fn is_named_as_preset(path: &str) -> bool {
+    folder_and_name(path).1.starts_with("human.")
 }
 
 fn says(text: &[u8], word: &str) -> bool {
