@@ -26,12 +26,12 @@ pub struct Entry {
     /// How bad it was by its consequence, whatever the settings made of it. What has become worse is not known.
     #[serde(default = "worst")]
     pub level: Level,
-    /// Everything it spoke for, by name, numbers in a row as `first-last`; empty where that is one thing.
-    #[serde(default, skip_serializing_if = "Parts::is_empty")]
-    pub parts: Parts,
     /// How much of the fault there was; what has grown since is not known. Without it any amount is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub measure: Option<Figure>,
+    /// Everything it spoke for, by name, numbers in a row as `first-last`; empty where that is one thing.
+    #[serde(default, skip_serializing_if = "Parts::is_empty")]
+    pub parts: Parts,
 }
 
 fn worst() -> Level {

@@ -61,7 +61,14 @@ pub struct Compared {
     /// How many findings no longer occur.
     pub gone: usize,
     /// How many there are less of than before.
+    #[serde(skip_serializing_if = "is_none")]
     pub smaller: usize,
+}
+
+/// Whether there are none.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks by reference")]
+const fn is_none(count: &usize) -> bool {
+    *count == 0
 }
 
 /// A data root.
