@@ -6,6 +6,29 @@ use crate::diag::{Break, Finding};
 
 const CAUSE: &str = "file-merge-conflict";
 
+/// What is found where a line is no line of the format, or is there twice. What else is wrong with a file stays.
+const OF_LINES: [&str; 19] = [
+    "proxy-keyword-after-verts",
+    "proxy-keyword-spelling",
+    "proxy-shifted-rows",
+    "proxy-syntax",
+    "proxy-unknown-keyword",
+    "proxy-vertex-count",
+    "material-arity",
+    "material-duplicate-keyword",
+    "material-unknown-keyword",
+    "model-arity",
+    "model-category",
+    "model-syntax",
+    "mesh-degenerate-face",
+    "mesh-duplicate-face",
+    "mesh-syntax",
+    "mesh-unused-vertex",
+    "bvh-syntax",
+    "bvh-channels",
+    "bvh-frames",
+];
+
 /// Takes away what follows from a merge conflict in the same file, and gives the conflict the worst of its consequences.
 pub(crate) fn drop_unmerged(findings: &mut Vec<Finding>) {
     let mut worst: BTreeMap<String, Vec<Break>> =
@@ -13,12 +36,8 @@ pub(crate) fn drop_unmerged(findings: &mut Vec<Finding>) {
     if worst.is_empty() {
         return;
     }
-    let is_of_lines = |one: &Finding| {
-        let is_apart = ["file-", "archive-", "library-", "overlay-"].iter().any(|family| one.rule.starts_with(family));
-        one.rule != CAUSE && !is_apart
-    };
     findings.retain(|one| {
-        let Some(breaks) = worst.get_mut(&one.path).filter(|_| is_of_lines(one)) else { return true };
+        let Some(breaks) = worst.get_mut(&one.path).filter(|_| OF_LINES.contains(&one.rule)) else { return true };
         for own in &mut *breaks {
             let same = one.breaks.iter().find(|other| other.application == own.application);
             if let Some(other) = same.filter(|other| other.level >= own.level) {

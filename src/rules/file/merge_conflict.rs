@@ -14,8 +14,8 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         `<<<<<<<`, `=======` and `>>>>>>>`.\n\n\
         No loader knows such lines. In materials and models they are skipped, and of both sides the last line wins \
         (MakeHuman 1 and 2); among the vertex rows of an asset they stop it, and a mesh has the vertices of both sides. The \
-        finding has the level and the words of the worst that follows from it, in place of the findings on single lines. \
-        In JSON it is `json-syntax`, in targets `target-field-count`.\n\n\
+        finding has the level and the words of the worst that follows from it, in place of the findings on single lines; what \
+        else is wrong with the file is reported as well. In JSON it is `json-syntax`, in targets `target-field-count`.\n\n\
         Keep one side, and remove the three lines.",
     ..RuleInfo::new("file-merge-conflict", Level::Warning, "a file with both sides of a merge in it")
 });

@@ -6,7 +6,7 @@ use super::places::{self, Worst};
 use super::{readable_own, unusable_entries};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    Change, Evidence, Finding, Fix, FixKind, Grows, Level, MeasureKind, Place, Rewrite, RuleInfo,
+    Change, Evidence, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo,
 };
 use crate::formats::mhw::{FAR_SUMS, SumFacts, Weights};
 use crate::formats::obj::Mesh;
@@ -31,7 +31,6 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         Normalise the weights in the tool that painted them. The fix writes the numbers that MakeHuman 2 gets when \
         it divides, with as many digits as needed (seven to nine), and does not change other vertices.",
     counts: "vertices",
-    grows: Grows::from_one(MeasureKind::Weight),
     ..RuleInfo::new("weights-not-normalized", Level::Info, "the weights of a vertex do not add up to 1")
 });
 

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, percent};
 use super::places::{self, Worst};
-use crate::diag::{Application::Makehuman2, Element, Evidence, Finding, Grows, Level, MeasureKind, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Element, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::rig_measure::ENGINE_INFLUENCES;
 use crate::repo::Body;
@@ -19,7 +19,6 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         largest share, one of the visible body before one of a helper.\n\n\
         Small lost shares are harmless; otherwise paint the vertices with fewer bones.",
     counts: "vertices",
-    grows: Grows::more(MeasureKind::Share),
     ..RuleInfo::new("weights-too-many-influences", Level::Info, "a vertex has weights of more than four bones")
 });
 
