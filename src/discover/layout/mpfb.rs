@@ -37,7 +37,7 @@ pub(super) static LAYOUT: Layout = Layout {
         [.., "config", name] if of_config(name) == Some(Kind::HumanPreset) => Some(2),
         _ => None,
     },
-    tells_without_data: |listing, file| listing.says(file, &["\"phenotype\""]),
+    tells_without_data: |listing, file| SAVED_CHARACTER.iter().all(|words| listing.says(file, words)),
     shares_roots_of: Some(Application::Makehuman1),
     has_second_user: true,
     role,
@@ -45,6 +45,10 @@ pub(super) static LAYOUT: Layout = Layout {
     is_folder: |rel, _| FOLDERS.contains(&rel) || WORN.contains(&rel),
     ..Layout::PLAIN
 };
+
+/// What a saved character says: of each row one word. Genes of other programs have a phenotype, too.
+pub(crate) const SAVED_CHARACTER: [&[&str]; 2] =
+    [&["\"phenotype\""], &["\"rig\"", "\"skin_mhmat\"", "\"skin_material_type\"", "\"targets\"", "\"race\""]];
 
 /// Folders that are listed.
 const FOLDERS: [&str; 9] =

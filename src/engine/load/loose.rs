@@ -8,7 +8,7 @@ use super::place::Place;
 use super::unit_names::UnitNames;
 use crate::config::Config;
 use crate::diag::Application;
-use crate::discover::{Binding, Known, Layout, Role, candidates, extension, meant_extension};
+use crate::discover::{Binding, Known, Layout, Role, SAVED_CHARACTER, candidates, extension, meant_extension};
 use crate::formats::target::{has_broken_rows, recognise};
 use crate::source::{Entry, Limits, Tree, canonical, folder_and_name, is_below, lines, slashed};
 
@@ -136,7 +136,7 @@ fn recognised(input: &Input, entry: &Entry, options: &Config, is_meant: bool) ->
         // Only MPFB has rigs in such files, and weights and presets under names that say so.
         "json" => (is_meant && (is_named() || is_named_as_of_rig(&entry.path))
             || says(&read(), "\"identifying_bones\"")
-            || is_named_as_preset(&entry.path) && says(&read(), "\"phenotype\""))
+            || is_named_as_preset(&entry.path) && is_saved_character(&read()))
         .then_some(None),
         "gz" => Some(None),
         "proxy" => {
@@ -162,6 +162,10 @@ fn is_named_as_of_rig(path: &str) -> bool {
 /// Whether a file has a name as saved characters have it.
 fn is_named_as_preset(path: &str) -> bool {
     folder_and_name(path).1.starts_with("human.")
+}
+
+fn is_saved_character(text: &[u8]) -> bool {
+    SAVED_CHARACTER.iter().all(|words| words.iter().any(|word| says(text, word)))
 }
 
 fn says(text: &[u8], word: &str) -> bool {
