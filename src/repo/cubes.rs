@@ -26,20 +26,14 @@ pub(crate) struct Strays {
 
 /// Whether most joints of a skeleton stray, or most cubes are torn. A few may be meant so, or are slips of the skeleton.
 pub(crate) fn strays_of(mesh: &Mesh, joints: &[Joint]) -> Option<Strays> {
-    torn(mesh).or_else(|| {
-        strays(mesh, joints.iter().filter_map(|joint| Some((joint.name.as_str(), joint.vertices.clone()?))))
-    })
+    strays(mesh, joints.iter().filter_map(|joint| Some((joint.name.as_str(), joint.vertices.clone()?))))
 }
 
-/// Whether most cubes are torn apart: a corner of a cube has another one across from it.
-pub(crate) fn torn(mesh: &Mesh) -> Option<Strays> {
-    let whole = Cubes::of(mesh).whole;
-    let corners = whole.iter().filter_map(|first| {
-        let first = usize::try_from(*first).ok()?;
-        mesh.positions.get(first..first + CORNERS)
-    });
-    let torn: Vec<bool> = corners.map(|corners| !is_symmetric(corners)).collect();
-    most(&torn, true)
+/// The same for joints by their names and vertices.
+pub(crate) fn strays<'j>(mesh: &Mesh, joints: impl Iterator<Item = (&'j str, Vec<i64>)>) -> Option<Strays> {
+    let cubes = Cubes::of(mesh);
+    let strayed = || joints.filter_map(|(name, vertices)| cubes.has_stray(name, &vertices)).collect::<Vec<_>>();
+    most(&cubes.torn(mesh), true).or_else(|| most(&strayed(), false))
 }
 
 /// So many that are true of all, where these are most.
@@ -60,13 +54,6 @@ fn is_symmetric(corners: &[[f32; 3]]) -> bool {
         one.iter().zip(other).zip(&twice).all(|((one, other), twice)| (one + other - twice).abs() <= size / 4.0)
     };
     corners.iter().all(|one| corners.iter().any(|other| is_across(one, other)))
-}
-
-/// The same for joints by their names and vertices.
-pub(crate) fn strays<'j>(mesh: &Mesh, joints: impl Iterator<Item = (&'j str, Vec<i64>)>) -> Option<Strays> {
-    let cubes = Cubes::of(mesh);
-    let strays: Vec<bool> = joints.filter_map(|(name, vertices)| cubes.has_stray(name, &vertices)).collect();
-    most(&strays, false)
 }
 
 /// The cubes of joints: first and last vertex by name, and all in order, each with the highest last vertex so far.
@@ -96,6 +83,15 @@ impl<'m> Cubes<'m> {
             *last = highest;
         }
         Self { by_name, in_order, whole }
+    }
+
+    /// Of each cube whether it is torn apart: that a corner has none across from it.
+    fn torn(&self, mesh: &Mesh) -> Vec<bool> {
+        let corners = self.whole.iter().filter_map(|first| {
+            let first = usize::try_from(*first).ok()?;
+            mesh.positions.get(first..first + CORNERS)
+        });
+        corners.map(|corners| !is_symmetric(corners)).collect()
     }
 
     /// Whether a joint lies in no cube: in that of its name, or where there is none in any. Nothing where it seems not to
@@ -159,7 +155,7 @@ mod tests {
 
     fn of_joints(mesh: &Mesh, by: i64) -> Option<(bool, usize, usize)> {
         let joints = (0..6).map(|cube: i64| ("hand", (cube * 8 + by..cube * 8 + by + 8).collect()));
-        strays(mesh, joints).or_else(|| torn(mesh)).map(|strays| (strays.are_torn, strays.strayed, strays.of))
+        strays(mesh, joints).map(|strays| (strays.are_torn, strays.strayed, strays.of))
     }
 
     #[test]
@@ -171,6 +167,5 @@ mod tests {
     #[test]
     fn cubes_are_torn_where_places_moved_and_faces_did_not() {
         assert_eq!(of_joints(&mesh(1), 0), Some((true, 6, 6)));
-        assert_eq!(torn(&mesh(0)), None);
     }
 }

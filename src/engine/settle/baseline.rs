@@ -96,7 +96,7 @@ impl Entry {
     /// As it is compared, its asset at `path`.
     pub(super) fn claim<'e>(&'e self, path: &'e str) -> Claim<'e> {
         let (rule, key, parts, level) = (&self.rule, &self.key, &self.parts, self.level);
-        Claim { rule, asset: path, key, parts, level, breaks: &[], value: self.measure, measure: None }
+        Claim { rule, asset: path, key, parts, level, breaks: &[], value: self.measure, grows: None }
     }
 }
 

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::cmp::Ordering;
 
-use crate::diag::{Break, Figure, Finding, Grown, Level, Measure, NameIndex, Parts, grouped};
+use crate::diag::{Break, Figure, Finding, Grown, Grows, Level, Measure, NameIndex, Parts, grouped};
 
 /// A finding as it is compared.
 #[derive(Debug, Clone, Copy)]
@@ -16,9 +16,10 @@ pub(in crate::engine) struct Claim<'f> {
     pub(in crate::engine) level: Level,
     /// How bad it is in each application, where that is known.
     pub(in crate::engine) breaks: &'f [Break],
-    /// How much of it there is: which way that grows only the finding of today knows.
+    /// How much of it there is.
     pub(in crate::engine) value: Option<Figure>,
-    pub(in crate::engine) measure: Option<Measure>,
+    /// Which way that grows: only the finding of today knows.
+    pub(in crate::engine) grows: Option<Grows>,
 }
 
 /// What a finding is to those before.
@@ -176,23 +177,27 @@ impl<'f> Claim<'f> {
     fn of(finding: &'f Finding) -> Self {
         let Finding { rule, level, subject, breaks, .. } = finding;
         let (asset, key, parts) = (finding.asset_path(), &subject.key, &subject.parts);
-        let measure = finding.measure();
-        Self { rule, asset, key, parts, level: *level, breaks, value: measure.map(|one| one.value), measure }
+        let (value, grows) = finding.measure().map(|one| (one.value, one.grows)).unzip();
+        Self { rule, asset, key, parts, level: *level, breaks, value, grows }
+    }
+
+    fn measure(&self) -> Option<Measure> {
+        Some(Measure { grows: self.grows?, value: self.value? })
     }
 
     /// What it was, if there is more of it now.
     fn grown_since(&self, before: Option<Figure>) -> Option<Figure> {
-        let (now, before) = self.measure.zip(before)?;
+        let (now, before) = self.measure().zip(before)?;
         now.is_worse_than(before).then_some(before)
     }
 
     fn is_smaller_than(&self, before: Option<Figure>) -> bool {
-        self.measure.zip(before).is_some_and(|(now, before)| now.is_better_than(before))
+        self.measure().zip(before).is_some_and(|(now, before)| now.is_better_than(before))
     }
 
     /// Which of two amounts is more of it.
     fn compare(&self, one: Option<Figure>, other: Option<Figure>) -> Ordering {
-        match (self.measure, one, other) {
+        match (self.measure(), one, other) {
             (Some(now), Some(one), Some(other)) => now.compare(one, other),
             _ => one.cmp(&other),
         }
@@ -220,14 +225,14 @@ impl<'f> Claim<'f> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diag::{Application, Grows, MeasureKind};
+    use crate::diag::{Application, MeasureKind};
 
     fn parts(names: &[&str]) -> Parts {
         names.iter().collect()
     }
 
     fn claim<'p>(key: &'p str, level: Level, parts: &'p Parts) -> Claim<'p> {
-        Claim { rule: "r", asset: "a", key, parts, level, breaks: &[], value: None, measure: None }
+        Claim { rule: "r", asset: "a", key, parts, level, breaks: &[], value: None, grows: None }
     }
 
     fn compared(before: &[&[&str]], now: &[&[&str]]) -> (Vec<Standing>, Vec<usize>) {
@@ -276,12 +281,10 @@ mod tests {
     /// What findings of one subject are to others of it, by how much there is of each.
     fn measured(before: &[Option<f64>], now: &[f64]) -> Vec<Standing> {
         let none = Parts::default();
-        let value = |value: f64| Some(Figure(value));
         let known = |of: &Option<f64>| Claim { value: of.map(Figure), ..claim("", Level::Warning, &none) };
         let own = |now: &f64| {
             let grows = Grows::more(MeasureKind::Gap);
-            let measure = grows.map(|grows| Measure { grows, value: Figure(*now) });
-            Claim { value: value(*now), measure, ..claim("", Level::Warning, &none) }
+            Claim { value: Some(Figure(*now)), grows, ..claim("", Level::Warning, &none) }
         };
         compare(&before.iter().map(known).collect::<Vec<_>>(), &now.iter().map(own).collect::<Vec<_>>()).now
     }

@@ -63,8 +63,9 @@ impl Known {
         let before: Vec<Claim<'_>> =
             self.old.entries.iter().zip(homes).map(|(entry, path)| entry.claim(path)).collect();
         let claims = entries.iter().map(|found| found.entry.claim(&found.entry.path)).zip(&rest);
-        let now: Vec<Claim<'_>> =
-            claims.map(|(claim, placed)| Claim { measure: placed.finding.measure(), ..claim }).collect();
+        let now: Vec<Claim<'_>> = claims
+            .map(|(claim, placed)| Claim { grows: placed.finding.measure().map(|one| one.grows), ..claim })
+            .collect();
         let Comparison { now, gone } = compare(&before, &now);
         let known: Vec<bool> = now.iter().map(|one| matches!(one, Standing::Same | Standing::Smaller)).collect();
         let smaller = now.iter().filter(|standing| **standing == Standing::Smaller).count();

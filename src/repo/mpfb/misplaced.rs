@@ -3,7 +3,7 @@
 
 use crate::formats::mesh_metadata::{MirrorRow, MirrorTable, VertexGroup, VertexGroups};
 use crate::formats::obj::Mesh;
-use crate::repo::cubes::{Strays, strays, torn};
+use crate::repo::cubes::{Strays, strays};
 
 /// Where the vertices lie instead.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,7 +57,7 @@ fn by_cubes(mesh: &Mesh, groups: &VertexGroups) -> Option<Misplaced> {
         _ => None,
     };
     let joints = groups.groups.iter().filter_map(|group| Some((group.name.strip_prefix("joint-")?, of_joint(group)?)));
-    torn(mesh).or_else(|| strays(mesh, joints)).map(Misplaced::Cubes)
+    strays(mesh, joints).map(Misplaced::Cubes)
 }
 
 fn by_size(mesh: &Mesh) -> Option<Misplaced> {

@@ -63,7 +63,6 @@ pub(super) fn targets(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let mut places = vec![("`targets` of the user".to_owned(), targets("targets", false))];
     places.push(("`custom` beside `data`".to_owned(), beside));
     // Any other folder, such as `Custom` or `morphs`; what else ends so there is nobody's business.
-    let has_rows = |file: &FileFacts| file.target().is_some_and(|facts| facts.rows > 0);
     let is_lost = |file: &&FileFacts| {
         let is_other = !matches!(top(file), CUSTOM | "targets") && library_extension(top(file)).is_none();
         let is_target = extension(&file.rel) == "target" && file.rel.contains('/') && !file.is_loose;
@@ -80,6 +79,11 @@ pub(super) fn targets(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let finding = finding.evidence(Evidence::of_cases(lost.iter().map(|file| file.shown())));
         out.push(finding.help("move them to `custom` in the data folder of the user"));
     }
+}
+
+/// Whether a file has a row of a target: other programs have files of this name.
+fn has_rows(file: &FileFacts) -> bool {
+    file.target().is_some_and(|facts| facts.rows > 0)
 }
 
 /// Languages of a user: the list has them, but texts are read from the program's folder alone (formats/makehuman1.md §2.1).
@@ -215,8 +219,7 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 pub(super) fn beside_libraries(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
     let is_asset = |file: &FileFacts| matches!(extension(&file.rel), "mhclo" | "proxy" | "mhskel" | "mhpose" | "mhm");
-    let is_target =
-        |file: &FileFacts| extension(&file.rel) == "target" && file.target().is_some_and(|facts| facts.rows > 0);
+    let is_target = |file: &FileFacts| extension(&file.rel) == "target" && has_rows(file);
     let is_asset = |file: &FileFacts| is_asset(file) || is_target(file);
     let files = layer.files.values().filter(|file| is_asset(file) && !is_outdated(file) && is_aside(layer, file));
     out.extend(aside(rule, &files.collect::<Vec<_>>()));

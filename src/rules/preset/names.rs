@@ -38,7 +38,10 @@ pub(super) fn named(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> V
     let mut all = Vec::new();
     all.extend(targets(view, preset, cx));
     all.extend(ambiguous(view, preset));
-    all.extend(preset.rig.as_ref().and_then(|rig| unknown_rig(view, rig, cx)));
+    let rig = preset.rig.as_ref().and_then(|rig| Some((rig, unknown_rig(view, rig, cx)?)));
+    let is_own_rig = |rig: &NamedAt| rig.name.starts_with(OWN_RIG);
+    let (own, others) = rig.into_iter().partition::<Vec<_>, _>(|(rig, _)| is_own_rig(rig));
+    all.extend(own.into_iter().map(|(_, named)| named));
     let of_sort =
         [preset.worn.as_slice(), preset.skin.as_slice(), preset.expressions.as_slice(), preset.makeup.as_slice()];
     for (names, (key, what, level, effect)) in of_sort.into_iter().zip(SORTS) {
@@ -53,11 +56,15 @@ pub(super) fn named(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> V
         }));
     }
     if has_no_data(view) {
-        let is_users = |one: &&mut Named| one.key != "rig" || one.message.contains("`custom.");
-        all.iter_mut().filter(is_users).for_each(|one| (one.level, one.effect) = (Level::Info, UNLESS_USERS));
+        all.iter_mut().for_each(|one| (one.level, one.effect) = (Level::Info, UNLESS_USERS));
     }
+    // A rig of MPFB itself is there or not, whatever the user has.
+    all.extend(others.into_iter().map(|(_, named)| named));
     all
 }
+
+/// What the names of a user's own rigs begin with.
+const OWN_RIG: &str = "custom.";
 
 /// What names lead to that may be in data of the user that are not at hand.
 const UNLESS_USERS: &str = "leaves it out, unless it is in the data of the user, which are not checked here";
@@ -143,7 +150,7 @@ fn files<'p>(
 /// A rig of MPFB, or one of the user.
 fn unknown_rig(view: &View<'_>, rig: &NamedAt, cx: &RuleCx<'_>) -> Option<Named> {
     let name = rig.name.as_str();
-    let custom = name.strip_prefix("custom.");
+    let custom = name.strip_prefix(OWN_RIG);
     let layers = view.layers;
     let is_known = match custom {
         Some(own) => layers.user.into_iter().chain(layers.beside).any(|layer| {
