@@ -69,7 +69,8 @@ pub(super) fn lint_sides(
     let scope = Scope::new(named(now).collect(), options);
     let (selection, known) = (Selection::new(options)?, Known::open(options)?);
     let asked = Asked { options, selection, scope, known, applications };
-    let mut outcome = Outcome { looked_for: applications.to_vec(), ..Outcome::default() };
+    let looked_for = applications.iter().copied().filter(|application| asked.options.asks_for(*application)).collect();
+    let mut outcome = Outcome { looked_for, ..Outcome::default() };
     // What is told of the data as they were but for findings.
     let mut told = Outcome::default();
     let started = Instant::now();

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use super::mesh::bounding_box;
 use super::tears::Neighbours;
-use super::vector::Point;
+use super::vector::{Point, dot};
 
 /// How many times its target's median displacement a vertex may move, unless somebody says otherwise.
 pub const MEDIAN_RATIO: f32 = 20.0;
@@ -73,10 +73,20 @@ pub fn oversize(lengths: Lengths, size: f32, ratio: f32) -> Option<Oversize> {
 pub fn is_torn_out(longest: &[(u32, Point)], tail: f32, index: i64, neighbours: &Neighbours) -> bool {
     let Ok(index) = u32::try_from(index) else { return true };
     // Of a vertex with several rows the last one counts.
-    let moved: BTreeMap<u32, Point> = longest.iter().copied().collect();
+    let moved: BTreeMap<u32, Point> = longest.iter().copied().filter(|(_, way)| length(*way) > tail).collect();
     let vertices = moved.keys().copied().collect();
     !moved.contains_key(&index)
         || neighbours.torn(&vertices, tail, |vertex| moved.get(&vertex).copied()).contains(&index)
+}
+
+/// The vertices whose displacement would stand out if the longer ones were as they should be.
+pub fn standing_out(longest: &[(u32, Point)], median: f32, size: f32, ratio: f32) -> impl Iterator<Item = u32> {
+    let stands_out = move |way: Point| length(way) > ratio * median && length(way) > SMALLEST_SHARE * size;
+    longest.iter().filter(move |(_, way)| stands_out(*way)).map(|(vertex, _)| *vertex)
+}
+
+fn length(way: Point) -> f32 {
+    dot(way, way).sqrt()
 }
 
 /// The longest side of the box around the mesh; `None` without vertices or extent.

@@ -11,6 +11,7 @@ use super::inline_ignore::{self, InlineIgnore};
 use super::packed_print::PackedPrint;
 use super::target_blanks;
 pub use super::target_blanks::rows as rows_at_blanks;
+use super::target_facts::length_of;
 pub use super::target_facts::{BlankFacts, Largest, TargetFacts, UnreadableField};
 use super::target_repeats::{moves, repeats};
 use super::target_row::fast_row;
@@ -33,7 +34,7 @@ pub struct Target {
 pub type Row = (u32, [f32; 3]);
 
 /// Size of the mesh a target is for, where it is known.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct MeshSize {
     /// Vertices of the OBJ.
     pub vertices: usize,
@@ -267,20 +268,15 @@ impl Parser {
 
     fn displacement(&mut self, line: u32, index: i64, delta: [f32; 3]) {
         let facts = &mut self.target.facts;
-        let [x, y, z] = delta;
-        let square = x * x + y * y + z * z;
-        let length = if square.is_finite() && square > 0.0 {
-            square.sqrt()
-        } else if x == 0.0 && y == 0.0 && z == 0.0 {
+        if delta.iter().all(|part| *part == 0.0) {
             self.zeros.push((line, index));
             return;
-        } else if !(x.is_finite() && y.is_finite() && z.is_finite()) {
+        }
+        if !delta.iter().all(|part| part.is_finite()) {
             facts.non_finite.add(line, index);
             return;
-        } else {
-            // The square of a finite delta can overflow or vanish; such a row still moves.
-            delta.iter().fold(0.0_f32, |most, part| most.max(part.abs()))
-        };
+        }
+        let length = length_of(delta);
         facts.moving += 1;
         self.lengths.push(length);
         if facts.largest.is_none_or(|largest| length > largest.length) {

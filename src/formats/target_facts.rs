@@ -5,6 +5,10 @@ use crate::diag::{Few, Tally};
 
 /// How many times as long as all but the longest two percent a row is whose like are kept.
 const STANDS_OUT: f32 = 2.0;
+/// How many times as long as half of the rows the longest one is where any is kept.
+const FAR: f32 = 4.0;
+/// So many of the others are kept.
+const FEW_LONGEST: usize = 8;
 
 /// Facts on one target, counted while parsing.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -51,8 +55,8 @@ pub struct TargetFacts {
     pub median_length: f32,
     /// Length that all but the longest two percent (at least one row) stay below or reach, in decimetres.
     pub tail_length: f32,
-    /// The rows that are longer than that, where the longest one is at least `STANDS_OUT` times as long: few, and all that
-    /// is needed to see whether it leaves its neighbours in the mesh.
+    /// Rows that are longer than that and the next one, where these are far from the others. Where the longest one is
+    /// at least `STANDS_OUT` times as long these are all, which shows whether it leaves its neighbours in the mesh.
     pub longest: Vec<(u32, [f32; 3])>,
     /// Largest index.
     pub max_index: Option<i64>,
@@ -71,18 +75,30 @@ pub struct TargetFacts {
 }
 
 impl TargetFacts {
-    /// Keeps the longest rows where they stand out.
+    /// Keeps the longest rows where they are far from the others: all of them where they stand out, else a few.
     pub(super) fn keep_longest(&mut self, rows: &[(u32, [f32; 3])]) {
-        if self.largest.is_some_and(|largest| largest.length >= STANDS_OUT * self.tail_length) {
-            let square = |delta: &[f32; 3]| delta.iter().map(|part| part * part).sum::<f32>();
-            let least = self.tail_length * self.tail_length;
-            self.longest = rows.iter().filter(|(_, delta)| square(delta) > least).copied().collect();
-        }
+        let Some(largest) = self.largest.filter(|largest| largest.length > FAR * self.median_length) else { return };
+        let stands_out = largest.length >= STANDS_OUT * self.tail_length;
+        let lengths = || rows.iter().map(|row| (row, length_of(row.1)));
+        let longer = lengths().filter(|(_, length)| *length > self.tail_length);
+        let next = lengths().filter(|(_, length)| length.total_cmp(&self.tail_length).is_eq()).take(1);
+        let most = if stands_out { usize::MAX } else { FEW_LONGEST };
+        self.longest = longer.take(most).chain(next).map(|(row, _)| *row).collect();
     }
 
     /// Whether there are rows and the vertices stay where they are all the same.
     pub fn moves_nothing(&self) -> bool {
         self.rows > 0 && self.moving == 0 && self.unreadable_rows == 0 && self.non_finite.count == 0
+    }
+}
+
+/// How far a displacement goes, in its unit. The square of a finite one can overflow or vanish; such a row still moves.
+pub(super) fn length_of(delta: [f32; 3]) -> f32 {
+    let square = delta.iter().map(|part| part * part).sum::<f32>();
+    if square.is_finite() && square > 0.0 {
+        square.sqrt()
+    } else {
+        delta.iter().fold(0.0_f32, |most, part| most.max(part.abs()))
     }
 }
 

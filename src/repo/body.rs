@@ -22,7 +22,7 @@ use crate::formats::unfit::NamedAt;
 /// Why not everything can be told by a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Doubt {
-    /// It is left out: the rest of the data is made for another number of vertices.
+    /// The rest of the data is made for vertices with other numbers.
     Foreign,
     /// Its vertices lie elsewhere than they should: distances on it mean nothing.
     Misplaced,
@@ -322,7 +322,8 @@ impl<'v> Body<'v> {
     /// reached.
     pub(crate) fn unreached<'b>(&'b self, reached: &'b [u32]) -> Option<Unreached<'b>> {
         // Most weights reach every vertex: then the mesh is not walked.
-        let mesh = self.whole_mesh().filter(|mesh| reached.len() < mesh.positions.len())?;
+        let mesh = self.whole_mesh().filter(|_| self.doubt != Some(Doubt::Foreign));
+        let mesh = mesh.filter(|mesh| reached.len() < mesh.positions.len())?;
         let unreached = self.landmarks(mesh).unreached(reached, |group| self.shows(group));
         (unreached.count > 0).then_some(unreached)
     }

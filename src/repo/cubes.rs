@@ -32,8 +32,23 @@ pub(crate) fn strays_of(mesh: &Mesh, joints: &[Joint]) -> Option<Strays> {
 /// The same for joints by their names and vertices.
 pub(crate) fn strays<'j>(mesh: &Mesh, joints: impl Iterator<Item = (&'j str, Vec<i64>)>) -> Option<Strays> {
     let cubes = Cubes::of(mesh);
+    let used = used(mesh);
+    // Where the cube was deleted its vertices are left, and they have their numbers.
+    let is_left_over = |vertex: &i64| usize::try_from(*vertex).is_ok_and(|vertex| used.get(vertex) == Some(&false));
+    let joints = joints.filter(|(_, vertices)| vertices.is_empty() || !vertices.iter().all(is_left_over));
     let strayed = || joints.filter_map(|(name, vertices)| cubes.has_stray(name, &vertices)).collect::<Vec<_>>();
     most(&cubes.torn(mesh), true).or_else(|| most(&strayed(), false))
+}
+
+/// Of each vertex whether a face has it.
+fn used(mesh: &Mesh) -> Vec<bool> {
+    let mut used = vec![false; mesh.positions.len()];
+    for vertex in mesh.vertices_of_faces().flatten() {
+        if let Some(one) = usize::try_from(*vertex).ok().and_then(|vertex| used.get_mut(vertex)) {
+            *one = true;
+        }
+    }
+    used
 }
 
 /// So many that are true of all, where these are most.
@@ -162,6 +177,14 @@ mod tests {
     fn joints_stray_where_all_numbers_moved() {
         assert_eq!(of_joints(&mesh(0), 0), None);
         assert_eq!(of_joints(&mesh(0), 1), Some((false, 6, 6)));
+    }
+
+    #[test]
+    fn a_cube_that_was_deleted_has_left_its_vertices() {
+        let mut mesh = mesh(0);
+        mesh.groups.truncate(2);
+        mesh.faces.truncate(12);
+        assert_eq!(of_joints(&mesh, 0), None);
     }
 
     #[test]

@@ -131,7 +131,10 @@ fn nothing_found(outcome: &Outcome) -> String {
 
 /// ` 3 findings no longer occur. 1 finding is smaller than before.`
 fn gone(outcome: &Outcome) -> String {
-    let [gone, smaller] = outcome.compared.as_ref().map_or([0; 2], |compared| [compared.gone, compared.smaller]);
+    // What of a baseline no longer occurs is a finding.
+    let of_baseline = outcome.compared_with_baseline.as_ref().map(|compared| [0, compared.smaller]);
+    let compared = outcome.compared.as_ref().map(|compared| [compared.gone, compared.smaller]);
+    let [gone, smaller] = compared.or(of_baseline).unwrap_or_default();
     let gone = match gone {
         0 => String::new(),
         1 => " 1 finding no longer occurs.".to_owned(),
@@ -164,12 +167,26 @@ pub(crate) fn why_nothing(outcome: &Outcome, what: Option<Unchecked>) -> String 
             "nothing in it can be read as an asset; in a pack assets are in folders such as `clothes/`, `hair/` or `rigs/`".to_owned()
         }
         None => format!(
-            "no data of {} found; name the data folder (MakeHuman 2: with `base/`, `target/` or `rigs/`; MakeHuman 1: with \
-             `targets/` and `modifiers/`; MPFB: with `targets/target.json`), or for the folder of a user of MPFB use `--app mpfb`; \
-             folders whose names begin with a dot are searched only if PATH names them",
-            titles(&outcome.looked_for)
+            "no data of {} found; name the data folder ({}); folders whose names begin with a dot are searched only if PATH \
+             names them",
+            titles(&outcome.looked_for),
+            signs(&outcome.looked_for)
         ),
     }
+}
+
+/// What data folders have, `MakeHuman 2: with …; MPFB: with …`.
+fn signs(applications: &[Application]) -> String {
+    let signs = applications.iter().map(|application| match application {
+        Application::Makehuman2 => "MakeHuman 2: with `base/`, `target/` or `rigs/`",
+        Application::Makehuman1 => "MakeHuman 1: with `targets/` and `modifiers/`",
+        // Who asked for MPFB alone has what lies there checked as that of a user.
+        Application::Mpfb if applications.len() == 1 => {
+            "with `targets/target.json`; that of a user with `clothes/`, `skins/` or `custom/`"
+        }
+        Application::Mpfb => "MPFB: with `targets/target.json`; that of a user with `--app mpfb`",
+    });
+    signs.collect::<Vec<_>>().join("; ")
 }
 
 /// Where or by what alone something could be found, with a blank before it; empty where nothing was left out.

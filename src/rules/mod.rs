@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 
 mod archive;
 mod archived;
+mod aside;
 mod base;
 mod beside;
 mod bvh;
@@ -49,6 +50,7 @@ mod wearers;
 mod weights;
 
 pub(crate) use archived::lower_archived;
+pub(crate) use aside::lower_aside;
 use beside::meant_beside;
 pub use cause::consequence::Unread;
 pub(crate) use cause::consequence::unread;

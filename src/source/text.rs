@@ -54,6 +54,11 @@ impl Encoding {
             conflict_at: conflict(bytes),
         }
     }
+
+    /// Whether both sides of a merge are in it.
+    pub fn is_unmerged(&self) -> bool {
+        self.conflict_at.is_some()
+    }
 }
 
 /// What bytes are that are no UTF-8.

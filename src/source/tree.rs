@@ -144,7 +144,7 @@ impl Tree {
     /// A zip, as the folder that it was made of; hidden files as in [`Tree::on_disk`]. Its files are unpacked when they
     /// are read, each on its own.
     pub fn packed(label: impl Into<String>, zip: Vec<u8>, limits: &Limits, wanted: Wanted) -> Self {
-        let (pack, facts) = Pack::open(zip, limits);
+        let (pack, facts) = Pack::open(zip, &limits.of_pack());
         let folders: Vec<String> = pack.folders().map(|folder| format!("{folder}/")).collect();
         let is_listed = |(path, _): &(&str, u64)| {
             !has_hidden_part(path) || wanted("", path.trim_end_matches('/'), path.ends_with('/'))
@@ -334,6 +334,11 @@ impl Tree {
         let both = [self, other].map(|tree| tree.entry(path));
         let [Some(own), Some(others)] = both else { return false };
         own.size == others.size && self.read(own, limits).is_ok_and(|own| other.read(others, limits) == Ok(own))
+    }
+
+    /// Whether a path holds other bytes than were there.
+    pub fn is_changed(&self, path: &str) -> bool {
+        self.changed.contains_key(path)
     }
 
     /// Gives it another label.

@@ -112,3 +112,35 @@ fn a_gap_that_grows_is_worse_and_one_that_shrinks_is_counted() {
     let words = better.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(!words.contains("parts-gap") && words.contains("1 finding is smaller than before"), "{better}");
 }
+
+const OVAL: &str = "data/target/figure/head/head-oval.target";
+const WEIGHTS: &str = "data/rigs/figure/default_weights.mhw";
+
+#[test]
+fn what_is_left_when_the_worst_row_is_repaired_is_not_new() {
+    let (old, new) = (example_of("makehuman2"), example_of("makehuman2"));
+    for root in [old.path(), new.path()] {
+        edit(root, OVAL, "337 .002 0 0\n", "337 0 70 .001\n");
+    }
+    edit(old.path(), OVAL, "339 0 .001 .001\n", "339 0 90 .001\n");
+    let against = |root: &Path, other: &Path| {
+        let other = other.join("data");
+        stdout(&mhlint(root, &["check", "data", "--against", other.to_str().unwrap(), "--report", "concise"]))
+    };
+    let left = against(new.path(), old.path());
+    assert!(!left.contains("target-oversized-delta"), "{left}");
+    let worse = against(old.path(), new.path());
+    assert!(worse.contains("target-oversized-delta"), "{worse}");
+}
+
+#[test]
+fn the_last_line_counts_what_is_smaller_than_in_the_baseline() {
+    let repository = example_of("makehuman2");
+    let root = repository.path();
+    edit(root, WEIGHTS, "[190, 0.75]", "[190, -0.4]");
+    mhlint(root, &["check", "data", "--baseline", "known.json", "--write-baseline"]);
+    edit(root, WEIGHTS, "[190, -0.4]", "[190, -0.1]");
+    let report = stdout(&mhlint(root, &["check", "data", "--baseline", "known.json"]));
+    let words = report.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("1 finding is smaller than before."), "{report}");
+}

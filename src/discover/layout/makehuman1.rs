@@ -121,6 +121,8 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         // Users have some in `custom` alone, where capitals count; the program has them anywhere in its data.
         ["custom", .., file] if extension(file) == "target" => Kind::Target,
         [folder, .., file] if *folder != "custom" && extension(file).eq_ignore_ascii_case("target") => Kind::Target,
+        // Nobody looks for it there.
+        [file] if extension(file) == "target" => Kind::Target,
         ["modifiers", file] if file.ends_with("_modifiers.json") => Kind::ModifierFile,
         ["modifiers", file] if file.ends_with("_modifiers_desc.json") => Kind::ModifierTexts,
         ["modifiers", file] if file.ends_with("_sliders.json") => Kind::ModifierSliders,
@@ -152,7 +154,7 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         [file] if is_dangerous(file) => Kind::by_extension(file),
         _ => Kind::Other,
     };
-    (kind, (parts.len() > 1).then_some(HM08))
+    (kind, (parts.len() > 1 || kind == Kind::Target).then_some(HM08))
 }
 
 /// Libraries list files by their extension, hidden or not; macOS and editors leave such beside each of their own (§2.1,

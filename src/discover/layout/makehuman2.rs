@@ -23,6 +23,7 @@ pub(super) static LAYOUT: Layout = Layout {
     is_release: |_| false,
     is_of_user: |_| false,
     is_of_others,
+    list_by_content: |_, _| None,
     place,
     reads_hidden,
     loose_place,

@@ -36,6 +36,8 @@ pub(crate) struct Layout {
     pub is_of_user: fn(&[&str]) -> bool,
     /// Whether a loose file with this extension, and what is in it, is for other applications where nobody asks.
     pub is_of_others: fn(&str, Says<'_>) -> bool,
+    /// The list that a loose file with this extension is for by what is in it.
+    pub list_by_content: fn(&str, Says<'_>) -> Option<&'static str>,
     /// What a path below a data root is for, and the base mesh that it belongs to.
     place: Classify,
     /// Whether the file of this name, in these folders, is read although it is hidden.
@@ -224,6 +226,7 @@ impl Layout {
         is_release: |_| false,
         is_of_user: |_| false,
         is_of_others: |_, _| false,
+        list_by_content: |_, _| None,
         place: |_| (Kind::Other, None),
         reads_hidden: |_| false,
         loose_place: |_, _| None,

@@ -24,6 +24,9 @@ pub(super) static LAYOUT: Layout = Layout {
     is_of_user: |parts| matches!(parts, ["rigs", _]),
     // What it shares with others is for these where nobody asks.
     is_of_others: |extension, _| !matches!(extension, "json" | "gz"),
+    list_by_content: |extension, says| {
+        (extension == "json" && STORED_POSE.iter().any(|word| says(word))).then_some("poses")
+    },
     place,
     loose_place,
     shelf,
@@ -49,6 +52,9 @@ pub(super) static LAYOUT: Layout = Layout {
 /// What a saved character says: of each row one word. Genes of other programs have a phenotype, too.
 pub(crate) const SAVED_CHARACTER: [&[&str]; 2] =
     [&["\"phenotype\""], &["\"rig\"", "\"skin_mhmat\"", "\"skin_material_type\"", "\"targets\"", "\"race\""]];
+
+/// What a pose of MPFB says.
+pub(crate) const STORED_POSE: [&str; 2] = ["\"skeleton_type\"", "\"bone_rotations\""];
 
 /// Folders that are listed.
 const FOLDERS: [&str; 9] =
@@ -86,7 +92,7 @@ fn weigh(listing: &Listing<'_>, root: &str, file: &str, sign: Sign) -> Option<Si
             (listing.says(file, &["\"categories\""]) || !listing.says(file, &["{", "["]) || is_own()).then_some(sign)
         }
         ("rigs", name) if !name.contains('/') => listing.says(file, &["\"identifying_bones\""]).then_some(sign),
-        ("poses", _) => listing.says(file, &["\"skeleton_type\"", "\"bone_rotations\""]).then_some(sign),
+        ("poses", _) => listing.says(file, &STORED_POSE).then_some(sign),
         ("packs", _) if listing.says(file, &["\"author\"", "\"license\"", "\"category\""]) => Some(Sign::OfUser),
         _ => Some(sign),
     }
@@ -185,6 +191,7 @@ fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
         "proxy" => Some("proxymeshes"),
         "bvh" => Some("poses"),
         "mhmat" => Some("skins"),
+        "json" if above.contains(&"poses") => Some("poses"),
         _ => None,
     }
 }

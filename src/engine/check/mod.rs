@@ -18,9 +18,10 @@ use super::settle::{Ignores, Selection, Verdict};
 use crate::config::Config;
 use crate::diag::{Finding, Outcome, Timed, Timing, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
-use crate::repo::{Body, FileFacts, Layers, View};
+use crate::repo::{Body, Doubt, FileFacts, Layers, View};
 use crate::rules::{
-    Check, RULES, Rule, RuleCx, drop_outdated, drop_unmerged, lower_archived, name_wearers, word_for_version,
+    Check, RULES, Rule, RuleCx, drop_outdated, drop_unmerged, lower_archived, lower_aside, name_wearers,
+    word_for_version,
 };
 
 /// A view with what is computed once for all rules.
@@ -90,6 +91,7 @@ fn check_view(
     drop_unmerged(&mut findings);
     name_wearers(view, &mut findings);
     lower_archived(view, &mut findings);
+    lower_aside(view, &mut findings);
     word_for_version(view, &mut findings);
     let of_system = |names: &BTreeSet<&'static str>| alone(view, &rules, names, options);
     let findings = pair::at_checked(findings, view.layers(), of_system);
@@ -192,7 +194,8 @@ fn run_rule(rule: &Rule, checked: &Checked<'_>, options: &Config, out: &mut Vec<
             run(view, cx, out);
         }
         (Check::Numeric(run), _) => {
-            for body in bodies() {
+            // What is measured on a mesh in another unit follows from that.
+            for body in bodies().filter(|body| body.doubt != Some(Doubt::Misplaced)) {
                 if let Some(measures) = checked.measures.and_then(|all| all.get(body.name)) {
                     run(body, measures, cx, out);
                 }

@@ -14,7 +14,7 @@ use super::data::Loaded;
 use super::place::Place;
 use super::read;
 use crate::diag::grouped;
-use crate::discover::{Candidate, Kind, Layout, Role};
+use crate::discover::{Candidate, Kind, Layout, Role, extension};
 use crate::evaluate::Rows;
 use crate::formats::Needs;
 use crate::formats::obj::Mesh;
@@ -78,29 +78,41 @@ type ByRel = BTreeMap<String, FileFacts>;
 /// Reads files; gives the rows of targets by printed path if they are to be kept, beside those of the other side.
 pub(super) fn read_all(
     tree: &Tree,
-    mut files: Vec<&Candidate<'_>>,
+    files: Vec<&Candidate<'_>>,
     reader: Reader<'_>,
     sizes: &MeshSizes,
     keep_rows: Option<&Rows>,
 ) -> (ByRel, Rows) {
+    // What several links lead to is read once; what a fix has made of one of them is known there alone.
+    let alike = grouped(files.into_iter().map(|file| {
+        let path = file.entry.path.as_str();
+        let real = file.entry.link_to.as_deref().filter(|_| !tree.is_changed(path)).unwrap_or(path);
+        ((real, tree.is_changed(path), file.kind(), size_for(file, sizes)), file)
+    }));
+    let mut alike: Vec<_> = alike.into_values().collect();
     // The biggest first, so that no thread starts on a large file when the others are done.
-    files.sort_by_key(|file| Reverse(file.entry.size));
-    let readings: Vec<(FileFacts, Option<Arc<Vec<Row>>>)> = files
-        .into_par_iter()
-        .with_max_len(1)
-        .map(|file| {
-            let size = size_for(file, sizes);
-            if let Some(facts) = reader.other.and_then(|other| other.shared(tree, file, size, reader.limits)) {
-                let rows = keep_rows.and_then(|others| others.get(&facts.path)).cloned();
-                return (facts, rows);
-            }
-            let read = || read::read(tree, file, reader.limits, size);
-            let read = catch_unwind(AssertUnwindSafe(read));
-            let (facts, mut rows) = read.unwrap_or_else(|_| (read::panicked(tree, file), Vec::new()));
-            rows.shrink_to_fit();
-            (facts, keep_rows.filter(|_| !rows.is_empty()).map(|_| Arc::new(rows)))
-        })
-        .collect();
+    alike.sort_by_key(|files| Reverse(files.first().map(|file| file.entry.size)));
+    let limits = reader.limits.among(tree.entries().iter().filter(|entry| extension(&entry.path) == "gz").count());
+    let read = |file: &Candidate<'_>| {
+        let size = size_for(file, sizes);
+        if let Some(facts) = reader.other.and_then(|other| other.shared(tree, file, size, reader.limits)) {
+            let rows = keep_rows.and_then(|others| others.get(&facts.path)).cloned();
+            return (facts, rows);
+        }
+        let read = || read::read(tree, file, &limits, size);
+        let read = catch_unwind(AssertUnwindSafe(read));
+        let (facts, mut rows) = read.unwrap_or_else(|_| (read::panicked(tree, file), Vec::new()));
+        rows.shrink_to_fit();
+        (facts, keep_rows.filter(|_| !rows.is_empty()).map(|_| Arc::new(rows)))
+    };
+    let read_alike = |files: Vec<&Candidate<'_>>| -> Vec<(FileFacts, Option<Arc<Vec<Row>>>)> {
+        let mut files = files.into_iter();
+        let Some((facts, rows)) = files.next().map(read) else { return Vec::new() };
+        let others = files.map(|file| (read::behind_link(tree, file, &facts), rows.clone()));
+        let others: Vec<_> = others.collect();
+        std::iter::once((facts, rows)).chain(others).collect()
+    };
+    let readings: Vec<_> = alike.into_par_iter().with_max_len(1).flat_map_iter(read_alike).collect();
     let mut files = ByRel::new();
     let mut kept = Rows::new();
     for (facts, rows) in readings {

@@ -8,7 +8,9 @@ use super::place::Place;
 use super::unit_names::UnitNames;
 use crate::config::Config;
 use crate::diag::Application;
-use crate::discover::{Binding, Known, Layout, Role, SAVED_CHARACTER, candidates, extension, meant_extension};
+use crate::discover::{
+    Binding, Known, Layout, Role, SAVED_CHARACTER, STORED_POSE, candidates, extension, meant_extension,
+};
 use crate::formats::target::{has_broken_rows, recognise};
 use crate::source::{Entry, Limits, Tree, canonical, folder_and_name, is_below, lines, slashed};
 
@@ -35,8 +37,13 @@ impl<'t> Outside<'t, '_> {
         let bind = |entry: &Entry, above: &[&str]| self.bind(entry, above, layout);
         let names = |entry: &Entry| names(&input.tree, entry, &self.options.limits);
         let list = |entry: &Entry| {
-            let is_pose = meant_extension(&entry.path) == "mhpose";
-            if is_pose { self.units.list_of(&input.tree, entry, &self.options.limits) } else { None }
+            let limits = &self.options.limits;
+            match meant_extension(&entry.path) {
+                "mhpose" => self.units.list_of(&input.tree, entry, limits),
+                extension => (layout.list_by_content)(extension, &|word| {
+                    says(&input.tree.read(entry, limits).unwrap_or_default(), word)
+                }),
+            }
         };
         let top = top(&input.tree);
         let is_shallow = input.is_beside;
@@ -135,8 +142,7 @@ fn recognised(input: &Input, entry: &Entry, options: &Config, is_meant: bool) ->
         "mhclo" => Some(base_of(&read())),
         // Only MPFB has rigs in such files, and weights and presets under names that say so.
         "json" => (is_meant && (is_named() || is_named_as_of_rig(&entry.path))
-            || says(&read(), "\"identifying_bones\"")
-            || is_named_as_preset(&entry.path) && is_saved_character(&read()))
+            || says_it_is_of_mpfb(&entry.path, &read()))
         .then_some(None),
         "gz" => Some(None),
         "proxy" => {
@@ -151,6 +157,13 @@ fn recognised(input: &Input, entry: &Entry, options: &Config, is_meant: bool) ->
 /// Whether the base mesh in the header of a target is not the only one that there is, nor that of an older version.
 fn is_for_another(base: &str, layout: &Layout) -> bool {
     layout.only_base.is_some_and(|only| only != base) && !base.starts_with("alpha")
+}
+
+/// Whether a JSON says by its content that it is a rig, a pose or a saved character of MPFB.
+fn says_it_is_of_mpfb(path: &str, text: &[u8]) -> bool {
+    says(text, "\"identifying_bones\"")
+        || STORED_POSE.iter().all(|word| says(text, word))
+        || is_named_as_preset(path) && is_saved_character(text)
 }
 
 /// Whether a file has a name as rigs and their weights have it among those of the add-on.

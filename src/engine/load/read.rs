@@ -49,6 +49,18 @@ pub(super) fn panicked(tree: &Tree, file: &Candidate<'_>) -> FileFacts {
     FileFacts { failed: true, content, ..unread(tree, file) }
 }
 
+/// The facts of a file under another path, as links give it.
+pub(super) fn behind_link(tree: &Tree, file: &Candidate<'_>, facts: &FileFacts) -> FileFacts {
+    FileFacts {
+        path: tree.shown(&file.entry.path),
+        rel: file.rel.to_string(),
+        is_loose: file.is_loose,
+        link_to: link_to(file),
+        uses: file.uses.clone(),
+        ..facts.clone()
+    }
+}
+
 fn facts(tree: &Tree, file: &Candidate<'_>, encoding: Encoding, parsed: Parsed) -> FileFacts {
     FileFacts {
         path: tree.shown(&file.entry.path),

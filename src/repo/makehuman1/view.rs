@@ -14,7 +14,7 @@ use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::mhbin_asset::Packed;
 use crate::formats::obj::Mesh;
 use crate::repo::cubes::{Strays, strays_of};
-use crate::repo::extent::{extent, is_plausible};
+use crate::repo::extent::implausible;
 use crate::repo::{
     Body, BodyWeights, Doubt, FileFacts, Gaps, Layer, Layers, ReferenceKind, References, Rig, Surface, Target,
     WeightsUse, Worn, parent,
@@ -187,10 +187,8 @@ impl<'a> View<'a> {
         body.mesh = self.mesh.filter(|_| self.foreign_mesh.is_none());
         body.obj = self.mesh;
         body.visible_groups = self.mesh.map(|_| &self.shown);
-        let size = self.mesh.and_then(|(_, mesh)| extent(mesh, shows));
-        let is_of_size = size.is_none_or(is_plausible);
-        body.doubt = self.foreign_mesh.map(|_| Doubt::Foreign).or((!is_of_size).then_some(Doubt::Misplaced));
         body.rigs = &self.rigs;
+        body.doubt = self.foreign_mesh.map(|_| Doubt::Foreign).or_else(|| implausible(&body).map(|_| Doubt::Misplaced));
         body.worn = &self.worn;
         // On a mesh that stops the program nobody counts vertices.
         let is_sound = self.mesh.is_none_or(|(_, mesh)| mesh.is_sound());

@@ -12,6 +12,7 @@ use crate::diag::grouped;
 use crate::discover::{Kind, listed_in};
 use crate::formats::base_json::BaseJson;
 use crate::formats::selection_filter::SelectionFilter;
+use crate::repo::extent::implausible;
 use crate::repo::{Body, Doubt, FileFacts, Landmarks, Layers, Reference, References, Surface, Target, Worn, parent};
 
 /// `MakeHuman` 2's data, connected.
@@ -239,7 +240,6 @@ fn of_body<'w, 'a>(worn: &'w [Worn<'a>], name: &str) -> &'w [Worn<'a>] {
 fn fill<'v>(body: &mut Body<'v>, base: &'v Base<'_>) {
     body.mesh = base.mesh;
     body.obj = base.obj();
-    body.doubt = base.foreign_mesh.as_ref().map(|_| Doubt::Foreign);
     let settings = base.settings().map(|(_, settings)| settings);
     body.visible_groups = settings.and_then(|settings| settings.shown.as_ref());
     let random = |settings: &'v BaseJson| settings.random.as_ref().map(|random| random.nonsym.as_slice());
@@ -247,5 +247,7 @@ fn fill<'v>(body: &mut Body<'v>, base: &'v Base<'_>) {
     body.macros = base.macro_file();
     body.has_too_many_macros = base.has_too_many_macros();
     body.rigs = &base.rigs;
+    let is_foreign = base.foreign_mesh.is_some();
+    body.doubt = if is_foreign { Some(Doubt::Foreign) } else { implausible(body).map(|_| Doubt::Misplaced) };
     body.weights = weights::weights(base);
 }

@@ -36,6 +36,11 @@ const LARGEST_CUBE: i64 = 64;
 const MANY: usize = 4;
 
 impl Misplaced {
+    /// Whether it is the numbers of the vertices that are others.
+    pub(crate) const fn is_of_numbers(self) -> bool {
+        matches!(self, Self::Order(..) | Self::Cubes(_))
+    }
+
     /// What is wrong with a mesh of which every line was read.
     pub(super) fn of(mesh: &Mesh, mirror: Option<&MirrorTable>, groups: Option<&VertexGroups>) -> Option<Self> {
         if mesh.facts.unreadable_lines > 0 {

@@ -211,7 +211,8 @@ impl<'a> View<'a> {
         body.part_targets = view.files().filter(is_of_part).collect();
         body.mesh = self.mesh;
         body.obj = self.mesh;
-        let is_foreign = self.foreign_mesh.is_some();
+        let is_renumbered = self.misplaced.is_some_and(Misplaced::is_of_numbers);
+        let is_foreign = self.foreign_mesh.is_some() || is_renumbered;
         body.doubt = if is_foreign { Some(Doubt::Foreign) } else { self.misplaced.map(|_| Doubt::Misplaced) };
         body.visible_groups = self.mesh.map(|_| &self.shown);
         body.one_sided_endings = Some(&self.one_sided);

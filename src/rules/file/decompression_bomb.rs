@@ -19,9 +19,9 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     ],
     docs: "A small packed file can unpack to gigabytes of zeros. Loaders unpack it without asking, and the \
         computer runs out of memory.\n\nPacked assets shrink three to ten times. `mhlint` stops beyond 512 MiB, \
-        or beyond 200 times the packed size once 16 MiB are passed. For `.npz`, `.mhbin` and `.zip` it adds up \
+        or beyond 200 times the packed size once 16 MiB are passed (all packed files of a folder together: 32 MiB, each in equal parts). For `.npz`, `.mhbin` and `.zip` it adds up \
         the sizes stated in the archive; arrays in the first two shrink less, so their limit is 32 times the \
-        packed size once 64 KiB are passed. Of a zip that is a PATH nothing is read beyond the limit.\n\nThis finding cannot be ignored. Do not open the file; ask where \
+        packed size once 64 KiB are passed. Of a zip that is a PATH the limit is 100 times its size, and nothing is read beyond it.\n\nThis finding cannot be ignored. Do not open the file; ask where \
         it comes from.",
     ..RuleInfo::new("file-decompression-bomb", Level::Error, "a packed file that unpacks to an unreasonable size")
 });

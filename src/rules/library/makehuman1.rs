@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::cause::outdated::is_outdated;
 use super::super::{Rule, counted, did_you_mean};
-use super::{as_copy, aside, is_pack, mpfb, of_folder, top};
+use super::{as_copy, aside, mpfb, of_folder, top};
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped, nearest};
 use crate::discover::{Kind, archive_library_of, extension, libraries, library_extension, library_of};
 use crate::formats::mhbin_asset::Packed;
@@ -18,7 +18,7 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     // Models beside the data folder are in their place.
     let is_model = |file: &FileFacts| extension(&file.rel) == "mhm";
     // And beside the libraries of a pack they are somebody's examples.
-    let is_aside = |file: &FileFacts| file.is_loose || is_aside(layer, file);
+    let is_aside = |file: &FileFacts| file.is_loose || layer.is_aside(Makehuman1, file);
     let files = layer.files.values().filter(|file| !(is_outdated(file) || is_model(file) && is_aside(file)));
     let by_folder = grouped(files.map(|file| ((file.rel.split('/').next(), extension(&file.rel)), file)));
     for ((library, extension), files) in by_folder {
@@ -62,14 +62,14 @@ pub(super) fn targets(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let beside = if layer.is_loose { Vec::new() } else { targets(CUSTOM, true) };
     let mut places = vec![("`targets` of the user".to_owned(), targets("targets", false))];
     places.push(("`custom` beside `data`".to_owned(), beside));
-    // Any other folder, such as `Custom` or `morphs`; what else ends so there is nobody's business.
+    // Any other folder, such as `Custom`, `morphs` or that of a skirt; what else ends so there is nobody's business.
     let is_lost = |file: &&FileFacts| {
-        let is_other = !matches!(top(file), CUSTOM | "targets") && library_extension(top(file)).is_none();
-        let is_target = extension(&file.rel) == "target" && file.rel.contains('/') && !file.is_loose;
-        is_other && is_target && has_rows(file) && !is_aside(layer, file)
+        let is_target = extension(&file.rel) == "target" && !matches!(top(file), CUSTOM | "targets");
+        is_target && !file.is_loose && has_rows(file) && !layer.is_aside(Makehuman1, file)
     };
+    let top = |file: &FileFacts| file.rel.split_once('/').map(|(top, _)| top.to_owned());
     for (top, files) in grouped(layer.files.values().filter(is_lost).map(|file| (top(file), file))) {
-        places.push((format!("`{top}`"), files));
+        places.push((top.map_or_else(|| "the data folder itself".to_owned(), |top| format!("`{top}`")), files));
     }
     for (folder, lost) in places {
         let Some(first) = lost.first() else { continue };
@@ -199,7 +199,7 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             && library_extension(top).is_none()
             && (is_worn || of_other_case)
     });
-    let lost = lost.filter(|(_, file)| !is_aside(layer, file));
+    let lost = lost.filter(|(_, file)| !layer.is_aside(Makehuman1, file));
     for (top, files) in grouped(lost) {
         let Some(first) = files.first() else { continue };
         let message = if first.rel.contains('/') {
@@ -221,16 +221,9 @@ pub(super) fn beside_libraries(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
     let is_asset = |file: &FileFacts| matches!(extension(&file.rel), "mhclo" | "proxy" | "mhskel" | "mhpose" | "mhm");
     let is_target = |file: &FileFacts| extension(&file.rel) == "target" && has_rows(file);
     let is_asset = |file: &FileFacts| is_asset(file) || is_target(file);
-    let files = layer.files.values().filter(|file| is_asset(file) && !is_outdated(file) && is_aside(layer, file));
+    let files =
+        layer.files.values().filter(|file| is_asset(file) && !is_outdated(file) && layer.is_aside(Makehuman1, file));
     out.extend(aside(rule, &files.collect::<Vec<_>>()));
-}
-
-/// Whether a file lies in a folder of a pack that is no library, and not called nearly as one.
-fn is_aside(layer: &Layer, file: &FileFacts) -> bool {
-    let top = top(file);
-    let is_read = || library_extension(top).is_some() || KNOWN.contains(&top) || top == "models";
-    let is_beside = || file.rel.contains('/') && !file.is_loose && !is_read() && nearest(top, libraries()).is_none();
-    is_pack(layer, Makehuman1) && is_beside()
 }
 
 /// Folders that hold assets for the program itself.

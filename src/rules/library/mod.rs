@@ -19,8 +19,8 @@ pub(in crate::rules) mod wrong_folder;
 
 use super::{Rule, counted, enumerated};
 use crate::diag::{
-    Application::{self, Makehuman1, Makehuman2, Mpfb},
-    Case, Evidence, Finding, Level, Place, PlaceKind,
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Case, Evidence, Finding, Level, Place,
 };
 use crate::discover::extension;
 use crate::repo::{FileFacts, Layer};
@@ -66,11 +66,6 @@ fn of_folder(layer: &Layer, folder: &str, files: &[&FileFacts], one: Finding, me
 const ASIDE: Case =
     &[(Makehuman2, Level::Info, LISTS_NONE), (Makehuman1, Level::Info, LISTS_NONE), (Mpfb, Level::Info, LISTS_NONE)];
 const LISTS_NONE: &str = "does not list what is there";
-
-/// Whether a layer is a pack: what lies in folders beside its libraries may be there on purpose, such as `docs` or `old`.
-fn is_pack(layer: &Layer, application: Application) -> bool {
-    layer.identities.get(&application).is_some_and(|identity| identity.kind == Some(PlaceKind::Pack))
-}
 
 /// What lies beside the libraries of a pack, in folders that are not read.
 fn aside(rule: &Rule, files: &[&FileFacts]) -> Option<Finding> {

@@ -2,7 +2,7 @@
 
 use super::super::cause::outdated::is_outdated;
 use super::super::{Rule, counted, did_you_mean};
-use super::{aside, is_pack};
+use super::aside;
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, grouped, nearest};
 use crate::discover::{Kind, Layout, extension};
 use crate::repo::FileFacts;
@@ -42,8 +42,7 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     for (top, files) in grouped(tops.filter(|(top, _)| !is_other(top))) {
         let of_targets: Vec<&FileFacts> = files.iter().copied().filter(|file| is_target(file)).collect();
         let is_known = own.has_at_top(top) || other.has_at_top(top);
-        let is_near = || nearest(top, own.at_top().filter(|one| !OF_PROGRAM.contains(one))).is_some();
-        if !is_known && !is_zip && is_pack(view.layers.checked, Application::Mpfb) && !is_near() {
+        if !is_zip && files.iter().any(|file| view.layers.checked.is_aside(Application::Mpfb, file)) {
             beside.extend(files.into_iter().filter(|file| is_worn(file) || is_target(file)));
             continue;
         }

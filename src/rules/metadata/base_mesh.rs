@@ -40,6 +40,6 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     out.extend(mesh.zip(view.misplaced).map(|((file, _), misplaced)| size::fault(&RULE, file, misplaced)));
     // Vertices with other numbers make other faces.
-    let is_told = matches!(view.misplaced, Some(Misplaced::Order(..) | Misplaced::Cubes(_)));
+    let is_told = view.misplaced.is_some_and(Misplaced::is_of_numbers);
     out.extend(mesh.filter(|_| !is_told).and_then(|(file, mesh)| faces::of_mesh(&RULE, view, file, mesh)));
 }

@@ -22,6 +22,10 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Ve
     for worn in view.worn_anywhere() {
         let folder = worn.file.rel.split('/').next().unwrap_or_default();
         known.entry((folder, uuid(worn))).or_default().push(worn);
+        // Of two uuids nobody knows which will stay.
+        if worn.file.encoding.is_unmerged() {
+            known.entry((folder, None)).or_default().push(worn);
+        }
     }
     for file in view.own(Kind::Model) {
         let Some(model) = file.model() else { continue };
@@ -67,7 +71,8 @@ fn is_named(worn: &Worn<'_>, line: &Wearing) -> bool {
 fn is_lost<'k>(view: &View<'_>, known: &'k Known<'k>, line: &'k Wearing) -> bool {
     let with_uuid = if line.uuid.is_empty() { &[][..] } else { of_uuid(known, line, Some(&line.uuid)) };
     // What cannot be read has no uuid.
-    let is_unread = of_uuid(known, line, None).iter().any(|worn| worn.clothes().is_none() && is_named(worn, line));
+    let is_unread = |worn: &Worn<'_>| worn.clothes().is_none() || worn.file.encoding.is_unmerged();
+    let is_unread = of_uuid(known, line, None).iter().any(|worn| is_unread(worn) && is_named(worn, line));
     let is_there = match line.category {
         "clothes" => with_uuid.iter().any(|worn| is_named(worn, line)),
         // Without a uuid it is the first of the folder: right if it is the only one.

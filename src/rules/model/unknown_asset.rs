@@ -60,18 +60,18 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
 /// What is known of the assets of a base.
 struct Known<'v> {
     by_uuid: BTreeMap<&'v str, &'v Asset<'v>>,
-    /// Names that assets may have of which none could be read. Why that is has a finding of its own.
+    /// Names that assets may have of which none could be read, or two. Why that is has a finding of its own.
     unread: BTreeSet<&'v str>,
 }
 
 impl<'v> Known<'v> {
     fn of(view: &'v View<'_>, base: &Base<'_>) -> Self {
         let worn = || view.library.of_base(base.name).iter().filter(|asset| asset.is_worn());
-        let nameless = worn().filter(|asset| asset.name.is_empty()).map(|asset| asset.file);
+        let nameless = worn().filter(|asset| asset.name.is_empty() || asset.file.encoding.is_unmerged());
         let names = |file: &'v FileFacts| [file.stem(), file.rel.rsplit('/').nth(1).unwrap_or_default()];
         Self {
             by_uuid: worn().map(|asset| (asset.uuid.as_str(), asset)).collect(),
-            unread: view.worn_unread(base.name).chain(nameless).flat_map(names).collect(),
+            unread: view.worn_unread(base.name).chain(nameless.map(|asset| asset.file)).flat_map(names).collect(),
         }
     }
 }

@@ -4,10 +4,10 @@ use super::super::units::centimetres;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2},
-    Confidence, Evidence, Finding, Level, Place, RuleInfo,
+    Confidence, Evidence, Finding, Grows, Level, MeasureKind, Place, RuleInfo,
 };
-use crate::repo::extent::{LARGEST, extent, is_plausible};
-use crate::repo::{Body, Rig};
+use crate::repo::Body;
+use crate::repo::extent::{LARGEST, SMALLEST, implausible};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
@@ -20,23 +20,20 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         centimetres write a mesh that is ten times too small or too large, and existing targets move its vertices \
         ten times too far, or hardly at all.\n\n\
         Export the mesh in decimetres (scale 0.1 or 10).",
+    grows: Grows::more(MeasureKind::Factor),
     ..RuleInfo::new("numeric-implausible-size", Level::Warning, "a body measures a few centimetres or many metres")
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, mesh)) = body.mesh.filter(|(_, mesh)| mesh.facts.non_finite.count == 0) else { return };
-    let has_rig = body.default_rig().and_then(Rig::skeleton).is_some_and(|skeleton| !skeleton.bones.is_empty());
-    let shown = extent(mesh, |group| body.shows(group));
-    let Some(extent) = shown.filter(|_| has_rig) else { return };
-    if is_plausible(extent) {
-        return;
-    }
-    let (length, help) = (centimetres(extent), if extent < LARGEST { "10" } else { "0.1" });
+    let Some(((file, _), extent)) = body.mesh.zip(implausible(body)) else { return };
+    let is_small = extent < LARGEST;
+    let (length, help) = (centimetres(extent), if is_small { "10" } else { "0.1" });
+    let times = if is_small { SMALLEST / extent } else { extent / LARGEST };
     let message = format!("the visible mesh measures {length:.1} cm ({extent:.3}) in its largest dimension");
     out.push(
         RULE.at(file, Place::File, message)
             .confidence(Confidence::Medium)
-            .help(format!("export the mesh in decimetres, probably with scale {help}, in the same vertex order"))
-            .evidence(Evidence::of_unnamed([format!("{length:.1} cm")])),
+            .help(format!("export the mesh in decimetres, probably with scale {help}, in the same vertex order; until then nothing is measured on it"))
+            .evidence(Evidence::of_unnamed([format!("{length:.1} cm")]).with_worst(times.into(), "visible groups")),
     );
 }

@@ -31,10 +31,13 @@ const TORN: Case = &[(Mpfb, Level::Warning, "takes the numbers as they are: the 
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in view.own(Kind::StoredPose) {
-        // In a folder that no rig reads the pose is not offered, whatever is in it.
-        let Some((pose, rig)) = file.stored_pose().zip(rig_of_pose(&file.rel)) else { continue };
+        let (Some(pose), rig) = (file.stored_pose(), rig_of_pose(&file.rel)) else { continue };
+        // In a folder that no rig reads the pose is not offered, whatever is in it. Where a loose one will lie nobody knows.
+        if rig.is_none() && !file.is_loose {
+            continue;
+        }
         out.extend(findings(&RULE, file, &pose.stops, cx).map(|(_, finding)| finding));
-        out.extend(without_spine(file, pose, rig));
+        out.extend(rig.and_then(|rig| without_spine(file, pose, rig)));
         out.extend(odd(file, &pose.non_finite, "has NaN or infinity", "finite"));
         out.extend(odd(file, &pose.zero, "is a quaternion of zeros", "zero"));
     }

@@ -93,7 +93,6 @@ pub(super) fn finding(
         .map_or(Place::Line(largest.line), |index| Place::Row(largest.line, Element { kind: "vertex", index }));
     let evidence = Evidence::counted(1);
     rule.at(file, place, message)
-        .parts([largest.index])
         .help("correct the numbers; a decimal point may be missing or the unit wrong: lengths are in decimetres")
         .evidence(
             evidence.out_of(facts.rows).with_worst(f64::from(largest.length), format!("vertex {}", largest.index)),

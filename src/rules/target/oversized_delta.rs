@@ -12,7 +12,7 @@ use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Confidence, Finding, Grows, Level, MeasureKind, OptionInfo, RuleInfo,
 };
-use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, is_torn_out, oversize};
+use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, is_torn_out, oversize, standing_out};
 use crate::eval::tears::Neighbours;
 use crate::formats::target::{Largest, TargetFacts};
 use crate::repo::Body;
@@ -75,7 +75,11 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let message = format!("{}, {what}", moves(body, &largest));
         told.insert(file.path.as_str());
-        out.push(with_setting(finding(&RULE, file, facts, &largest, message), body, file).confidence(confidence));
+        // Shorter ones would be new when the longest is as it should be.
+        let known = standing_out(&facts.longest, facts.median_length, size, ratio).map(i64::from);
+        let parts: BTreeSet<i64> = known.chain([largest.index]).collect();
+        let finding = finding(&RULE, file, facts, &largest, message).parts(parts);
+        out.push(with_setting(finding, body, file).confidence(confidence));
     }
     let of_folders = beyond_neighbours(&RULE, body, size, ratio);
     told.extend(of_folders.iter().map(|(file, _)| file.path.as_str()));

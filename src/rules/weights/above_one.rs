@@ -2,7 +2,7 @@
 
 use super::super::units::short;
 use super::super::{Check, Rule, RuleCx};
-use super::{Tallied, tallied, weigh, worst};
+use super::{Tallied, at_worst, tallied, weigh, worst};
 use crate::diag::{
     Application::{Makehuman2, Mpfb},
     Case, Finding, Grows, Level, MeasureKind, RuleInfo,
@@ -31,10 +31,14 @@ const ALONE: Case = &[(Mpfb, Level::Info, "reads the only weight of the vertex a
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let counted = if body.is_mpfb() { all } else { among_smaller };
     for Tallied { own, weights, tally, bone, vertex, weight, place } in tallied(body, counted) {
+        let first = weight;
         let weight = short(f64::from(weight));
         let message = match tally.count {
             1 => format!("bone `{bone}` has weight {weight} for {vertex}, more than 1"),
-            count => format!("{count} weights are larger than 1, first {weight} of bone `{bone}` for {vertex}"),
+            count => {
+                let all = format!("{count} weights are larger than 1, first {weight} of bone `{bone}` for {vertex}");
+                all + &at_worst(tally, first)
+            }
         };
         let evidence = worst(tally.evidence(weights.facts.pairs), tally);
         let finding = RULE.at(own.file, place, message);

@@ -22,6 +22,7 @@ mod wrong_side;
 
 use super::Rule;
 use super::cause::weights::{has_unusable_entries, unusable_entries};
+use super::units::short;
 use crate::diag::{Application::Makehuman2, Case, Cases, Finding, Level, Place};
 use crate::formats::mhw::{PairTally, Weights, WeightsFacts};
 use crate::repo::{Body, BodyWeights, WeightsUse};
@@ -107,4 +108,10 @@ fn worst(evidence: Cases, tally: &PairTally) -> Cases {
         Some((bone, vertex, weight)) => evidence.with_worst(f64::from(*weight), format!("{bone}[{vertex}]")),
         None => evidence,
     }
+}
+
+/// `, at worst 8.2`, where that is another one than the first.
+fn at_worst(tally: &PairTally, first: f32) -> String {
+    let worst = tally.worst.as_ref().filter(|(_, _, worst)| worst.total_cmp(&first).is_ne());
+    worst.map_or_else(String::new, |(_, _, worst)| format!(", at worst {}", short(f64::from(*worst))))
 }

@@ -1,7 +1,7 @@
 //! Weights must not be negative.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{Tallied, tallied, weigh, worst};
+use super::{Tallied, at_worst, tallied, weigh, worst};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Grows, Level, MeasureKind, RuleInfo,
@@ -37,7 +37,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for Tallied { own, weights, tally, bone, vertex, weight, place } in tallied(body, |facts| &facts.negative) {
         let message = match tally.count {
             1 => format!("bone `{bone}` has the negative weight {weight} for {vertex}"),
-            count => format!("{count} weights are negative, first {weight} for {vertex} in bone `{bone}`"),
+            count => {
+                let first = format!("{count} weights are negative, first {weight} for {vertex} in bone `{bone}`");
+                first + &at_worst(tally, weight)
+            }
         };
         let evidence = worst(tally.evidence(weights.facts.pairs), tally);
         let finding =

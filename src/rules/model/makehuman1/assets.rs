@@ -77,10 +77,15 @@ impl<'v> Known<'v> {
     fn of(view: &'v View<'_>) -> Self {
         let (mut uuids, mut names, mut unread) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
         for (shelf, worn) in view.worn().iter().filter_map(|worn| Some((shelf(worn)?, worn))) {
+            let own = name_of(worn).into_iter().chain([worn.file.stem()]);
+            // Of two uuids nobody knows which will stay.
+            if worn.file.encoding.is_unmerged() {
+                names.extend(own.clone().map(|name| (shelf, name)));
+            }
             match uuid_of(worn) {
                 Some(uuid) => drop(uuids.insert((shelf, uuid))),
                 None if is_unread(worn) => drop(unread.insert(shelf)),
-                None => names.extend(name_of(worn).into_iter().chain([worn.file.stem()]).map(|name| (shelf, name))),
+                None => names.extend(own.map(|name| (shelf, name))),
             }
         }
         let worn: BTreeSet<&str> = view.worn().iter().map(|worn| worn.file.path.as_str()).collect();

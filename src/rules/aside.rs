@@ -1,0 +1,26 @@
+//! What is wrong with files that a pack keeps in folders which nobody reads.
+
+use std::collections::BTreeSet;
+
+use crate::diag::{Finding, Level};
+use crate::repo::View;
+
+/// What happens to them today.
+const NOT_YET: &str =
+    "reads nothing in this folder of the pack; this takes effect once the file is moved to where it is read";
+
+/// Lowers what is found there.
+pub(crate) fn lower_aside(view: &View<'_>, findings: &mut [Finding]) {
+    let (layer, application) = (view.layers().checked, view.application());
+    if !layer.is_pack_of(application) {
+        return;
+    }
+    let aside = layer.files.values().filter(|file| layer.is_aside(application, file));
+    let aside: BTreeSet<&str> = aside.map(|file| file.path.as_str()).collect();
+    for finding in findings.iter_mut().filter(|finding| aside.contains(finding.path.as_str())) {
+        for one in finding.breaks.iter_mut().filter(|one| one.application == application && one.level > Level::Info) {
+            (one.level, one.effect) = (Level::Info, NOT_YET.to_owned());
+        }
+        finding.level = finding.breaks.iter().map(|one| one.level).max().unwrap_or(finding.level);
+    }
+}
