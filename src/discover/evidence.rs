@@ -45,18 +45,26 @@ pub(crate) fn evidence(listing: &Listing<'_>, path: &str, application: Applicati
 }
 
 /// What speaks against it, in a word.
-pub(crate) fn lacks(listing: &Listing<'_>, path: &str, application: Application) -> &'static str {
+pub(crate) fn lacks(listing: &Listing<'_>, path: &str, application: Application) -> String {
     let start = if path.is_empty() { 0 } else { path.len() + 1 };
     let mut files = listing.below(path).filter_map(|file| file.get(start..));
     match application {
         Application::Makehuman2 if files.any(|file| matches!(parts(file).as_slice(), ["base", _, "base.json"])) => {
-            "no targets for its base mesh"
+            "no targets for its base mesh".to_owned()
         }
-        Application::Makehuman2 => "no base.json",
-        Application::Makehuman1 if has_base_folders(&mut files) => "its libraries have a folder for each base mesh",
-        Application::Makehuman1 => "no modifiers/, no custom/",
-        Application::Mpfb => "no mesh_metadata/, no packs/",
+        Application::Makehuman2 => "no base.json".to_owned(),
+        Application::Makehuman1 if has_base_folders(&mut files) => {
+            "its libraries have a folder for each base mesh".to_owned()
+        }
+        Application::Makehuman1 => missing(listing, path, &["modifiers", "custom", "3dobjs", "proxymeshes"]),
+        Application::Mpfb => missing(listing, path, &["mesh_metadata", "packs", "node_trees", "ink_layers"]),
     }
+}
+
+/// The first two folders that are not there.
+fn missing(listing: &Listing<'_>, path: &str, folders: &[&str]) -> String {
+    let missing = folders.iter().filter(|folder| listing.below(&at(path, folder)).next().is_none());
+    missing.take(2).map(|folder| format!("no {folder}/")).collect::<Vec<_>>().join(", ")
 }
 
 /// Signs that are named.
@@ -136,7 +144,10 @@ fn base_of_many_libraries(root: &Root<'_>) -> Option<String> {
 
 fn of_makehuman1(root: &Root<'_>) -> Signs {
     let mut certain = Vec::new();
-    if root.has("3dobjs/base.obj") && root.has_folder("targets/macrodetails") {
+    // MPFB has the same, with its targets packed.
+    let is_target =
+        |file: &[&str]| matches!(file, ["targets", "macrodetails", .., name] if extension(name) == "target");
+    if root.has("3dobjs/base.obj") && root.any(is_target) {
         certain.push("3dobjs/base.obj with targets/macrodetails/".to_owned());
     }
     if root.has("targets.npz") && root.has("images.list") {

@@ -6,6 +6,7 @@
 mod aside;
 mod asset_group;
 mod candidate;
+mod contest;
 mod evidence;
 mod kind;
 mod layout;

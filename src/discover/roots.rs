@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::layout::Sign;
-use super::{Layout, Listing};
+use super::{Layout, Listing, contest};
 use crate::diag::Application;
 use crate::source::is_below;
 
@@ -16,10 +16,16 @@ pub(crate) struct DataRoot {
     pub application: Application,
 }
 
-/// All data roots in a listing, sorted by path; `asked` are the applications that are asked for by name, `at_hand` those
-/// whose data lie in another listing.
-pub(crate) fn find_roots(listing: &Listing<'_>, asked: &[Application], at_hand: &[Application]) -> Vec<DataRoot> {
+/// All data roots in a listing, sorted by path; `asked` are the applications that are asked for by name or with their data,
+/// `at_hand` those whose data lie in another listing, `named` those asked for by name.
+pub(crate) fn find_roots(
+    listing: &Listing<'_>,
+    asked: &[Application],
+    at_hand: &[Application],
+    named: &[Application],
+) -> Vec<DataRoot> {
     let Signs { mut signs, confirmed } = Signs::in_listing(listing);
+    contest::settle(&mut signs, listing, &[asked, at_hand].concat(), named);
     // An application that shares its users' folders with another one claims none of them alone: it has to be asked for, to
     // have a root of its own at hand, or files beside the folder that no other has.
     let is_at_hand = |application: Application| {
@@ -41,6 +47,13 @@ pub(crate) fn find_roots(listing: &Listing<'_>, asked: &[Application], at_hand: 
         let is_own = company.contains(&root.application) || confirmed.contains(root) || told.alone.contains(root);
         *sign == Sign::Strong || is_own && !is_confirmed_of_other(root)
     });
+    // What lies in data by mistake makes no folder `data` in them where there is none.
+    let is_supposed = |root: &DataRoot| {
+        let above = root.path.strip_suffix("data").map(|above| above.trim_end_matches('/'));
+        !listing.has_folder(&root.path) && signs.keys().any(|other| Some(other.path.as_str()) == above)
+    };
+    let supposed: BTreeSet<DataRoot> = signs.keys().filter(|root| is_supposed(root)).cloned().collect();
+    signs.retain(|root, _| !supposed.contains(root));
     // A folder `data` in one that is called so is a copy that went astray.
     let astray = |root: &DataRoot| {
         let above = root.path.strip_suffix("/data").filter(|above| is_data(above));
@@ -239,7 +252,7 @@ mod tests {
     }
 
     fn found(files: &[&str]) -> Vec<(String, Application)> {
-        find_roots(&of(files), &[], &[]).into_iter().map(|root| (root.path, root.application)).collect()
+        find_roots(&of(files), &[], &[], &[]).into_iter().map(|root| (root.path, root.application)).collect()
     }
 
     #[test]
@@ -288,7 +301,7 @@ mod tests {
             found(&["data/targets/target.json", "user/config/human.a.json", "user/data/clothes/a/a.mhclo"]);
         assert_eq!(with_presets.get(1), Some(&("user/data".to_owned(), Application::Mpfb)), "{with_presets:?}");
         assert_eq!(with_presets.len(), 2);
-        let asked = find_roots(&of(&[library]), &[Application::Mpfb], &[]);
+        let asked = find_roots(&of(&[library]), &[Application::Mpfb], &[], &[]);
         assert_eq!(asked.into_iter().map(|root| (root.path, root.application)).collect::<Vec<_>>(), both("user"));
         // Without its company a folder of packs, expressions or custom targets is nobody's; with assets it is that of the
         // other one, and of both where the other one has no use for what is in it.
@@ -303,7 +316,7 @@ mod tests {
             for files in [&[path][..], &[path, library]] {
                 assert_eq!(found(files), [("user".to_owned(), Application::Mpfb)], "{path}");
             }
-            let of_asked = find_roots(&of(&[path, library]), &[Application::Makehuman1], &[]);
+            let of_asked = find_roots(&of(&[path, library]), &[Application::Makehuman1], &[], &[]);
             assert_eq!(
                 of_asked.into_iter().map(|root| root.application).collect::<Vec<_>>(),
                 [Application::Makehuman1]

@@ -40,7 +40,7 @@ pub(crate) use path::shortened;
 pub(crate) use reference::{PictureFolders, Reference, ReferenceKind, Resolution};
 pub(crate) use references::References;
 pub(crate) use surface::{Picture, Shader, Surface, Wearer};
-pub(crate) use view::{PORTS_LACK, View};
+pub(crate) use view::View;
 pub(crate) use worn::Worn;
 
 /// The folder of a path, empty at the top.

@@ -93,16 +93,30 @@ impl<'a> View<'a> {
         let is_whole_place = is_programs && !layers.checked.is_loose && layers.checked.pack.is_none();
         let application = self.application();
         let has_mesh = || layers.checked.files.values().any(|file| file.kind_in(application).is_base_mesh());
-        is_whole_place && (self.is_port() || !has_mesh() && self.gaps().are_most())
+        is_whole_place && (!self.lacking().is_empty() || !has_mesh() && self.gaps().are_most())
     }
 
-    /// Whether a port took meshes and targets of `MakeHuman` 1, and called the folder `base` (formats/versions.md §5): none of
-    /// what the program itself needs besides is there.
-    pub(crate) fn is_port(&self) -> bool {
+    /// The folders that a copy of a program's data lacks without which it can be none: ports take some and leave the rest.
+    pub(crate) fn lacking(&self) -> Vec<&'static str> {
         let checked = self.layers().checked;
+        let gone = |folders: &[&'static str]| -> Vec<&'static str> {
+            folders.iter().copied().filter(|folder| checked.below(folder).next().is_none()).collect()
+        };
         let is_renamed = checked.path.rsplit('/').next() == Some("base");
-        let is_gone = |folder: &&str| checked.below(folder).next().is_none();
-        self.is_makehuman1() && is_renamed && PORTS_LACK.iter().all(is_gone)
+        let (needed, is_copy): (&[&'static str], fn(&[&str]) -> bool) = match self.application() {
+            // Meshes and targets in a folder called `base` (formats/versions.md §5).
+            Application::Makehuman1 if is_renamed => (&PORTS_LACK, |gone| gone.len() == PORTS_LACK.len()),
+            Application::Makehuman1 => return Vec::new(),
+            // Users have no macros in `target/`.
+            Application::Makehuman2 if !checked.below("target").any(|file| file.kind == Kind::MacroJson) => {
+                return Vec::new();
+            }
+            Application::Makehuman2 => {
+                (&NEEDED_BY_MAKEHUMAN2, |gone| gone.contains(&"base") && gone.len() >= FEWEST_GONE)
+            }
+            Application::Mpfb => (&NEEDED_BY_MPFB, |gone| gone.len() >= FEWEST_GONE),
+        };
+        Some(gone(needed)).filter(|gone| is_copy(gone)).unwrap_or_default()
     }
 
     /// Whether the data of a program are not what the newest one needs as a whole: a part of them, or so old that what is
@@ -292,7 +306,13 @@ impl<'a> View<'a> {
 }
 
 /// Folders of a program without which it does not start, and that are nothing to a port.
-pub(crate) const PORTS_LACK: [&str; 2] = ["rigs", "poseunits"];
+const PORTS_LACK: [&str; 2] = ["rigs", "poseunits"];
+/// The same of `MakeHuman` 2, the first one for its base meshes.
+const NEEDED_BY_MAKEHUMAN2: [&str; 5] = ["base", "clothes", "rigs", "skins", "shaders"];
+/// The same of the add-on.
+const NEEDED_BY_MPFB: [&str; 6] = ["3dobjs", "mesh_metadata", "node_trees", "rigs", "settings", "targets"];
+/// A damaged folder lacks one or two of them.
+const FEWEST_GONE: usize = 3;
 
 /// Whether it names the targets of a base mesh where only the program has such files.
 fn is_index(file: &FileFacts) -> bool {

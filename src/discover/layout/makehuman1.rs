@@ -105,13 +105,14 @@ fn is_of_others(extension: &str, says: Says<'_>) -> bool {
 
 /// Only the program has such files: it opens them by their names. Its first rig users copy, too.
 fn role(below: &[Candidate<'_>]) -> Role {
-    const OWN: [&str; 2] = ["modifiers/modeling_modifiers.json", "images.list"];
-    let is_own = |one: &Candidate<'_>| {
-        one.kind_in(Application::Makehuman1).is_base_mesh() || OWN.contains(&&*one.rel) && !one.is_loose
-    };
-    let has = |start: &str| below.iter().any(|one| one.rel.starts_with(start) && !one.is_loose);
+    let own = || below.iter().filter(|one| !one.is_loose);
+    let has = |start: &str| own().any(|one| one.rel.starts_with(start));
+    let has_mesh = below.iter().any(|one| one.kind_in(Application::Makehuman1).is_base_mesh());
+    // Users keep a copy of the mesh for their 3D program, too.
+    let is_copy = has("custom/") && !has("targets/") && !has("modifiers/") && !has(TARGETS_NPZ);
+    let is_own = has("modifiers/modeling_modifiers.json") || has("images.list") && has(TARGETS_NPZ);
     let has_rig = || has("rigs/default.mhskel") && !has("custom/");
-    if below.iter().any(is_own) || has_rig() { Role::System } else { Role::User }
+    if is_own || has_mesh && !is_copy || has_rig() { Role::System } else { Role::User }
 }
 
 fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {

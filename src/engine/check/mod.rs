@@ -270,7 +270,14 @@ mod tests {
 
     #[test]
     fn each_application_has_its_own_level_and_words_and_the_finding_the_worst() {
-        let files = ["base/cube/base.json", "targets/target.json"].into_iter();
+        let certain = [
+            "base/cube/base.json",
+            "target/cube/a/b.target",
+            "targets/target.json",
+            "mesh_metadata/hm08_config.json",
+            "node_trees/a.json",
+        ];
+        let files = certain.into_iter();
         let clothes = ["usual", "loaded", "worse", "harmless"].map(|name| format!("clothes/hm08/a/{name}.mhclo"));
         let files = files.map(str::to_owned).chain(clothes).map(|path| (path, b"#".to_vec()));
         let (config, mut outcome) = (Config::default(), Outcome::default());

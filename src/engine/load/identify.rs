@@ -29,9 +29,7 @@ pub(super) fn identify(root: &mut Loaded<'_>, options: &Config) {
         let mut evidence: Vec<Sign> = signs.into_iter().map(|sign| speaks(*application, Speaks::For, sign)).collect();
         if !evidence.is_empty() {
             let others = Application::ALL.into_iter().filter(|other| !place.is_of(*other));
-            evidence.extend(
-                others.map(|other| speaks(other, Speaks::Against, lacks(&listing, &place.root, other).to_owned())),
-            );
+            evidence.extend(others.map(|other| speaks(other, Speaks::Against, lacks(&listing, &place.root, other))));
         }
         let kind = Some(kind(place, &paths, *application, *role));
         (*application, Identity { kind, version: own.or_else(found), evidence, is_certain })

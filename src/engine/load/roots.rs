@@ -31,19 +31,20 @@ pub(super) fn roots_of(
     asked: &[Application],
     wanted: impl Fn(Application) -> bool,
 ) -> BTreeMap<String, Vec<&'static Layout>> {
-    roots_beside(tree, [asked, &[]], &BTreeSet::new(), wanted)
+    roots_beside(tree, [asked, &[], asked], &BTreeSet::new(), wanted)
 }
 
-/// The same beside data of other applications in another tree, where the run knows base meshes of these names.
+/// The same beside data of other applications in another tree, where the run knows base meshes of these names; `named` are
+/// those asked for by name.
 fn roots_beside(
     tree: &Tree,
-    [asked, at_hand]: [&[Application]; 2],
+    [asked, at_hand, named]: [&[Application]; 3],
     bases: &BTreeSet<String>,
     wanted: impl Fn(Application) -> bool,
 ) -> BTreeMap<String, Vec<&'static Layout>> {
     let peek = |path: &str| look_into(tree, path);
     let listing = listing(tree).with_contents(&peek).with_bases(bases.iter().map(String::as_str));
-    let wanted = find_roots(&listing, asked, at_hand).into_iter().filter(|root| wanted(root.application));
+    let wanted = find_roots(&listing, asked, at_hand, named).into_iter().filter(|root| wanted(root.application));
     grouped(wanted.map(|root| (root.path, Layout::of(root.application))))
 }
 
@@ -118,7 +119,7 @@ impl<'t> Roots<'t> {
         }
         let bases: BTreeSet<String> =
             systems.iter().flat_map(base_meshes).chain(options.bases.iter().cloned()).collect();
-        let mut found = found_in(&folders, &at_hand, &bases);
+        let mut found = found_in(&folders, [&at_hand, &options.applications], &bases);
         let left = set_aside(&mut found, outcome);
         let taken = Taken { systems: &systems, options, applications };
         let found = taken.all(found);
@@ -191,9 +192,9 @@ impl<'t> Roots<'t> {
 }
 
 /// The data roots of each input. What shares its users' folders has those of one input where its data are in another.
-fn found_in<'i>(inputs: &[&'i Input], asked: &[Application], bases: &BTreeSet<String>) -> Vec<Found<'i>> {
+fn found_in<'i>(inputs: &[&'i Input], [asked, named]: [&[Application]; 2], bases: &BTreeSet<String>) -> Vec<Found<'i>> {
     let of = |input: &&'i Input, at_hand: &[Application]| {
-        (*input, roots_beside(&input.tree, [asked, at_hand], bases, |_| true))
+        (*input, roots_beside(&input.tree, [asked, at_hand, named], bases, |_| true))
     };
     let alone: Vec<Found<'_>> = inputs.iter().map(|input| of(input, &[])).collect();
     let is_data = |input: &Input, path: &str, layout: &&'static Layout| {

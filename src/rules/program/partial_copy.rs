@@ -5,7 +5,7 @@ use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Evidence, Finding, Level, RuleInfo,
 };
-use crate::repo::{PORTS_LACK, View};
+use crate::repo::View;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
@@ -17,7 +17,8 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         more than half of the targets that the indexes name, is a copy of some files: ports to engines and add-ons have such. \
         Its files are checked one by one, and what an index names is not asked for.\n\n\
         A folder that lacks the base mesh alone, or the targets alone, is a damaged one: then everything that is missing is \
-        reported. A port of MakeHuman 1 that calls the folder `base` is a copy without `rigs/` and `poseunits/`.\n\n\
+        reported. A port of MakeHuman 1 that calls the folder `base` is a copy without `rigs/` and `poseunits/`, one of MPFB lacks \
+        at least three of the folders without which the add-on does not work, and one of MakeHuman 2 has nothing but `target/`.\n\n\
         If it is to be whole, copy the data of the program again.",
     counts: "targets",
     of_library: true,
@@ -29,8 +30,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if !view.is_partial() {
         return;
     }
-    if view.is_port() {
-        let folders = PORTS_LACK.map(|folder| format!("`{folder}/`"));
+    let lacking = view.lacking();
+    if !lacking.is_empty() {
+        let folders: Vec<String> = lacking.iter().map(|folder| format!("`{folder}/`")).collect();
         let message = format!("a part of the data of {}: {} are missing", view.application(), enumerated(&folders));
         return out.push(RULE.in_layer(view.layers().checked, "", message).key("partial"));
     }
