@@ -102,21 +102,21 @@ impl<'a> View<'a> {
         let gone = |folders: &[&'static str]| -> Vec<&'static str> {
             folders.iter().copied().filter(|folder| checked.below(folder).next().is_none()).collect()
         };
-        let is_renamed = checked.path.rsplit('/').next() == Some("base");
-        let (needed, is_copy): (&[&'static str], fn(&[&str]) -> bool) = match self.application() {
+        let is_renamed = || checked.path.rsplit('/').next() == Some("base");
+        // Users have no macros in `target/`.
+        let has_macros = || checked.below("target").any(|file| file.kind == Kind::MacroJson);
+        let lacking = match self.application() {
             // Meshes and targets in a folder called `base` (formats/versions.md §5).
-            Application::Makehuman1 if is_renamed => (&PORTS_LACK, |gone| gone.len() == PORTS_LACK.len()),
-            Application::Makehuman1 => return Vec::new(),
-            // Users have no macros in `target/`.
-            Application::Makehuman2 if !checked.below("target").any(|file| file.kind == Kind::MacroJson) => {
-                return Vec::new();
+            Application::Makehuman1 => {
+                Some(gone(&PORTS_LACK)).filter(|gone| is_renamed() && gone.len() == PORTS_LACK.len())
             }
             Application::Makehuman2 => {
-                (&NEEDED_BY_MAKEHUMAN2, |gone| gone.contains(&"base") && gone.len() >= FEWEST_GONE)
+                let is_copy = |gone: &Vec<&str>| gone.contains(&"base") && gone.len() >= FEWEST_GONE && has_macros();
+                Some(gone(&NEEDED_BY_MAKEHUMAN2)).filter(is_copy)
             }
-            Application::Mpfb => (&NEEDED_BY_MPFB, |gone| gone.len() >= FEWEST_GONE),
+            Application::Mpfb => Some(gone(&NEEDED_BY_MPFB)).filter(|gone| gone.len() >= FEWEST_GONE),
         };
-        Some(gone(needed)).filter(|gone| is_copy(gone)).unwrap_or_default()
+        lacking.unwrap_or_default()
     }
 
     /// Whether the data of a program are not what the newest one needs as a whole: a part of them, or so old that what is
@@ -319,10 +319,12 @@ fn is_index(file: &FileFacts) -> bool {
     matches!(file.kind, Kind::MacroJson | Kind::ModellingJson) && file.rel.starts_with("target/")
 }
 
-/// Of `MakeHuman` 1 not all kinds are checked so far.
+/// Of `MakeHuman` 1 and MPFB not all kinds are checked.
 const fn looks_at(application: Application, kind: Kind) -> bool {
     match application {
-        Application::Makehuman2 | Application::Mpfb => true,
+        Application::Makehuman2 => true,
+        // Skeletons and poses of MakeHuman are nothing to it.
+        Application::Mpfb => !matches!(kind, Kind::Skeleton | Kind::Pose),
         Application::Makehuman1 => makehuman1::is_checked(kind),
     }
 }

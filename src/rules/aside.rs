@@ -12,7 +12,8 @@ const NOT_YET: &str =
 /// Lowers what is found there.
 pub(crate) fn lower_aside(view: &View<'_>, findings: &mut [Finding]) {
     let (layer, application) = (view.layers().checked, view.application());
-    if !layer.is_pack_of(application) {
+    // Of a zip the import says where its files go.
+    if !layer.is_pack_of(application) || layer.pack.is_some() {
         return;
     }
     let aside = layer.files.values().filter(|file| layer.is_aside(application, file));

@@ -83,6 +83,9 @@ pub(super) fn read_all(
     sizes: &MeshSizes,
     keep_rows: Option<&Rows>,
 ) -> (ByRel, Rows) {
+    if files.is_empty() {
+        return (ByRel::new(), Rows::new());
+    }
     // What several links lead to is read once; what a fix has made of one of them is known there alone.
     let alike = grouped(files.into_iter().map(|file| {
         let path = file.entry.path.as_str();

@@ -1,5 +1,6 @@
 //! Files outside of data roots: which of them are ours, and which base mesh they are for.
 
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::error::Error;
@@ -26,6 +27,8 @@ pub(super) struct Outside<'t, 'i> {
     pub(super) is_meant: bool,
     pub(super) units: &'i UnitNames,
     pub(super) options: &'i Config,
+    /// Of data roots whether what lies in them is no loose asset: asked for each file.
+    pub(super) kept: RefCell<BTreeMap<String, bool>>,
 }
 
 impl<'t> Outside<'t, '_> {
@@ -64,7 +67,15 @@ impl<'t> Outside<'t, '_> {
         let is_own = |layouts: &[&Layout]| layouts.iter().any(|one| one.application == layout.application);
         // In the data of another application what is dangerous is looked at all the same.
         let is_left_out = || (layout.is_dangerous)(&entry.path) && !around().any(|(_, layouts)| is_own(layouts));
-        let is_in_root = || around().any(|(root, layouts)| self.keeps(root, layouts)) && !is_left_out();
+        let keeps = |(root, layouts): (&String, &Vec<&'static Layout>)| {
+            let known = self.kept.borrow().get(root).copied();
+            known.unwrap_or_else(|| {
+                let keeps = self.keeps(root, layouts);
+                self.kept.borrow_mut().insert(root.clone(), keeps);
+                keeps
+            })
+        };
+        let is_in_root = || around().any(keeps) && !is_left_out();
         !self.taken.contains(entry.path.as_str()) && !is_in_root()
     }
 

@@ -1,5 +1,6 @@
 //! Data roots: where they are in the inputs, and which of them are checked.
 
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::error::{Error, PathFault};
@@ -285,7 +286,9 @@ fn places_outside<'t>(
                 let own = systems.iter().filter(|system| system.is_of(*application));
                 let bases = own.flat_map(base_meshes).collect();
                 let is_meant = is_meant || input.tests.is_some();
-                let outside = Outside { input, roots, taken: &before, bases: &bases, is_meant, units: &units, options };
+                let kept = RefCell::default();
+                let outside =
+                    Outside { input, roots, taken: &before, bases: &bases, is_meant, units: &units, options, kept };
                 let place = outside.place(Layout::of(*application))?;
                 taken.extend(place.iter().flat_map(|(place, _)| &place.below).map(|file| file.entry.path.clone()));
                 places.extend(place);

@@ -1,6 +1,6 @@
 //! Targets that MPFB brings have a slider, or a place in the macro loops.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::neighbours::Neighbours;
@@ -31,7 +31,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     // Their slider is there, and lacks the slots.
-    let forgotten: Vec<String> = sliders(&catalog)
+    let forgotten: BTreeSet<String> = sliders(&catalog)
         .filter_map(|(section, category)| Some((section, forgotten_ends(&catalog, section, category)?)))
         .flat_map(|(section, ends)| ends.map(|end| format!("{}/{end}.target.gz", catalog.folder(&section.name))))
         .collect();
@@ -67,9 +67,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut by_word = grouped(catalog.layer.below("targets").filter(is_free).map(|file| (word(file), file)));
     let others = by_word.remove(&None).unwrap_or_default();
     out.extend(by_word.iter().filter_map(|(word, files)| without_name(view, word.as_ref()?, files)));
+    let sections = catalog.sliders.sections.iter().rev();
+    let sections: BTreeMap<String, _> = sections.map(|section| (catalog.folder(&section.name), section)).collect();
     for (folder, files) in grouped(others.into_iter().map(|file| (parent(&file.rel), file))) {
         let Some(first) = files.first() else { continue };
-        let section = catalog.sliders.sections.iter().find(|section| catalog.folder(&section.name) == folder);
+        let section = sections.get(folder);
         // Whether a slider that cannot be read has them is not known.
         if section.is_some_and(|section| !section.is_whole) {
             continue;

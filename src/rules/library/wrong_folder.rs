@@ -92,6 +92,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(
         of_other_kind.iter().filter_map(|((category, suffix), files)| misplaced(layer, files, suffix, category)),
     );
+    makehuman2::in_folders_of_others(&RULE, view, out);
     out.extend(
         unknown.into_iter().filter_map(|(folder, files)| makehuman2::unread(&RULE, view, folder, &files, &bases)),
     );

@@ -21,9 +21,11 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Ve
     let mut known = Known::new();
     for worn in view.worn_anywhere() {
         let folder = worn.file.rel.split('/').next().unwrap_or_default();
-        known.entry((folder, uuid(worn))).or_default().push(worn);
-        // Of two uuids nobody knows which will stay.
-        if worn.file.encoding.is_unmerged() {
+        if let Some(uuid) = uuid(worn) {
+            known.entry((folder, Some(uuid))).or_default().push(worn);
+        }
+        // What cannot be read has no uuid, and of two uuids nobody knows which will stay.
+        if worn.clothes().is_none() || worn.file.encoding.is_unmerged() {
             known.entry((folder, None)).or_default().push(worn);
         }
     }
@@ -70,9 +72,7 @@ fn is_named(worn: &Worn<'_>, line: &Wearing) -> bool {
 /// Clothes need both name and uuid; of the rest any asset of the uuid is taken. One that cannot be read may be meant.
 fn is_lost<'k>(view: &View<'_>, known: &'k Known<'k>, line: &'k Wearing) -> bool {
     let with_uuid = if line.uuid.is_empty() { &[][..] } else { of_uuid(known, line, Some(&line.uuid)) };
-    // What cannot be read has no uuid.
-    let is_unread = |worn: &Worn<'_>| worn.clothes().is_none() || worn.file.encoding.is_unmerged();
-    let is_unread = of_uuid(known, line, None).iter().any(|worn| is_unread(worn) && is_named(worn, line));
+    let is_unread = of_uuid(known, line, None).iter().any(|worn| is_named(worn, line));
     let is_there = match line.category {
         "clothes" => with_uuid.iter().any(|worn| is_named(worn, line)),
         // Without a uuid it is the first of the folder: right if it is the only one.
@@ -83,7 +83,7 @@ fn is_lost<'k>(view: &View<'_>, known: &'k Known<'k>, line: &'k Wearing) -> bool
     !is_there && !is_unread
 }
 
-/// Assets by their folder and uuid: there may be thousands, and as many lines.
+/// Assets by their folder and uuid: there may be thousands, and as many lines. Without a uuid those that nobody can tell.
 type Known<'k> = BTreeMap<(&'k str, Option<&'k str>), Vec<&'k Worn<'k>>>;
 
 fn of_uuid<'k>(known: &'k Known<'k>, line: &'k Wearing, uuid: Option<&'k str>) -> &'k [&'k Worn<'k>] {

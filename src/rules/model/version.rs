@@ -19,6 +19,7 @@ const BLANK: Case = &[(Makehuman1, Level::Error, "fails at the blank line, and l
 const NO_SKELETON: Case = &[(Makehuman1, Level::Warning, "loads the model without its skeleton")];
 const RENAMED: Case = &[(Makehuman1, Level::Warning, "takes the tags for the name")];
 const HELP: &str = "write `version v1.3.0`, or the version of the program that saved the model";
+const OF_MAKEHUMAN2: &str = "move the model to `models` of MakeHuman 2: MakeHuman 1 has other modifiers and assets";
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for model in view.models.iter().filter(|model| view.layers.is_checked(model.file)) {
@@ -46,6 +47,10 @@ fn finding(model: &SavedModel<'_>) -> Option<Finding> {
     };
     match model.version {
         Version::Current => None,
+        Version::Missing if model.file.model().is_some_and(|model| !model.has_keyword) => {
+            let message = "no line begins with a keyword of models".to_owned();
+            Some(told(Place::File, message, "restore the model: this file is something else, such as a web page"))
+        }
         Version::Missing => {
             let near = model.lines.all.iter().find(|line| line.keyword.text.eq_ignore_ascii_case("version"));
             let place = near.map_or(Place::File, |line| Place::Span(line.keyword.span.clone()));
@@ -55,6 +60,10 @@ fn finding(model: &SavedModel<'_>) -> Option<Finding> {
                 None => "the model has no line `version`".to_owned(),
             };
             Some(told(place, message, HELP))
+        }
+        Version::Refused(word) if word.text.starts_with("v2.") => {
+            let message = format!("`{}` is a version of MakeHuman 2", word.text);
+            Some(told(Place::Span(word.span.clone()), message, OF_MAKEHUMAN2))
         }
         Version::Refused(word) => {
             let message = format!("`{}` is not a version of models that is read", word.text);

@@ -66,12 +66,19 @@ fn is_empty(view: &View<'_>, folder: &str) -> bool {
 pub(super) fn nearest<'a>(view: &View<'a>, reference: &Reference<'_>, suggestions: &Suggestions) -> Option<&'a str> {
     let folder = parent(&reference.rel);
     let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
-    let files = view.layers.strongest_first().flat_map(|layer| layer.below(folder));
-    let free = files.filter(|file| !file.kind.is_json() && !is_used(view, file));
-    let names: Vec<&str> = free.map(FileFacts::file_name).collect();
     // Editors on Windows put a second suffix behind the name: the file is the one that is meant.
-    let doubled = names.iter().copied().find(|name| name.strip_suffix(".txt") == Some(wanted));
-    doubled.or_else(|| suggestions.nearest_file(wanted, names))
+    let is_free = |file: &&FileFacts| !file.kind.is_json() && !is_used(view, file);
+    let doubled = format!("{}.txt", reference.rel);
+    let mut doubled = view.layers.strongest_first().filter_map(|layer| layer.file(&doubled)).filter(is_free);
+    if let Some(file) = doubled.next() {
+        return Some(file.file_name());
+    }
+    if suggestions.are_over() {
+        return None;
+    }
+    let files = view.layers.strongest_first().flat_map(|layer| layer.below(folder));
+    let free = files.filter(is_free);
+    suggestions.nearest_file(wanted, free.map(FileFacts::file_name))
 }
 
 /// Whether something uses a target already. It is not meant: the other side or the other direction often has nearly the

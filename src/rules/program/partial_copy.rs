@@ -30,19 +30,17 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if !view.is_partial() {
         return;
     }
-    let lacking = view.lacking();
-    if !lacking.is_empty() {
-        let folders: Vec<String> = lacking.iter().map(|folder| format!("`{folder}/`")).collect();
-        let message = format!("a part of the data of {}: {} are missing", view.application(), enumerated(&folders));
-        return out.push(RULE.in_layer(view.layers().checked, "", message).key("partial"));
-    }
+    let lacking: Vec<String> = view.lacking().iter().map(|folder| format!("`{folder}/`")).collect();
     let gaps = view.gaps();
     let (missing, named) = (gaps.missing.len(), gaps.named);
-    let message = format!(
-        "a part of the data of {}: the base mesh and {missing} of {named} targets that its indexes name are missing",
-        view.application()
-    );
+    let targets = format!("{missing} of {named} targets that its indexes name");
+    let what = match (lacking.is_empty(), missing) {
+        (true, _) => format!("the base mesh and {targets}"),
+        (false, 0) => enumerated(&lacking),
+        (false, _) => format!("{}, and {targets}", enumerated(&lacking)),
+    };
+    let message = format!("a part of the data of {}: {what} are missing", view.application());
     let finding = RULE.in_layer(view.layers().checked, "", message).key("partial");
     let evidence = Evidence::of_cases(gaps.missing.iter().copied()).out_of(named);
-    out.push(finding.evidence(evidence));
+    out.push(if missing > 0 { finding.evidence(evidence) } else { finding });
 }

@@ -38,7 +38,11 @@ fn listed(file: &FileFacts, rig: &Rig) -> Option<Finding> {
         return is_listed(file).then(|| finding.help("remove the file from `rigs`, or export the rig again"));
     }
     if !is_rig(rig) {
-        return None;
+        let finding = || RULE.at(file, Place::File, "the file is a skeleton of MakeHuman, and not a rig of MPFB");
+        let is_skeleton = is_listed(file)
+            && (rig.has_header && !rig.bones.is_empty() || rig.faults.layout.contains(&LayoutFault::Skeleton));
+        return is_skeleton
+            .then(|| finding().help("make a rig of it in Blender and save that with MPFB; it reads no `.mhskel`"));
     }
     if !is_listed(file) {
         let message = format!("`{}` has other characters than letters, digits and `_` in its name", file.file_name());

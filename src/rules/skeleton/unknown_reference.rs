@@ -86,10 +86,11 @@ fn of_makehuman1(body: &Body<'_>, known: &BTreeSet<&str>, cx: &RuleCx<'_>, out: 
             let stopping = bone.references().into_iter().filter(|name| !known.contains(name));
             found.entry(0).or_default().extend(stopping.map(|name| (bone.name.as_str(), "reference", name)));
             let (names, is_explicit) = bone.weight_references();
+            let own: BTreeSet<&str> = names.iter().copied().collect();
+            let has_none = own.is_disjoint(known);
             for name in names.iter().filter(|name| is_explicit && !known.contains(**name)) {
-                let has_none = !names.iter().any(|name| known.contains(name));
                 let near = cx.suggestions.nearest(name, known.iter().copied());
-                let is_meant = near.is_some_and(|near| !names.contains(&near));
+                let is_meant = near.is_some_and(|near| !own.contains(near));
                 let rank = if has_none || is_meant || is_losing { 1 } else { 2 };
                 found.entry(rank).or_default().push((&bone.name, "weights_reference", name));
             }

@@ -1,5 +1,7 @@
 //! Head and tail of a bone are two places.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx, bones_in_words};
 use super::joint_or_group::is_placed;
 use super::measured::{Measured, NO_LENGTH, measured};
@@ -40,29 +42,34 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         };
         let short = rig.bones().filter(|(_, measure)| measure.length < NO_LENGTH);
         let short = short.filter(|(bone, _)| is_placed(&bone.head) && is_placed(&bone.tail));
-        let ends = grouped(
-            short.filter_map(|(bone, _)| Some(((bone.head.as_deref()?, bone.tail.as_deref()?), bone.name.as_str()))),
-        );
-        out.extend(ends.iter().filter_map(|(ends, bones)| finding(&rig, *ends, bones)));
+        let ends = grouped(short.filter_map(|(bone, measure)| {
+            Some(((bone.head.as_deref()?, bone.tail.as_deref()?), (bone.name.as_str(), measure.length)))
+        }));
+        let parents: BTreeSet<&str> = rig.skeleton.bones.iter().filter_map(|bone| bone.parent.as_deref()).collect();
+        out.extend(ends.iter().filter_map(|(ends, bones)| finding(&rig, &parents, *ends, bones)));
     }
 }
 
-fn finding(rig: &Measured<'_>, (head, tail): (&str, &str), bones: &[&str]) -> Option<Finding> {
-    let first = bones.first()?;
-    let length = rig.bones().find(|(bone, _)| bone.name == **first)?.1.length;
+fn finding(
+    rig: &Measured<'_>,
+    parents: &BTreeSet<&str>,
+    (head, tail): (&str, &str),
+    bones: &[(&str, f64)],
+) -> Option<Finding> {
+    let (first, length) = *bones.first()?;
+    let bones: Vec<&str> = bones.iter().map(|(bone, _)| *bone).collect();
     let have = if bones.len() == 1 { "has" } else { "have" };
     let why = if head == tail {
         format!("head and tail are both joint `{head}`")
     } else {
         format!("joints `{head}` and `{tail}` coincide")
     };
-    let message = format!("{} {have} no length: {why}", bones_in_words(bones));
-    let evidence = Evidence::of_cases(bones).out_of(rig.skeleton.bones.len()).with_worst(length, *first);
+    let message = format!("{} {have} no length: {why}", bones_in_words(&bones));
+    let evidence = Evidence::of_cases(&bones).out_of(rig.skeleton.bones.len()).with_worst(length, first);
     let finding = RULE
         .at(rig.file, Place::key(["bones", first]), message)
         .key(format!("{head}/{tail}"))
         .help("give the bone two joints at different places")
         .evidence(evidence);
-    let is_parent = |bone: &&str| rig.skeleton.bones.iter().any(|other| other.parent.as_deref() == Some(*bone));
-    Some(if bones.iter().any(is_parent) { finding } else { finding.case(OF_LEAF) })
+    Some(if bones.iter().any(|bone| parents.contains(bone)) { finding } else { finding.case(OF_LEAF) })
 }

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use super::super::super::cause::library::{FIRST_EYES, FIRST_SKIN};
 use super::super::super::{Rule, RuleCx, did_you_mean, such};
 use super::own;
-use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped};
-use crate::discover::{Kind, archive_library_of, extension, library_of};
+use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped, nearest};
+use crate::discover::{Kind, archive_library_of, extension, library_extension, library_of};
 use crate::formats::mhm::CATEGORIES;
 use crate::formats::mhm_lines::Line;
 use crate::repo::makehuman1::{SavedModel, View, uuid_of};
@@ -112,8 +112,14 @@ impl<'v> Known<'v> {
     }
 }
 
-/// The same of a file that a character names.
+/// The same of a file that a character names. Materials may lie anywhere, and none has a finding for that.
 fn is_unlisted_file(view: &View<'_>, reference: &Reference<'_>) -> bool {
+    if reference.kind == ReferenceKind::Skin {
+        return view
+            .layers
+            .strongest_first()
+            .any(|layer| layer.files.values().any(|file| is_in_misspelt(file, reference)));
+    }
     let name = reference.text.rsplit('/').next().unwrap_or_default();
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
     let suffix = extension(name);
@@ -129,6 +135,13 @@ fn is_unlisted_file(view: &View<'_>, reference: &Reference<'_>) -> bool {
             is_whole || (is_old() || is_pictured()) && !matches!(file.kind, Kind::Image | Kind::MotionMeta)
         })
     })
+}
+
+/// Whether a skin lies in a folder that is called nearly as that of skins, which has a finding.
+fn is_in_misspelt(file: &FileFacts, reference: &Reference<'_>) -> bool {
+    let Some((top, rest)) = file.rel.split_once('/') else { return false };
+    let meant = reference.text.trim_start_matches("data/").strip_prefix("skins/");
+    library_extension(top).is_none() && nearest(top, ["skins"]).is_some() && meant == Some(rest)
 }
 
 fn unknown(rule: &Rule, view: &View<'_>, lines: &[(&SavedModel<'_>, &Line)], cx: &RuleCx<'_>) -> Option<Finding> {
@@ -219,7 +232,15 @@ fn file(rule: &Rule, view: &View<'_>, references: &[&Reference<'_>], cx: &RuleCx
     let names: Vec<String> =
         files.iter().filter(|file| file.rel.ends_with(suffix)).filter_map(|file| written(file)).collect();
     let near = cx.suggestions.nearest_file(reference.text, names.iter().map(String::as_str));
-    let help = did_you_mean(near, format!("add the file to `{folder}`, or name one that exists"));
+    let elsewhere = || {
+        let name = format!("/{}", reference.text.rsplit('/').next()?);
+        let is_same = |file: &&FileFacts| reference.kind == ReferenceKind::Skin && file.rel.ends_with(&name);
+        view.layers.strongest_first().find_map(|layer| layer.files.values().find(is_same))
+    };
+    let help = match elsewhere().filter(|_| near.is_none()) {
+        Some(file) => format!("move `{}` with its pictures to `{folder}`, or name one that exists", file.rel),
+        None => did_you_mean(near, format!("add the file to `{folder}`, or name one that exists")),
+    };
     let message = format!("{what} `{}` does not exist{}", reference.text, such(references.len(), "models"));
     let finding = rule.at(reference.from, reference.place.clone(), message).key(reference.text).help(help);
     let parts = references.iter().map(|one| (one.from.shown(), &one.from.path, one.place.clone()));

@@ -70,12 +70,21 @@ impl<'v, 'a> Known<'v, 'a> {
 
     /// Whether the name is cut at a blank of a target of the user, which has a finding of its own.
     fn is_cut(&self, line: &Line) -> bool {
+        let longest = self.custom.iter().map(|name| name.len()).max().unwrap_or_default();
         let mut name = String::new();
-        line.values.iter().any(|word| {
-            let blank = if name.is_empty() { "" } else { " " };
-            name = format!("{name}{blank}{}", word.text);
-            name.contains(' ') && self.custom.contains(name.as_str())
-        })
+        for word in &line.values {
+            if !name.is_empty() {
+                name.push(' ');
+            }
+            name.push_str(&word.text);
+            if name.len() > longest {
+                break;
+            }
+            if name.contains(' ') && self.custom.contains(name.as_str()) {
+                return true;
+            }
+        }
+        false
     }
 
     /// Whether a name is that of a macro whose variable is spelt in another way in its own file.
