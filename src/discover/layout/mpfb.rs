@@ -53,8 +53,8 @@ pub(super) static LAYOUT: Layout = Layout {
 pub(crate) const SAVED_CHARACTER: [&[&str]; 2] =
     [&["\"phenotype\""], &["\"rig\"", "\"skin_mhmat\"", "\"skin_material_type\"", "\"targets\"", "\"race\""]];
 
-/// What a pose of MPFB says.
-pub(crate) const STORED_POSE: [&str; 2] = ["\"skeleton_type\"", "\"bone_rotations\""];
+/// What a pose of MPFB says; recordings of other programs have some of it.
+pub(crate) const STORED_POSE: [&str; 3] = ["\"skeleton_type\"", "\"bone_rotations\"", "\"bone_translations\""];
 
 /// Folders that are listed.
 const FOLDERS: [&str; 9] =
