@@ -3,30 +3,47 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::evidence::evidence;
+use super::evidence::{Evidence, evidence};
 use super::layout::Sign;
-use super::listing::at;
 use super::roots::DataRoot;
 use super::{Layout, Listing};
 use crate::diag::Application;
 
-/// Leaves each folder to the applications that something certain speaks for, of several to those that are `meant`; where
-/// nothing is certain these decide alone. An application that is asked for by name keeps what it has.
+/// What speaks for an application in a folder that others claim, too.
+struct Claim {
+    application: Application,
+    sign: Sign,
+    evidence: Evidence,
+}
+
+/// Leaves each folder to the applications of which there is much, or something certain; of several with something certain
+/// alone to those that are `meant`, and where there is nothing certain to these as well. One that is asked for by name
+/// keeps what it has. Gives the folders of users that two applications share for certain.
 pub(super) fn settle(
     signs: &mut BTreeMap<DataRoot, Sign>,
     listing: &Listing<'_>,
     meant: &[Application],
     named: &[Application],
-) {
-    let mut claims: BTreeMap<&str, Vec<(Application, Sign)>> = BTreeMap::new();
+) -> BTreeSet<DataRoot> {
+    let mut by_path: BTreeMap<&str, Vec<(Application, Sign)>> = BTreeMap::new();
     for (root, sign) in &*signs {
-        claims.entry(&root.path).or_default().push((root.application, *sign));
+        by_path.entry(&root.path).or_default().push((root.application, *sign));
     }
-    let mut lost = Vec::new();
-    for (path, claims) in claims.into_iter().filter(|(_, claims)| is_contested(claims)) {
-        let winners = winners(listing, path, &claims, meant);
-        let losers = claims.iter().filter(|(one, _)| !winners.contains(one) && !named.contains(one));
-        lost.extend(losers.map(|(one, _)| (DataRoot { path: path.to_owned(), application: *one }, winners.clone())));
+    let (mut lost, mut shared) = (Vec::new(), BTreeSet::new());
+    for (path, own) in by_path.into_iter().filter(|(_, own)| is_contested(own)) {
+        let claim = |(application, sign)| Claim { application, sign, evidence: evidence(listing, path, application) };
+        let claims: Vec<Claim> = own.into_iter().map(claim).collect();
+        let winners = winners(&claims, meant);
+        let root = |application| DataRoot { path: path.to_owned(), application };
+        for claim in &claims {
+            let is_certain = claim.evidence.is_certain && winners.contains(&claim.application);
+            if is_certain && claims.iter().all(|claim| claim.sign < Sign::Strong) {
+                shared.insert(root(claim.application));
+            }
+            if !winners.contains(&claim.application) && !named.contains(&claim.application) {
+                lost.push((root(claim.application), winners.clone()));
+            }
+        }
     }
     for (root, winners) in lost {
         // Who shares folders of users with a winner may have some there.
@@ -36,46 +53,66 @@ pub(super) fn settle(
             signs.remove(&root);
         }
     }
+    shared
 }
 
-/// Whether it matters whose it is.
+/// Whether it matters whose it is: of what two share where neither has anything better what is in it tells them apart.
 fn is_contested(claims: &[(Application, Sign)]) -> bool {
-    claims.len() > 1 && claims.iter().any(|(_, sign)| *sign >= Sign::Weak)
+    let is_faint = claims.iter().all(|(_, sign)| *sign == Sign::Faint);
+    claims.len() > 1 && !(is_faint && are_two_that_share(claims.iter().map(|(application, _)| *application)))
 }
 
-/// Whether only two claim it that share folders of users, none with what a program has: what is in it tells them apart.
-fn is_shared(claims: &[(Application, Sign)]) -> bool {
-    let share = |(one, other): (&(Application, Sign), &(Application, Sign))| share_users(one.0, other.0);
-    let are_two = claims.len() == 2 && claims.first().zip(claims.get(1)).is_some_and(share);
-    are_two && claims.iter().all(|(_, sign)| *sign < Sign::Strong)
+fn are_two_that_share(applications: impl Iterator<Item = Application>) -> bool {
+    matches!(applications.collect::<Vec<_>>().as_slice(), [one, other] if share_users(*one, *other))
 }
 
 fn share_users(one: Application, other: Application) -> bool {
     Layout::of(one).shares_roots_of == Some(other) || Layout::of(other).shares_roots_of == Some(one)
 }
 
-fn winners(
-    listing: &Listing<'_>,
-    path: &str,
-    claims: &[(Application, Sign)],
-    meant: &[Application],
-) -> BTreeSet<Application> {
-    let all: BTreeSet<Application> = claims.iter().map(|(application, _)| *application).collect();
-    let is_certain = |application: &Application| evidence(listing, path, *application).is_certain;
-    let certain: BTreeSet<Application> = all.iter().copied().filter(is_certain).collect();
-    if certain.is_empty() && is_shared(claims) {
-        return all;
+fn winners(claims: &[Claim], meant: &[Application]) -> BTreeSet<Application> {
+    let all = || claims.iter().map(|claim| claim.application);
+    let is_shared = are_two_that_share(all()) && claims.iter().all(|claim| claim.sign < Sign::Strong);
+    let are_much: BTreeSet<Application> =
+        claims.iter().filter(|claim| !is_shared && claim.is_much(claims)).map(|claim| claim.application).collect();
+    let certain = claims.iter().filter(|claim| claim.evidence.is_certain);
+    if !are_much.is_empty() {
+        // Beside much of one a single file of another program is a stray, and what users of both have is not.
+        let is_of_user = |claim: &&Claim| {
+            claim.sign < Sign::Strong && are_much.iter().any(|one| share_users(*one, claim.application))
+        };
+        let of_users = certain.filter(is_of_user).map(|claim| claim.application);
+        return of_users.chain(are_much.iter().copied()).collect();
     }
-    let mut left = if certain.is_empty() { all } else { certain };
-    let has = |folder: &str| listing.has_folder(&at(path, folder));
-    // A base mesh of MakeHuman 2 without targets, among what only the others have.
-    if left.len() > 1 && !has("target") && (has("3dobjs") || has("targets")) {
-        left.remove(&Application::Makehuman2);
+    let certain: BTreeSet<Application> = certain.map(|claim| claim.application).collect();
+    if certain.is_empty() && is_shared {
+        return all().collect();
     }
-    // A table of the add-on without anything else that it has for itself.
-    if left.len() > 1 && has("mesh_metadata") && !has("node_trees") && !has("rigs/standard") {
-        left.remove(&Application::Mpfb);
-    }
+    let left = if certain.is_empty() { all().collect() } else { certain };
     let known: BTreeSet<Application> = left.iter().copied().filter(|one| meant.contains(one)).collect();
-    if known.is_empty() { left } else { known }
+    if known.is_empty() || is_shared { left } else { known }
+}
+
+/// Signs of which there are so many that no stray file made them.
+const MUCH: usize = 3;
+/// Signs that users of two applications have alike.
+const OF_USERS: [&str; 7] = [
+    "custom/",
+    "proxymeshes/",
+    ".meta",
+    "assets directly in their libraries",
+    ".target.gz",
+    "targets/custom/",
+    "packs/",
+];
+
+impl Claim {
+    /// Whether there is much of the application beside these others.
+    fn is_much(&self, claims: &[Self]) -> bool {
+        // Little is only that of MakeHuman 2: a base mesh, and folders of its name.
+        let much = if self.application == Application::Makehuman2 { MUCH - 1 } else { MUCH };
+        let has_partner = claims.iter().any(|other| share_users(self.application, other.application));
+        let signs = self.evidence.signs.iter();
+        signs.filter(|sign| !(has_partner && OF_USERS.contains(&sign.as_str()))).count() >= much
+    }
 }

@@ -25,7 +25,7 @@ pub(crate) fn find_roots(
     named: &[Application],
 ) -> Vec<DataRoot> {
     let Signs { mut signs, confirmed } = Signs::in_listing(listing);
-    contest::settle(&mut signs, listing, &[asked, at_hand].concat(), named);
+    let shared = contest::settle(&mut signs, listing, &[asked, at_hand].concat(), named);
     // An application that shares its users' folders with another one claims none of them alone: it has to be asked for, to
     // have a root of its own at hand, or files beside the folder that no other has.
     let is_at_hand = |application: Application| {
@@ -103,6 +103,10 @@ pub(crate) fn find_roots(
         }
         roots.extend(shared);
     }
+    // What two share for certain is of both.
+    let is_found = |root: &DataRoot| roots.iter().any(|other| other.path == root.path);
+    let shared: Vec<DataRoot> = shared.into_iter().filter(is_found).collect();
+    roots.extend(shared);
     roots.sort();
     roots.dedup();
     roots
