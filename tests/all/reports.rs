@@ -48,10 +48,14 @@ fn json_reports_fit_their_schema() {
 #[test]
 fn json_has_a_verdict_for_what_was_checked_and_names_what_was_not() {
     let repository = broken();
-    fs::create_dir_all(repository.path().join("other/targets")).unwrap();
-    fs::write(repository.path().join("other/targets/target.json"), "{}").unwrap();
-    fs::create_dir_all(repository.path().join("other/mesh_metadata")).unwrap();
-    fs::write(repository.path().join("other/mesh_metadata/hm08_config.json"), "{}").unwrap();
+    // Without meshes and settings: with less it would be a copy of some files.
+    for path in
+        ["targets/target.json", "mesh_metadata/hm08_config.json", "node_trees/a.json", "rigs/standard/rig.a.json"]
+    {
+        let path = repository.path().join("other").join(path);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, "{}").unwrap();
+    }
     let report: Value = serde_json::from_str(&run(repository.path(), &["--report", "json"])).unwrap();
     let verdict = |name: &str| serde_json::json!({ "application": name, "verdict": "fail" });
     assert_eq!(report["applications"], serde_json::json!([verdict("makehuman2"), verdict("mpfb")]));
