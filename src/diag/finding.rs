@@ -241,6 +241,15 @@ impl Finding {
         self.at_worst()
     }
 
+    /// Makes more than an info one in an application for which it takes effect later, and says when.
+    pub(crate) fn wait_in(&mut self, application: Application, until: &str) {
+        let waits = |one: &&mut Break| one.application == application && one.level > Level::Info;
+        for one in self.breaks.iter_mut().filter(waits) {
+            (one.level, one.effect) = (Level::Info, until.to_owned());
+        }
+        self.level = self.breaks.iter().map(|one| one.level).max().unwrap_or(self.level);
+    }
+
     /// What the applications of a case do with it; the others do the usual.
     #[must_use]
     pub fn case(self, case: Case) -> Self {

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::evidence::{Evidence, evidence};
 use super::layout::Sign;
-use super::roots::DataRoot;
+use super::roots::{DataRoot, Meant};
 use super::{Layout, Listing};
 use crate::diag::Application;
 
@@ -17,13 +17,12 @@ struct Claim {
 }
 
 /// Leaves each folder to the applications of which there is much, or something certain; of several with something certain
-/// alone to those that are `meant`, and where there is nothing certain to these as well. One that is asked for by name
+/// alone to those whose data are at hand, and where there is nothing certain to these as well. One that is asked for by name
 /// keeps what it has. Gives the folders of users that two applications share for certain.
 pub(super) fn settle(
     signs: &mut BTreeMap<DataRoot, Sign>,
     listing: &Listing<'_>,
-    meant: &[Application],
-    named: &[Application],
+    meant: Meant<'_>,
 ) -> BTreeSet<DataRoot> {
     let mut by_path: BTreeMap<&str, Vec<(Application, Sign)>> = BTreeMap::new();
     for (root, sign) in &*signs {
@@ -40,7 +39,7 @@ pub(super) fn settle(
             if is_certain && claims.iter().all(|claim| claim.sign < Sign::Strong) {
                 shared.insert(root(claim.application));
             }
-            if !winners.contains(&claim.application) && !named.contains(&claim.application) {
+            if !winners.contains(&claim.application) && !meant.named.contains(&claim.application) {
                 lost.push((root(claim.application), winners.clone()));
             }
         }
@@ -70,7 +69,7 @@ fn share_users(one: Application, other: Application) -> bool {
     Layout::of(one).shares_roots_of == Some(other) || Layout::of(other).shares_roots_of == Some(one)
 }
 
-fn winners(claims: &[Claim], meant: &[Application]) -> BTreeSet<Application> {
+fn winners(claims: &[Claim], meant: Meant<'_>) -> BTreeSet<Application> {
     let all = || claims.iter().map(|claim| claim.application);
     let is_shared = are_two_that_share(all()) && claims.iter().all(|claim| claim.sign < Sign::Strong);
     let are_much: BTreeSet<Application> =
@@ -89,30 +88,22 @@ fn winners(claims: &[Claim], meant: &[Application]) -> BTreeSet<Application> {
         return all().collect();
     }
     let left = if certain.is_empty() { all().collect() } else { certain };
-    let known: BTreeSet<Application> = left.iter().copied().filter(|one| meant.contains(one)).collect();
+    let known: BTreeSet<Application> =
+        left.iter().copied().filter(|one| meant.asked.contains(one) || meant.at_hand.contains(one)).collect();
     if known.is_empty() || is_shared { left } else { known }
 }
 
 /// Signs of which there are so many that no stray file made them.
 const MUCH: usize = 3;
-/// Signs that users of two applications have alike.
-const OF_USERS: [&str; 7] = [
-    "custom/",
-    "proxymeshes/",
-    ".meta",
-    "assets directly in their libraries",
-    ".target.gz",
-    "targets/custom/",
-    "packs/",
-];
+/// The same of `MakeHuman` 2, which has a base mesh and folders of its name.
+const MUCH_OF_MAKEHUMAN2: usize = 2;
 
 impl Claim {
     /// Whether there is much of the application beside these others.
     fn is_much(&self, claims: &[Self]) -> bool {
-        // Little is only that of MakeHuman 2: a base mesh, and folders of its name.
-        let much = if self.application == Application::Makehuman2 { MUCH - 1 } else { MUCH };
+        let much = if self.application == Application::Makehuman2 { MUCH_OF_MAKEHUMAN2 } else { MUCH };
         let has_partner = claims.iter().any(|other| share_users(self.application, other.application));
-        let signs = self.evidence.signs.iter();
-        signs.filter(|sign| !(has_partner && OF_USERS.contains(&sign.as_str()))).count() >= much
+        let Evidence { found, alike, .. } = self.evidence;
+        found - if has_partner { alike } else { 0 } >= much
     }
 }

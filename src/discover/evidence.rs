@@ -15,7 +15,18 @@ pub(crate) struct Evidence {
     pub(crate) signs: Vec<String>,
     /// Whether nothing else could be meant.
     pub(crate) is_certain: bool,
+    /// How many signs there are, those included that are not named.
+    pub(super) found: usize,
+    /// How many of them the folders of users of two applications have alike.
+    pub(super) alike: usize,
 }
+
+/// Signs that the folders of users of two applications have alike.
+const OF_USERS: [&str; 7] =
+    ["custom/", "proxymeshes/", META, DIRECTLY_IN_LIBRARIES, PACKED_TARGET, "targets/custom/", "packs/"];
+const META: &str = ".meta";
+const DIRECTLY_IN_LIBRARIES: &str = "assets directly in their libraries";
+const PACKED_TARGET: &str = ".target.gz";
 
 /// A data root in its listing.
 struct Root<'l> {
@@ -40,8 +51,9 @@ pub(crate) fn evidence(listing: &Listing<'_>, path: &str, application: Applicati
     let is_said = |sign: &&str| certain_starts(&signs, sign);
     let others: Vec<&str> = others.into_iter().filter(|sign| !is_said(sign)).collect();
     signs.extend(others.into_iter().map(str::to_owned));
+    let (found, alike) = (signs.len(), signs.iter().filter(|sign| OF_USERS.contains(&sign.as_str())).count());
     signs.truncate(SIGNS);
-    Evidence { signs, is_certain }
+    Evidence { signs, is_certain, found, alike }
 }
 
 /// What speaks against it, in a word.
@@ -64,7 +76,8 @@ pub(crate) fn lacks(listing: &Listing<'_>, path: &str, application: Application)
 /// The first two folders that are not there.
 fn missing(listing: &Listing<'_>, path: &str, folders: &[&str]) -> String {
     let missing = folders.iter().filter(|folder| listing.below(&at(path, folder)).next().is_none());
-    missing.take(2).map(|folder| format!("no {folder}/")).collect::<Vec<_>>().join(", ")
+    let missing: Vec<String> = missing.take(2).map(|folder| format!("no {folder}/")).collect();
+    if missing.is_empty() { "more of another application".to_owned() } else { missing.join(", ") }
 }
 
 /// Signs that are named.
@@ -168,10 +181,10 @@ fn of_makehuman1(root: &Root<'_>) -> Signs {
     others.extend(root.has("rigs/default.mhskel").then_some("rigs/default.mhskel"));
     others.extend(root.folders(&["custom/", "proxymeshes/", "poseunits/", "litspheres/"]));
     others.extend(root.any(|file| file.last().is_some_and(|name| extension(name) == "mhpxy")).then_some(".mhpxy"));
-    others.extend(root.any(|file| file.last().is_some_and(|name| extension(name) == "meta")).then_some(".meta"));
+    others.extend(root.any(|file| file.last().is_some_and(|name| extension(name) == "meta")).then_some(META));
     let is_asset =
         |file: &[&str]| matches!(file, [library, _, name] if WORN.contains(library) && extension(name) == "mhclo");
-    others.extend(root.any(is_asset).then_some("assets directly in their libraries"));
+    others.extend(root.any(is_asset).then_some(DIRECTLY_IN_LIBRARIES));
     (certain, others)
 }
 
@@ -199,7 +212,7 @@ fn of_mpfb(root: &Root<'_>) -> Signs {
         "packs/",
     ]));
     others
-        .extend(root.any(|file| file.last().is_some_and(|name| name.ends_with(".target.gz"))).then_some(".target.gz"));
+        .extend(root.any(|file| file.last().is_some_and(|name| name.ends_with(".target.gz"))).then_some(PACKED_TARGET));
     others.extend(root.folders(&["targets/custom/"]));
     (certain, others)
 }

@@ -28,4 +28,4 @@ pub(crate) use layout::{Layout, Role, Single, is_read_though_hidden};
 pub(crate) use listing::Listing;
 pub(crate) use loose::{Binding, Known, UNKNOWN_BASE, loose};
 pub(crate) use paths::Paths;
-pub(crate) use roots::find_roots;
+pub(crate) use roots::{Meant, find_roots};

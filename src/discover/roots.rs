@@ -16,16 +16,22 @@ pub(crate) struct DataRoot {
     pub application: Application,
 }
 
-/// All data roots in a listing, sorted by path; `asked` are the applications that are asked for by name or with their data,
-/// `at_hand` those whose data lie in another listing, `named` those asked for by name.
-pub(crate) fn find_roots(
-    listing: &Listing<'_>,
-    asked: &[Application],
-    at_hand: &[Application],
-    named: &[Application],
-) -> Vec<DataRoot> {
+/// The applications whose data are meant.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Meant<'a> {
+    /// Asked for by name, or with their data.
+    pub asked: &'a [Application],
+    /// Asked for by name.
+    pub named: &'a [Application],
+    /// With data in another listing.
+    pub at_hand: &'a [Application],
+}
+
+/// All data roots in a listing, sorted by path.
+pub(crate) fn find_roots(listing: &Listing<'_>, meant: Meant<'_>) -> Vec<DataRoot> {
+    let Meant { asked, at_hand, .. } = meant;
     let Signs { mut signs, confirmed } = Signs::in_listing(listing);
-    let shared = contest::settle(&mut signs, listing, &[asked, at_hand].concat(), named);
+    let shared = contest::settle(&mut signs, listing, meant);
     // An application that shares its users' folders with another one claims none of them alone: it has to be asked for, to
     // have a root of its own at hand, or files beside the folder that no other has.
     let is_at_hand = |application: Application| {
@@ -256,7 +262,7 @@ mod tests {
     }
 
     fn found(files: &[&str]) -> Vec<(String, Application)> {
-        find_roots(&of(files), &[], &[], &[]).into_iter().map(|root| (root.path, root.application)).collect()
+        find_roots(&of(files), Meant::default()).into_iter().map(|root| (root.path, root.application)).collect()
     }
 
     #[test]
@@ -305,7 +311,7 @@ mod tests {
             found(&["data/targets/target.json", "user/config/human.a.json", "user/data/clothes/a/a.mhclo"]);
         assert_eq!(with_presets.get(1), Some(&("user/data".to_owned(), Application::Mpfb)), "{with_presets:?}");
         assert_eq!(with_presets.len(), 2);
-        let asked = find_roots(&of(&[library]), &[Application::Mpfb], &[], &[]);
+        let asked = find_roots(&of(&[library]), Meant { asked: &[Application::Mpfb], ..Meant::default() });
         assert_eq!(asked.into_iter().map(|root| (root.path, root.application)).collect::<Vec<_>>(), both("user"));
         // Without its company a folder of packs, expressions or custom targets is nobody's; with assets it is that of the
         // other one, and of both where the other one has no use for what is in it.
@@ -320,7 +326,8 @@ mod tests {
             for files in [&[path][..], &[path, library]] {
                 assert_eq!(found(files), [("user".to_owned(), Application::Mpfb)], "{path}");
             }
-            let of_asked = find_roots(&of(&[path, library]), &[Application::Makehuman1], &[], &[]);
+            let of_asked =
+                find_roots(&of(&[path, library]), Meant { asked: &[Application::Makehuman1], ..Meant::default() });
             assert_eq!(
                 of_asked.into_iter().map(|root| root.application).collect::<Vec<_>>(),
                 [Application::Makehuman1]

@@ -6,8 +6,8 @@
 use std::collections::BTreeMap;
 
 use super::mesh::bounding_box;
-use super::tears::Neighbours;
-use super::vector::{Point, dot};
+use super::tears::{Neighbours, length};
+use super::vector::Point;
 
 /// How many times its target's median displacement a vertex may move, unless somebody says otherwise.
 pub const MEDIAN_RATIO: f32 = 20.0;
@@ -64,8 +64,13 @@ pub fn oversize(lengths: Lengths, size: f32, ratio: f32) -> Option<Oversize> {
     if longest > size {
         return Some(Oversize::BeyondMesh);
     }
-    let stands_out = longest > ratio * median && longest > ISOLATION * tail && longest > SMALLEST_SHARE * size;
+    let stands_out = is_far(longest, median, size, ratio) && longest > ISOLATION * tail;
     stands_out.then_some(Oversize::Outlier)
+}
+
+/// Whether a displacement is far from half of the others, and considerable for the mesh.
+fn is_far(length: f32, median: f32, size: f32, ratio: f32) -> bool {
+    length > ratio * median && length > SMALLEST_SHARE * size
 }
 
 /// Whether the longest displacement of a target leaves those of its neighbours in the mesh. `longest` has all that are
@@ -81,12 +86,7 @@ pub fn is_torn_out(longest: &[(u32, Point)], tail: f32, index: i64, neighbours: 
 
 /// The vertices whose displacement would stand out if the longer ones were as they should be.
 pub fn standing_out(longest: &[(u32, Point)], median: f32, size: f32, ratio: f32) -> impl Iterator<Item = u32> {
-    let stands_out = move |way: Point| length(way) > ratio * median && length(way) > SMALLEST_SHARE * size;
-    longest.iter().filter(move |(_, way)| stands_out(*way)).map(|(vertex, _)| *vertex)
-}
-
-fn length(way: Point) -> f32 {
-    dot(way, way).sqrt()
+    longest.iter().filter(move |(_, way)| is_far(length(*way), median, size, ratio)).map(|(vertex, _)| *vertex)
 }
 
 /// The longest side of the box around the mesh; `None` without vertices or extent.

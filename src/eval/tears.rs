@@ -62,7 +62,7 @@ impl Neighbours {
     }
 }
 
-fn length(way: Point) -> f32 {
+pub(super) fn length(way: Point) -> f32 {
     dot(way, way).sqrt()
 }
 

@@ -5,8 +5,8 @@ use crate::diag::{Application, PlaceKind, nearest};
 use crate::discover::{Layout, libraries, library_extension};
 
 /// Folders of MakeHuman 1 that hold assets for the program itself.
-const OF_MAKEHUMAN1: &str = "3dobjs";
-/// The same for MPFB: nothing of a user is called nearly as they are.
+pub(crate) const OF_MAKEHUMAN1: &str = "3dobjs";
+/// Folders of MPFB that nothing of a user is called nearly as.
 const OF_MPFB: [&str; 4] = ["3dobjs", "mesh_metadata", "node_trees", "settings"];
 
 impl Layer {
@@ -34,6 +34,10 @@ fn is_library(top: &str) -> bool {
 
 fn is_of_mpfb(top: &str) -> bool {
     let (own, other) = (Layout::of(Application::Mpfb), Layout::of(Application::Makehuman1));
-    let is_near = || nearest(top, own.at_top().filter(|one| !OF_MPFB.contains(one))).is_some();
-    own.has_at_top(top) || other.has_at_top(top) || is_near()
+    own.has_at_top(top) || other.has_at_top(top) || near_of_mpfb(top).is_some()
+}
+
+/// The folder of a user of MPFB that a name is nearly that of.
+pub(crate) fn near_of_mpfb(top: &str) -> Option<&'static str> {
+    nearest(top, Layout::of(Application::Mpfb).at_top().filter(|one| !OF_MPFB.contains(one)))
 }

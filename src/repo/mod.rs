@@ -5,7 +5,7 @@
 //! here, what one does in its own way is in its folder.
 
 mod archived;
-mod aside;
+pub(crate) mod aside;
 mod body;
 pub(crate) mod cubes;
 pub(crate) mod extent;

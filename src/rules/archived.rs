@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::diag::{Application, Finding, Level};
+use crate::diag::{Application, Finding};
 use crate::repo::View;
 use crate::repo::makehuman1::NamedTarget;
 
@@ -19,11 +19,6 @@ pub(crate) fn lower_archived(view: &View<'_>, findings: &mut [Finding]) {
     let is_about_archive = |rule: &str| rule == "target-stale-binary" || rule.starts_with("archive-");
     let own = |finding: &&mut Finding| texts.contains(finding.path.as_str()) && !is_about_archive(finding.rule);
     for finding in findings.iter_mut().filter(own) {
-        for one in finding.breaks.iter_mut().filter(|one| one.application == Application::Makehuman1) {
-            if one.level > Level::Info {
-                (one.level, one.effect) = (Level::Info, LATER.to_owned());
-            }
-        }
-        finding.level = finding.breaks.iter().map(|one| one.level).max().unwrap_or(finding.level);
+        finding.wait_in(Application::Makehuman1, LATER);
     }
 }

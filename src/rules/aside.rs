@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::diag::{Finding, Level};
+use crate::diag::Finding;
 use crate::repo::View;
 
 /// What happens to them today.
@@ -19,9 +19,6 @@ pub(crate) fn lower_aside(view: &View<'_>, findings: &mut [Finding]) {
     let aside = layer.files.values().filter(|file| layer.is_aside(application, file));
     let aside: BTreeSet<&str> = aside.map(|file| file.path.as_str()).collect();
     for finding in findings.iter_mut().filter(|finding| aside.contains(finding.path.as_str())) {
-        for one in finding.breaks.iter_mut().filter(|one| one.application == application && one.level > Level::Info) {
-            (one.level, one.effect) = (Level::Info, NOT_YET.to_owned());
-        }
-        finding.level = finding.breaks.iter().map(|one| one.level).max().unwrap_or(finding.level);
+        finding.wait_in(application, NOT_YET);
     }
 }

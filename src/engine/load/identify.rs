@@ -24,7 +24,7 @@ pub(super) fn identify(root: &mut Loaded<'_>, options: &Config) {
         // In the folder of a user files of all versions meet.
         let is_programs = *role == Role::System && !place.is_supposed();
         let found = || Version::named(*application, (layout.version)(&paths).filter(|_| is_programs)?);
-        let Evidence { signs, is_certain } =
+        let Evidence { signs, is_certain, .. } =
             if place.is_supposed() { Evidence::default() } else { evidence(&listing, &place.root, *application) };
         let mut evidence: Vec<Sign> = signs.into_iter().map(|sign| speaks(*application, Speaks::For, sign)).collect();
         if !evidence.is_empty() {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::super::error::{Error, PathFault};
 use super::roots::{look_into, roots_of};
 use crate::diag::Application;
-use crate::discover::{Layout, Listing, TEST_DATA, find_roots, is_read_though_hidden, new_base};
+use crate::discover::{Layout, Listing, Meant, TEST_DATA, find_roots, is_read_though_hidden, new_base};
 use crate::source::{
     self, EntryKind, Limits, ReadFault, Tree, folder_name, folder_of, inside, is_below, read_file, slashed,
 };
@@ -186,7 +186,7 @@ fn roots_in(tree: &Tree, folder: &Path) -> Vec<String> {
     let files: Vec<String> = files.map(|entry| format!("{name}/{}", entry.path)).collect();
     let peek = |path: &str| look_into(tree, inside(path, &name)?);
     let listing = Listing::of(files.iter().map(String::as_str), []).with_contents(&peek);
-    let roots = find_roots(&listing, &[], &[], &[]).into_iter();
+    let roots = find_roots(&listing, Meant::default()).into_iter();
     let below = |root: &str| inside(root, &name).map(str::to_owned).or_else(|| (root == name).then(String::new));
     roots.filter_map(|root| below(&root.path)).collect()
 }

@@ -20,7 +20,7 @@ use crate::formats::Needs;
 use crate::formats::obj::Mesh;
 use crate::formats::target::{MeshSize, Row};
 use crate::repo::{FileFacts, Layer};
-use crate::source::{Limits, Tree, WalkFault, WalkFaultKind};
+use crate::source::{Entry, Limits, Tree, WalkFault, WalkFaultKind};
 
 /// Sizes of base meshes by name.
 pub(in crate::engine) type MeshSizes = BTreeMap<String, KnownMesh>;
@@ -95,7 +95,10 @@ pub(super) fn read_all(
     let mut alike: Vec<_> = alike.into_values().collect();
     // The biggest first, so that no thread starts on a large file when the others are done.
     alike.sort_by_key(|files| Reverse(files.first().map(|file| file.entry.size)));
-    let limits = reader.limits.among(tree.entries().iter().filter(|entry| extension(&entry.path) == "gz").count());
+    let is_packed = |entry: &Entry| extension(&entry.path) == "gz";
+    let has_packed = alike.iter().flatten().any(|file| is_packed(file.entry));
+    let packed = if has_packed { tree.entries().iter().filter(|entry| is_packed(entry)).count() } else { 0 };
+    let limits = reader.limits.among(packed);
     let read = |file: &Candidate<'_>| {
         let size = size_for(file, sizes);
         if let Some(facts) = reader.other.and_then(|other| other.shared(tree, file, size, reader.limits)) {

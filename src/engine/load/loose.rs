@@ -1,6 +1,6 @@
 //! Files outside of data roots: which of them are ours, and which base mesh they are for.
 
-use std::cell::RefCell;
+use std::cell::{LazyCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::error::Error;
@@ -43,9 +43,10 @@ impl<'t> Outside<'t, '_> {
             let limits = &self.options.limits;
             match meant_extension(&entry.path) {
                 "mhpose" => self.units.list_of(&input.tree, entry, limits),
-                extension => (layout.list_by_content)(extension, &|word| {
-                    says(&input.tree.read(entry, limits).unwrap_or_default(), word)
-                }),
+                extension => {
+                    let text = LazyCell::new(|| input.tree.read(entry, limits).unwrap_or_default());
+                    (layout.list_by_content)(extension, &|word| says(&text, word))
+                }
             }
         };
         let top = top(&input.tree);

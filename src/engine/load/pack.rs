@@ -8,7 +8,7 @@ use super::input::Input;
 use super::place::Place;
 use crate::config::Config;
 use crate::diag::Application;
-use crate::discover::{Candidate, Kind, Layout, Listing, Refusal, find_roots, loss};
+use crate::discover::{Candidate, Kind, Layout, Listing, Meant, Refusal, find_roots, loss};
 use crate::repo::{Import, Names, Pack};
 use crate::source::{Entry, EntryKind, MemberFault, PackFacts, Tree, inside};
 
@@ -142,7 +142,7 @@ fn is_data_of_another(tree: &Tree, layout: &Layout, import: Importer) -> bool {
     let mut roots = others.filter_map(|other| root_in(tree, other));
     let is_anothers = roots.any(|root| root.is_empty() || root == "data");
     let is_imported = files(tree).any(|entry| import(&entry.path, Layout::USUAL_BASE).is_some());
-    let own = find_roots(&Listing::of(files(tree).map(|entry| entry.path.as_str()), []), &[], &[], &[]);
+    let own = find_roots(&Listing::of(files(tree).map(|entry| entry.path.as_str()), []), Meant::default());
     is_anothers && !is_imported && !own.iter().any(|root| root.application == layout.application)
 }
 

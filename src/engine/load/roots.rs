@@ -15,7 +15,7 @@ use super::taken::Taken;
 use super::unit_names::UnitNames;
 use crate::config::Config;
 use crate::diag::{Application, Identity, NotChecked, Note, Outcome, RootSummary, Unchecked, grouped};
-use crate::discover::{Layout, Listing, Role, candidates, find_roots, is_asset_anywhere};
+use crate::discover::{Layout, Listing, Meant, Role, candidates, find_roots, is_asset_anywhere};
 use crate::source::{EntryKind, Limits, Tree, WalkFaultKind, is_below};
 
 /// What a run reads.
@@ -32,20 +32,19 @@ pub(super) fn roots_of(
     asked: &[Application],
     wanted: impl Fn(Application) -> bool,
 ) -> BTreeMap<String, Vec<&'static Layout>> {
-    roots_beside(tree, [asked, &[], asked], &BTreeSet::new(), wanted)
+    roots_beside(tree, Meant { asked, named: asked, at_hand: &[] }, &BTreeSet::new(), wanted)
 }
 
-/// The same beside data of other applications in another tree, where the run knows base meshes of these names; `named` are
-/// those asked for by name.
+/// The same beside data of other applications in another tree, where the run knows base meshes of these names.
 fn roots_beside(
     tree: &Tree,
-    [asked, at_hand, named]: [&[Application]; 3],
+    meant: Meant<'_>,
     bases: &BTreeSet<String>,
     wanted: impl Fn(Application) -> bool,
 ) -> BTreeMap<String, Vec<&'static Layout>> {
     let peek = |path: &str| look_into(tree, path);
     let listing = listing(tree).with_contents(&peek).with_bases(bases.iter().map(String::as_str));
-    let wanted = find_roots(&listing, asked, at_hand, named).into_iter().filter(|root| wanted(root.application));
+    let wanted = find_roots(&listing, meant).into_iter().filter(|root| wanted(root.application));
     grouped(wanted.map(|root| (root.path, Layout::of(root.application))))
 }
 
@@ -120,7 +119,8 @@ impl<'t> Roots<'t> {
         }
         let bases: BTreeSet<String> =
             systems.iter().flat_map(base_meshes).chain(options.bases.iter().cloned()).collect();
-        let mut found = found_in(&folders, [&at_hand, &options.applications], &bases);
+        let mut found =
+            found_in(&folders, Meant { asked: &at_hand, named: &options.applications, at_hand: &[] }, &bases);
         let left = set_aside(&mut found, outcome);
         let taken = Taken { systems: &systems, options, applications };
         let found = taken.all(found);
@@ -193,9 +193,9 @@ impl<'t> Roots<'t> {
 }
 
 /// The data roots of each input. What shares its users' folders has those of one input where its data are in another.
-fn found_in<'i>(inputs: &[&'i Input], [asked, named]: [&[Application]; 2], bases: &BTreeSet<String>) -> Vec<Found<'i>> {
+fn found_in<'i>(inputs: &[&'i Input], meant: Meant<'_>, bases: &BTreeSet<String>) -> Vec<Found<'i>> {
     let of = |input: &&'i Input, at_hand: &[Application]| {
-        (*input, roots_beside(&input.tree, [asked, at_hand, named], bases, |_| true))
+        (*input, roots_beside(&input.tree, Meant { at_hand, ..meant }, bases, |_| true))
     };
     let alone: Vec<Found<'_>> = inputs.iter().map(|input| of(input, &[])).collect();
     let is_data = |input: &Input, path: &str, layout: &&'static Layout| {

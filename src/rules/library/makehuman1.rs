@@ -8,6 +8,7 @@ use super::{as_copy, aside, mpfb, of_folder, top};
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped, nearest};
 use crate::discover::{Kind, archive_library_of, extension, libraries, library_extension, library_of};
 use crate::formats::mhbin_asset::Packed;
+use crate::repo::aside::OF_MAKEHUMAN1;
 use crate::repo::makehuman1::{Asset, CUSTOM, Known, View};
 use crate::repo::{FileFacts, Layer};
 use crate::source::{Guess, is_below};
@@ -195,7 +196,7 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             && !file.is_loose
             && !is_outdated(file)
             && !is_linked(file)
-            && !KNOWN.contains(top)
+            && *top != OF_MAKEHUMAN1
             && library_extension(top).is_none()
             && (is_worn || of_other_case)
     });
@@ -225,9 +226,6 @@ pub(super) fn beside_libraries(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
         layer.files.values().filter(|file| is_asset(file) && !is_outdated(file) && layer.is_aside(Makehuman1, file));
     out.extend(aside(rule, &files.collect::<Vec<_>>()));
 }
-
-/// Folders that hold assets for the program itself.
-const KNOWN: [&str; 1] = ["3dobjs"];
 
 const NO_PICTURE: &str = "add a PNG of at most 128 by 128 pixels, with the name of the asset and the suffix `.thumb`";
 const OTHER_PICTURE: Case =

@@ -6,6 +6,7 @@ use super::aside;
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, grouped, nearest};
 use crate::discover::{Kind, Layout, extension};
 use crate::repo::FileFacts;
+use crate::repo::aside::near_of_mpfb;
 use crate::repo::mpfb::View;
 
 const NOT_LISTED: Case =
@@ -52,7 +53,7 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             let near = nearest(top, ["targets", "custom"]);
             let help = did_you_mean(near, "move them to `custom`, or to a folder below `targets`");
             out.extend(finding(rule, &of_targets, top, message, NOT_FOUND, help));
-        } else if !is_known && let Some(near) = nearest(top, own.at_top().filter(|one| !OF_PROGRAM.contains(one))) {
+        } else if !is_known && let Some(near) = near_of_mpfb(top) {
             let files: Vec<&FileFacts> = files.into_iter().filter(|file| is_asset(file)).collect();
             let message = format!("folder `{top}` is not read ({})", counted(files.len(), "file"));
             out.extend(finding(rule, &files, top, message, NOT_LISTED, did_you_mean(Some(near), "")));
@@ -87,9 +88,6 @@ pub(super) fn capitals(rule: &Rule, file: &FileFacts, suffix: &str) -> Finding {
         rule.at(file, Place::File, format!("`{}` must end in `.{suffix}`: capitals matter", file.file_name()));
     finding.key("suffix").help("write the suffix in small letters")
 }
-
-/// Folders of the add-on: nothing of a user is read there.
-const OF_PROGRAM: [&str; 4] = ["3dobjs", "mesh_metadata", "node_trees", "settings"];
 
 const TO_KIND: &str = "move them to the folder of their kind, such as `clothes` or `hair`";
 

@@ -43,6 +43,8 @@ struct Known<'v, 'a> {
     by_name: BTreeMap<&'v str, &'v KnownModifier<'a>>,
     /// The sliders of the user's own targets.
     custom: BTreeSet<&'v str>,
+    /// Bytes of the longest of these names.
+    longest: usize,
     /// Those that sliders ask for, existing or not: one that is missing there has a finding there.
     asked: BTreeSet<&'v str>,
     /// Older names.
@@ -58,6 +60,7 @@ impl<'v, 'a> Known<'v, 'a> {
         Self {
             by_name: view.modifiers.all.iter().map(|one| (one.name.as_str(), one)).collect(),
             custom: view.targets.custom.iter().map(|one| one.name.as_str()).collect(),
+            longest: view.targets.custom.iter().map(|one| one.name.len()).max().unwrap_or_default(),
             asked: view.modifiers.with_slider(),
             older: tables.flat_map(|table| &table.rows).map(|row| row.old.as_str()).collect(),
             is_whole: view.modifiers.is_whole(),
@@ -70,14 +73,13 @@ impl<'v, 'a> Known<'v, 'a> {
 
     /// Whether the name is cut at a blank of a target of the user, which has a finding of its own.
     fn is_cut(&self, line: &Line) -> bool {
-        let longest = self.custom.iter().map(|name| name.len()).max().unwrap_or_default();
         let mut name = String::new();
         for word in &line.values {
             if !name.is_empty() {
                 name.push(' ');
             }
             name.push_str(&word.text);
-            if name.len() > longest {
+            if name.len() > self.longest {
                 break;
             }
             if name.contains(' ') && self.custom.contains(name.as_str()) {
