@@ -22,11 +22,9 @@ pub(crate) struct Evidence {
 }
 
 /// Signs that the folders of users of two applications have alike.
-const OF_USERS: [&str; 7] =
-    ["custom/", "proxymeshes/", META, DIRECTLY_IN_LIBRARIES, PACKED_TARGET, "targets/custom/", "packs/"];
+const OF_USERS: [&str; 6] = ["custom/", "proxymeshes/", META, DIRECTLY_IN_LIBRARIES, "targets/custom/", "packs/"];
 const META: &str = ".meta";
 const DIRECTLY_IN_LIBRARIES: &str = "assets directly in their libraries";
-const PACKED_TARGET: &str = ".target.gz";
 
 /// A data root in its listing.
 struct Root<'l> {
@@ -212,7 +210,7 @@ fn of_mpfb(root: &Root<'_>) -> Signs {
         "packs/",
     ]));
     others
-        .extend(root.any(|file| file.last().is_some_and(|name| name.ends_with(".target.gz"))).then_some(PACKED_TARGET));
+        .extend(root.any(|file| file.last().is_some_and(|name| name.ends_with(".target.gz"))).then_some(".target.gz"));
     others.extend(root.folders(&["targets/custom/"]));
     (certain, others)
 }
