@@ -10,6 +10,13 @@ pub enum Note {
         /// Their path as printed.
         path: String,
     },
+    /// A checked folder is the data of a program as well, so that those of `--system` are not laid below it.
+    StandsAlone {
+        /// Its path as printed.
+        path: String,
+        /// Whose data they are.
+        application: Application,
+    },
     /// Applications that were asked for, and of which there are no data.
     NothingFor {
         /// Which.

@@ -1,7 +1,7 @@
 //! Every path of a data root with what it is for, found out once.
 
 use std::borrow::Cow;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Kind, Layout, Role};
 use crate::diag::Application;
@@ -64,18 +64,31 @@ pub(crate) fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) ->
     let entries = entries.filter(|(entry, _)| is_taken(entry));
     let mut found: Vec<Candidate<'t>> = entries.map(|(entry, rel)| Candidate::new(entry, rel, layouts)).collect();
     // Only a user has something of his own there.
-    let users = layouts.iter().filter(|layout| !layout.beside.is_empty() && (layout.role)(&found) == Role::User);
-    let mut around: Vec<Candidate<'t>> = Vec::new();
-    // What is in the data folder itself comes first.
-    let own: BTreeSet<&str> = found.iter().map(|one| &*one.rel).collect();
-    for one in users.flat_map(|layout| beside(tree, root, layout)).filter(|one| !own.contains(&*one.rel)) {
-        match around.iter_mut().find(|other| other.rel == one.rel) {
-            Some(other) => other.uses.extend(one.uses),
-            None => around.push(one),
-        }
+    let own = found.len();
+    let users = layouts.iter().filter_map(|layout| {
+        found.truncate(own);
+        found.extend(beside(tree, root, layout));
+        let is_user = found.len() > own && (layout.role)(&found) == Role::User;
+        is_user.then(|| found.split_off(own))
+    });
+    let all: Vec<Candidate<'t>> = users.collect::<Vec<_>>().concat();
+    found.truncate(own);
+    if !all.is_empty() {
+        add_around(&mut found, all);
     }
-    found.extend(around);
     found
+}
+
+/// Adds what belongs to a data folder beside it, each file once. What is in the folder itself comes first.
+fn add_around<'t>(found: &mut Vec<Candidate<'t>>, all: Vec<Candidate<'t>>) {
+    let own: BTreeSet<String> = found.iter().map(|one| one.rel.to_string()).collect();
+    let mut around: BTreeMap<String, Candidate<'t>> = BTreeMap::new();
+    for one in all.into_iter().filter(|one| !own.contains(&*one.rel)) {
+        let rel = one.rel.to_string();
+        let uses = one.uses.clone();
+        around.entry(rel).and_modify(|known| known.uses.extend(uses)).or_insert(one);
+    }
+    found.extend(around.into_values());
 }
 
 /// The files that an application has beside its data root, most of them in folders. What it has no use for is somebody else's.

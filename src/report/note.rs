@@ -24,6 +24,9 @@ pub(super) fn step(step: &FailedStep) -> String {
 pub fn note(note: &Note) -> String {
     match note {
         Note::SystemIsChecked { path } => format!("`--system` names the checked folder itself; {path} is checked"),
+        Note::StandsAlone { path, application } => {
+            format!("{path} is the data of {application} itself, and was checked without those of `--system`")
+        }
         Note::NothingFor { applications } => {
             let titles: Vec<&str> = applications.iter().map(|application| application.title()).collect();
             format!("nothing was checked for {}: no PATH has the layout of its data", titles.join(", "))

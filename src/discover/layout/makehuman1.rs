@@ -108,11 +108,12 @@ fn role(below: &[Candidate<'_>]) -> Role {
     let own = || below.iter().filter(|one| !one.is_loose);
     let has = |start: &str| own().any(|one| one.rel.starts_with(start));
     let has_mesh = below.iter().any(|one| one.kind_in(Application::Makehuman1).is_base_mesh());
-    // Users keep a copy of the mesh for their 3D program, too.
-    let is_copy = has("custom/") && !has("targets/") && !has("modifiers/") && !has(TARGETS_NPZ);
-    let is_own = has("modifiers/modeling_modifiers.json") || has("images.list") && has(TARGETS_NPZ);
-    let has_rig = || has("rigs/default.mhskel") && !has("custom/");
-    if is_own || has_mesh && !is_copy || has_rig() { Role::System } else { Role::User }
+    let is_build = has("images.list") && has(TARGETS_NPZ);
+    // Users keep a copy of the mesh for their 3D program, of the sliders or of the targets, too; all of it is a program.
+    let is_of_user = has("custom/") || below.iter().any(|one| one.is_loose);
+    let is_copy = is_of_user && !is_build && !(has("targets/") && has("modifiers/"));
+    let is_own = has("modifiers/modeling_modifiers.json") || has_mesh || has("rigs/default.mhskel");
+    if is_build || is_own && !is_copy { Role::System } else { Role::User }
 }
 
 fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {

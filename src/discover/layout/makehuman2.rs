@@ -45,6 +45,8 @@ pub(super) static LAYOUT: Layout = Layout {
     flat: "rigs",
     role,
     is_system_of_two,
+    // Users have base meshes, too.
+    stands_alone: |below| below.iter().any(is_programs),
     opens: opened::opens,
     scans: opened::is_scanned,
     single: opened::single,
@@ -229,6 +231,11 @@ fn is_of_others(extension: &str, says: Says<'_>) -> bool {
     extension == "mhm" && (says("version v1.") || says("Written by MakeHuman 1"))
 }
 
+/// What the program opens at start nobody else has.
+fn is_programs(one: &Candidate<'_>) -> bool {
+    matches!(one.kind_in(LAYOUT.application), Kind::Version | Kind::Shaders)
+}
+
 /// Base meshes make a root the system, or both with `contarget/`, which is read in the user's folder only (§1.1). Capitals
 /// make no difference: which part is meant is clear.
 fn role(below: &[Candidate<'_>]) -> Role {
@@ -236,8 +243,6 @@ fn role(below: &[Candidate<'_>]) -> Role {
         [folder, _, _, ..] => folder.eq_ignore_ascii_case("contarget"),
         _ => false,
     };
-    // What the program opens at start nobody else has.
-    let is_programs = |one: &Candidate<'_>| matches!(one.kind_in(LAYOUT.application), Kind::Version | Kind::Shaders);
     let has_base =
         below.iter().any(is_base) || has_packed_base(below) || below.iter().any(is_programs) || has_indexes(below);
     match (has_base, below.iter().any(is_override)) {

@@ -105,19 +105,25 @@ fn reads_hidden(path: &HiddenPath<'_>) -> bool {
     path.visible.iter().any(|part| matches!(*part, "targets" | "custom")) && is_target
 }
 
+/// Parts of the add-on that no user has together.
+const MUCH: usize = 3;
+
 /// What the add-on has for itself: it looks for it nowhere else. A single copy of that among the assets of a user makes no
 /// data of the add-on.
 fn role(below: &[Candidate<'_>]) -> Role {
     const OWN: [Kind; 3] = [Kind::TargetCatalog, Kind::MacroParts, Kind::BaseMesh];
+    const FOLDERS: [&str; 4] = ["mesh_metadata/", "rigs/standard/", "node_trees/", "settings/"];
     let has = |kind: &&Kind| below.iter().any(|one| one.kind_in(Application::Mpfb) == **kind);
+    let has_folder = |folder: &&&str| below.iter().any(|one| !one.is_loose && one.rel.starts_with(**folder));
     let is_of_user = |one: &Candidate<'_>| {
         let top = one.rel.split('/').next().unwrap_or_default();
         WORN.contains(&top) || matches!(top, "custom" | "skins" | "proxymeshes" | "packs")
     };
-    match OWN.iter().filter(has).count() {
-        0 => Role::User,
-        1 if below.iter().any(is_of_user) => Role::User,
-        _ => Role::System,
+    let (files, folders) = (OWN.iter().filter(has).count(), FOLDERS.iter().filter(has_folder).count());
+    match (files, files + folders) {
+        (_, MUCH..) | (2.., _) => Role::System,
+        (1, _) if !below.iter().any(is_of_user) => Role::System,
+        _ => Role::User,
     }
 }
 

@@ -59,6 +59,11 @@ impl<'t> Loaded<'t> {
         file.base().is_some_and(|base| self.sizes.contains_key(base))
     }
 
+    /// Whether it is the data of a program as the given ones are, so that these do not lie below it.
+    pub(super) fn stands_alone(&self, application: Application, given: &Loaded<'_>) -> bool {
+        self.is_system_for(application) && self.place.stands_alone(application, |base| given.sizes.contains_key(base))
+    }
+
     /// Whether a path is one that the PATHs ask for.
     pub(in crate::engine) fn is_asked_for(&self, path: &str) -> bool {
         self.narrow.is_empty() || self.narrow.iter().any(|narrow| is_below(path, narrow))

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use crate::diag::{Application::Makehuman1, Case, Finding, Level, RuleInfo};
 use crate::repo::FileFacts;
-use crate::repo::makehuman1::{SETS, View};
+use crate::repo::makehuman1::{SETS, View, has_most_of_program};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "logs a warning for each modifier and shows no descriptions")],
@@ -53,7 +53,8 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// All of it is gone, where the base mesh and its targets show that it belongs there.
 fn no_folder(view: &View<'_>) -> Option<Finding> {
     let layer = view.layers.checked;
-    let is_whole = view.mesh.is_some() && layer.below("targets/macrodetails").next().is_some();
+    let is_of_mesh = || view.mesh.is_some() && layer.below("targets/macrodetails").next().is_some();
+    let is_whole = has_most_of_program(layer) || is_of_mesh();
     let is_gone = is_whole && !layer.has_unusable("modifiers") && layer.below("modifiers").next().is_none();
     let finding = || RULE.in_layer(layer, "modifiers", "folder `modifiers` does not exist").key("modifiers");
     is_gone.then(|| finding().case(NO_TABS).help("restore the folder from the program"))
