@@ -179,6 +179,30 @@ fn a_folder_around_everything_is_one_fault_for_both_importers() {
     assert_eq!(one.iter().map(|(application, _)| application.as_str()).collect::<Vec<_>>(), ["makehuman2", "mpfb"]);
 }
 
+/// Whoever has a zip with nothing but an asset in it puts the asset to the others of its kind: MakeHuman 1 imports nothing.
+#[test]
+fn a_zip_of_one_asset_is_checked_for_makehuman_1_like_a_loose_one() {
+    let asset = |prefix: &str, material: &str| {
+        let clothes = "name vest\nobj_file vest.obj\nmaterial vest.mhmat\nuuid 1\nverts 0\n0\n1\n2\n";
+        let files =
+            [("vest.mhclo", clothes), ("vest.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), ("vest.mhmat", material)];
+        zip(&files.map(|(name, text)| (named(&format!("{prefix}{name}")), text.as_bytes())))
+    };
+    for prefix in ["vest/", ""] {
+        for (material, findings) in [("name vest\n", 0), ("name vest\ndiffuseTexture gone.png\n", 1)] {
+            let folder = tempfile::tempdir().unwrap();
+            fs::write(folder.path().join("vest.zip"), asset(prefix, material)).unwrap();
+            let args = ["vest.zip", "--app", "makehuman1", "--report", "json", "--only", "material-missing-texture"];
+            let output = mhlint(folder.path(), &args);
+            let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+            let paths: Vec<&str> =
+                report["findings"].as_array().unwrap().iter().filter_map(|one| one["path"].as_str()).collect();
+            let expected = vec![format!("vest.zip/{prefix}vest.mhmat"); findings];
+            assert_eq!(paths, expected, "{prefix} {material}");
+        }
+    }
+}
+
 #[test]
 fn a_zip_is_not_fixed() {
     let repository = with("my.zip", &shirt(&[]));

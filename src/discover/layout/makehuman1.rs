@@ -22,6 +22,7 @@ pub(super) static LAYOUT: Layout = Layout {
     role,
     shelf,
     loose_place,
+    unpacks_singly: true,
     is_dangerous,
     // In a folder `custom` there nobody looks, but it is a usual mistake.
     beside: &["models", "custom", CACHE, SETTINGS],

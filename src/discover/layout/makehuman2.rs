@@ -28,6 +28,7 @@ pub(super) static LAYOUT: Layout = Layout {
     reads_hidden,
     loose_place,
     import: Some(importer::import),
+    unpacks_singly: false,
     refuses: None,
     is_dangerous: |_| false,
     shelf,

@@ -48,6 +48,8 @@ pub(crate) struct Layout {
     /// Where its importer puts the file at a path of a pack, for a base mesh; `None` for what it ignores. An application
     /// without an importer has what is unpacked into its data folder.
     pub import: Option<fn(&str, &str) -> Option<String>>,
+    /// Whether people put files of a pack without the folders of a data root to where they belong: nothing imports them.
+    pub unpacks_singly: bool,
     /// Why an importer that checks a pack before it unpacks it refuses one with members of these names.
     pub refuses: Option<Refuses>,
     /// Whether a file of this name could run code if it were put to its data.
@@ -233,6 +235,7 @@ impl Layout {
         reads_hidden: |_| false,
         loose_place: |_, _| None,
         import: None,
+        unpacks_singly: false,
         is_dangerous: |_| false,
         shelf: |_, _| None,
         has_bases: false,

@@ -130,7 +130,10 @@ impl<'t> Roots<'t> {
         let mut packed_places = Vec::new();
         let of_packs: Vec<_> = of_packs.into_iter().map(|one| (one, bases_of(one).collect())).collect();
         for pack in packs {
-            packed_places.extend(packed(pack, &of_packs, options)?);
+            let places = packed(pack, &of_packs, options)?;
+            let rest = of_packs.iter().filter(|(one, _)| !places.iter().any(|place| place.is_of(*one)));
+            packed_places.extend(unpacked_singly(pack, rest, &systems, options)?);
+            packed_places.extend(places.into_iter().map(|place| (place, Vec::new())));
         }
         let asked: Vec<Application> =
             applications.iter().copied().filter(|application| options.asks_for(*application)).collect();
@@ -161,7 +164,7 @@ impl<'t> Roots<'t> {
             roots.want(place, &narrow);
         }
         // Of one zip there may be several places, each with files of its own.
-        roots.checked.extend(packed_places.into_iter().map(|place| (place, Vec::new())));
+        roots.checked.extend(packed_places);
         Ok(roots)
     }
 
@@ -259,6 +262,27 @@ pub(super) fn system_places<'t>(tree: &'t Tree, applications: &[Application]) ->
 
 /// The data roots in an input, by path.
 pub(super) type Found<'i> = (&'i Input, BTreeMap<String, Vec<&'static Layout>>);
+
+/// The files of a zip without the folders of a data root, for applications without an importer: whoever has them unpacks
+/// each where it belongs.
+fn unpacked_singly<'t, 'a>(
+    pack: &'t Input,
+    applications: impl Iterator<Item = &'a (Application, BTreeSet<String>)>,
+    systems: &[Place<'_>],
+    options: &Config,
+) -> Result<Vec<(Place<'t>, Vec<String>)>, Error> {
+    let units = UnitNames::of(systems, &options.limits);
+    let (roots, taken) = (BTreeMap::new(), BTreeSet::new());
+    let mut places = Vec::new();
+    for (application, bases) in applications.filter(|(one, _)| Layout::of(*one).unpacks_singly) {
+        let is_meant = options.applications.contains(application) || systems.iter().any(|one| one.is_of(*application));
+        let kept = RefCell::default();
+        let outside =
+            Outside { input: pack, roots: &roots, taken: &taken, bases, is_meant, units: &units, options, kept };
+        places.extend(outside.place(Layout::of(*application))?);
+    }
+    Ok(places)
+}
 
 /// The files outside of data roots as each application would have them, with the parts that alone are asked for. Where
 /// none is asked for by name, those come first whose data are at hand, and the others have what is left.
