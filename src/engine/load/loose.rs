@@ -25,10 +25,18 @@ pub(super) struct Outside<'t, 'i> {
     pub(super) bases: &'i BTreeSet<String>,
     /// Whether the application is asked for, by name or with its data.
     pub(super) is_meant: bool,
+    /// Whether no application is named and the data of several are given: then models say which is meant.
+    pub(super) is_one_of_several: bool,
     pub(super) units: &'i UnitNames,
     pub(super) options: &'i Config,
     /// Of data roots whether what lies in them is no loose asset: asked for each file.
     pub(super) kept: RefCell<BTreeMap<String, bool>>,
+}
+
+/// Whether no application is named and the data of several are given.
+pub(super) fn is_one_of_several(systems: &[Place<'_>], options: &Config) -> bool {
+    let given = Application::ALL.into_iter().filter(|one| systems.iter().any(|system| system.is_of(*one)));
+    options.applications.is_empty() && given.count() > 1
 }
 
 impl<'t> Outside<'t, '_> {
@@ -108,7 +116,12 @@ impl<'t> Outside<'t, '_> {
                 || self.is_written_for_others(entry, layout)
         };
         let is_excluded = layout.only_base.is_some_and(|only| !options.asks_for_base(only));
-        if is_excluded || !self.is_meant && is_of_others() {
+        let is_others = if self.is_meant {
+            self.is_one_of_several && meant_extension(&entry.path) == "mhm" && self.is_written_for_others(entry, layout)
+        } else {
+            is_of_others()
+        };
+        if is_excluded || is_others {
             return None;
         }
         let only = bases.first().filter(|_| bases.len() == 1);

@@ -15,6 +15,7 @@ mod read;
 mod roots;
 mod set_aside;
 mod side;
+mod singly;
 mod stack;
 mod taken;
 mod unit_names;

@@ -7,10 +7,11 @@ use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
 use super::identify::is_pack;
 use super::input::Input;
-use super::loose::Outside;
+use super::loose::{Outside, is_one_of_several};
 use super::pack::{asked, packed};
 use super::place::Place;
 use super::set_aside::set_aside;
+use super::singly::unpacked_singly;
 use super::taken::Taken;
 use super::unit_names::UnitNames;
 use crate::config::Config;
@@ -263,27 +264,6 @@ pub(super) fn system_places<'t>(tree: &'t Tree, applications: &[Application]) ->
 /// The data roots in an input, by path.
 pub(super) type Found<'i> = (&'i Input, BTreeMap<String, Vec<&'static Layout>>);
 
-/// The files of a zip without the folders of a data root, for applications without an importer: whoever has them unpacks
-/// each where it belongs.
-fn unpacked_singly<'t, 'a>(
-    pack: &'t Input,
-    applications: impl Iterator<Item = &'a (Application, BTreeSet<String>)>,
-    systems: &[Place<'_>],
-    options: &Config,
-) -> Result<Vec<(Place<'t>, Vec<String>)>, Error> {
-    let units = UnitNames::of(systems, &options.limits);
-    let (roots, taken) = (BTreeMap::new(), BTreeSet::new());
-    let mut places = Vec::new();
-    for (application, bases) in applications.filter(|(one, _)| Layout::of(*one).unpacks_singly) {
-        let is_meant = options.applications.contains(application) || systems.iter().any(|one| one.is_of(*application));
-        let kept = RefCell::default();
-        let outside =
-            Outside { input: pack, roots: &roots, taken: &taken, bases, is_meant, units: &units, options, kept };
-        places.extend(outside.place(Layout::of(*application))?);
-    }
-    Ok(places)
-}
-
 /// The files outside of data roots as each application would have them, with the parts that alone are asked for. Where
 /// none is asked for by name, those come first whose data are at hand, and the others have what is left.
 fn places_outside<'t>(
@@ -311,8 +291,17 @@ fn places_outside<'t>(
                 let bases = own.flat_map(base_meshes).collect();
                 let is_meant = is_meant || input.tests.is_some();
                 let kept = RefCell::default();
-                let outside =
-                    Outside { input, roots, taken: &before, bases: &bases, is_meant, units: &units, options, kept };
+                let outside = Outside {
+                    input,
+                    roots,
+                    taken: &before,
+                    bases: &bases,
+                    is_meant,
+                    is_one_of_several: is_one_of_several(systems, options),
+                    units: &units,
+                    options,
+                    kept,
+                };
                 let place = outside.place(Layout::of(*application))?;
                 taken.extend(place.iter().flat_map(|(place, _)| &place.below).map(|file| file.entry.path.clone()));
                 places.extend(place);
