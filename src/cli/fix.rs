@@ -1,8 +1,9 @@
 //! `--fix` and `--diff`: what can be fixed is fixed on disk, or shown.
 
 use std::collections::BTreeMap;
+use std::ffi::OsStr;
 use std::io::{IsTerminal, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::args::CheckArgs;
 use super::exit::Failure;
@@ -86,7 +87,7 @@ pub(super) fn show(changes: &[FileChange], terminal: Terminal, out: &mut dyn Wri
     for (change, name) in others.into_iter().chain(empty) {
         let text = |stored: &[u8]| unpack(stored, &Limits::default()).unwrap_or_default();
         let after = change.after.as_deref().map(text);
-        let diff = unified(&name, &text(&change.before), after.as_deref());
+        let diff = unified(&exact(&name, &change.file), &text(&change.before), after.as_deref());
         if std::io::stdout().is_terminal() {
             write_painted(&diff, Paint { color: terminal.color }, out)?;
         } else {
@@ -94,6 +95,13 @@ pub(super) fn show(changes: &[FileChange], terminal: Terminal, out: &mut dyn Wri
         }
     }
     Ok(!changes.is_empty())
+}
+
+/// A name in a patch to the byte: those of reports are Unicode, those of files need not be.
+fn exact(name: &str, file: &Path) -> Vec<u8> {
+    let parts: Vec<&OsStr> = file.iter().rev().take(name.split('/').count()).collect();
+    let path: PathBuf = parts.into_iter().rev().collect();
+    if path.to_string_lossy() == name { path.into_os_string().into_encoded_bytes() } else { name.as_bytes().to_vec() }
 }
 
 /// What the changed files are called in a patch.

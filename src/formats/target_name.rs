@@ -20,7 +20,34 @@ pub struct TargetName {
     /// The words of the name of its group.
     pub key: Vec<String>,
     /// For each category the value that it has.
-    pub values: [Option<&'static str>; CATEGORIES.len()],
+    pub values: Values,
+}
+
+/// For each category a value.
+pub type Values = [Option<&'static str>; CATEGORIES.len()];
+
+/// The values of a path with one more element.
+///
+/// # Errors
+/// As [`TargetName::of`].
+pub fn values_below(mut values: Values, element: &str) -> Result<Values, Clash> {
+    words(element).filter_map(reserved).try_for_each(|own| add(&mut values, own)).map(|()| values)
+}
+
+/// The words of an element that count.
+fn words(element: &str) -> impl Iterator<Item = &str> {
+    let all = element.split(['-', '_', '.']).enumerate();
+    all.filter(|(at, word)| !(*at == 0 && *word == "targets" || *word == "target")).map(|(_, word)| word)
+}
+
+fn add(values: &mut Values, (place, value): (usize, &'static str)) -> Result<(), Clash> {
+    let Some(slot) = values.get_mut(place) else { return Ok(()) };
+    if let Some(first) = slot.filter(|first| *first != value) {
+        let category = CATEGORIES.get(place).map_or("", |(category, _)| category);
+        return Err(Clash { category, first, second: value });
+    }
+    *slot = Some(value);
+    Ok(())
 }
 
 /// Two values of one category.
@@ -48,20 +75,11 @@ impl TargetName {
     /// # Errors
     /// As [`Self::of`].
     pub fn below(mut self, element: &str) -> Result<Self, Clash> {
-        for (at, word) in element.split(['-', '_', '.']).enumerate() {
-            if at == 0 && word == "targets" || word == "target" {
-                continue;
+        for word in words(element) {
+            match reserved(word) {
+                Some(own) => add(&mut self.values, own)?,
+                None => self.key.push(word.to_owned()),
             }
-            let Some((place, value)) = reserved(word) else {
-                self.key.push(word.to_owned());
-                continue;
-            };
-            let Some(slot) = self.values.get_mut(place) else { continue };
-            if let Some(first) = slot.filter(|first| *first != value) {
-                let category = CATEGORIES.get(place).map_or("", |(category, _)| category);
-                return Err(Clash { category, first, second: value });
-            }
-            *slot = Some(value);
         }
         Ok(self)
     }

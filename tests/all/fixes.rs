@@ -201,7 +201,17 @@ fn git_and_patch_apply_every_diff() {
     for (name, text) in [("teen-maxmuscle", "# no row\n"), ("male-adult-minmuscle", "")] {
         fs::write(root.join(format!("data/target/figure/macro_build/{name}.target")), text).unwrap();
     }
+    // A name that is not Unicode, where files may have one.
+    #[cfg(target_os = "linux")]
+    {
+        use std::os::unix::ffi::OsStrExt;
+        let folder = root.join("data/target/figure").join(std::ffi::OsStr::from_bytes(b"k\xf6rper"));
+        fs::create_dir(&folder).unwrap();
+        fs::write(folder.join("wide.target"), "339 0 .001 .001\n340 0 0 0\n").unwrap();
+    }
     let diff = check(root, &["--diff", "--unsafe-fixes"]).stdout;
+    let is_named = diff.windows(10).any(|text| text == b"k\\366rper/");
+    assert_eq!(is_named, cfg!(target_os = "linux"), "{}", text(&diff));
     let patched = |program: &str, args: &[&str]| {
         let folder = tempfile::tempdir().unwrap();
         copy_folder(root, folder.path());

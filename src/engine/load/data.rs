@@ -205,7 +205,7 @@ mod tests {
         let mut data = Data::load(Roots { checked, systems: Vec::new() }, &Limits::default(), None);
         data.all_mut().for_each(|root| drop(root.load_targets(Some("hm08"), &Limits::default(), None, None)));
         let root = data.roots.first().unwrap();
-        let roles = [(Application::Makehuman1, Role::System), (Application::Mpfb, Role::System)];
+        let roles = [(Application::Makehuman1, Role::User), (Application::Mpfb, Role::System)];
         assert_eq!((root.roles.as_slice(), root.layer.files.len()), (&roles[..], files.len()));
         let kind = |path: &str| root.layer.kind_at(path, Application::Mpfb);
         assert_eq!(kind("targets/target.json"), Kind::TargetCatalog);

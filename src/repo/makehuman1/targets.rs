@@ -5,9 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::target_archive::TargetArchive;
 use super::view::OWN;
 use crate::discover::{Kind, Layout, Single, TARGETS_NPZ};
-use crate::formats::target_name::{Clash, TargetName};
+use crate::formats::target_name::{Clash, TargetName, Values, values_below};
 use crate::formats::targets_npz::PackedTarget;
 use crate::repo::{FileFacts, Layer, Layers};
+use crate::source::folder_and_name;
 
 /// The folder of the user's own targets.
 pub(crate) const CUSTOM: &str = "custom";
@@ -172,13 +173,29 @@ fn clashes(system: &Layer) -> Vec<PathClash<'_>> {
     let is_target = |file: &&FileFacts| file.kind_in(OWN) == Kind::Target && !file.is_loose;
     let folders = system.folders.iter().chain(&system.hidden_folders).map(|rel| (rel.as_str(), None));
     let files = system.files.values().filter(is_target).map(|file| (file.rel.as_str(), Some(file)));
-    let clash = |(rel, file)| Some(PathClash { rel, file, clash: TargetName::of(rel).err()? });
-    let all: Vec<PathClash<'_>> = folders.chain(files).filter_map(clash).collect();
+    let mut known = BTreeMap::new();
+    let mut all: Vec<PathClash<'_>> = Vec::new();
+    for (rel, file) in folders.chain(files) {
+        let values = values(rel, &known);
+        all.extend(values.err().map(|clash| PathClash { rel, file, clash }));
+        if file.is_none() {
+            known.insert(rel, values);
+        }
+    }
     let names: BTreeSet<&str> = all.iter().map(|one| one.rel).collect();
     let is_below =
         |rel: &str| rel.match_indices('/').any(|(end, _)| rel.get(..end).is_some_and(|up| names.contains(up)));
     let below: BTreeSet<&str> = all.iter().map(|one| one.rel).filter(|rel| is_below(rel)).collect();
     all.into_iter().filter(|one| !below.contains(one.rel)).collect()
+}
+
+/// The values of a path, from those of the folders above it that are known.
+fn values(rel: &str, known: &BTreeMap<&str, Result<Values, Clash>>) -> Result<Values, Clash> {
+    let (above, name) = folder_and_name(rel);
+    match known.get(above) {
+        Some(above) => values_below((*above)?, name),
+        None => rel.split('/').try_fold(Values::default(), values_below),
+    }
 }
 
 /// Whether a path is that of a target that has a slider for itself.

@@ -65,35 +65,53 @@ pub(super) fn systematic(sizes: &[usize], cells: &[Cell], neutral: &[Vec<bool>],
     let moving = cube.counts(|cell| cells.get(cell) == Some(&Cell::Target));
     let waiting = cube.counts(|cell| wanted.get(cell) == Some(&true));
     let is_neutral = |axis: usize, value: usize| neutral.get(axis).and_then(|values| values.get(value)) == Some(&true);
-    let slice = |counts: &[u32], fixed: &[Option<usize>]| counts.get(cube.index(fixed)).copied().unwrap_or(0);
+    let slice = |counts: &[u32], place: usize| counts.get(place).copied().unwrap_or(0);
+    let whole = cube.len - 1;
+    let width = |axis: usize| cells.len() / sizes.get(axis).copied().unwrap_or(1).max(1);
+    // Of each component the values that nothing is listed for.
+    let absent_values: Vec<Vec<bool>> = (0..sizes.len())
+        .map(|axis| {
+            let is_absent = |value: usize| {
+                let place = cube.narrowed(whole, axis, value);
+                let is_meant = slice(&listed, place) > 0 || slice(&waiting, place) > 0;
+                !is_meant && (width(axis) > 1 || is_neutral(axis, value))
+            };
+            (0..sizes.get(axis).copied().unwrap_or(0)).map(is_absent).collect()
+        })
+        .collect();
     let mut result = vec![false; cells.len()];
-    for (at, (cell, result)) in cells.iter().zip(&mut result).enumerate() {
-        if *cell != Cell::Absent {
-            continue;
-        }
-        let digits = digits(sizes, at);
-        let value_absent = digits.iter().enumerate().any(|(axis, value)| {
-            let mut fixed = vec![None; sizes.len()];
-            if let Some(place) = fixed.get_mut(axis) {
-                *place = Some(*value);
+    let mut digits = vec![0; sizes.len()];
+    for (cell, result) in cells.iter().zip(&mut result) {
+        if *cell == Cell::Absent {
+            let mut own = absent_values.iter().zip(&digits);
+            let value_absent = own.any(|(absent, value)| absent.get(*value) == Some(&true));
+            // The neutral values fixed and the others free, and the other way round.
+            let (mut state, mut around) = (whole, whole);
+            for (axis, value) in digits.iter().enumerate() {
+                let part = if is_neutral(axis, *value) { &mut state } else { &mut around };
+                *part = cube.narrowed(*part, axis, *value);
             }
-            slice(&listed, &fixed) == 0
-                && slice(&waiting, &fixed) == 0
-                && (cube.size(&fixed) > 1 || is_neutral(axis, *value))
-        });
-        let part = |neutral: bool| -> Vec<Option<usize>> {
-            let of_axis = |(axis, value): (usize, &usize)| (is_neutral(axis, *value) == neutral).then_some(*value);
-            digits.iter().enumerate().map(of_axis).collect()
-        };
-        let (state, around) = (part(true), part(false));
-        let nulls = slice(&listed, &state);
-        let neutral_state = state.iter().any(Option::is_some)
-            && slice(&moving, &state) == 0
-            && slice(&waiting, &state) == 0
-            && (nulls == 0 || nulls > 1 && slice(&listed, &around) > 0);
-        *result = value_absent || neutral_state;
+            let nulls = slice(&listed, state);
+            let neutral_state = state != whole
+                && slice(&moving, state) == 0
+                && slice(&waiting, state) == 0
+                && (nulls == 0 || nulls > 1 && slice(&listed, around) > 0);
+            *result = value_absent || neutral_state;
+        }
+        advance(sizes, &mut digits);
     }
     result
+}
+
+/// The next combination of the grid.
+fn advance(sizes: &[usize], digits: &mut [usize]) {
+    for (digit, size) in digits.iter_mut().zip(sizes).rev() {
+        *digit += 1;
+        if *digit < *size {
+            return;
+        }
+        *digit = 0;
+    }
 }
 
 /// Few patterns that together stand for exactly the member cells: largest first, those that others make superfluous left out.
@@ -194,10 +212,15 @@ impl<'a> Cube<'a> {
         Self { sizes, strides, len }
     }
 
-    /// Place of a slice: some components fixed, the others free.
-    fn index(&self, fixed: &[Option<usize>]) -> usize {
-        let digits = fixed.iter().zip(self.sizes).map(|(value, size)| value.unwrap_or(*size));
-        digits.zip(&self.strides).map(|(digit, stride)| digit * stride).sum()
+    /// The slice at a place, in which a component is free, with that one fixed.
+    fn narrowed(&self, place: usize, axis: usize, value: usize) -> usize {
+        let (size, stride) = self.axis(axis);
+        place - (size - value) * stride
+    }
+
+    fn axis(&self, axis: usize) -> (usize, usize) {
+        let size = self.sizes.get(axis).copied().unwrap_or(0);
+        (size, self.strides.get(axis).copied().unwrap_or(0))
     }
 
     fn fixed(&self, index: usize) -> Vec<Option<usize>> {
@@ -223,11 +246,13 @@ impl<'a> Cube<'a> {
     fn counts(&self, holds: impl Fn(usize) -> bool) -> Vec<u32> {
         let mut counts = vec![0; self.len];
         let total: usize = self.sizes.iter().product();
-        for cell in (0..total).filter(|cell| holds(*cell)) {
-            let fixed: Vec<Option<usize>> = digits(self.sizes, cell).into_iter().map(Some).collect();
-            if let Some(count) = counts.get_mut(self.index(&fixed)) {
+        let mut digits = vec![0; self.sizes.len()];
+        for cell in 0..total {
+            let place: usize = digits.iter().zip(&self.strides).map(|(digit, stride)| digit * stride).sum();
+            if let Some(count) = counts.get_mut(place).filter(|_| holds(cell)) {
                 *count = 1;
             }
+            advance(self.sizes, &mut digits);
         }
         for (size, stride) in self.sizes.iter().zip(&self.strides) {
             for all in (0..self.len).filter(|index| index / stride % (size + 1) == *size) {
@@ -242,17 +267,22 @@ impl<'a> Cube<'a> {
 
     /// Slices whose cells are all counted and that cannot be widened.
     fn maximal(&self, counts: &[u32]) -> Vec<Vec<Option<usize>>> {
-        let is_full = |fixed: &[Option<usize>]| {
-            counts.get(self.index(fixed)).is_some_and(|count| *count as usize == self.size(fixed))
+        let is_full = |place: usize, size: usize| counts.get(place).is_some_and(|count| *count as usize == size);
+        let is_maximal = |place: usize| {
+            if counts.get(place).is_none_or(|count| *count == 0) {
+                return false;
+            }
+            let axes = || self.sizes.iter().zip(&self.strides);
+            let digit = |size: &usize, stride: &usize| place / stride % (size + 1);
+            let cells: usize =
+                axes().map(|(size, stride)| if digit(size, stride) < *size { 1 } else { *size }).product();
+            let is_wider = |(size, stride): (&usize, &usize)| {
+                let digit = digit(size, stride);
+                digit < *size && is_full(place + (size - digit) * stride, cells * size)
+            };
+            is_full(place, cells) && !axes().any(is_wider)
         };
-        let is_widest = |fixed: &[Option<usize>]| {
-            (0..fixed.len()).all(|axis| {
-                let mut wider = fixed.to_vec();
-                let was = wider.get_mut(axis).and_then(Option::take);
-                was.is_none() || !is_full(&wider)
-            })
-        };
-        (0..self.len).map(|index| self.fixed(index)).filter(|fixed| is_full(fixed) && is_widest(fixed)).collect()
+        (0..self.len).filter(|place| is_maximal(*place)).map(|place| self.fixed(place)).collect()
     }
 }
 

@@ -45,6 +45,7 @@ fn of_files(view: &View<'_>, out: &mut Vec<Finding>) {
         Some((shader.text, (surface, shader)))
     });
     out.extend(without_main(view));
+    let known = known(view);
     for (text, all) in grouped(missing) {
         let Some((surface, shader)) = all.first() else { continue };
         let shown = shown(text);
@@ -54,7 +55,7 @@ fn of_files(view: &View<'_>, out: &mut Vec<Finding>) {
             if is_absolute { "is an absolute path: it exists on one computer at most" } else { "does not exist" };
         let message = format!("shader `{shown}` {what}{more}");
         let name = text.rsplit(['/', '\\']).next().unwrap_or_default();
-        let help = match known(view, name) {
+        let help = match known.get(&name.to_ascii_lowercase()) {
             Some(known) => format!("write `{FOLDER}/{known}`"),
             None => format!("use a shader of `{FOLDER}`, without `_vertex_shader.txt`"),
         };
@@ -82,11 +83,15 @@ fn without_main(view: &View<'_>) -> Vec<Finding> {
     files.into_values().map(finding).collect()
 }
 
-/// The shader of this name in the folder of shaders, in whatever capitals.
-fn known<'v>(view: &'v View<'_>, name: &str) -> Option<&'v str> {
+/// The shaders in the folder of shaders, by their names in small letters; of several the first.
+fn known<'v>(view: &'v View<'_>) -> BTreeMap<String, &'v str> {
     let files = view.layers().strongest_first().flat_map(|layer| layer.below(FOLDER));
-    let mut names = files.filter_map(|file| file.file_name().split_once("_fragment_shader.txt"));
-    names.find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|(known, _)| known)
+    let names = files.filter_map(|file| file.file_name().split_once("_fragment_shader.txt"));
+    let mut known = BTreeMap::new();
+    for (name, _) in names {
+        known.entry(name.to_ascii_lowercase()).or_insert(name);
+    }
+    known
 }
 
 const FOLDER: &str = "shaders/glsl";
