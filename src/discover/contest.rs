@@ -69,12 +69,30 @@ fn share_users(one: Application, other: Application) -> bool {
     Layout::of(one).shares_roots_of == Some(other) || Layout::of(other).shares_roots_of == Some(one)
 }
 
+/// Whom a folder is left to. Beside much of one what there is little of of a third is a stray.
 fn winners(claims: &[Claim], meant: Meant<'_>) -> BTreeSet<Application> {
+    let is_stray = |claim: &&Claim| {
+        let mut others = claims.iter().filter(|other| other.application != claim.application);
+        let is_third = |other: &Claim| !share_users(other.application, claim.application);
+        !claim.is_much(claims) && others.any(|other| is_third(other) && other.evidence.found >= other.much())
+    };
+    let (strays, left): (Vec<&Claim>, Vec<&Claim>) = claims.iter().partition(is_stray);
+    if left.is_empty() || strays.is_empty() {
+        winners_of(&claims.iter().collect::<Vec<_>>(), meant)
+    } else {
+        winners_of(&left, meant)
+    }
+}
+
+fn winners_of(claims: &[&Claim], meant: Meant<'_>) -> BTreeSet<Application> {
     let all = || claims.iter().map(|claim| claim.application);
     let is_shared = are_two_that_share(all()) && claims.iter().all(|claim| claim.sign < Sign::Strong);
-    let are_much: BTreeSet<Application> =
-        claims.iter().filter(|claim| !is_shared && claim.is_much(claims)).map(|claim| claim.application).collect();
-    let certain = claims.iter().filter(|claim| claim.evidence.is_certain);
+    let are_much: BTreeSet<Application> = claims
+        .iter()
+        .filter(|claim| !is_shared && claim.is_much(claims.iter().copied()))
+        .map(|claim| claim.application)
+        .collect();
+    let certain = claims.iter().copied().filter(|claim| claim.evidence.is_certain);
     if !are_much.is_empty() {
         // Beside much of one a single file of another program is a stray, and what users of both have is not.
         let is_of_user = |claim: &&Claim| {
@@ -100,10 +118,14 @@ const MUCH_OF_MAKEHUMAN2: usize = 2;
 
 impl Claim {
     /// Whether there is much of the application beside these others.
-    fn is_much(&self, claims: &[Self]) -> bool {
-        let much = if self.application == Application::Makehuman2 { MUCH_OF_MAKEHUMAN2 } else { MUCH };
-        let has_partner = claims.iter().any(|other| share_users(self.application, other.application));
+    fn is_much<'c>(&self, claims: impl IntoIterator<Item = &'c Self>) -> bool {
+        let has_partner = claims.into_iter().any(|other| share_users(self.application, other.application));
         let Evidence { found, alike, .. } = self.evidence;
-        found - if has_partner { alike } else { 0 } >= much
+        found - if has_partner { alike } else { 0 } >= self.much()
+    }
+
+    /// How many signs are much.
+    const fn much(&self) -> usize {
+        if matches!(self.application, Application::Makehuman2) { MUCH_OF_MAKEHUMAN2 } else { MUCH }
     }
 }

@@ -15,6 +15,8 @@ pub(crate) struct Evidence {
     pub(crate) signs: Vec<String>,
     /// Whether nothing else could be meant.
     pub(crate) is_certain: bool,
+    /// Whether it is what lies beside the data that says so.
+    pub(super) is_certain_beside: bool,
     /// How many signs there are, those included that are not named.
     pub(super) found: usize,
     /// How many of them the folders of users of two applications have alike.
@@ -23,6 +25,8 @@ pub(crate) struct Evidence {
 
 /// Signs that the folders of users of two applications have alike.
 const OF_USERS: [&str; 6] = ["custom/", "proxymeshes/", META, DIRECTLY_IN_LIBRARIES, "targets/custom/", "packs/"];
+/// What ends the signs that lie beside the data.
+const BESIDE: &str = " beside it";
 const META: &str = ".meta";
 const DIRECTLY_IN_LIBRARIES: &str = "assets directly in their libraries";
 
@@ -45,13 +49,14 @@ pub(crate) fn evidence(listing: &Listing<'_>, path: &str, application: Applicati
         Application::Mpfb => of_mpfb(&root),
     };
     let is_certain = !certain.is_empty();
+    let is_certain_beside = certain.iter().any(|sign| sign.ends_with(BESIDE));
     let mut signs = certain;
     let is_said = |sign: &&str| certain_starts(&signs, sign);
     let others: Vec<&str> = others.into_iter().filter(|sign| !is_said(sign)).collect();
     signs.extend(others.into_iter().map(str::to_owned));
     let (found, alike) = (signs.len(), signs.iter().filter(|sign| OF_USERS.contains(&sign.as_str())).count());
     signs.truncate(SIGNS);
-    Evidence { signs, is_certain, found, alike }
+    Evidence { signs, is_certain, is_certain_beside, found, alike }
 }
 
 /// What speaks against it, in a word.
@@ -165,10 +170,10 @@ fn of_makehuman1(root: &Root<'_>) -> Signs {
         certain.push("targets.npz with images.list".to_owned());
     }
     if root.has_beside("cache", |name| name.ends_with("_filecache.mhc")) {
-        certain.push("cache/*_filecache.mhc beside it".to_owned());
+        certain.push(format!("cache/*_filecache.mhc{BESIDE}"));
     }
     if root.has_beside("models", |name| extension(name).eq_ignore_ascii_case("mhm")) {
-        certain.push("models/*.mhm beside it".to_owned());
+        certain.push(format!("models/*.mhm{BESIDE}"));
     }
     let mut others = Vec::new();
     others.extend(root.has("3dobjs/base.obj").then_some("3dobjs/base.obj"));
@@ -190,7 +195,7 @@ fn of_mpfb(root: &Root<'_>) -> Signs {
     let mut certain = Vec::new();
     certain.extend(root.has("mesh_metadata/hm08_config.json").then(|| "mesh_metadata/hm08_config.json".to_owned()));
     if root.has_beside("config", |name| name.starts_with("human.") && extension(name) == "json") {
-        certain.push("config/human.*.json beside it".to_owned());
+        certain.push(format!("config/human.*.json{BESIDE}"));
     }
     let says = |file: &str, word: &str| root.listing.says(&at(root.path, file), &[word]);
     let of =

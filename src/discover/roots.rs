@@ -1,7 +1,9 @@
 //! Finds data roots by their shape (design.md, "Data roots, layers, applications").
 
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::evidence::evidence;
 use super::layout::Sign;
 use super::{Layout, Listing, contest};
 use crate::diag::Application;
@@ -53,33 +55,21 @@ pub(crate) fn find_roots(listing: &Listing<'_>, meant: Meant<'_>) -> Vec<DataRoo
         let is_own = company.contains(&root.application) || confirmed.contains(root) || told.alone.contains(root);
         *sign == Sign::Strong || is_own && !is_confirmed_of_other(root)
     });
-    // What lies in data by mistake makes no folder `data` in them where there is none.
-    let is_supposed = |root: &DataRoot| {
-        let above = root.path.strip_suffix("data").map(|above| above.trim_end_matches('/'));
-        !listing.has_folder(&root.path) && signs.keys().any(|other| Some(other.path.as_str()) == above)
+    leave_out_misplaced(&mut signs, listing);
+    // What is of another application lies in or around the data of one to which files beside them belong.
+    let are_data = RefCell::new(BTreeMap::new());
+    let is_stray = |root: &DataRoot, other: &DataRoot| {
+        let look = || evidence(listing, &root.path, root.application).is_certain_beside;
+        let is_certain = || *are_data.borrow_mut().entry(root.clone()).or_insert_with(look);
+        root.application != other.application && has_beside(root.application) && is_certain()
     };
-    let supposed: BTreeSet<DataRoot> = signs.keys().filter(|root| is_supposed(root)).cloned().collect();
-    signs.retain(|root, _| !supposed.contains(root));
-    // A folder `data` in one that is called so is a copy that went astray.
-    let astray = |root: &DataRoot| {
-        let above = root.path.strip_suffix("/data").filter(|above| is_data(above));
-        above.is_some_and(|above| signs.contains_key(&DataRoot { path: above.to_owned(), ..root.clone() }))
-    };
-    let astray: BTreeSet<DataRoot> =
-        signs.keys().filter(|root| has_beside(root.application) && astray(root)).cloned().collect();
-    signs.retain(|root, _| !astray.contains(root));
-    // What lies beside a folder called `data` does not make a root of the one above it.
-    let is_above_data = |root: &DataRoot| {
-        let below = data_in(&root.path, root.application);
-        has_beside(root.application) && signs.contains_key(&below)
-    };
-    let above_data: BTreeSet<DataRoot> = signs.keys().filter(|root| is_above_data(root)).cloned().collect();
-    signs.retain(|root, _| !above_data.contains(root));
     // One that is near a better one does not count, unless it is as good.
     let count = |sign, better: &[DataRoot]| -> Vec<DataRoot> {
         let own = signs.iter().filter(|(_, own)| **own == sign).map(|(root, _)| root);
         let is_near = |root: &DataRoot, other: &DataRoot| {
-            nested(&other.path, &root.path) && !is_beside_own(root, other, &signs) && !told.are_apart(root, other)
+            let is_nested = nested(&other.path, &root.path);
+            let are_two = || is_beside_own(root, other, &signs) || told.are_apart(root, other);
+            is_nested && !are_two() && !is_stray(root, other)
         };
         own.filter(|root| !better.iter().any(|other| is_near(root, other))).cloned().collect()
     };
@@ -116,6 +106,32 @@ pub(crate) fn find_roots(listing: &Listing<'_>, meant: Meant<'_>) -> Vec<DataRoo
     roots.sort();
     roots.dedup();
     roots
+}
+
+/// Takes out folders `data` that are none, and those that are no data for the sake of one.
+fn leave_out_misplaced(signs: &mut BTreeMap<DataRoot, Sign>, listing: &Listing<'_>) {
+    // What lies in data by mistake makes no folder `data` in them where there is none.
+    let is_supposed = |root: &DataRoot| {
+        let above = root.path.strip_suffix("data").map(|above| above.trim_end_matches('/'));
+        !listing.has_folder(&root.path) && signs.keys().any(|other| Some(other.path.as_str()) == above)
+    };
+    let supposed: BTreeSet<DataRoot> = signs.keys().filter(|root| is_supposed(root)).cloned().collect();
+    signs.retain(|root, _| !supposed.contains(root));
+    // A folder `data` in one that is called so is a copy that went astray.
+    let astray = |root: &DataRoot| {
+        let above = root.path.strip_suffix("/data").filter(|above| is_data(above));
+        above.is_some_and(|above| signs.contains_key(&DataRoot { path: above.to_owned(), ..root.clone() }))
+    };
+    let astray: BTreeSet<DataRoot> =
+        signs.keys().filter(|root| has_beside(root.application) && astray(root)).cloned().collect();
+    signs.retain(|root, _| !astray.contains(root));
+    // What lies beside a folder called `data` does not make a root of the one above it.
+    let is_above_data = |root: &DataRoot| {
+        let below = data_in(&root.path, root.application);
+        has_beside(root.application) && signs.contains_key(&below)
+    };
+    let above_data: BTreeSet<DataRoot> = signs.keys().filter(|root| is_above_data(root)).cloned().collect();
+    signs.retain(|root, _| !above_data.contains(root));
 }
 
 /// Whether a file belongs to a package that a project in another language brings along.

@@ -102,15 +102,13 @@ impl<'a> View<'a> {
         let gone = |folders: &[&'static str]| -> Vec<&'static str> {
             folders.iter().copied().filter(|folder| checked.below(folder).next().is_none()).collect()
         };
-        let is_renamed = || checked.path.rsplit('/').next() == Some("base");
         // Users have no macros in `target/`.
         let has_macros = || checked.below("target").any(|file| file.kind == Kind::MacroJson);
         let lacking = match self.application() {
-            // Meshes and targets in a folder called `base` (formats/versions.md §5). Before 1.1 some of it was not there yet.
+            // Before 1.1 some of it was not there yet.
             Application::Makehuman1 => {
-                let of_port = Some(gone(&PORTS_LACK)).filter(|gone| is_renamed() && gone.len() == PORTS_LACK.len());
                 let is_copy = |gone: &Vec<&str>| gone.len() >= FEWEST_GONE && !self.is_before("1.1");
-                of_port.or_else(|| Some(gone(&NEEDED_BY_MAKEHUMAN1)).filter(is_copy))
+                Some(gone(&NEEDED_BY_MAKEHUMAN1)).filter(is_copy)
             }
             Application::Makehuman2 => {
                 let is_copy = |gone: &Vec<&str>| gone.contains(&"base") && gone.len() >= FEWEST_GONE && has_macros();
@@ -307,10 +305,9 @@ impl<'a> View<'a> {
     }
 }
 
-/// Folders of a program without which it does not start, and that are nothing to a port.
-const PORTS_LACK: [&str; 2] = ["rigs", "poseunits"];
 /// The folders without which `MakeHuman` 1 does not work as it should.
-const NEEDED_BY_MAKEHUMAN1: [&str; 6] = ["3dobjs", "modifiers", "targets", "rigs", "poseunits", "shaders"];
+const NEEDED_BY_MAKEHUMAN1: [&str; 9] =
+    ["3dobjs", "modifiers", "targets", "rigs", "poseunits", "shaders", "eyes", "scenes", "skins"];
 /// The same of `MakeHuman` 2, the first one for its base meshes.
 const NEEDED_BY_MAKEHUMAN2: [&str; 5] = ["base", "clothes", "rigs", "skins", "shaders"];
 /// The same of the add-on.

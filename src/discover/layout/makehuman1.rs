@@ -142,6 +142,7 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["models", .., file] if extension(file).eq_ignore_ascii_case("mhm") => Kind::Model,
         [_, .., file] if SHADER_FILES.iter().any(|ending| file.ends_with(ending)) => Kind::ShaderSource,
         ["poses", .., file] if extension(file) == "mhp" => Kind::Unlisted,
+        ["poses", .., file] if extension(file).eq_ignore_ascii_case("bvh") => Kind::Motion,
         [folder, .., file] => match Kind::by_extension(file) {
             // In folders such as `costumes` older versions had some.
             Kind::Clothes if !holds_worn(folder) && !OWN_FOLDERS.contains(folder) => Kind::Unlisted,

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use super::super::kind::extension;
 use super::super::listing::{Listing, at};
 use super::super::{Candidate, Kind};
-use super::{HiddenPath, Layout, Role, Says, Sign, WORN, first_of, near, worn_shelf};
+use super::{HiddenPath, Holds, Layout, Role, Says, Sign, WORN, first_of, near, worn_shelf};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -46,8 +46,7 @@ pub(super) static LAYOUT: Layout = Layout {
     flat: "rigs",
     role,
     is_system_of_two,
-    // Users have base meshes, too.
-    stands_alone: |below| below.iter().any(is_programs),
+    stands_alone,
     opens: opened::opens,
     scans: opened::is_scanned,
     single: opened::single,
@@ -237,6 +236,16 @@ fn is_programs(one: &Candidate<'_>) -> bool {
     matches!(one.kind_in(LAYOUT.application), Kind::Version | Kind::Shaders)
 }
 
+/// Users have base meshes, too, and macros by mistake: two of what the program has are its data.
+fn stands_alone(below: &[Candidate<'_>], is_base: Holds<'_>) -> bool {
+    let of_kind = |wanted: fn(Kind) -> bool| below.iter().filter(move |one| wanted(one.kind_in(LAYOUT.application)));
+    let mut bases = of_kind(Kind::is_base_mesh).filter_map(Candidate::owner).peekable();
+    let has_bases = bases.peek().is_some() && bases.all(is_base);
+    let has_macros = of_kind(|kind| kind == Kind::MacroJson).any(|one| one.rel.starts_with("target/"));
+    let has_shaders = below.iter().any(|one| one.rel.starts_with("shaders/"));
+    below.iter().any(is_programs) || usize::from(has_bases) + usize::from(has_macros) + usize::from(has_shaders) >= 2
+}
+
 /// Base meshes make a root the system, or both with `contarget/`, which is read in the user's folder only (§1.1). Capitals
 /// make no difference: which part is meant is clear.
 fn role(below: &[Candidate<'_>]) -> Role {
@@ -270,10 +279,11 @@ fn has_packed_base(below: &[Candidate<'_>]) -> bool {
     of_kind(Kind::MeshArchive).any(|one| with_macros.contains(&one.owner()))
 }
 
-/// Whether a base mesh has macros and sliders in `target/`, and a skeleton: all of a program's but the mesh.
+/// Whether a base mesh has macros and sliders in `target/`, and a skeleton or shaders: all of a program's but the mesh.
 fn has_indexes(below: &[Candidate<'_>]) -> bool {
     let has = |start: &str, end: &str| below.iter().any(|one| one.rel.starts_with(start) && one.rel.ends_with(end));
-    has("target/", "/macro.json") && has("target/", "/modelling.json") && has("rigs/", "/default.mhskel")
+    let is_more = || has("rigs/", "/default.mhskel") || has("shaders/", "");
+    has("target/", "/macro.json") && has("target/", "/modelling.json") && is_more()
 }
 
 /// Beside another root, the one whose bases have sliders or macros in `target/` is the system, and its `contarget/`

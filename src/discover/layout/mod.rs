@@ -83,8 +83,9 @@ pub(crate) struct Layout {
     pub is_telling: fn(Kind) -> bool,
     /// Whether the root with these files, beside another one, is the system although it could play both parts.
     pub is_system_of_two: fn(&[Candidate<'_>]) -> bool,
-    /// Whether the data of a program with these files are all that it has, whatever other data of a program are given.
-    pub stands_alone: fn(&[Candidate<'_>]) -> bool,
+    /// Whether the data of a program with these files are all that it has, whatever other data of a program are given; the
+    /// second says which base meshes these have.
+    pub stands_alone: fn(&[Candidate<'_>], Holds<'_>) -> bool,
     /// Whether any loader opens a file of this name.
     pub opens: fn(&str) -> bool,
     /// Whether the scan of assets opens a file of this name.
@@ -252,7 +253,7 @@ impl Layout {
         has_second_user: false,
         role: |_| Role::User,
         is_system_of_two: |_| false,
-        stands_alone: |_| true,
+        stands_alone: |_, _| true,
         opens: |_| true,
         scans: |_| false,
         single: |_| None,

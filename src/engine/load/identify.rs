@@ -1,8 +1,8 @@
 //! What each data root was taken for: kind of place, version, and why (formats/versions.md §1, §2).
 
 use super::data::Loaded;
+use super::found::look_into;
 use super::place::Place;
-use super::roots::look_into;
 use crate::config::Config;
 use crate::diag::{Application, Identity, PlaceKind, Sign, Speaks, Version};
 use crate::discover::{Candidate, Evidence, Kind, Layout, Listing, Paths, Role, evidence, lacks};

@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 
 use super::super::error::{Error, PathFault};
-use super::roots::{look_into, roots_of};
+use super::found::{look_into, roots_of};
 use crate::diag::Application;
 use crate::discover::{Layout, Listing, Meant, TEST_DATA, find_roots, is_read_though_hidden, new_base};
 use crate::source::{

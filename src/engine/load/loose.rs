@@ -1,6 +1,6 @@
 //! Files outside of data roots: which of them are ours, and which base mesh they are for.
 
-use std::cell::{LazyCell, RefCell};
+use std::cell::{LazyCell, OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::error::Error;
@@ -29,6 +29,8 @@ pub(super) struct Outside<'t, 'i> {
     pub(super) is_one_of_several: bool,
     pub(super) units: &'i UnitNames,
     pub(super) options: &'i Config,
+    /// The folders with targets that can be recognised, once that is asked for.
+    pub(super) beside_target: OnceCell<BTreeSet<String>>,
     /// Of data roots whether what lies in them is no loose asset: asked for each file.
     pub(super) kept: RefCell<BTreeMap<String, bool>>,
 }
@@ -106,7 +108,12 @@ impl<'t> Outside<'t, '_> {
             [asked] if bases.is_empty() || bases.contains(asked) => Some(asked),
             _ => None,
         };
-        let header = recognised(input, entry, options, self.is_meant)?;
+        let is_beside_target = || {
+            self.beside_target
+                .get_or_init(|| folders_of_targets(input, options))
+                .contains(folder_and_name(&entry.path).0)
+        };
+        let header = recognised(input, entry, options, self.is_meant, &is_beside_target)?;
         let is_target = meant_extension(&entry.path) == "target";
         // What was made for another one is not held against an application that nobody named.
         let is_of_others = || {
@@ -152,16 +159,24 @@ impl<'t> Outside<'t, '_> {
 
 /// The base mesh in the header of a file that is ours: it is named as PATH, or its content says so. Only assets that
 /// share their extension with files of other programs are in doubt.
-fn recognised(input: &Input, entry: &Entry, options: &Config, is_meant: bool) -> Binding {
+fn recognised(
+    input: &Input,
+    entry: &Entry,
+    options: &Config,
+    is_meant: bool,
+    is_beside_target: &dyn Fn() -> bool,
+) -> Binding {
     let is_named = || input.named.contains(&input.tree.shown(&entry.path));
     let read = || input.tree.read(entry, &options.limits).unwrap_or_default();
     match meant_extension(&entry.path) {
         "target" => {
             let text = read();
             let target = recognise(&text);
-            // Who names a base mesh means the targets that there are, also those of which no row can be read.
-            let is_asked = || !options.bases.is_empty() && has_broken_rows(&text);
-            let is_ours = target.is_some() || is_named() || is_asked();
+            // Who names a base mesh or gives data means the targets that there are, also those of which no row can be read.
+            let is_asked = || (is_meant || !options.bases.is_empty()) && has_broken_rows(&text);
+            // One of several that are some is broken, unless it says that it is for another program.
+            let is_broken = || is_beside_target() && !FOREIGN_TARGETS.iter().any(|word| says(&text, word));
+            let is_ours = target.is_some() || is_named() || is_asked() || is_broken();
             is_ours.then(|| target.and_then(|target| target.basemesh).filter(|name| is_folder_name(name)))
         }
         "mhclo" => Some(base_of(&read())),
@@ -177,6 +192,17 @@ fn recognised(input: &Input, entry: &Entry, options: &Config, is_meant: bool) ->
         "bvh" => (is_named() || is_of_makehuman(input, entry, &read())).then_some(None),
         _ => Some(None),
     }
+}
+
+/// What targets of systemd and Eclipse say.
+const FOREIGN_TARGETS: [&str; 3] = ["[Unit]", "[Install]", "<target"];
+
+/// The folders with files that can be recognised as targets.
+fn folders_of_targets(input: &Input, options: &Config) -> BTreeSet<String> {
+    let files = input.tree.entries().iter().filter(|entry| meant_extension(&entry.path) == "target");
+    let is_target =
+        |entry: &&Entry| input.tree.read(entry, &options.limits).is_ok_and(|text| recognise(&text).is_some());
+    files.filter(is_target).map(|entry| folder_and_name(&entry.path).0.to_owned()).collect()
 }
 
 /// Whether the base mesh in the header of a target is not the only one that there is, nor that of an older version.

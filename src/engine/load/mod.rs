@@ -3,6 +3,7 @@
 //! Knows applications by their layouts only: what is loaded has the kinds and owners that these give it.
 
 mod data;
+mod found;
 mod identify;
 mod input;
 mod layer;

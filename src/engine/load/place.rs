@@ -124,13 +124,10 @@ impl<'t> Place<'t> {
         self.layouts.iter().any(|layout| layout.application == application)
     }
 
-    /// Whether it is all that a program has, where it is a program's; the base meshes are those of other data of that.
+    /// Whether it is all that a program has, where it is a program's; the second says which base meshes other data of that
+    /// have.
     pub(super) fn stands_alone(&self, application: Application, bases: impl Fn(&str) -> bool) -> bool {
-        let layout = Layout::of(application);
-        let own = self.below.iter().filter(|one| one.kind().is_base_mesh()).filter_map(Candidate::owner);
-        let is_copy =
-            || (layout.is_system_of_two)(&self.below) && own.clone().next().is_some() && own.clone().all(&bases);
-        !self.is_supposed() && ((layout.stands_alone)(&self.below) || is_copy())
+        !self.is_supposed() && (Layout::of(application).stands_alone)(&self.below, &bases)
     }
 
     /// Whether it is a data root of the same applications as another place.

@@ -4,9 +4,10 @@ use std::path::Path;
 
 use super::super::error::Error;
 use super::super::settle::Scope;
+use super::found::roots_of;
 use super::input::open;
 use super::place::Place;
-use super::roots::{Roots, checked_places, roots_of};
+use super::roots::{Roots, checked_places};
 use crate::config::Config;
 use crate::diag::{Application, Outcome};
 use crate::discover::{Kind, is_read_though_hidden};

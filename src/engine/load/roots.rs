@@ -1,10 +1,11 @@
 //! Data roots: where they are in the inputs, and which of them are checked.
 
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
+use super::found::{roots_beside, roots_of};
 use super::identify::is_pack;
 use super::input::Input;
 use super::loose::{Outside, is_one_of_several};
@@ -15,9 +16,9 @@ use super::singly::unpacked_singly;
 use super::taken::Taken;
 use super::unit_names::UnitNames;
 use crate::config::Config;
-use crate::diag::{Application, Identity, NotChecked, Note, Outcome, RootSummary, Unchecked, grouped};
-use crate::discover::{Layout, Listing, Meant, Role, candidates, find_roots, is_asset_anywhere};
-use crate::source::{EntryKind, Limits, Tree, WalkFaultKind, is_below};
+use crate::diag::{Application, Identity, NotChecked, Note, Outcome, RootSummary, Unchecked};
+use crate::discover::{Layout, Meant, Role, candidates, is_asset_anywhere};
+use crate::source::{EntryKind, Tree, WalkFaultKind, is_below};
 
 /// What a run reads.
 pub(in crate::engine) struct Roots<'t> {
@@ -25,44 +26,6 @@ pub(in crate::engine) struct Roots<'t> {
     pub(in crate::engine) checked: Vec<(Place<'t>, Vec<String>)>,
     /// `--system`: one data root an application, unless it is all there is to check.
     pub(in crate::engine) systems: Vec<Place<'t>>,
-}
-
-/// The data roots in a tree of the applications of which `wanted` holds, by path; `asked` are those asked for by name.
-pub(super) fn roots_of(
-    tree: &Tree,
-    asked: &[Application],
-    wanted: impl Fn(Application) -> bool,
-) -> BTreeMap<String, Vec<&'static Layout>> {
-    roots_beside(tree, Meant { asked, named: asked, at_hand: &[] }, &BTreeSet::new(), wanted)
-}
-
-/// The same beside data of other applications in another tree, where the run knows base meshes of these names.
-fn roots_beside(
-    tree: &Tree,
-    meant: Meant<'_>,
-    bases: &BTreeSet<String>,
-    wanted: impl Fn(Application) -> bool,
-) -> BTreeMap<String, Vec<&'static Layout>> {
-    let peek = |path: &str| look_into(tree, path);
-    let listing = listing(tree).with_contents(&peek).with_bases(bases.iter().map(String::as_str));
-    let wanted = find_roots(&listing, meant).into_iter().filter(|root| wanted(root.application));
-    grouped(wanted.map(|root| (root.path, Layout::of(root.application))))
-}
-
-/// The paths of a tree.
-pub(super) fn listing(tree: &Tree) -> Listing<'_> {
-    let of = |kind: EntryKind| tree.entries().iter().filter(move |entry| entry.kind == kind);
-    let paths = |kind| of(kind).map(|entry| entry.path.as_str());
-    Listing::of(paths(EntryKind::File), paths(EntryKind::Folder))
-}
-
-/// Bytes from which on a file is too large to say whose it is.
-const TELLING: u64 = 1 << 20;
-
-/// What is in a file that may say whose data these are.
-pub(super) fn look_into(tree: &Tree, path: &str) -> Option<Vec<u8>> {
-    let entry = tree.entry(path).filter(|entry| entry.kind == EntryKind::File && entry.size <= TELLING)?;
-    tree.read(entry, &Limits::default()).ok()
 }
 
 /// Those of the applications of which one of the places has data.
@@ -98,7 +61,15 @@ fn inner(
     let inside: Vec<_> = roots.iter().filter(|(other, _)| other.as_str() != path && is_below(other, path)).collect();
     let is_pack =
         !inside.is_empty() && layouts.iter().all(|layout| is_pack(&candidates(tree, path, &[layout]), layout));
-    inside.into_iter().filter(|(_, others)| is_pack || is_foreign(others)).map(|(other, _)| other.clone()).collect()
+    let inside = inside.into_iter().filter(|(_, others)| is_pack || is_foreign(others));
+    inside.flat_map(|(other, layouts)| [vec![other.clone()], beside_root(tree, other, layouts)].concat()).collect()
+}
+
+/// The files that belong to a data root beside it.
+fn beside_root(tree: &Tree, root: &str, layouts: &[&'static Layout]) -> Vec<String> {
+    let own = layouts.iter().filter(|layout| !layout.beside.is_empty());
+    let files = own.flat_map(|layout| candidates(tree, root, &[layout]));
+    files.filter(|file| file.is_loose).map(|file| file.entry.path.clone()).collect()
 }
 
 impl<'t> Roots<'t> {
@@ -299,6 +270,7 @@ fn places_outside<'t>(
                     is_meant,
                     is_one_of_several: is_one_of_several(systems, options),
                     units: &units,
+                    beside_target: OnceCell::new(),
                     options,
                     kept,
                 };
@@ -313,10 +285,7 @@ fn places_outside<'t>(
 
 /// The files beside data roots that belong to these.
 fn beside(input: &Input, roots: &BTreeMap<String, Vec<&'static Layout>>) -> BTreeSet<String> {
-    let each = roots.iter().flat_map(|(root, layouts)| layouts.iter().map(move |layout| (root, *layout)));
-    let each = each.filter(|(_, layout)| !layout.beside.is_empty());
-    let files = each.flat_map(|(root, layout)| candidates(&input.tree, root, &[layout]));
-    files.filter(|file| file.is_loose).map(|file| file.entry.path.clone()).collect()
+    roots.iter().flat_map(|(root, layouts)| beside_root(&input.tree, root, layouts)).collect()
 }
 
 fn base_meshes(place: &Place<'_>) -> BTreeSet<String> {

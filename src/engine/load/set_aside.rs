@@ -2,8 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::found::{listing, look_into};
 use super::input::Input;
-use super::roots::{Found, listing, look_into};
+use super::roots::Found;
 use crate::diag::{NotChecked, Outcome, Unchecked};
 use crate::discover::{Aside, aside, is_asset_anywhere, is_fitting_table};
 use crate::source::{EntryKind, is_below};

@@ -1,6 +1,6 @@
 //! A zip without the folders of a data root, for applications that import none.
 
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::error::Error;
@@ -35,6 +35,7 @@ pub(super) fn unpacked_singly<'t, 'a>(
             is_meant,
             is_one_of_several: is_one_of_several(systems, options),
             units: &units,
+            beside_target: OnceCell::new(),
             options,
             kept,
         };

@@ -3,8 +3,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::found::{listing, look_into};
 use super::place::Place;
-use super::roots::{Found, listing, look_into, with_data};
+use super::roots::{Found, with_data};
 use crate::config::Config;
 use crate::diag::Application;
 use crate::discover::{Layout, Listing, Role, candidates, evidence};

@@ -5,7 +5,7 @@ use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::absent_keys;
 use super::sliders::{self, Gap};
 use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo, nearest};
-use crate::repo::makehuman2::{Base, View};
+use crate::repo::makehuman2::{Base, View, lacks_bases};
 use crate::repo::{FileFacts, Layer, Reference, ReferenceKind, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
@@ -96,9 +96,14 @@ fn unnamed(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
             Some(finding.effect(effect).help(format!("add `{folder}/base.json`")))
         }
         // One root with `contarget/` may be a user's folder whose system data was not given.
-        (false, false) if !view.layers.is_one_root() => orphan(checked, base),
+        (false, false) if !view.layers.is_one_root() && !is_lost(view) => orphan(checked, base),
         _ => None,
     }
+}
+
+/// Whether the program has lost all its bases: that is one fault.
+fn is_lost(view: &View<'_>) -> bool {
+    view.layers.checks_system() && lacks_bases(view.layers.checked)
 }
 
 /// What the sliders of a system's base need.

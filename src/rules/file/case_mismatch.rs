@@ -5,7 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::cause::differing;
 use super::super::{Check, Rule, RuleCx};
 use super::named::{Cause, causes, differs_in_form, written};
-use super::spelling::{as_on_disk, folder_on_disk, found, plain, respelled, without_common_folders};
+use super::spelling::{
+    as_on_disk, differs_in_extension, folder_on_disk, found, plain, respelled, without_common_folders,
+};
 use super::{fixed_names, folders};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
@@ -87,6 +89,12 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(finding.help(help));
             continue;
         }
+        // A folder that the file does not name has the name of a base mesh, or of a library.
+        let last = name.rsplit('/').next().unwrap_or_default();
+        if what == "folder" && folder_on_disk(first).is_none() && !first.text.contains(last) {
+            out.push(finding.help(format!("rename the folder to `{last}`")));
+            continue;
+        }
         let fix = fix(view, &cause, &format!("write `{meant}`"));
         out.push(finding.fix(fix).help(format!("write `{meant}`, or rename the {what}")));
     }
@@ -101,14 +109,6 @@ fn others(alike: &[String], target: &str) -> Option<String> {
         named.push(format!("and {more} more"));
     }
     (!named.is_empty()).then(|| named.join(", "))
-}
-
-/// Whether the names are the same up to the extension of a target, which is not written in what names it, or of a
-/// material, which lists know in small letters alone.
-fn differs_in_extension(written: &str, real: &str) -> bool {
-    let targets = written.strip_suffix(".target.gz").or_else(|| written.strip_suffix(".target"));
-    let stem = targets.or_else(|| written.strip_suffix(".mhmat"));
-    stem.is_some_and(|stem| real.strip_prefix(stem).is_some_and(|rest| rest.starts_with('.')))
 }
 
 /// What to write, as far as possible in the words of the file that is at fault.

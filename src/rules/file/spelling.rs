@@ -95,6 +95,14 @@ pub(super) fn without_common_folders<'p>(mut one: &'p str, mut other: &'p str) -
     (one, other)
 }
 
+/// Whether the names are the same up to the extension of a target, which is not written in what names it, or of a
+/// material, which lists know in small letters alone.
+pub(super) fn differs_in_extension(written: &str, real: &str) -> bool {
+    let targets = written.strip_suffix(".target.gz").or_else(|| written.strip_suffix(".target"));
+    let stem = targets.or_else(|| written.strip_suffix(".mhmat"));
+    stem.is_some_and(|stem| real.strip_prefix(stem).is_some_and(|rest| rest.starts_with('.')))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

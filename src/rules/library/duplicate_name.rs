@@ -75,17 +75,19 @@ fn find(
     out: &mut Vec<Finding>,
 ) {
     for base in view.library.bases() {
-        let own = view.library.of_base(base).iter().filter(|asset| view.layers.is_checked(asset.file));
+        // Tags lie in one table for all that is listed.
+        let is_meant = |asset: &&Asset<'_>| what == "uuid" || view.layers.is_checked(asset.file);
+        let own = view.library.of_base(base).iter().filter(is_meant);
         for assets in grouped(own.filter_map(|asset| Some((key(asset)?, asset)))).into_values() {
-            out.extend(finding(rule, &assets, what, help));
+            out.extend(finding(rule, view, &assets, what, help));
         }
     }
 }
 
-fn finding(rule: &Rule, assets: &[&Asset<'_>], what: &str, help: &str) -> Option<Finding> {
+fn finding(rule: &Rule, view: &View<'_>, assets: &[&Asset<'_>], what: &str, help: &str) -> Option<Finding> {
     let mut assets = assets.to_vec();
-    assets.sort_by_key(|one| as_copy(one.file));
-    let (told, others) = assets.split_last()?;
+    assets.sort_by_key(|one| (view.layers.is_checked(one.file), as_copy(one.file)));
+    let (told, others) = assets.split_last().filter(|(told, _)| view.layers.is_checked(told.file))?;
     let is_other = |one: &&&Asset<'_>| (&one.name, &one.uuid) != (&told.name, &told.uuid);
     let others: Vec<&&Asset<'_>> = others.iter().filter(is_other).collect();
     let first = others.first()?;

@@ -19,7 +19,8 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let files = view.layers.checked.files.values().filter(|file| file.kind == Kind::ModifierMapping);
     for file in files {
         let rows = file.modifier_mapping().map(|mapping| mapping.rows.as_slice()).unwrap_or_default();
-        let lost: Vec<_> = rows.iter().filter(|row| view.modifiers.called(&row.new).next().is_none()).collect();
+        let is_lost = |name: &str| view.modifiers.called(name).next().is_none() && !is_of_unpaired(view, name);
+        let lost: Vec<_> = rows.iter().filter(|row| is_lost(&row.new)).collect();
         let Some(first) = lost.first() else { continue };
         let message = format!("modifier `{}` does not exist{}", first.new, such(lost.len(), "rows"));
         let near = cx.suggestions.nearest(&first.new, view.modifiers.names());
@@ -28,4 +29,10 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = finding.evidence(Evidence::of_cases(lost.iter().map(|row| row.new.as_str())));
         out.push(finding.help(did_you_mean(near, "correct the name")));
     }
+}
+
+/// Whether it is the name of a modifier that lacks one of its two ends, which has a finding of its own.
+fn is_of_unpaired(view: &View<'_>, name: &str) -> bool {
+    let mut unpaired = view.modifiers.all.iter().filter(|one| one.modifier.tails.unpaired().is_some());
+    unpaired.any(|one| name.strip_prefix(one.name.as_str()).is_some_and(|tail| tail.starts_with('-')))
 }

@@ -1,7 +1,7 @@
 //! Modifiers lie where the program opens them.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application::Makehuman1, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::FileFacts;
 use crate::repo::makehuman1::{SETS, View};
@@ -14,6 +14,9 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
         Move what is in them to one of the three, or give a user's target a slider by moving it to `custom`.",
     ..RuleInfo::new("modifiers-unread", Level::Error, "a list of modifiers that the program does not open")
 });
+
+const COPIES: Case =
+    &[(Makehuman1, Level::Warning, "never opens the file, and opens its own: a change here does nothing")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
@@ -31,7 +34,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         view.layers.checks_system() && (SETS.contains(&stem) || !SETS.iter().all(|set| is_whole(set)))
     };
-    let lost: Vec<&FileFacts> = layer.files.values().filter(is_list).filter(|file| !is_opened(file)).collect();
+    let lost = layer.files.values().filter(is_list).filter(|file| !is_opened(file));
+    let (copies, lost): (Vec<&FileFacts>, Vec<&FileFacts>) = lost.partition(|file| is_copy(view, file));
+    out.extend(of_copies(&copies));
     let Some(first) = lost.first() else { return };
     let whose = if view.layers.checks_system() { "of the program" } else { "of the user" };
     let message = format!("{} in `modifiers` {whose} that nothing opens", counted(lost.len(), "file"));
@@ -42,4 +47,25 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             "move what is in them to `modeling_modifiers.json` and the files beside it, in the program's own data",
         ),
     );
+}
+
+/// Whether the program has the same under the same name.
+fn is_copy(view: &View<'_>, file: &FileFacts) -> bool {
+    let Some(own) = view.layers.system.filter(|_| !view.layers.checks_system()).and_then(|one| one.file(&file.rel))
+    else {
+        return false;
+    };
+    own.modifier_file() == file.modifier_file()
+        && own.modifier_sliders() == file.modifier_sliders()
+        && own.modifier_texts() == file.modifier_texts()
+}
+
+/// Copies of the program's lists, as long as nothing was changed in them.
+fn of_copies(copies: &[&FileFacts]) -> Option<Finding> {
+    let first = copies.first()?;
+    let message = format!("{} in `modifiers` of the user, as the program has them", counted(copies.len(), "file"));
+    let finding = RULE.at(first, Place::File, message).key("copies").case(COPIES);
+    let finding = finding.parts_in(copies.iter().map(|file| (file.shown(), &file.path)));
+    let finding = finding.evidence(Evidence::of_cases(copies.iter().map(|file| file.shown())));
+    Some(finding.help("remove them: the program opens its own alone"))
 }

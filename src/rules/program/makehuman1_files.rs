@@ -22,6 +22,8 @@ const OF_MAKEHUMAN1: [(&str, &str, Case); 10] = [
     ("materials/xray.mhmat", "materials", NO_XRAY),
 ];
 const FIRST_SCENE: &str = "scenes/default.mhscene";
+/// Folders that every version has, in most of which the program opens something at start.
+const ALWAYS_THERE: [&str; 4] = [MODIFIERS, "shaders", "eyes", "scenes"];
 const MODIFIERS: &str = "modifiers";
 const LITSPHERES: &str = "litspheres";
 const BASE_MESH: &str = "3dobjs/base.obj";
@@ -33,6 +35,8 @@ const NO_EYES: Case =
 const NO_PLACEHOLDER: Case = &[(Makehuman1, Level::Warning, "logs an error for each picture that does not exist")];
 const NO_XRAY: Case = &[(Makehuman1, Level::Warning, "logs an error and shows no bones through the skin")];
 const NO_SHADERS: Case = &[(Makehuman1, Level::Warning, "logs errors and draws all surfaces without their shaders")];
+
+const NO_UNITS: Case = &[(Makehuman1, Level::Error, "fails with an exception when the expressions are opened")];
 
 /// What is read where a file is not there, as in a release.
 fn packed(rel: &str) -> Option<String> {
@@ -53,12 +57,9 @@ fn exists(layer: &Layer, rel: &str) -> bool {
 pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Vec<Finding>) {
     let blends = view.surfaces().iter().any(|surface| surface.is_first && surface.is_true("autoBlendSkin"));
     let has_files = |folder: &str| system.below(folder).any(|file| !file.file_name().ends_with(".thumb"));
-    let is_needed = |folder: &str| match folder {
-        LITSPHERES => blends,
-        MODIFIERS => has_most_of_program(system),
-        _ => false,
-    };
-    let has = |folder: &str| has_files(folder) || is_needed(folder);
+    let is_most = has_most_of_program(system);
+    let has =
+        |folder: &str| has_files(folder) || folder == LITSPHERES && blends || is_most && ALWAYS_THERE.contains(&folder);
     // An asset with its extension in capitals has a finding of its own.
     let other = |rel: &str| rel.strip_suffix(".mhclo").map(|stem| format!("{stem}.MHCLO"));
     // Without their texts the packed mesh and the packed eyes do.
@@ -88,8 +89,15 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Ve
     }
     // Without skins it is not the whole program.
     let shaders = "shaders/glsl";
-    if !has(shaders) && has("skins") {
-        let finding = rule.in_layer(system, shaders, format!("`{shaders}` does not exist")).case(NO_SHADERS);
-        out.push(finding.help("restore the folder from the program"));
+    let gone = |folder: &str, case| {
+        let finding = rule.in_layer(system, folder, format!("`{folder}` does not exist")).case(case);
+        finding.help("restore the folder from the program")
+    };
+    if !has_files(shaders) && (is_most || has_files("skins")) {
+        out.push(gone(shaders, NO_SHADERS));
+    }
+    // With expressions `pose-missing-units` names it.
+    if is_most && ["poseunits", "expressions"].iter().all(|folder| system.below(folder).next().is_none()) {
+        out.push(gone("poseunits", NO_UNITS));
     }
 }

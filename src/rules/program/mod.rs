@@ -3,6 +3,7 @@
 pub(in crate::rules) mod file_content;
 mod later;
 mod makehuman1_files;
+mod makehuman2_files;
 pub(in crate::rules) mod missing_file;
 mod mpfb_content;
 mod mpfb_files;

@@ -67,9 +67,8 @@ pub(super) fn has_own_skin_settings(view: &View<'_>) -> bool {
     user.chain([layers.checked]).any(|layer| exists(layer, OWN_SKIN_SETTINGS))
 }
 
-/// Findings on what does not exist, and whether the view is that of MPFB.
-pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Vec<Finding>) -> bool {
-    let View::Mpfb(_) = view else { return false };
+/// Findings on what does not exist.
+pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Vec<Finding>) {
     let mut renamed = BTreeSet::new();
     let has_own = has_own_skin_settings(view);
     let is_missing = |rel: &str| !(exists(system, rel) || rel == SKIN_SETTINGS && has_own);
@@ -98,7 +97,6 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Ve
         out.push(finding.case(case));
     }
     out.extend(missing_maps(rule, system));
-    true
 }
 
 /// Pictures of the skin that are missing one by one; of the whole folder there is a finding above.

@@ -17,8 +17,8 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         more than half of the targets that the indexes name, is a copy of some files: ports to engines and add-ons have such. \
         Its files are checked one by one, and what an index names is not asked for.\n\n\
         A folder that lacks the base mesh alone, or the targets alone, is a damaged one: then everything that is missing is \
-        reported. A port of MakeHuman 1 that calls the folder `base` is a copy without `rigs/` and `poseunits/`, a copy of MPFB or \
-        MakeHuman 1 lacks at least three of the folders without which the program does not work, and one of MakeHuman 2 has nothing but `target/`.\n\n\
+        reported. A copy of MPFB or MakeHuman 1 \
+        lacks at least three of the folders without which the program does not work, and one of MakeHuman 2 has nothing but `target/`.\n\n\
         If it is to be whole, copy the data of the program again.",
     counts: "targets",
     of_library: true,

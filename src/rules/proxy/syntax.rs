@@ -34,7 +34,12 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in all_texts(body).filter(|text| !text.is_asset()) {
         let message = "this is not an asset: no line has one of the keywords of assets";
         let finding = RULE.at(text.file, Place::File, message).key("file").case(NO_ASSET);
-        out.push(finding.help("restore the asset: this file is something else, such as a web page"));
+        let is_of_macos = text.file.file_name().starts_with("._");
+        out.push(finding.help(if is_of_macos {
+            "remove the file: macOS leaves such beside the files that it copies to other disks"
+        } else {
+            "restore the asset: this file is something else, such as a web page"
+        }));
     }
     if body.is_mpfb() {
         return blender::rows::stops(&RULE, body, out);

@@ -165,6 +165,11 @@ fn unknown(rule: &Rule, view: &View<'_>, lines: &[(&SavedModel<'_>, &Line)], cx:
                 |uuid| format!("write `{category} {name} {uuid}`"),
             ),
         ),
+        // Of several assets with one uuid any may be worn: that has a finding of its own.
+        (Some(same), _) if view.worn().iter().filter(|worn| uuid_of(worn) == Some(same)).count() > 1 => {
+            let help = format!("give `{name}` a uuid of its own again: `{uuid}`");
+            (format!("the asset `{name}` has another uuid{more}"), help)
+        }
         (Some(same), _) => {
             (format!("the asset `{name}` has another uuid{more}"), format!("write `{category} {name} {same}`"))
         }
