@@ -1,7 +1,7 @@
 //! One data root with the facts of its files.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
 use unicode_normalization::{UnicodeNormalization, is_nfc};
@@ -46,6 +46,8 @@ pub(crate) struct Layer {
     pub identities: BTreeMap<Application, Identity>,
     /// Folded paths to paths, in order; made when first asked for.
     folded: OnceLock<BTreeMap<String, Vec<String>>>,
+    /// Its folders under their folded forms.
+    folded_folders: OnceLock<BTreeSet<String>>,
     /// Printed paths of loose files to their supposed ones; made when first asked for.
     loose: OnceLock<BTreeMap<String, String>>,
 }
@@ -85,6 +87,7 @@ impl Layer {
             pack,
             identities: BTreeMap::new(),
             folded,
+            folded_folders: OnceLock::new(),
             loose,
         }
     }
@@ -177,6 +180,12 @@ impl Layer {
             folded
         });
         folded.get(&fold(rel)).map(Vec::as_slice).unwrap_or_default()
+    }
+
+    /// Whether it has a folder whose path differs from `rel` in nothing but case, or the form of its accented letters.
+    pub(crate) fn has_folder_ignoring_case(&self, rel: &str) -> bool {
+        let folded = self.folded_folders.get_or_init(|| self.folders.iter().map(|folder| fold(folder)).collect());
+        folded.contains(&fold(rel))
     }
 
     /// Path of something in this layer as reports print it.

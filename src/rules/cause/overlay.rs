@@ -1,8 +1,8 @@
 //! Overrides that are not in use, and what is in use instead of what was meant.
 
 use super::schema::is_of_wrong_type;
+use crate::repo::Layer;
 use crate::repo::makehuman2::{Base, Overlaid, View};
-use crate::repo::{Layer, fold};
 
 /// Whether one of the files is rejected. What is then in use is not what the author meant, and everything
 /// that follows from it follows from the damage.
@@ -58,8 +58,7 @@ pub(in crate::rules) fn lacks_folder(view: &View<'_>, base: &Base<'_>) -> bool {
 pub(in crate::rules) fn system_folder(view: &View<'_>, base: &Base<'_>) -> SystemFolder {
     let rel = format!("target/{}", base.name);
     let Some(system) = view.layers.system.filter(|_| base.has_system) else { return SystemFolder::Unknown };
-    let is_here = || system.folders.contains(&rel) || system.below(&rel).next().is_some();
     // One with other capitals has a finding of its own.
-    let exists = is_here() || system.folders.iter().any(|folder| fold(folder) == fold(&rel));
+    let exists = system.below(&rel).next().is_some() || system.has_folder_ignoring_case(&rel);
     if exists { SystemFolder::Exists } else { SystemFolder::Absent }
 }

@@ -94,7 +94,8 @@ fn finding(rule: &Rule, view: &View<'_>, assets: &[&Asset<'_>], what: &str, help
     let more =
         if others.len() > 1 { format!(" and {}", counted(others.len() - 1, "more file")) } else { String::new() };
     let value = if what == "uuid" { &told.uuid } else { &told.name };
-    let message = format!("has the same {what} as `{}`{more}: `{value}`", first.file.shown());
+    let whose = if view.layers.is_checked(first.file) { "" } else { "the system's " };
+    let message = format!("has the same {what} as {whose}`{}`{more}: `{value}`", first.file.shown());
     let mut finding = rule.at(told.file, Place::File, message).key(format!("{} {value}", parent(told.file.shown())));
     for other in &others {
         finding = finding.related(other.file.path.clone(), Place::File, "the other asset");

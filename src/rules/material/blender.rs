@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::pictures::blender_loads;
 use super::super::{Rule, RuleCx, did_you_mean, shown, such};
 use super::picture::fault;
+use super::something_else;
 use super::spelling::{self, Meant};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, Suggestions, grouped};
 use crate::discover::Kind;
@@ -234,6 +235,10 @@ pub(super) fn unreadable(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 /// Words that are meant as keywords, and keywords that stand behind white space.
 pub(super) fn unknown(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for look in view.looks() {
+        if let Some(finding) = something_else::told(rule, look) {
+            out.push(finding);
+            continue;
+        }
         // What other applications read is left to them.
         let is_of_others = |word: &str| look.material.lines.iter().any(|line| line.keyword.name == word);
         let mut near = Vec::new();
@@ -267,7 +272,7 @@ fn misspelt(word: &Word, cx: &RuleCx<'_>) -> Option<(Place, String, String)> {
 }
 
 /// Whether it is a keyword, in whatever capitals.
-fn is_key(word: &str) -> bool {
+pub(super) fn is_key(word: &str) -> bool {
     key_names().any(|name| name.eq_ignore_ascii_case(word))
 }
 

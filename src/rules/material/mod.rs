@@ -27,6 +27,7 @@ pub(in crate::rules) mod plain_colour;
 pub(in crate::rules) mod protected_name;
 pub(in crate::rules) mod range;
 pub(in crate::rules) mod skin_without_texture;
+mod something_else;
 mod spelling;
 pub(in crate::rules) mod texture_format;
 pub(in crate::rules) mod texture_name_clash;

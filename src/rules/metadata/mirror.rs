@@ -1,10 +1,11 @@
 //! The mirror table of MPFB (formats/mpfb-observed.md 1.3).
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Rule, such};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};
 use crate::formats::mesh_metadata::{LONG_SIDE, MirrorRow, MirrorTable};
+use crate::formats::obj::Mesh;
 use crate::repo::FileFacts;
 use crate::repo::mpfb::View;
 use crate::repo::mpfb::misplaced::is_across;
@@ -63,7 +64,18 @@ pub(super) fn fault(rule: &Rule, view: &View<'_>, file: &FileFacts, table: &Mirr
         let message = format!("{} is the counterpart of {}, but not the other way round", first.to, first.from);
         return Some(told(rule, file, &apart, message, APART)?.help("let both rows name one another"));
     }
-    None
+    without_row(rule, file, mesh, &counterpart)
+}
+
+/// Vertices of the base mesh that no row begins with. Nobody sees those that are in no face.
+fn without_row(rule: &Rule, file: &FileFacts, mesh: &Mesh, rows: &BTreeMap<u32, u32>) -> Option<Finding> {
+    let vertices = mesh.positions.len();
+    let lost: BTreeSet<u32> = mesh.corners.iter().copied().filter(|vertex| !rows.contains_key(vertex)).collect();
+    let first = lost.first()?;
+    let message = format!("no row begins with vertex {first}{}", such(lost.len(), "vertices"));
+    let finding = rule.at(file, Place::File, message).key("rows").case(PASSED_OVER);
+    let finding = finding.evidence(Evidence::of_cases(lost.iter().map(ToString::to_string)).out_of(vertices));
+    Some(finding.help("restore the table, or make it from this base mesh"))
 }
 
 /// A finding on rows, at the first of them.

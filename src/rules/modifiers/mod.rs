@@ -13,6 +13,7 @@ pub(in crate::rules) mod renamed;
 pub(in crate::rules) mod ruler;
 pub(in crate::rules) mod second_group;
 pub(in crate::rules) mod sliders;
+mod spellings;
 pub(in crate::rules) mod symmetric;
 pub(in crate::rules) mod tab_clash;
 pub(in crate::rules) mod tails;

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
 use super::meant::Meant;
+use super::spellings::Spellings;
 use super::{LOST_FILE, LOST_TABS};
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::formats::modifier_file::Part;
@@ -42,11 +43,12 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_hidden = |one: &KnownModifier<'_>| {
         one.parts.iter().any(|part| part.targets.is_empty() && view.targets.hides(&part.group))
     };
+    let spellings = Spellings::of(view);
     let others = view.modifiers.all.iter().filter(|one| !bare.contains_key(one.modifier.group.as_str()));
     for one in others.filter(|one| !is_hidden(one)) {
         match &one.modifier.variable {
             Some(variable) => out.extend(macro_finding(view, one, &variable.name)),
-            None if one.modifier.tails.unpaired().is_none() => out.extend(finding(view, one, &meant, cx)),
+            None if one.modifier.tails.unpaired().is_none() => out.extend(finding(view, one, &meant, &spellings, cx)),
             None => {}
         }
     }
@@ -100,7 +102,13 @@ fn macro_finding(view: &View<'_>, one: &KnownModifier<'_>, variable: &str) -> Op
     Some(finding.help("correct `group`, or add the targets"))
 }
 
-fn finding(view: &View<'_>, one: &KnownModifier<'_>, meant: &Meant<'_>, cx: &RuleCx<'_>) -> Option<Finding> {
+fn finding(
+    view: &View<'_>,
+    one: &KnownModifier<'_>,
+    meant: &Meant<'_>,
+    spellings: &Spellings<'_>,
+    cx: &RuleCx<'_>,
+) -> Option<Finding> {
     let missing: Vec<&str> =
         one.parts.iter().filter(|part| part.targets.is_empty()).map(|part| part.group.as_str()).collect();
     let first = *missing.first()?;
@@ -114,13 +122,11 @@ fn finding(view: &View<'_>, one: &KnownModifier<'_>, meant: &Meant<'_>, cx: &Rul
     };
     let message = format!("modifier `{}` has no target{what}: no file makes `{first}`", one.name);
     let finding = RULE.at(one.file, Place::Pointer(one.modifier.pointer.clone()), message).key(&one.name);
-    let finding = finding.evidence(Evidence::of_cases(missing.iter().copied())).help(help(view, one, first, cx));
+    let finding =
+        finding.evidence(Evidence::of_cases(missing.iter().copied())).help(help(view, one, first, spellings, cx));
     let Some(slider) = meant.slider_for(one) else { return Some(finding) };
-    let set = view.modifiers.sets.iter().filter_map(|set| set.sliders);
-    let at = set.flat_map(|(file, sliders)| sliders.modifiers().map(move |named| (file, named)));
-    let at = at.into_iter().find(|(_, named)| named.name == slider);
     let finding = finding.case(LOST);
-    Some(match at {
+    Some(match spellings.sliders.get(slider) {
         Some((file, named)) => {
             finding.related(file.path.clone(), Place::Pointer(named.pointer.clone()), "the slider that means it")
         }
@@ -128,14 +134,12 @@ fn finding(view: &View<'_>, one: &KnownModifier<'_>, meant: &Meant<'_>, cx: &Rul
     })
 }
 
-fn help(view: &View<'_>, one: &KnownModifier<'_>, group: &str, cx: &RuleCx<'_>) -> String {
+fn help(view: &View<'_>, one: &KnownModifier<'_>, group: &str, spellings: &Spellings<'_>, cx: &RuleCx<'_>) -> String {
     if let Some(word) = group.split('-').find(|word| category_of(word).is_some()) {
         let category = category_of(word).unwrap_or_default();
         return format!("`{word}` in a name is a value of {category} and in no group: choose another word");
     }
-    let split = group.replace(['_', '.'], "-");
-    let same = |other: &&str| other.eq_ignore_ascii_case(&split) || other.replace("--", "-") == *group;
-    let near = view.targets.groups().find(same).or_else(|| cx.suggestions.nearest(group, view.targets.groups()));
+    let near = spellings.group(group).or_else(|| cx.suggestions.nearest(group, view.targets.groups()));
     let of_group = near.and_then(|near| view.targets.of_group(near).first()).and_then(|place| view.targets.at(*place));
     let otherwise = format!("correct `target` of `{}`, or add the target", one.name);
     let Some(target) = of_group else { return otherwise };

@@ -1,6 +1,6 @@
 //! What a character wears and has is there.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::super::cause::library::{FIRST_EYES, FIRST_SKIN};
 use super::super::super::{Rule, RuleCx, did_you_mean, such};
@@ -22,7 +22,7 @@ pub(in super::super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, ou
     let known = Known::of(view);
     let lost = worn.filter(|(_, line)| known.is_lost(line));
     let by_asset = grouped(lost.map(|one| ((&*one.1.keyword.text, one.1.value(0), one.1.value(1)), one)));
-    out.extend(by_asset.into_values().filter_map(|lines| unknown(rule, view, &lines, cx)));
+    out.extend(by_asset.into_values().filter_map(|lines| unknown(rule, view, &known, &lines, cx)));
     let missing = own(view).flat_map(|model| view.references.of_file(model.file));
     let missing: Vec<&Reference<'_>> = missing.collect();
     out.extend(missing.iter().filter_map(|one| of_other_kind(rule, one)));
@@ -71,6 +71,10 @@ struct Known<'v> {
     unread: BTreeSet<&'v str>,
     /// The names of files that are not listed, in small letters.
     unlisted: BTreeSet<String>,
+    /// The uuid of the first asset of a library with a name.
+    by_name: BTreeMap<(&'v str, &'v str), Option<&'v str>>,
+    /// How many assets have a uuid, and the library of the first one.
+    by_uuid: BTreeMap<&'v str, (usize, Option<&'v str>)>,
 }
 
 impl<'v> Known<'v> {
@@ -88,10 +92,21 @@ impl<'v> Known<'v> {
                 None => names.extend(own.map(|name| (shelf, name))),
             }
         }
+        let (mut by_name, mut by_uuid) = (BTreeMap::new(), BTreeMap::new());
+        for worn in view.worn() {
+            let (shelf, uuid) = (shelf(worn), uuid_of(worn));
+            if let (Some(shelf), Some(name)) = (shelf, name_of(worn)) {
+                by_name.entry((shelf, name)).or_insert(uuid);
+            }
+            if let Some(uuid) = uuid {
+                by_uuid.entry(uuid).or_insert((0, shelf)).0 += 1;
+            }
+        }
         let worn: BTreeSet<&str> = view.worn().iter().map(|worn| worn.file.path.as_str()).collect();
         let files = view.layers.strongest_first().flat_map(|layer| layer.files.values());
         let others = files.filter(|file| !worn.contains(file.path.as_str()));
-        Self { uuids, names, unread, unlisted: others.map(|file| file.file_name().to_lowercase()).collect() }
+        let unlisted = others.map(|file| file.file_name().to_lowercase()).collect();
+        Self { uuids, names, unread, unlisted, by_name, by_uuid }
     }
 
     /// Assets are known by their uuid. One that cannot be read, or has none, has a finding of its own.
@@ -144,15 +159,21 @@ fn is_in_misspelt(file: &FileFacts, reference: &Reference<'_>) -> bool {
     library_extension(top).is_none() && nearest(top, ["skins"]).is_some() && meant == Some(rest)
 }
 
-fn unknown(rule: &Rule, view: &View<'_>, lines: &[(&SavedModel<'_>, &Line)], cx: &RuleCx<'_>) -> Option<Finding> {
+fn unknown(
+    rule: &Rule,
+    view: &View<'_>,
+    known: &Known<'_>,
+    lines: &[(&SavedModel<'_>, &Line)],
+    cx: &RuleCx<'_>,
+) -> Option<Finding> {
     let (model, line) = lines.first()?;
     let (category, name, uuid) = (&*line.keyword.text, line.value(0), line.value(1));
     let own = library(category);
     let more = such(lines.len(), "models");
-    let same = listed(view, category).find(|worn| name_of(worn) == Some(name)).and_then(uuid_of);
-    let elsewhere = view.worn().iter().find(|worn| uuid_of(worn) == Some(uuid) && !uuid.is_empty());
-    let elsewhere = elsewhere.and_then(shelf);
-    let is_cut = line.values.len() > 2 && uuid_is_known(view, line.values.last().map_or("", |word| &word.text));
+    let same = known.by_name.get(&(own, name)).copied().flatten();
+    let elsewhere = known.by_uuid.get(uuid).filter(|_| !uuid.is_empty()).and_then(|(_, shelf)| *shelf);
+    let last = line.values.last().map_or("", |word| &word.text);
+    let is_cut = line.values.len() > 2 && known.by_uuid.contains_key(last);
     let (message, help) = match (same, elsewhere) {
         _ if is_cut => (
             format!("the name of the asset has a blank, so `{uuid}` is read as its uuid{more}"),
@@ -166,7 +187,7 @@ fn unknown(rule: &Rule, view: &View<'_>, lines: &[(&SavedModel<'_>, &Line)], cx:
             ),
         ),
         // Of several assets with one uuid any may be worn: that has a finding of its own.
-        (Some(same), _) if view.worn().iter().filter(|worn| uuid_of(worn) == Some(same)).count() > 1 => {
+        (Some(same), _) if known.by_uuid.get(same).is_some_and(|(count, _)| *count > 1) => {
             let help = format!("give `{name}` a uuid of its own again: `{uuid}`");
             (format!("the asset `{name}` has another uuid{more}"), help)
         }
@@ -190,10 +211,6 @@ fn unknown(rule: &Rule, view: &View<'_>, lines: &[(&SavedModel<'_>, &Line)], cx:
     let finding = finding.parts_at(parts);
     let finding = finding.evidence(Evidence::of_cases(lines.iter().map(|(model, _)| model.file.shown())));
     Some(finding.effect("loads the model without it, with a line in the log"))
-}
-
-fn uuid_is_known(view: &View<'_>, uuid: &str) -> bool {
-    view.worn().iter().any(|worn| uuid_of(worn) == Some(uuid))
 }
 
 const UNFIT: Case = &[(Makehuman1, Level::Error, "fails when it reads the file, and loads the model without it")];

@@ -1,24 +1,34 @@
 //! A material line follows the line that puts the asset on, and names a file that exists.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::super::{Rule, RuleCx, did_you_mean};
 use super::own;
 use crate::diag::{Finding, Place};
 use crate::formats::mhm::{CATEGORIES, Word};
-use crate::repo::makehuman1::{SavedModel, View, material};
+use crate::repo::makehuman1::{SavedModel, View, material, uuid_of};
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
 
 pub(in super::super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let shared = shared_uuids(view);
     for model in own(view) {
         out.extend(astray(rule, model));
         if view.layers.system.is_none() {
             continue;
         }
+        let lines = model.lines.all.iter().filter(|line| &*line.keyword.text == "material").filter_map(material);
+        let unsure: BTreeSet<&str> =
+            lines.filter(|(_, uuid, _)| shared.contains(*uuid)).map(|(.., path)| &*path.text).collect();
         let named = view.references.of_file(model.file).filter(|one| one.kind == ReferenceKind::ModelMaterial);
-        let missing = named.filter(|one| matches!(one.resolution, Resolution::Missing));
+        let missing = named.filter(|one| matches!(one.resolution, Resolution::Missing) && !unsure.contains(one.text));
         out.extend(missing.map(|one| unfound(rule, view, one, cx)));
     }
+}
+
+/// The uuids of several assets: whose material is meant nobody knows, and that has a finding of its own.
+fn shared_uuids<'v>(view: &'v View<'_>) -> BTreeSet<&'v str> {
+    let mut seen = BTreeSet::new();
+    view.worn().iter().filter_map(uuid_of).filter(|uuid| !seen.insert(*uuid)).collect()
 }
 
 /// Lines for what is not worn, or not yet.
