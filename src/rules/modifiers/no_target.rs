@@ -4,11 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
 use super::meant::Meant;
-use super::spellings::Spellings;
+use super::spellings::{Spellings, help};
 use super::{LOST_FILE, LOST_TABS};
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::formats::modifier_file::Part;
-use crate::formats::target_name::category_of;
 use crate::repo::makehuman1::{KnownModifier, View, category};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
@@ -132,22 +131,4 @@ fn finding(
         }
         None => finding,
     })
-}
-
-fn help(view: &View<'_>, one: &KnownModifier<'_>, group: &str, spellings: &Spellings<'_>, cx: &RuleCx<'_>) -> String {
-    if let Some(word) = group.split('-').find(|word| category_of(word).is_some()) {
-        let category = category_of(word).unwrap_or_default();
-        return format!("`{word}` in a name is a value of {category} and in no group: choose another word");
-    }
-    let near = spellings.group(group).or_else(|| cx.suggestions.nearest(group, view.targets.groups()));
-    let of_group = near.and_then(|near| view.targets.of_group(near).first()).and_then(|place| view.targets.at(*place));
-    let otherwise = format!("correct `target` of `{}`, or add the target", one.name);
-    let Some(target) = of_group else { return otherwise };
-    let file = &target.file.rel;
-    match near.and_then(|near| near.strip_prefix(&one.modifier.group)?.strip_prefix('-')) {
-        Some(right) if one.parts.len() == 1 => {
-            format!("write `{right}` in `target` for `{file}`, and correct the name in its slider and description")
-        }
-        _ => format!("did you mean `{file}`?"),
-    }
 }

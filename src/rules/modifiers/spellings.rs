@@ -2,9 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use super::super::RuleCx;
+use crate::formats::target_name::category_of;
 use crate::formats::unfit::NamedAt;
 use crate::repo::FileFacts;
-use crate::repo::makehuman1::View;
+use crate::repo::makehuman1::{KnownModifier, View};
 
 /// Names that others may be meant for, found by what they come to.
 pub(super) struct Spellings<'v> {
@@ -36,5 +38,30 @@ impl<'v> Spellings<'v> {
         let split = group.replace(['_', '.'], "-");
         let folded = self.folded.get(&split.to_ascii_lowercase()).copied();
         folded.into_iter().chain(self.joined.get(group).copied()).min()
+    }
+}
+
+/// What to do for a modifier that asks for this group of targets.
+pub(super) fn help(
+    view: &View<'_>,
+    one: &KnownModifier<'_>,
+    group: &str,
+    spellings: &Spellings<'_>,
+    cx: &RuleCx<'_>,
+) -> String {
+    if let Some(word) = group.split('-').find(|word| category_of(word).is_some()) {
+        let category = category_of(word).unwrap_or_default();
+        return format!("`{word}` in a name is a value of {category} and in no group: choose another word");
+    }
+    let near = spellings.group(group).or_else(|| cx.suggestions.nearest(group, view.targets.groups()));
+    let of_group = near.and_then(|near| view.targets.of_group(near).first()).and_then(|place| view.targets.at(*place));
+    let otherwise = format!("correct `target` of `{}`, or add the target", one.name);
+    let Some(target) = of_group else { return otherwise };
+    let file = &target.file.rel;
+    match near.and_then(|near| near.strip_prefix(&one.modifier.group)?.strip_prefix('-')) {
+        Some(right) if one.parts.len() == 1 => {
+            format!("write `{right}` in `target` for `{file}`, and correct the name in its slider and description")
+        }
+        _ => format!("did you mean `{file}`?"),
     }
 }
