@@ -1,7 +1,7 @@
 //! Every path of a data root with what it is for, found out once.
 
 use std::borrow::Cow;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use super::{Kind, Layout, Role};
 use crate::diag::Application;
@@ -74,18 +74,27 @@ pub(crate) fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) ->
     let all: Vec<Candidate<'t>> = users.collect::<Vec<_>>().concat();
     found.truncate(own);
     if !all.is_empty() {
-        add_around(&mut found, all);
+        add_around(&mut found, all, layouts);
     }
     found
 }
 
-/// Adds what belongs to a data folder beside it, each file once. What is in the folder itself comes first.
-fn add_around<'t>(found: &mut Vec<Candidate<'t>>, all: Vec<Candidate<'t>>) {
-    let own: BTreeSet<String> = found.iter().map(|one| one.rel.to_string()).collect();
+/// Adds what belongs to a data folder beside it, each file once. What is in the folder itself comes first, but for models,
+/// which lie beside it: those in it have no place.
+fn add_around<'t>(found: &mut Vec<Candidate<'t>>, all: Vec<Candidate<'t>>, layouts: &[&Layout]) {
+    let own: BTreeMap<String, usize> = found.iter().enumerate().map(|(at, one)| (one.rel.to_string(), at)).collect();
     let mut around: BTreeMap<String, Candidate<'t>> = BTreeMap::new();
-    for one in all.into_iter().filter(|one| !own.contains(&*one.rel)) {
-        let rel = one.rel.to_string();
-        let uses = one.uses.clone();
+    for one in all {
+        match own.get(&*one.rel).and_then(|at| found.get_mut(*at)) {
+            Some(misplaced) if one.kind() == Kind::Model => {
+                let rel = format!("data/{}", one.rel);
+                misplaced.uses = uses_of(&rel, layouts);
+                misplaced.rel = rel.into();
+            }
+            Some(_) => continue,
+            None => {}
+        }
+        let (rel, uses) = (one.rel.to_string(), one.uses.clone());
         around.entry(rel).and_modify(|known| known.uses.extend(uses)).or_insert(one);
     }
     found.extend(around.into_values());

@@ -2,6 +2,8 @@
 
 #![expect(clippy::disallowed_methods, reason = "what a PATH argument is, a file or a folder, is asked here")]
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::super::error::{Error, PathFault};
@@ -45,6 +47,14 @@ impl Input {
         self.narrow.is_empty() || self.narrow.iter().any(|narrow| is_below(path, narrow))
     }
 
+    /// Takes in another PATH to a part of the same tree.
+    fn ask_for(&mut self, path: String) {
+        if !self.narrow.is_empty() {
+            self.narrow.push(path.clone());
+        }
+        self.named.push(path);
+    }
+
     /// Takes in another PATH to the same tree.
     fn join(&mut self, mut other: Self) {
         // What lists more is kept.
@@ -68,12 +78,26 @@ pub(in crate::engine) fn open(
     limits: &Limits,
 ) -> Result<Vec<Input>, Error> {
     let mut inputs: Vec<(PathBuf, Input)> = Vec::new();
+    let known = KnownRoots::default();
     for path in paths {
-        let (place, mut input) = open_one(path, applications, limits)?;
+        let place = canonical(path)?;
+        let part = (place.is_file() && !is_pack(path)).then(|| Part::of_file(path, &place, applications, &known));
+        let known_tree = part.as_ref().and_then(|part| {
+            inputs.iter_mut().find(|(root, input)| *root == part.root && input.is_beside == part.is_beside)
+        });
+        // A hook names many files of one tree: it is walked once.
+        if let (Some((_, input)), Some(part)) = (known_tree, &part) {
+            input.ask_for(part.narrow.clone());
+            continue;
+        }
+        let (root, mut input) = match part {
+            Some(part) => part.open(),
+            None => open_whole(path, place, applications, limits, &known)?,
+        };
         input.tests = tests_of(path);
-        match inputs.iter_mut().find(|(known, _)| *known == place) {
+        match inputs.iter_mut().find(|(known, _)| *known == root) {
             Some((_, known)) => known.join(input),
-            None => inputs.push((place, input)),
+            None => inputs.push((root, input)),
         }
     }
     Ok(inputs.into_iter().map(|(_, input)| input).collect())
@@ -92,20 +116,22 @@ pub(in crate::engine) fn open_system(path: &Path) -> Result<Tree, Error> {
     Ok(Tree::on_disk(label(path), path, is_read_though_hidden))
 }
 
-fn open_one(path: &Path, applications: &[Application], limits: &Limits) -> Result<(PathBuf, Input), Error> {
-    let place = canonical(path)?;
+/// Opens a zip, or a folder with all that is in it; inside a data root that, and the folder as a part of it.
+fn open_whole(
+    path: &Path,
+    place: PathBuf,
+    applications: &[Application],
+    limits: &Limits,
+    known: &KnownRoots,
+) -> Result<(PathBuf, Input), Error> {
     let here = label(path);
     if is_pack(path) {
         return open_pack(path, &here, limits).map(|input| (place, input));
     }
-    if place.is_file() {
-        let above = open_above(path, &place, &here, applications);
-        return Ok(above.unwrap_or_else(|| open_beside(path, &place, &here)));
-    }
     let tree = Tree::on_disk(here.clone(), path, is_read_though_hidden);
     let is_no_root = roots_in(&tree, &place).is_empty();
-    let above = if is_no_root { open_above(path, &place, &here, applications) } else { None };
-    Ok(above.unwrap_or_else(|| (place, Input::whole(tree))))
+    let above = if is_no_root { Part::above(path, &place, &here, applications, known) } else { None };
+    Ok(above.map_or_else(|| (place, Input::whole(tree)), Part::open))
 }
 
 /// Whether a PATH is a zip, by its name: it is checked as the folder that it becomes.
@@ -129,54 +155,104 @@ fn open_pack(path: &Path, here: &str, limits: &Limits) -> Result<Input, Error> {
 /// Folders of textures and the like below that of a file.
 const LEVELS_BESIDE: usize = 4;
 
-/// A file that lies in no data root, with those beside it: they may belong together.
-fn open_beside(path: &Path, place: &Path, here: &str) -> (PathBuf, Input) {
-    let folder = folder_of(path);
-    let tree = Tree::on_disk_to_depth(label(folder), folder, LEVELS_BESIDE, is_read_though_hidden);
-    let input = Input { is_beside: true, ..Input::part(tree, here.to_owned()) };
-    (place.parent().unwrap_or(place).to_owned(), input)
+/// What a PATH asks for in a tree that is not walked yet.
+struct Part {
+    /// The top of the tree.
+    root: PathBuf,
+    /// Where it is opened, and what is printed for it.
+    folder: PathBuf,
+    label: String,
+    /// What is asked for, as printed.
+    narrow: String,
+    /// Whether the tree is the folder around a file that lies in no data root: those beside it may belong to it.
+    is_beside: bool,
 }
 
-/// The data root that `path` lies inside of.
-fn open_above(path: &Path, place: &Path, here: &str, applications: &[Application]) -> Option<(PathBuf, Input)> {
-    place.to_str()?;
-    let slashed_place = slashed(place);
-    let root = applications.iter().find_map(|application| root_above(&slashed_place, Layout::of(*application)))?;
-    let levels = place.strip_prefix(&root).ok()?.components().count();
-    let written = label_above(path, here, levels);
-    // What lies above a link is not above what it leads to.
-    let leads_there = source::canonical(Path::new(&written)).is_some_and(|real| real == root);
-    let root_label = if leads_there { written } else { label_of_real(&root) };
-    let below = slashed(place.strip_prefix(&root).ok()?);
-    let narrow = if root_label.is_empty() { below } else { format!("{root_label}/{below}") };
-    let tree = Tree::on_disk(root_label, &root, is_read_though_hidden);
-    Some((root, Input::part(tree, narrow)))
+impl Part {
+    fn of_file(path: &Path, place: &Path, applications: &[Application], known: &KnownRoots) -> Self {
+        let here = label(path);
+        Self::above(path, place, &here, applications, known).unwrap_or_else(|| {
+            let folder = folder_of(path).to_owned();
+            let root = place.parent().unwrap_or(place).to_owned();
+            Self { root, label: label(&folder), folder, narrow: here, is_beside: true }
+        })
+    }
+
+    /// The data root that `path` lies inside of.
+    fn above(path: &Path, place: &Path, here: &str, applications: &[Application], known: &KnownRoots) -> Option<Self> {
+        place.to_str()?;
+        let slashed_place = slashed(place);
+        let root_above = |one: &Application| known.above(&slashed_place, Layout::of(*one));
+        let root = applications.iter().find_map(root_above)?;
+        let levels = place.strip_prefix(&root).ok()?.components().count();
+        let written = label_above(path, here, levels);
+        // What lies above a link is not above what it leads to.
+        let leads_there = source::canonical(Path::new(&written)).is_some_and(|real| real == root);
+        let label = if leads_there { written } else { label_of_real(&root) };
+        let below = slashed(place.strip_prefix(&root).ok()?);
+        let narrow = if label.is_empty() { below } else { format!("{label}/{below}") };
+        Some(Self { folder: root.clone(), root, label, narrow, is_beside: false })
+    }
+
+    fn open(self) -> (PathBuf, Input) {
+        let levels = if self.is_beside { LEVELS_BESIDE } else { usize::MAX };
+        let tree = Tree::on_disk_to_depth(self.label, &self.folder, levels, is_read_though_hidden);
+        (self.root, Input { is_beside: self.is_beside, ..Input::part(tree, self.narrow) })
+    }
 }
 
-/// The folder above `place` that is a data root of any application, where `layout` has such a one.
-fn root_above(place: &str, layout: &Layout) -> Option<PathBuf> {
-    within(place, layout).or_else(|| beside(place, layout))
+/// The folders that were looked at for data roots above PATHs: many PATHs lie in the same ones.
+#[derive(Default)]
+struct KnownRoots {
+    are_roots: RefCell<BTreeMap<(PathBuf, Application), bool>>,
+    have_data: RefCell<BTreeMap<(PathBuf, Application), bool>>,
 }
 
-/// The folder that holds both a data root called `data` and one beside it that `place` lies in.
-fn beside(place: &str, layout: &Layout) -> Option<PathBuf> {
-    let parts: Vec<&str> = place.split('/').collect();
-    let named = (0..parts.len()).rev().filter(|at| parts.get(*at).is_some_and(|part| layout.beside.contains(part)));
-    let mut above = named.map(|at| PathBuf::from(parts.get(..at).unwrap_or_default().join("/")));
-    above.find(|above| {
-        let data = above.join("data");
-        let shallow = || Tree::on_disk_to_depth(String::new(), &data, layout.depth, is_read_though_hidden);
-        data.is_dir() && roots_of(&shallow(), &[layout.application], |one| one == layout.application).contains_key("")
-    })
+impl KnownRoots {
+    /// The folder above `place` that is a data root of any application, where `layout` has such a one.
+    fn above(&self, place: &str, layout: &Layout) -> Option<PathBuf> {
+        self.within(place, layout).or_else(|| self.beside(place, layout))
+    }
+
+    /// The folder that holds both a data root called `data` and one beside it that `place` lies in.
+    fn beside(&self, place: &str, layout: &Layout) -> Option<PathBuf> {
+        let parts: Vec<&str> = place.split('/').collect();
+        let named = (0..parts.len()).rev().filter(|at| parts.get(*at).is_some_and(|part| layout.beside.contains(part)));
+        let mut above = named.map(|at| PathBuf::from(parts.get(..at).unwrap_or_default().join("/")));
+        let has_data = |above: &PathBuf| {
+            let data = above.join("data");
+            let shallow = || Tree::on_disk_to_depth(String::new(), &data, layout.depth, is_read_though_hidden);
+            let is_own = |one: Application| one == layout.application;
+            data.is_dir() && roots_of(&shallow(), &[layout.application], is_own).contains_key("")
+        };
+        above.find(|above| once(&self.have_data, above, layout, || has_data(above)))
+    }
+
+    fn within(&self, place: &str, layout: &Layout) -> Option<PathBuf> {
+        let is_root = |root: &PathBuf| {
+            let shallow = Tree::on_disk_to_depth(String::new(), root, layout.depth, is_read_though_hidden);
+            roots_in(&shallow, root).iter().any(String::is_empty)
+        };
+        // No application has its data at the top of the disk.
+        let mut roots = layout.roots_above(place).filter(|root| !root.is_empty()).map(PathBuf::from);
+        roots.find(|root| once(&self.are_roots, root, layout, || is_root(root)))
+    }
 }
 
-fn within(place: &str, layout: &Layout) -> Option<PathBuf> {
-    let is_root = |root: &PathBuf| {
-        let shallow = Tree::on_disk_to_depth(String::new(), root, layout.depth, is_read_though_hidden);
-        roots_in(&shallow, root).iter().any(String::is_empty)
-    };
-    // No application has its data at the top of the disk.
-    layout.roots_above(place).filter(|root| !root.is_empty()).map(PathBuf::from).find(is_root)
+/// What was found out of a folder for an application, or is now.
+fn once(
+    known: &RefCell<BTreeMap<(PathBuf, Application), bool>>,
+    folder: &Path,
+    layout: &Layout,
+    look: impl FnOnce() -> bool,
+) -> bool {
+    let key = (folder.to_owned(), layout.application);
+    if let Some(known) = known.borrow().get(&key) {
+        return *known;
+    }
+    let found = look();
+    known.borrow_mut().insert(key, found);
+    found
 }
 
 /// The data roots in the tree of a folder, as seen from the one above: its name tells, too, what is in it.

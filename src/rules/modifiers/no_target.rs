@@ -1,10 +1,10 @@
 //! A modifier moves targets that exist.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
 use super::meant::Meant;
-use super::spellings::{Spellings, help};
+use super::spellings::{Spellings, Starts, help};
 use super::{LOST_FILE, LOST_TABS};
 use crate::diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::formats::modifier_file::Part;
@@ -37,7 +37,12 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if let Some(finding) = renamed_folder(view).filter(|_| !bare.is_empty()) {
         return out.push(finding);
     }
-    out.extend(bare.values().filter_map(|all| group_finding(view, all, cx)));
+    let mut starts = BTreeMap::new();
+    for (group, all) in &bare {
+        let words = group.split('-').count();
+        let starts = starts.entry(words).or_insert_with(|| Starts::of(view, words));
+        out.extend(group_finding(starts, all, cx));
+    }
     // What an archive hides has a finding of its own.
     let is_hidden = |one: &KnownModifier<'_>| {
         one.parts.iter().any(|part| part.targets.is_empty() && view.targets.hides(&part.group))
@@ -71,7 +76,7 @@ fn bare_groups<'v>(view: &'v View<'_>) -> BTreeMap<&'v str, Vec<&'v KnownModifie
     groups
 }
 
-fn group_finding(view: &View<'_>, all: &[&KnownModifier<'_>], cx: &RuleCx<'_>) -> Option<Finding> {
+fn group_finding(starts: &Starts, all: &[&KnownModifier<'_>], cx: &RuleCx<'_>) -> Option<Finding> {
     let first = all.first()?;
     let group = first.modifier.group.as_str();
     let message = format!("no file makes a target for group `{group}`, which has {} modifiers", all.len());
@@ -79,12 +84,7 @@ fn group_finding(view: &View<'_>, all: &[&KnownModifier<'_>], cx: &RuleCx<'_>) -
     let finding = RULE.at(first.file, Place::Pointer(format!("/{entry}/group")), message).key(format!("group {group}"));
     let is_macro = all.iter().any(|one| one.modifier.variable.is_some());
     let evidence = Evidence::of_cases(all.iter().map(|one| one.name.as_str()));
-    // What names of groups begin with, as far as it has as many words as this one.
-    let words = group.split('-').count();
-    let start = |other: &str| other.split('-').take(words).collect::<Vec<_>>().join("-");
-    let starts: BTreeSet<String> = view.targets.groups().map(start).collect();
-    let same = starts.iter().find(|start| start.eq_ignore_ascii_case(group.trim_end_matches('/')));
-    let near = same.map(String::as_str).or_else(|| cx.suggestions.nearest(group, starts.iter().map(String::as_str)));
+    let near = starts.same(group).or_else(|| cx.suggestions.nearest(group, starts.all()));
     let finding = finding.evidence(evidence).help(did_you_mean(near, "correct the group, or the names of its targets"));
     Some(if is_macro { finding.case(STOPPED) } else { finding })
 }

@@ -1,6 +1,6 @@
 //! Names of targets and sliders, found by what others come to that differ from them in small ways.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::RuleCx;
 use crate::formats::target_name::category_of;
@@ -63,5 +63,31 @@ pub(super) fn help(
             format!("write `{right}` in `target` for `{file}`, and correct the name in its slider and description")
         }
         _ => format!("did you mean `{file}`?"),
+    }
+}
+
+/// What names of groups begin with, as far as another one has words.
+pub(super) struct Starts {
+    /// By what they are in small letters.
+    folded: BTreeMap<String, BTreeSet<String>>,
+}
+
+impl Starts {
+    pub(super) fn of(view: &View<'_>, words: usize) -> Self {
+        let mut folded: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+        for group in view.targets.groups() {
+            let start = group.split('-').take(words).collect::<Vec<_>>().join("-");
+            folded.entry(start.to_ascii_lowercase()).or_default().insert(start);
+        }
+        Self { folded }
+    }
+
+    pub(super) fn all(&self) -> impl Iterator<Item = &str> {
+        self.folded.values().flatten().map(String::as_str)
+    }
+
+    /// The first that differs in capitals or a slash behind it alone.
+    pub(super) fn same(&self, group: &str) -> Option<&str> {
+        self.folded.get(&group.trim_end_matches('/').to_ascii_lowercase())?.first().map(String::as_str)
     }
 }
