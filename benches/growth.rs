@@ -28,7 +28,7 @@ struct Shape {
     finds: Option<&'static str>,
 }
 
-const SHAPES: [Shape; 13] = [
+const SHAPES: [Shape; 16] = [
     Shape { name: "sliders", few: 2_000, make: sliders, finds: None },
     Shape { name: "sliders without targets", few: 1_000, make: dead_sliders, finds: Some("modelling-missing-target") },
     Shape { name: "unused pictures", few: 2_000, make: unused_pictures, finds: Some("file-unreferenced") },
@@ -42,6 +42,9 @@ const SHAPES: [Shape; 13] = [
     Shape { name: "assets of one folder", few: 1_000, make: assets_of_folder, finds: Some("proxy-missing-mesh") },
     Shape { name: "ink layers", few: 1_000, make: ink_layers, finds: Some("ink-layer") },
     Shape { name: "names in other capitals", few: 500, make: capitals, finds: Some("file-case-conflict") },
+    Shape { name: "uuids of a model", few: 700, make: uuids_of_model, finds: Some("model-unknown-asset") },
+    Shape { name: "groups of modifiers", few: 500, make: groups_of_modifiers, finds: Some("modifiers-no-target") },
+    Shape { name: "shaders of skins", few: 500, make: shaders_of_skins, finds: Some("material-missing-shader") },
 ];
 
 fn main() -> ExitCode {
@@ -220,17 +223,63 @@ fn faults_in_list(count: usize) -> Files {
     files
 }
 
+/// What MakeHuman 1 needs to be taken for more than a part of it.
+fn makehuman1() -> Files {
+    let named = |path: &str, text: &str| (format!("data/{path}"), text.as_bytes().to_vec());
+    vec![
+        named("3dobjs/base.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\ng body\nf 1 2 3\n"),
+        named("modifiers/modeling_modifiers.json", "[]"),
+        named("targets/macrodetails/a.target", "0 0 0 .1\n"),
+        named("rigs/default.mhskel", "{}"),
+        named("poseunits/face-poseunits.json", "{}"),
+        named("shaders/glsl/own_fragment_shader.txt", "void main() {}\n"),
+        named("eyes/high-poly/high-poly.mhclo", "name eyes\n"),
+        named("skins/default.mhmat", "name default\n"),
+        ("user/data/custom/x.target".to_owned(), b"0 0 0 .1\n".to_vec()),
+    ]
+}
+
+/// A character of MakeHuman 1 whose lines have the names of assets, and other uuids.
+fn uuids_of_model(count: usize) -> Files {
+    let mut lines = "version v1.3.0\nname a\n".to_owned();
+    (0..count).for_each(|number| writeln!(lines, "clothes c{number} other{number}").unwrap());
+    let asset = |number: usize| {
+        let text = format!("name c{number}\nuuid {number}\nverts 0\n0\n1\n2\n");
+        (format!("user/data/clothes/c{number}/c{number}.mhclo"), text.into_bytes())
+    };
+    let model = ("user/models/a.mhm".to_owned(), lines.into_bytes());
+    makehuman1().into_iter().chain((0..count).map(asset)).chain([model]).collect()
+}
+
+/// Modifiers of MakeHuman 1, each in a group of its own without targets.
+fn groups_of_modifiers(count: usize) -> Files {
+    let group =
+        |number: usize| format!(r#"{{"group": "g{number}", "modifiers": [{{"target": "a"}}, {{"target": "b"}}]}}"#);
+    let text = format!("[{}]", (0..count).map(group).collect::<Vec<_>>().join(",\n"));
+    let mut files = makehuman1();
+    files.retain(|(path, _)| !path.ends_with("_modifiers.json"));
+    files.push(("data/modifiers/modeling_modifiers.json".to_owned(), text.into_bytes()));
+    files.extend((0..count).map(|number| (format!("data/targets/h{number}/a.target"), b"0 0 0 .1\n".to_vec())));
+    files
+}
+
+/// Skins of MakeHuman 1 with shaders that nobody has, beside others.
+fn shaders_of_skins(count: usize) -> Files {
+    let skin = |number: usize| {
+        let text = format!("name s{number}\nshader shaders/glsl/none{number}\n");
+        (format!("user/data/skins/s{number}/s{number}.mhmat"), text.into_bytes())
+    };
+    let shader =
+        |number: usize| (format!("data/shaders/glsl/s{number}_fragment_shader.txt"), b"void main() {}\n".to_vec());
+    makehuman1().into_iter().chain((0..count).map(skin)).chain((0..count).map(shader)).collect()
+}
+
 /// A character of MakeHuman 1 with lines for assets and materials that nobody has.
 fn lines_of_model(count: usize) -> Files {
     let mut lines = "version v1.3.0\nname a\n".to_owned();
     (0..count)
         .for_each(|number| writeln!(lines, "clothes c{number} {number}\nmaterial c{number} {number} a.mhmat").unwrap());
-    vec![
-        ("data/3dobjs/base.obj".to_owned(), b"v 0 0 0\nv 1 0 0\nv 0 1 0\ng body\nf 1 2 3\n".to_vec()),
-        ("data/modifiers/modeling_modifiers.json".to_owned(), b"[]".to_vec()),
-        ("user/data/custom/x.target".to_owned(), b"0 0 0 .1\n".to_vec()),
-        ("user/models/a.mhm".to_owned(), lines.into_bytes()),
-    ]
+    makehuman1().into_iter().chain([("user/models/a.mhm".to_owned(), lines.into_bytes())]).collect()
 }
 
 /// Assets in the folder of one, all without their mesh.

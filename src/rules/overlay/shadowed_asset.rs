@@ -109,7 +109,7 @@ fn replacing(view: &View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
     let message = format!("replaces the system's `{}`", system.file.rel);
     let finding = RULE.at(own.file, Place::File, message).key(format!("{} {}", own.name, own.uuid));
     let finding = finding.related(system.file.path.clone(), Place::File, "the replaced asset");
-    Some(finding.help("give it a name of its own if both are to be listed"))
+    Some(finding.help("give it a name and a uuid of its own if both are to be listed"))
 }
 
 /// Folders with something in them that is worn.
