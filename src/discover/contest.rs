@@ -76,12 +76,8 @@ fn winners(claims: &[Claim], meant: Meant<'_>) -> BTreeSet<Application> {
         let is_third = |other: &Claim| !share_users(other.application, claim.application);
         !claim.is_much(claims) && others.any(|other| is_third(other) && other.evidence.found >= other.much())
     };
-    let (strays, left): (Vec<&Claim>, Vec<&Claim>) = claims.iter().partition(is_stray);
-    if left.is_empty() || strays.is_empty() {
-        winners_of(&claims.iter().collect::<Vec<_>>(), meant)
-    } else {
-        winners_of(&left, meant)
-    }
+    let left: Vec<&Claim> = claims.iter().filter(|claim| !is_stray(claim)).collect();
+    winners_of(&if left.is_empty() { claims.iter().collect() } else { left }, meant)
 }
 
 fn winners_of(claims: &[&Claim], meant: Meant<'_>) -> BTreeSet<Application> {

@@ -168,7 +168,7 @@ impl Asked<'_> {
         let roots = Roots::of(&side.inputs, &side.systems, scope, options, applications, outcome)?;
         let mut data = Data::load(roots, &options.limits, other);
         data.identify(options);
-        let alone = data.alone().map(|(layer, application)| Note::StandsAlone {
+        let alone = data.standing_alone().map(|(layer, application)| Note::StandsAlone {
             path: super::load::shown(&layer.path).to_owned(),
             application,
         });

@@ -212,6 +212,11 @@ impl Layer {
         if self.is_loose { self.display(folder).into() } else { folder.into() }
     }
 
+    /// Whether there is something at a path: what cannot be used has a finding of its own.
+    pub(crate) fn is_there(&self, rel: &str) -> bool {
+        self.file(rel).is_some() || self.has_unusable(rel)
+    }
+
     /// Whether something other than a file stands at a path, or above it something that could not be walked.
     pub(crate) fn has_unusable(&self, rel: &str) -> bool {
         // Folders with other names, such as those of images, are not reported.

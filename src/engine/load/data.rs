@@ -19,6 +19,8 @@ pub(in crate::engine) struct Loaded<'t> {
     pub(in crate::engine) layer: Layer,
     /// The parts that it plays.
     pub(super) roles: Roles,
+    /// The applications of which it is the data as those of `--system` are, so that these do not lie below it.
+    pub(super) alone: Vec<Application>,
     /// Sizes of the meshes in it, and of those below it.
     sizes: MeshSizes,
     narrow: Vec<String>,
@@ -36,7 +38,7 @@ impl<'t> Loaded<'t> {
     /// Reads a data root; `below` are the meshes of those that may lie below it.
     fn load(place: Place<'t>, roles: Roles, narrow: Vec<String>, below: MeshSizes, reader: Reader<'_>) -> Self {
         let (layer, sizes) = load(&place, reader, below);
-        Self { place, layer, roles, sizes, narrow }
+        Self { place, layer, roles, alone: Vec::new(), sizes, narrow }
     }
 
     /// The part that it plays for an application, if it is a data root of that one.
@@ -57,11 +59,6 @@ impl<'t> Loaded<'t> {
     /// Whether the mesh that a file belongs to is known.
     pub(in crate::engine) fn has_mesh_for(&self, file: &FileFacts) -> bool {
         file.base().is_some_and(|base| self.sizes.contains_key(base))
-    }
-
-    /// Whether it is the data of a program as the given ones are, so that these do not lie below it.
-    pub(super) fn stands_alone(&self, application: Application, given: &Loaded<'_>) -> bool {
-        self.is_system_for(application) && self.place.stands_alone(application, |base| given.sizes.contains_key(base))
     }
 
     /// Whether a path is one that the PATHs ask for.
@@ -124,7 +121,9 @@ impl<'t> Data<'t> {
             for (place, roles) in data.with_one_mesh(place, roles) {
                 let below = data.meshes_below(&roles);
                 let reader = reader(&place);
-                data.roots.push(Loaded::load(place, roles, narrow.clone(), below, reader));
+                let mut root = Loaded::load(place, roles, narrow.clone(), below, reader);
+                root.alone = data.alone(&root);
+                data.roots.push(root);
             }
         }
         data
@@ -147,6 +146,15 @@ impl<'t> Data<'t> {
             return vec![(place, roles)];
         }
         roles.into_iter().map(|role| (place.of_one(role.0), vec![role])).collect()
+    }
+
+    /// The applications of which a root is the data as those of `--system` are.
+    fn alone(&self, root: &Loaded<'_>) -> Vec<Application> {
+        let stands_alone = |one: &Application| {
+            let has_base = |given: &Loaded<'_>| root.place.stands_alone(*one, |base| given.sizes.contains_key(base));
+            root.is_system_for(*one) && self.given(*one).is_some_and(has_base)
+        };
+        root.roles.iter().map(|(application, _)| *application).filter(stands_alone).collect()
     }
 
     /// Sizes of the meshes that may lie below a root: those of the system data that was given for an application of

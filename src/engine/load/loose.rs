@@ -25,20 +25,33 @@ pub(super) struct Outside<'t, 'i> {
     pub(super) bases: &'i BTreeSet<String>,
     /// Whether the application is asked for, by name or with its data.
     pub(super) is_meant: bool,
-    /// Whether no application is named and the data of several are given: then models say which is meant.
-    pub(super) is_one_of_several: bool,
-    pub(super) units: &'i UnitNames,
-    pub(super) options: &'i Config,
-    /// The folders with targets that can be recognised, once that is asked for.
-    pub(super) beside_target: OnceCell<BTreeSet<String>>,
-    /// Of data roots whether what lies in them is no loose asset: asked for each file.
-    pub(super) kept: RefCell<BTreeMap<String, bool>>,
+    pub(super) given: &'i Given<'i>,
+    pub(super) seen: Seen,
 }
 
-/// Whether no application is named and the data of several are given.
-pub(super) fn is_one_of_several(systems: &[Place<'_>], options: &Config) -> bool {
-    let given = Application::ALL.into_iter().filter(|one| systems.iter().any(|system| system.is_of(*one)));
-    options.applications.is_empty() && given.count() > 1
+/// What a run gives for all files outside of data roots.
+pub(super) struct Given<'i> {
+    /// Whether no application is named and the data of several are given: then models say which is meant.
+    is_one_of_several: bool,
+    units: UnitNames,
+    pub(super) options: &'i Config,
+}
+
+impl<'i> Given<'i> {
+    pub(super) fn of(systems: &[Place<'_>], options: &'i Config) -> Self {
+        let given = Application::ALL.into_iter().filter(|one| systems.iter().any(|system| system.is_of(*one)));
+        let is_one_of_several = options.applications.is_empty() && given.count() > 1;
+        Self { is_one_of_several, units: UnitNames::of(systems, &options.limits), options }
+    }
+}
+
+/// What was found out once for many files.
+#[derive(Default)]
+pub(super) struct Seen {
+    /// The folders with targets that can be recognised.
+    beside_target: OnceCell<BTreeSet<String>>,
+    /// Of data roots whether what lies in them is no loose asset.
+    kept: RefCell<BTreeMap<String, bool>>,
 }
 
 impl<'t> Outside<'t, '_> {
@@ -48,11 +61,11 @@ impl<'t> Outside<'t, '_> {
         let input = self.input;
         let is_asked = |entry: &Entry| self.is_asked(entry, layout);
         let bind = |entry: &Entry, above: &[&str]| self.bind(entry, above, layout);
-        let names = |entry: &Entry| names(&input.tree, entry, &self.options.limits);
+        let names = |entry: &Entry| names(&input.tree, entry, &self.given.options.limits);
         let list = |entry: &Entry| {
-            let limits = &self.options.limits;
+            let limits = &self.given.options.limits;
             match meant_extension(&entry.path) {
-                "mhpose" => self.units.list_of(&input.tree, entry, limits),
+                "mhpose" => self.given.units.list_of(&input.tree, entry, limits),
                 extension => {
                     let text = LazyCell::new(|| input.tree.read(entry, limits).unwrap_or_default());
                     (layout.list_by_content)(extension, &|word| says(&text, word))
@@ -66,7 +79,7 @@ impl<'t> Outside<'t, '_> {
         let is_single = |path: &str| matches!(extension(path), "target" | "mhskel" | "mhw");
         let single = place.below.iter().find(|file| is_single(&file.entry.path));
         match (single, place.below.is_empty()) {
-            (Some(first), _) if self.options.bases.len() > 1 => {
+            (Some(first), _) if self.given.options.bases.len() > 1 => {
                 Err(Error::SeveralBases { file: input.tree.shown(&first.entry.path) })
             }
             (_, is_empty) => Ok((!is_empty).then_some((place, narrow))),
@@ -79,10 +92,10 @@ impl<'t> Outside<'t, '_> {
         // In the data of another application what is dangerous is looked at all the same.
         let is_left_out = || (layout.is_dangerous)(&entry.path) && !around().any(|(_, layouts)| is_own(layouts));
         let keeps = |(root, layouts): (&String, &Vec<&'static Layout>)| {
-            let known = self.kept.borrow().get(root).copied();
+            let known = self.seen.kept.borrow().get(root).copied();
             known.unwrap_or_else(|| {
                 let keeps = self.keeps(root, layouts);
-                self.kept.borrow_mut().insert(root.clone(), keeps);
+                self.seen.kept.borrow_mut().insert(root.clone(), keeps);
                 keeps
             })
         };
@@ -93,26 +106,23 @@ impl<'t> Outside<'t, '_> {
     /// Whether what lies in a data root is no loose asset. A user's data of an application that is not asked for may be
     /// installed in that of another one.
     fn keeps(&self, root: &str, layouts: &[&'static Layout]) -> bool {
-        if self.roots.values().flatten().any(|layout| self.options.asks_for(layout.application)) {
+        if self.roots.values().flatten().any(|layout| self.given.options.asks_for(layout.application)) {
             return true;
         }
         let is_users = |layout: &Layout| (layout.role)(&candidates(&self.input.tree, root, &[layout])) == Role::User;
-        layouts.iter().any(|layout| self.options.asks_for(layout.application) || !is_users(layout))
+        layouts.iter().any(|layout| self.given.options.asks_for(layout.application) || !is_users(layout))
     }
 
     /// The base mesh that a file is for: as it is asked for, as the file says or a folder above it, or the only one there
     /// is.
     fn bind(&self, entry: &Entry, above: &[&str], layout: &Layout) -> Binding {
-        let Self { input, bases, options, .. } = self;
+        let Self { input, bases, given: Given { options, .. }, .. } = self;
         let asked = match options.bases.as_slice() {
             [asked] if bases.is_empty() || bases.contains(asked) => Some(asked),
             _ => None,
         };
-        let is_beside_target = || {
-            self.beside_target
-                .get_or_init(|| folders_of_targets(input, options))
-                .contains(folder_and_name(&entry.path).0)
-        };
+        let folders = || self.seen.beside_target.get_or_init(|| self.folders_of_targets());
+        let is_beside_target = || folders().contains(folder_and_name(&entry.path).0);
         let header = recognised(input, entry, options, self.is_meant, &is_beside_target)?;
         let is_target = meant_extension(&entry.path) == "target";
         // What was made for another one is not held against an application that nobody named.
@@ -124,7 +134,9 @@ impl<'t> Outside<'t, '_> {
         };
         let is_excluded = layout.only_base.is_some_and(|only| !options.asks_for_base(only));
         let is_others = if self.is_meant {
-            self.is_one_of_several && meant_extension(&entry.path) == "mhm" && self.is_written_for_others(entry, layout)
+            self.given.is_one_of_several
+                && meant_extension(&entry.path) == "mhm"
+                && self.is_written_for_others(entry, layout)
         } else {
             is_of_others()
         };
@@ -144,15 +156,27 @@ impl<'t> Outside<'t, '_> {
         Some(named.or_else(|| is_usual.then(|| Layout::USUAL_BASE.to_owned())))
     }
 
+    /// The folders outside of data roots with files that can be recognised as targets.
+    fn folders_of_targets(&self) -> BTreeSet<String> {
+        let is_outside = |path: &str| !self.roots.keys().any(|root| is_below(path, root));
+        let Input { tree, .. } = self.input;
+        let files = tree.entries().iter().filter(|entry| meant_extension(&entry.path) == "target");
+        let is_target = |entry: &&Entry| {
+            is_outside(&entry.path)
+                && tree.read(entry, &self.given.options.limits).is_ok_and(|text| recognise(&text).is_some())
+        };
+        files.filter(is_target).map(|entry| folder_and_name(&entry.path).0.to_owned()).collect()
+    }
+
     /// Whether a file is for other applications where nobody asks, as it says itself, or by its kind.
     fn is_written_for_others(&self, entry: &Entry, layout: &Layout) -> bool {
-        let text = self.input.tree.read(entry, &self.options.limits).unwrap_or_default();
+        let text = self.input.tree.read(entry, &self.given.options.limits).unwrap_or_default();
         (layout.is_of_others)(meant_extension(&entry.path), &|word| says(&text, word))
     }
 
     /// Whether a file is a motion without this joint.
     fn lacks(&self, entry: &Entry, joint: &str) -> bool {
-        let text = || self.input.tree.read(entry, &self.options.limits).unwrap_or_default();
+        let text = || self.input.tree.read(entry, &self.given.options.limits).unwrap_or_default();
         meant_extension(&entry.path) == "bvh" && !has_joint(&text(), joint)
     }
 }
@@ -196,14 +220,6 @@ fn recognised(
 
 /// What targets of systemd and Eclipse say.
 const FOREIGN_TARGETS: [&str; 3] = ["[Unit]", "[Install]", "<target"];
-
-/// The folders with files that can be recognised as targets.
-fn folders_of_targets(input: &Input, options: &Config) -> BTreeSet<String> {
-    let files = input.tree.entries().iter().filter(|entry| meant_extension(&entry.path) == "target");
-    let is_target =
-        |entry: &&Entry| input.tree.read(entry, &options.limits).is_ok_and(|text| recognise(&text).is_some());
-    files.filter(is_target).map(|entry| folder_and_name(&entry.path).0.to_owned()).collect()
-}
 
 /// Whether the base mesh in the header of a target is not the only one that there is, nor that of an older version.
 fn is_for_another(base: &str, layout: &Layout) -> bool {

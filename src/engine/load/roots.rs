@@ -1,6 +1,5 @@
 //! Data roots: where they are in the inputs, and which of them are checked.
 
-use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::error::{Error, PathFault};
@@ -8,13 +7,12 @@ use super::super::settle::Scope;
 use super::found::{roots_beside, roots_of};
 use super::identify::is_pack;
 use super::input::Input;
-use super::loose::{Outside, is_one_of_several};
+use super::loose::{Given, Outside, Seen};
 use super::pack::{asked, packed};
 use super::place::Place;
 use super::set_aside::set_aside;
 use super::singly::unpacked_singly;
 use super::taken::Taken;
-use super::unit_names::UnitNames;
 use crate::config::Config;
 use crate::diag::{Application, Identity, NotChecked, Note, Outcome, RootSummary, Unchecked};
 use crate::discover::{Layout, Meant, Role, candidates, is_asset_anywhere};
@@ -99,12 +97,13 @@ impl<'t> Roots<'t> {
         let of_packs = asked(applications, &systems, options);
         let bases_of =
             |application| systems.iter().filter(move |system| system.is_of(application)).flat_map(base_meshes);
+        let given = Given::of(&systems, options);
         let mut packed_places = Vec::new();
         let of_packs: Vec<_> = of_packs.into_iter().map(|one| (one, bases_of(one).collect())).collect();
         for pack in packs {
             let places = packed(pack, &of_packs, options)?;
             let rest = of_packs.iter().filter(|(one, _)| !places.iter().any(|place| place.is_of(*one)));
-            packed_places.extend(unpacked_singly(pack, rest, &systems, options)?);
+            packed_places.extend(unpacked_singly(pack, rest, &systems, &given)?);
             packed_places.extend(places.into_iter().map(|place| (place, Vec::new())));
         }
         let asked: Vec<Application> =
@@ -112,7 +111,7 @@ impl<'t> Roots<'t> {
         // What belongs to data roots, and what is no asset.
         let mut beside: Vec<BTreeSet<String>> = found.iter().map(|(input, roots)| beside(input, roots)).collect();
         beside.iter_mut().zip(left).for_each(|(beside, left)| beside.extend(left));
-        let outside = places_outside(&found, &beside, &systems, &asked, options)?;
+        let outside = places_outside(&found, &beside, &systems, &asked, &given)?;
         note_outside(&found, &beside, outside.iter().map(|(place, _)| place), outcome);
         let mut given = found.iter().flat_map(|(input, roots)| roots.keys().map(|root| input.tree.shown(root)));
         let all_given = given.next().filter(|first| given.all(|other| other == *first));
@@ -242,8 +241,9 @@ fn places_outside<'t>(
     beside: &[BTreeSet<String>],
     systems: &[Place<'_>],
     asked: &[Application],
-    options: &Config,
+    given: &Given<'_>,
 ) -> Result<Vec<(Place<'t>, Vec<String>)>, Error> {
+    let options = given.options;
     let is_there = |application: &Application| {
         let layouts = || found.iter().flat_map(|(_, roots)| roots.values()).flatten();
         let is_found = || layouts().any(|layout| layout.application == *application);
@@ -251,7 +251,6 @@ fn places_outside<'t>(
     };
     let is_first = |application: &Application| !options.applications.is_empty() || is_there(application);
     let (first, others): (Vec<Application>, Vec<Application>) = asked.iter().partition(|one| is_first(one));
-    let units = UnitNames::of(systems, &options.limits);
     let mut places = Vec::new();
     for ((input, roots), beside) in found.iter().zip(beside) {
         let mut taken = beside.clone();
@@ -261,19 +260,8 @@ fn places_outside<'t>(
                 let own = systems.iter().filter(|system| system.is_of(*application));
                 let bases = own.flat_map(base_meshes).collect();
                 let is_meant = is_meant || input.tests.is_some();
-                let kept = RefCell::default();
-                let outside = Outside {
-                    input,
-                    roots,
-                    taken: &before,
-                    bases: &bases,
-                    is_meant,
-                    is_one_of_several: is_one_of_several(systems, options),
-                    units: &units,
-                    beside_target: OnceCell::new(),
-                    options,
-                    kept,
-                };
+                let outside =
+                    Outside { input, roots, taken: &before, bases: &bases, is_meant, given, seen: Seen::default() };
                 let place = outside.place(Layout::of(*application))?;
                 taken.extend(place.iter().flat_map(|(place, _)| &place.below).map(|file| file.entry.path.clone()));
                 places.extend(place);

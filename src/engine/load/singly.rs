@@ -1,14 +1,11 @@
 //! A zip without the folders of a data root, for applications that import none.
 
-use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::error::Error;
 use super::input::Input;
-use super::loose::{Outside, is_one_of_several};
+use super::loose::{Given, Outside, Seen};
 use super::place::Place;
-use super::unit_names::UnitNames;
-use crate::config::Config;
 use crate::diag::Application;
 use crate::discover::Layout;
 
@@ -18,27 +15,15 @@ pub(super) fn unpacked_singly<'t, 'a>(
     pack: &'t Input,
     applications: impl Iterator<Item = &'a (Application, BTreeSet<String>)>,
     systems: &[Place<'_>],
-    options: &Config,
+    given: &Given<'_>,
 ) -> Result<Vec<(Place<'t>, Vec<String>)>, Error> {
-    let units = UnitNames::of(systems, &options.limits);
     let (roots, taken) = (BTreeMap::new(), BTreeSet::new());
     let mut places = Vec::new();
     for (application, bases) in applications.filter(|(one, _)| Layout::of(*one).unpacks_singly) {
-        let is_meant = options.applications.contains(application) || systems.iter().any(|one| one.is_of(*application));
-        let kept = RefCell::default();
-        let input = pack;
-        let outside = Outside {
-            input,
-            roots: &roots,
-            taken: &taken,
-            bases,
-            is_meant,
-            is_one_of_several: is_one_of_several(systems, options),
-            units: &units,
-            beside_target: OnceCell::new(),
-            options,
-            kept,
-        };
+        let is_meant =
+            given.options.applications.contains(application) || systems.iter().any(|one| one.is_of(*application));
+        let (roots, taken, seen) = (&roots, &taken, Seen::default());
+        let outside = Outside { input: pack, roots, taken, bases, is_meant, given, seen };
         places.extend(outside.place(Layout::of(*application))?);
     }
     Ok(places)

@@ -116,7 +116,7 @@ impl<'t> Data<'t> {
         let found: Vec<&Loaded<'_>> =
             self.roots.iter().filter(|root| root.roles.iter().any(|(_, role)| *role == Role::System)).collect();
         let layers = |root: &'a Loaded<'t>, application, role| {
-            let given = self.given(application).filter(|given| !root.stands_alone(application, given));
+            let given = self.given(application).filter(|_| !root.alone.contains(&application));
             let given = given.map(|given| &given.layer);
             let below = || nearest_system(&found, root, application);
             let (system, user) = match (given, role) {
@@ -140,18 +140,13 @@ impl<'t> Data<'t> {
 
 impl Data<'_> {
     /// The data of the program that `--system` names.
-    fn given(&self, application: Application) -> Option<&Loaded<'_>> {
+    pub(super) fn given(&self, application: Application) -> Option<&Loaded<'_>> {
         self.systems.iter().find(|system| system.role_in(application).is_some())
     }
 
     /// The roots below which those data are not laid.
-    pub(in crate::engine) fn alone(&self) -> impl Iterator<Item = (&Layer, Application)> {
-        let each =
-            self.roots.iter().flat_map(|root| root.roles.iter().map(move |(application, _)| (root, *application)));
-        let alone = each.filter(|(root, application)| {
-            self.given(*application).is_some_and(|given| root.stands_alone(*application, given))
-        });
-        alone.map(|(root, application)| (&root.layer, application))
+    pub(in crate::engine) fn standing_alone(&self) -> impl Iterator<Item = (&Layer, Application)> {
+        self.roots.iter().flat_map(|root| root.alone.iter().map(|application| (&root.layer, *application)))
     }
 
     /// The first of the other roots that are users'.

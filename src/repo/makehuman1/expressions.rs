@@ -45,7 +45,7 @@ impl<'a> FaceFrames<'a> {
     pub(super) fn files(&self, layers: Layers<'a>) -> Vec<PoseUnitsFile<'a>> {
         let is_there = |rel: &str| {
             let system = layers.system.filter(|_| layers.checks_system());
-            system.is_none_or(|system| system.file(rel).is_some() || system.has_unusable(rel))
+            system.is_none_or(|system| system.is_there(rel))
         };
         let file = |rel: &str, frames| PoseUnitsFile {
             category: LIBRARY,

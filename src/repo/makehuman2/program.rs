@@ -8,8 +8,7 @@ pub(crate) const PROGRAM_FILES: [&str; 2] = ["makehuman2_version.json", "shaders
 
 /// Whether a layer holds parts of the program that belong to no base mesh.
 pub(crate) fn holds_program(layer: &Layer) -> bool {
-    let exists = |rel: &&str| layer.file(rel).is_some() || layer.has_unusable(rel);
-    PROGRAM_FILES.iter().any(exists) || has_shaders(layer)
+    PROGRAM_FILES.iter().any(|rel| layer.is_there(rel)) || has_shaders(layer)
 }
 
 /// Whether it has sources of shaders.

@@ -43,7 +43,7 @@ fn picture(
 ) -> Option<Finding> {
     let (layer, folder) = (view.layers.checked, parent(&file.rel));
     let rel = format!("{folder}/{}", image.name);
-    if layer.file(&rel).is_some() || layer.has_unusable(&rel) {
+    if layer.is_there(&rel) {
         return None;
     }
     let near = cx.suggestions.nearest(&image.name, pictures.get(folder).into_iter().flatten().copied());
@@ -56,7 +56,7 @@ fn uv_layer(view: &View<'_>, file: &FileFacts, focus: &NamedAt, cx: &RuleCx<'_>)
     let stem = focus.name.replace(' ', "_");
     let rel = format!("uv_layers/{stem}.json.gz");
     let layers = || view.layers.strongest_first().chain(view.layers.beside);
-    let is_there = layers().any(|layer| layer.file(&rel).is_some() || layer.has_unusable(&rel));
+    let is_there = layers().any(|layer| layer.is_there(&rel));
     // The ones that MPFB brings are in its data, those of the user in his.
     let shipped = view.layers.system.is_some_and(|system| system.below("uv_layers").next().is_some());
     if is_there || !view.is_complete() || !shipped {

@@ -27,7 +27,6 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if !view.modifiers.is_there {
         return out.extend(no_folder(view));
     }
-    let is_there = |rel: &str| layer.file(rel).is_some() || layer.has_unusable(rel);
     let known: Vec<String> =
         SETS.iter().flat_map(|stem| ENDINGS.map(|(ending, _)| format!("modifiers/{stem}{ending}"))).collect();
     // The shapes of bodies came with 1.3; without any of them the data are older.
@@ -35,7 +34,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for stem in SETS.into_iter().filter(|stem| !is_later(stem)) {
         for (ending, case) in ENDINGS {
             let rel = format!("modifiers/{stem}{ending}");
-            if is_there(&rel) {
+            if layer.is_there(&rel) {
                 continue;
             }
             let others = layer.below("modifiers").filter(|file| !known.contains(&file.rel));

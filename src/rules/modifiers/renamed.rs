@@ -1,5 +1,7 @@
 //! Older names of modifiers lead to ones that exist.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx, did_you_mean, such};
 use crate::diag::{Application::Makehuman1, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
@@ -16,10 +18,15 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if !view.layers.checks_system() || !view.modifiers.is_whole() {
         return;
     }
+    let unpaired = unpaired(view);
     let files = view.layers.checked.files.values().filter(|file| file.kind == Kind::ModifierMapping);
     for file in files {
         let rows = file.modifier_mapping().map(|mapping| mapping.rows.as_slice()).unwrap_or_default();
-        let is_lost = |name: &str| view.modifiers.called(name).next().is_none() && !is_of_unpaired(view, name);
+        let is_of_unpaired = |name: &str| {
+            let mut shorter = name.rmatch_indices('-').filter_map(|(at, _)| name.get(..at));
+            shorter.any(|name| unpaired.contains(name))
+        };
+        let is_lost = |name: &str| view.modifiers.called(name).next().is_none() && !is_of_unpaired(name);
         let lost: Vec<_> = rows.iter().filter(|row| is_lost(&row.new)).collect();
         let Some(first) = lost.first() else { continue };
         let message = format!("modifier `{}` does not exist{}", first.new, such(lost.len(), "rows"));
@@ -31,8 +38,8 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// Whether it is the name of a modifier that lacks one of its two ends, which has a finding of its own.
-fn is_of_unpaired(view: &View<'_>, name: &str) -> bool {
-    let mut unpaired = view.modifiers.all.iter().filter(|one| one.modifier.tails.unpaired().is_some());
-    unpaired.any(|one| name.strip_prefix(one.name.as_str()).is_some_and(|tail| tail.starts_with('-')))
+/// The modifiers that lack one of their two ends, which has a finding of its own: they have the name without both.
+fn unpaired<'v>(view: &'v View<'_>) -> BTreeSet<&'v str> {
+    let unpaired = view.modifiers.all.iter().filter(|one| one.modifier.tails.unpaired().is_some());
+    unpaired.map(|one| one.name.as_str()).collect()
 }

@@ -153,10 +153,9 @@ fn unknown_rig(view: &View<'_>, rig: &NamedAt, cx: &RuleCx<'_>) -> Option<Named>
     let custom = name.strip_prefix(OWN_RIG);
     let layers = view.layers;
     let is_known = match custom {
-        Some(own) => layers.user.into_iter().chain(layers.beside).any(|layer| {
-            let rel = format!("rigs/{own}.json");
-            layer.file(&rel).is_some() || layer.has_unusable(&rel)
-        }),
+        Some(own) => {
+            layers.user.into_iter().chain(layers.beside).any(|layer| layer.is_there(&format!("rigs/{own}.json")))
+        }
         None => match name.strip_prefix("rigify.") {
             Some(own) => {
                 let system = layers.system?;

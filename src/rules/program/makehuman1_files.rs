@@ -49,10 +49,6 @@ fn packed(rel: &str) -> Option<String> {
     Some(format!("{stem}.{packed}"))
 }
 
-fn exists(layer: &Layer, rel: &str) -> bool {
-    layer.file(rel).is_some() || layer.has_unusable(rel)
-}
-
 /// Findings on what does not exist.
 pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Vec<Finding>) {
     let blends = view.surfaces().iter().any(|surface| surface.is_first && surface.is_true("autoBlendSkin"));
@@ -64,9 +60,9 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Ve
     let other = |rel: &str| rel.strip_suffix(".mhclo").map(|stem| format!("{stem}.MHCLO"));
     // Without their texts the packed mesh and the packed eyes do.
     let is_packed = |rel: &str| packed(rel).is_some_and(|packed| system.file(&packed).is_some());
-    let is_of_user = |rel: &str| rel == FIRST_SCENE && view.layers().user.is_some_and(|user| exists(user, rel));
+    let is_of_user = |rel: &str| rel == FIRST_SCENE && view.layers().user.is_some_and(|user| user.is_there(rel));
     let is_there = |rel: &str| {
-        exists(system, rel)
+        system.is_there(rel)
             || is_packed(rel)
             || is_of_user(rel)
             || other(rel).is_some_and(|other| system.file(&other).is_some())

@@ -16,14 +16,14 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Ve
     }
     // It came at the end of 2024.
     let is_later = |rel: &str| rel == PROGRAM_FILES[1] && view.is_before("2025");
-    for (rel, code) in PROGRAM_FILES.into_iter().zip(CODES).filter(|(rel, _)| !exists(system, rel) && !is_later(rel)) {
+    for (rel, code) in PROGRAM_FILES.into_iter().zip(CODES).filter(|(rel, _)| !system.is_there(rel) && !is_later(rel)) {
         let message = format!("`{rel}` does not exist");
         let finding = rule
             .in_layer(system, rel, message)
             .effect_in(view.application(), format!("exits at start with code {code}"));
         out.push(finding.help("restore the file from the download of the program"));
     }
-    if has_shaders(system) && !exists(system, LAMP) {
+    if has_shaders(system) && !system.is_there(LAMP) {
         let finding = rule.in_layer(system, LAMP, format!("`{LAMP}` does not exist")).case(NO_LAMP);
         out.push(finding.help("restore the file from the download of the program"));
     }
@@ -40,8 +40,3 @@ fn no_base(rule: &Rule, system: &Layer) -> Option<Finding> {
 const LAMP: &str = "shaders/meshes/lampsymbol.obj";
 const NO_BASE: Case = &[(Makehuman2, Level::Error, "crashes with `TypeError` when it loads the base")];
 const NO_LAMP: Case = &[(Makehuman2, Level::Warning, "logs a line at start and shows no symbol for lamps")];
-
-/// What is there and cannot be read has a finding of its own; one with other capitals is as good as none on Linux.
-fn exists(layer: &Layer, rel: &str) -> bool {
-    layer.file(rel).is_some() || layer.has_unusable(rel)
-}

@@ -64,14 +64,14 @@ const FOLDERS: [(&str, Case); 3] =
 pub(super) fn has_own_skin_settings(view: &View<'_>) -> bool {
     let layers = view.layers();
     let user = layers.user.into_iter().chain(layers.beside);
-    user.chain([layers.checked]).any(|layer| exists(layer, OWN_SKIN_SETTINGS))
+    user.chain([layers.checked]).any(|layer| layer.is_there(OWN_SKIN_SETTINGS))
 }
 
 /// Findings on what does not exist.
 pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Vec<Finding>) {
     let mut renamed = BTreeSet::new();
     let has_own = has_own_skin_settings(view);
-    let is_missing = |rel: &str| !(exists(system, rel) || rel == SKIN_SETTINGS && has_own);
+    let is_missing = |rel: &str| !(system.is_there(rel) || rel == SKIN_SETTINGS && has_own);
     let needed = NEEDED.into_iter().filter(|(rel, _)| is_missing(rel));
     let offered = lost_rigs(system).map(|rel| (rel, NO_RIG));
     let files = needed.chain(offered).map(|(rel, case)| {
@@ -104,7 +104,7 @@ fn missing_maps(rule: &Rule, system: &Layer) -> Vec<Finding> {
     if !system.has_folder("textures") || system.has_fault("textures") {
         return Vec::new();
     }
-    let is_missing = |rel: &String| !exists(system, rel);
+    let is_missing = |rel: &String| !system.is_there(rel);
     let maps: Vec<String> =
         SKIN_MAPS.iter().map(|name| format!("textures/mpfb_{name}.jpg")).filter(is_missing).collect();
     let scattering = Some("textures/sss.png".to_owned()).filter(is_missing);
@@ -127,8 +127,4 @@ fn folder_in_other_case<'l>(layer: &'l Layer, folder: &str) -> Option<&'l str> {
         let is = rel.get(..folder.len()).filter(|is| is.eq_ignore_ascii_case(folder))?;
         rel.get(folder.len()..).filter(|rest| rest.starts_with('/')).map(|_| is)
     })
-}
-
-fn exists(layer: &Layer, rel: &str) -> bool {
-    layer.file(rel).is_some() || layer.has_unusable(rel)
 }
