@@ -1,5 +1,6 @@
 //! A run: inputs to data roots, roots to repositories, repositories through the rules to an outcome.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -20,7 +21,7 @@ use crate::diag::{
     Timing, Unchecked, Upkeep,
 };
 use crate::repo::{Layer, View};
-use crate::rules::RULES;
+use crate::rules::{RULES, SideBySide};
 use crate::source::{Tree, is_below, resolved};
 
 /// Checks data roots found at `paths`.
@@ -152,6 +153,23 @@ fn off<'l, T>(
     levels.iter().filter(|(_, level)| level.is_none()).map(move |(rules, _)| name(rules))
 }
 
+/// What lies in users' folders and zips that are each named as PATH: they are to lie in one library.
+fn side_by_side(named: &BTreeSet<String>, data: &Data<'_>) -> SideBySide {
+    let is_named = |stack: &Stack<'_, '_>| {
+        let root = &stack.root;
+        let path = if root.layer.pack.is_some() { root.place.tree.label() } else { &root.layer.path };
+        !root.layer.is_loose && named.contains(path)
+    };
+    let packs: Vec<Stack<'_, '_>> = data.stacks().into_iter().filter(is_named).collect();
+    let mut beside = SideBySide::default();
+    for (application, layers) in packs.iter().filter(|_| packs.len() > 1).flat_map(|pack| &pack.seen) {
+        if !layers.checks_system() {
+            beside.add(&View::connect(*application, *layers));
+        }
+    }
+    beside
+}
+
 /// The PATHs, as printed.
 fn named(side: &Side) -> impl Iterator<Item = String> {
     side.inputs.iter().flat_map(|input| input.named.iter().cloned())
@@ -187,17 +205,18 @@ impl Asked<'_> {
         outcome.failed_files = data.failed_files();
         let mut ignores = Ignores::new(self.options);
         let mut coverage = Coverage::new(named(side), &self.scope, self.options);
-        let placed = self.check_all(data, measures, &mut ignores, &mut coverage, outcome);
+        let beside = side_by_side(&named(side).collect(), data);
+        let placed = self.check_all(data, (measures, &beside), &mut ignores, &mut coverage, outcome);
         coverage.conclude(outcome);
         let idle = idle(self.options, side.trees(), &self.scope);
         self.settle(placed, side, data, &ignores, idle, outcome)
     }
 
-    /// What is to be reported of every repository. `measures` has those of each.
+    /// What is to be reported of every repository: with the measures of each, and what lies in packs side by side.
     fn check_all(
         &self,
         data: &Data<'_>,
-        measures: &[Measured],
+        (measures, beside): (&[Measured], &SideBySide),
         ignores: &mut Ignores<'_>,
         coverage: &mut Coverage<'_>,
         outcome: &mut Outcome,
@@ -207,7 +226,7 @@ impl Asked<'_> {
         for group in data.groups() {
             let mut sets = Vec::new();
             for (number, stack) in &group {
-                sets.push(self.check_stack(stack, measures.get(*number), coverage, outcome));
+                sets.push(self.check_stack(stack, (measures.get(*number), beside), coverage, outcome));
             }
             let mut findings = if sets.len() > 1 { merged_as_printed(sets) } else { sets.pop().unwrap_or_default() };
             if group.iter().any(|(_, stack)| stack.root.layer.pack.is_some()) {
@@ -232,7 +251,7 @@ impl Asked<'_> {
     fn check_stack(
         &self,
         Stack { root: checked, seen }: &Stack<'_, '_>,
-        measures: Option<&Measured>,
+        (measures, beside): (Option<&Measured>, &SideBySide),
         coverage: &mut Coverage<'_>,
         outcome: &mut Outcome,
     ) -> Vec<Finding> {
@@ -245,7 +264,7 @@ impl Asked<'_> {
         for (view, measures) in &with_measures {
             coverage.add_measured(checked, view, *measures);
         }
-        check(&RULES, &with_measures, &self.selection, self.options, outcome)
+        check(&RULES, &with_measures, beside, &self.selection, self.options, outcome)
     }
 
     /// Hides what the baseline knows, and adds what is to be said of ignores and baseline.

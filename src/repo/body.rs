@@ -72,6 +72,8 @@ pub(crate) struct Body<'v> {
     /// What poses and expressions are made of.
     pub pose_units: Vec<PoseUnitsFile<'v>>,
     view: &'v View<'v>,
+    /// Of each slider with two targets of the body these.
+    pub slider_ends: Vec<[&'v FileFacts; 2]>,
     /// Numbers of the targets by printed path.
     by_path: BTreeMap<&'v str, usize>,
     /// Made when a place is asked for.
@@ -202,11 +204,6 @@ impl<'a> Rig<'a> {
 }
 
 impl<'v> Body<'v> {
-    /// The targets of each slider that has two.
-    pub(crate) fn slider_ends(&self) -> Vec<[&FileFacts; 2]> {
-        self.view.slider_ends()
-    }
-
     /// A body with nothing but targets.
     pub(super) fn new(name: &'v str, view: &'v View<'v>, targets: Vec<Target<'v>>) -> Self {
         let by_path = targets.iter().enumerate().map(|(at, target)| (target.file.path.as_str(), at)).collect();
@@ -236,6 +233,7 @@ impl<'v> Body<'v> {
             stored_poses: Vec::new(),
             pose_units: Vec::new(),
             view,
+            slider_ends: Vec::new(),
             by_path,
             landmarks: OnceLock::new(),
         }

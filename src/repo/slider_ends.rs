@@ -1,6 +1,8 @@
 //! The targets at the two ends of sliders.
 
-use super::{FileFacts, Reference, ReferenceKind, View};
+use std::collections::BTreeMap;
+
+use super::{Body, FileFacts, Reference, ReferenceKind, View};
 use crate::diag::{Place, grouped};
 
 impl View<'_> {
@@ -10,6 +12,22 @@ impl View<'_> {
         let ends = self.references().iter().filter(|one| matches!(one.kind, Incr | Decr | Slot));
         let by_slider = grouped(ends.filter_map(|one| Some(((&one.from.path, one.owner, side(one)), one.found()?))));
         by_slider.into_values().filter_map(two).collect()
+    }
+
+    /// Gives each body the ends of the sliders whose targets it has.
+    pub(super) fn share_slider_ends<'v>(&'v self, bodies: &mut [Body<'v>]) {
+        let numbered = bodies.iter().enumerate();
+        let of_body = |(number, body): (usize, &Body<'v>)| {
+            body.targets.iter().map(move |one| (one.file.path.as_str(), number)).collect::<Vec<_>>()
+        };
+        let owner: BTreeMap<&str, usize> = numbered.flat_map(of_body).collect();
+        for ends in self.slider_ends() {
+            let [one, other] = ends.map(|file| owner.get(file.path.as_str()));
+            let both = one.filter(|one| other == Some(one));
+            if let Some(body) = both.and_then(|number| bodies.get_mut(*number)) {
+                body.slider_ends.push(ends);
+            }
+        }
     }
 }
 

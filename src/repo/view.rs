@@ -170,11 +170,13 @@ impl<'a> View<'a> {
 
     /// Its bodies.
     pub(crate) fn bodies(&self) -> Vec<Body<'_>> {
-        match self {
+        let mut bodies = match self {
             Self::Makehuman2(view) => view.bodies(self),
             Self::Makehuman1(view) => vec![view.body(self)],
             Self::Mpfb(view) => view.body(self).into_iter().collect(),
-        }
+        };
+        self.share_slider_ends(&mut bodies);
+        bodies
     }
 
     /// Whether a list of the application would show a file, of those that do not follow links to folders.

@@ -57,6 +57,7 @@ pub(crate) use cause::consequence::unread;
 pub(crate) use cause::outdated::drop_outdated;
 pub(crate) use cause::unmerged::drop_unmerged;
 pub(crate) use editions::word_for_version;
+pub(crate) use library::side_by_side::SideBySide;
 pub(crate) use rule::{Check, Rule, RuleCx};
 use rule::{and_more, bones_in_words, counted, did_you_mean, either, enumerated, plain_letters, shown, such};
 pub(crate) use wearers::name_wearers;

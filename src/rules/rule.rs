@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::library::side_by_side::SideBySide;
 use crate::diag::{Application, Finding, OptionInfo, Place, RuleInfo, Suggestions, Upkeep};
 use crate::eval::measures::Measures;
 use crate::repo::{Body, FileFacts, Layer, View, makehuman1, makehuman2, mpfb};
@@ -59,6 +60,8 @@ pub(crate) struct RuleCx<'a> {
     pub(crate) options: &'a BTreeMap<(String, String), f64>,
     /// What misspelt names were meant to be; one run of a rule asks for so many and no more.
     pub(crate) suggestions: Suggestions,
+    /// The assets of packs that are checked side by side.
+    pub(crate) beside: &'a SideBySide,
 }
 
 impl Check {
@@ -87,8 +90,8 @@ impl Rule {
 
 impl<'a> RuleCx<'a> {
     /// For one run of a rule.
-    pub(crate) fn new(options: &'a BTreeMap<(String, String), f64>) -> Self {
-        Self { options, suggestions: Suggestions::default() }
+    pub(crate) fn new(options: &'a BTreeMap<(String, String), f64>, beside: &'a SideBySide) -> Self {
+        Self { options, suggestions: Suggestions::default(), beside }
     }
 
     /// Value of an option of `rule`: as set, or its default.

@@ -20,7 +20,7 @@ use crate::diag::{Finding, Outcome, Timed, Timing, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
 use crate::repo::{Body, Doubt, FileFacts, Layers, View};
 use crate::rules::{
-    Check, RULES, Rule, RuleCx, drop_outdated, drop_unmerged, lower_archived, lower_aside, name_wearers,
+    Check, RULES, Rule, RuleCx, SideBySide, drop_outdated, drop_unmerged, lower_archived, lower_aside, name_wearers,
     word_for_version,
 };
 
@@ -31,6 +31,8 @@ struct Checked<'v> {
     bodies: Vec<Body<'v>>,
     /// By name of the body.
     measures: Option<&'v ByBase>,
+    /// The assets of packs that are checked side by side.
+    beside: &'v SideBySide,
 }
 
 /// What a rule did, or a part of it.
@@ -51,32 +53,37 @@ const AT_ONCE: usize = 128;
 pub(super) fn check(
     rules: &[&Rule],
     views: &[(&View<'_>, Option<&ByBase>)],
+    beside: &SideBySide,
     selection: &Selection<'_>,
     options: &Config,
     outcome: &mut Outcome,
 ) -> Vec<Finding> {
-    let found = |(view, measures): &(&View<'_>, _)| check_view(rules, view, *measures, selection, options, outcome);
-    merged(views.iter().map(found).collect())
+    let mut found = Vec::new();
+    for (view, measures) in views {
+        let checked =
+            Checked { view, files: view.files().collect(), bodies: view.bodies(), measures: *measures, beside };
+        found.push(check_view(rules, &checked, selection, options, outcome));
+    }
+    merged(found)
 }
 
 /// Runs the rules that concern the application: those on files over some files in a thread, each other one in its own.
 fn check_view(
     rules: &[&Rule],
-    view: &View<'_>,
-    measures: Option<&ByBase>,
+    checked: &Checked<'_>,
     selection: &Selection<'_>,
     options: &Config,
     outcome: &mut Outcome,
 ) -> Vec<Finding> {
+    let view = checked.view;
     let application = view.application();
-    let checked = Checked { view, files: view.files().collect(), bodies: view.bodies(), measures };
     let is_loose = view.layers().checked.is_loose;
     let in_pieces = view.is_in_pieces();
     let is_asked = |rule: &Rule| !(is_loose && rule.info.of_library || in_pieces && asks_for_whole(rule));
     let is_on = |rule: &Rule| selection.runs(rule.info.id) && rule.concerns(application) && is_asked(rule);
     let rules: Vec<&Rule> = rules.iter().copied().filter(|rule| is_on(rule)).collect();
-    let mut done = over_files(&checked, &rules, options);
-    let others = rules.par_iter().map(|rule| run_caught(|out| run_rule(rule, &checked, options, out)));
+    let mut done = over_files(checked, &rules, options);
+    let others = rules.par_iter().map(|rule| run_caught(|out| run_rule(rule, checked, options, out)));
     done.iter_mut().zip(others.collect::<Vec<_>>()).for_each(|(done, other)| done.join(other));
     let mut findings = Vec::new();
     for (rule, done) in rules.iter().zip(done) {
@@ -124,7 +131,8 @@ fn alone(view: &View<'_>, rules: &[&Rule], names: &BTreeSet<&'static str>, optio
     let Some(system) = view.layers().system else { return Vec::new() };
     let view =
         View::connect(view.application(), Layers { system: Some(system), user: None, beside: None, checked: system });
-    let checked = Checked { view: &view, files: Vec::new(), bodies: view.bodies(), measures: None };
+    let beside = SideBySide::default();
+    let checked = Checked { view: &view, files: Vec::new(), bodies: view.bodies(), measures: None, beside: &beside };
     let asked = rules.iter().filter(|rule| names.contains(rule.info.id));
     asked.flat_map(|rule| run_caught(|out| run_rule(rule, &checked, options, out)).findings).collect()
 }
@@ -149,7 +157,7 @@ fn over_files(checked: &Checked<'_>, rules: &[&Rule], options: &Config) -> Vec<D
     let run_all = |files: &[&FileFacts]| -> Vec<Done> {
         let run = |rule: &&Rule| match rule.check {
             Check::File(run) => run_caught(|out| {
-                let cx = RuleCx::new(&options.rule_options);
+                let cx = RuleCx::new(&options.rule_options, checked.beside);
                 files.iter().for_each(|file| run(checked.view, file, &cx, out));
             }),
             _ => Done::default(),
@@ -169,7 +177,7 @@ const MACROS: &str = "macro";
 
 /// Runs a rule on more than files.
 fn run_rule(rule: &Rule, checked: &Checked<'_>, options: &Config, out: &mut Vec<Finding>) {
-    let cx = &RuleCx::new(&options.rule_options);
+    let cx = &RuleCx::new(&options.rule_options, checked.beside);
     // What belongs to no mesh is asked for with every one.
     let asked = |name: &str| name.is_empty() || options.asks_for_base(name);
     let bodies = || checked.bodies.iter().filter(|body| asked(body.name));
@@ -223,7 +231,8 @@ pub(super) fn check_upkeep(
     options: &Config,
     failed: &mut Vec<String>,
 ) -> Vec<Finding> {
-    let cx = RuleCx::new(&options.rule_options);
+    let beside = SideBySide::default();
+    let cx = RuleCx::new(&options.rule_options, &beside);
     let mut findings = Vec::new();
     for rule in RULES.iter().filter(|rule| selection.runs(rule.info.id)) {
         if let Check::Upkeep(run) = rule.check {
@@ -289,7 +298,7 @@ mod tests {
         let views: Vec<View<'_>> = seen.map(|(application, layers)| View::connect(application, layers)).collect();
         let views: Vec<_> = views.iter().map(|view| (view, None)).collect();
         let selection = Selection::new(&config).unwrap();
-        let mut found = check(&[&RULE], &views, &selection, &config, &mut outcome);
+        let mut found = check(&[&RULE], &views, &SideBySide::default(), &selection, &config, &mut outcome);
         found.retain(|finding| finding.path.starts_with("clothes/"));
         let row = |finding: &Finding, of: Application| {
             let own = finding.breaks.iter().find(|own| own.application == of).unwrap();

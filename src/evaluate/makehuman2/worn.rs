@@ -10,8 +10,8 @@ use crate::repo::{Layers, Worn};
 
 /// What is worn of the checked layer.
 pub(in crate::evaluate) fn own<'a>(base: &Base<'_>, layers: Layers<'a>) -> Vec<Worn<'a>> {
-    let mut own = worn(layers);
-    own.retain(|worn| worn.base == base.name && layers.is_checked(worn.file));
+    let mut own = worn(layers, Some(base.name));
+    own.retain(|worn| layers.is_checked(worn.file));
     own
 }
 

@@ -45,7 +45,7 @@ impl<'a> View<'a> {
     /// Connects layers.
     pub(crate) fn connect(layers: Layers<'a>) -> Self {
         let bases: Vec<Base<'a>> = base_names(layers).into_iter().map(|name| Base::resolve(name, layers)).collect();
-        let worn = worn(layers);
+        let worn = worn(layers, None);
         let library = Library::of(layers, &bases.iter().map(|base| base.name).collect());
         let (mut all_models, mut wearers, mut named) = (BTreeMap::new(), BTreeMap::new(), Vec::new());
         for base in &bases {

@@ -1,7 +1,7 @@
 //! What a list shows has names of its own, also where it is not known by the name alone.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::{as_copy, makehuman1, shelves};
+use super::{as_copy, makehuman1, shelves, side_by_side};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo, grouped,
@@ -27,7 +27,7 @@ pub(in crate::rules) static OF_WORN: Rule = Check::Libraries(run_worn, |view, _,
     ..RuleInfo::new("proxy-duplicate-name", Level::Warning, "two assets of one category with the same name")
 });
 
-pub(in crate::rules) static OF_UUID: Rule = Check::LibrariesOfAll(run_uuid, |view, _, out| makehuman1::same_uuids(&OF_UUID, view, out), |view, _, out| shelves::same_uuids(&OF_UUID, view, out)).rule(RuleInfo {
+pub(in crate::rules) static OF_UUID: Rule = Check::LibrariesOfAll(run_uuid, run_uuid_makehuman1, |view, _, out| shelves::same_uuids(&OF_UUID, view, out)).rule(RuleInfo {
     breaks: &[(Makehuman2, "keeps the user's tags by uuid, so those of one asset change the other"), (Makehuman1, "lists both, but cannot wear them together, and models may wear the other one"), (Mpfb, "gives one of them the materials that were saved for the other, and models may wear the other one")],
     levels: &[(Makehuman1, Level::Error)],
     docs: "Two assets have the same uuid and different names, mostly because one was made from the other.\n\n\
@@ -63,6 +63,11 @@ fn run_uuid(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         "give the newer of the two a uuid of its own, and load and save every model that wears it",
         out,
     );
+}
+
+fn run_uuid_makehuman1(view: &crate::repo::makehuman1::View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    makehuman1::same_uuids(&OF_UUID, view, out);
+    side_by_side::in_makehuman1(&OF_UUID, view, cx.beside, out);
 }
 
 /// Findings on the assets of the checked layer with a key in common that are not known by the same.

@@ -2,7 +2,7 @@
 
 use super::super::cause::copies::is_copy;
 use super::super::{Check, Rule, RuleCx};
-use super::as_copy;
+use super::{as_copy, side_by_side};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Asset, View};
 
@@ -19,7 +19,8 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(Rule
         name are one asset.\n\n\
         Of copies with equal content one is listed and the others are ignored (a warning). Of assets in no data folder one may \
         be an older state, so it is a warning there, and none for copies. An asset of the user that takes the place of one of the \
-        system is meant to do so (`overlay-shadowed-asset`); skeletons have `skeleton-name-clash`.\n\n\
+        system is meant to do so (`overlay-shadowed-asset`); skeletons have `skeleton-name-clash`. Packs that are each named \
+        as PATH are held against one another.\n\n\
         Give the asset a name and a uuid of its own, or remove the copy.",
     ..RuleInfo::new("library-identity-clash", Level::Error, "two assets with the same name and uuid")
 });
@@ -27,7 +28,8 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2Library(run).rule(Rule
 const COPY: Case = &[(Makehuman2, Level::Warning, "lists only one of the copies and ignores the others")];
 const LOOSE: Case = &[(Makehuman2, Level::Warning, "lists only one of them once both are in its library")];
 
-fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    side_by_side::in_makehuman2(&RULE, view, cx.beside, out);
     for base in view.library.bases() {
         for clash in view.library.clashes(base) {
             out.extend(finding(view, &clash));

@@ -13,6 +13,7 @@ pub(in crate::rules) mod old_format;
 mod old_words;
 pub(in crate::rules) mod scan_crash;
 pub(in crate::rules) mod shelves;
+pub(in crate::rules) mod side_by_side;
 pub(in crate::rules) mod too_deep;
 pub(in crate::rules) mod unreadable_thumbnail;
 pub(in crate::rules) mod wrong_folder;

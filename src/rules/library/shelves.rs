@@ -41,12 +41,12 @@ pub(super) fn lists(file: &FileFacts, suffix: &str) -> bool {
 }
 
 /// What the list shows in place of the file name.
-fn label(file: &FileFacts) -> String {
+pub(super) fn label(file: &FileFacts) -> String {
     file.stem().to_lowercase().replace('_', " ")
 }
 
 /// What is listed of a layer; links to folders are not followed.
-fn listed(layer: &Layer) -> impl Iterator<Item = (&'static str, &FileFacts)> {
+pub(super) fn listed(layer: &Layer) -> impl Iterator<Item = (&'static str, &FileFacts)> {
     let is_linked = |file: &FileFacts| layer.linked_folders.iter().any(|folder| is_below(&file.rel, folder));
     let files = layer.files.values().filter(move |file| !is_linked(file) && !file.is_loose);
     files.filter_map(|file| Some((shelf(file)?, file)))

@@ -57,7 +57,7 @@ fn beyond<'v>(
 /// The ends of a slider are made together, in one unit.
 pub(super) fn beyond_opposites(rule: &Rule, body: &Body<'_>, told: &BTreeSet<&str>) -> Vec<Finding> {
     let known = |file: &FileFacts| body.target(&file.path).is_some() && !told.contains(file.path.as_str());
-    let pairs = body.slider_ends().into_iter().filter(|ends| ends.iter().all(|file| known(file)));
+    let pairs = body.slider_ends.iter().copied().filter(|ends| ends.iter().all(|file| known(file)));
     pairs.filter_map(|ends| beyond_opposite(rule, body, ends)).collect()
 }
 

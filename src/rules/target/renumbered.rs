@@ -30,7 +30,7 @@ impl Opposites {
         let share: BTreeMap<&str, f64> =
             measures.targets.iter().map(|target| (target.path.as_str(), asymmetric(target))).collect();
         let is_even = |file: &FileFacts| share.get(file.path.as_str()).is_some_and(|share| *share < EVEN);
-        let pairs = body.slider_ends().into_iter().flat_map(|[one, other]| [(one, other), (other, one)]);
+        let pairs = body.slider_ends.iter().flat_map(|[one, other]| [(*one, *other), (*other, *one)]);
         Self(
             pairs
                 .filter(|(_, other)| is_even(other))
