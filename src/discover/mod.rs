@@ -23,7 +23,7 @@ pub(crate) use layout::makehuman1::{TARGETS_NPZ, archive_library_of, libraries, 
 pub(crate) use layout::makehuman2::importer::{Loss, import, loss, meant_for, new_base, top_folder};
 pub(crate) use layout::makehuman2::opened::{SKY_SIDES, in_place_of, is_in_override_folder, listed_in, material_of};
 pub(crate) use layout::mpfb::importer::Refusal;
-pub(crate) use layout::mpfb::{SAVED_CHARACTER, STORED_POSE};
+pub(crate) use layout::mpfb::{SAVED_CHARACTER, SKIN_MAPS, STORED_POSE};
 pub(crate) use layout::{Layout, Role, Single, is_read_though_hidden};
 pub(crate) use listing::Listing;
 pub(crate) use loose::{Binding, Known, UNKNOWN_BASE, loose};

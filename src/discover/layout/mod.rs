@@ -110,7 +110,7 @@ pub(crate) enum Single {
     BesideBase,
     /// The ranges of the one base mesh that scripts know.
     ScriptedRanges,
-    /// One of the pictures that the default skin of MakeHuman 1 blends.
+    /// One of the pictures that the default skin of MakeHuman 1 blends, or the layered one of MPFB.
     SkinPicture,
     /// The skin that MakeHuman 1 starts with.
     FirstSkin,

@@ -6,7 +6,7 @@ mod version;
 use super::super::kind::extension;
 use super::super::listing::{Listing, at};
 use super::super::{Candidate, Kind};
-use super::{CLOTHES, HM08, HiddenPath, LIBRARIES, Layout, Role, Sign, WORN, near, worn_shelf};
+use super::{CLOTHES, HM08, HiddenPath, LIBRARIES, Layout, Role, Sign, Single, WORN, near, worn_shelf};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -46,8 +46,15 @@ pub(super) static LAYOUT: Layout = Layout {
     role,
     reads_hidden,
     is_folder: |rel, _| FOLDERS.contains(&rel) || WORN.contains(&rel),
+    single: |rel| is_skin_picture(rel).then_some(Single::SkinPicture),
     ..Layout::PLAIN
 };
+
+fn is_skin_picture(rel: &str) -> bool {
+    let map = |name: &str| name.strip_prefix("mpfb_")?.strip_suffix(".jpg").map(|name| SKIN_MAPS.contains(&name));
+    let name = rel.strip_prefix("textures/").unwrap_or_default();
+    name == "sss.png" || map(name) == Some(true)
+}
 
 /// What a saved character says: of each row one word. Genes of other programs have a phenotype, too.
 pub(crate) const SAVED_CHARACTER: [&[&str]; 2] =
@@ -55,6 +62,10 @@ pub(crate) const SAVED_CHARACTER: [&[&str]; 2] =
 
 /// What a pose of MPFB says; recordings of other programs have some of it.
 pub(crate) const STORED_POSE: [&str; 3] = ["\"skeleton_type\"", "\"bone_rotations\"", "\"bone_translations\""];
+
+/// A node asks for each of these by its name (§28; formats/additions.md 1.4).
+pub(crate) const SKIN_MAPS: [&str; 10] =
+    ["aureolae", "crotch", "ears", "eyelids", "face", "fingernails", "genitals", "inside-mouth", "lips", "toenails"];
 
 /// Folders that are listed.
 const FOLDERS: [&str; 9] =

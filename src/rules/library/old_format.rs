@@ -37,8 +37,10 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
+    // The program of that time reads what it wrote.
+    let reads_old = view.is_makehuman1() && view.version().is_some_and(|version| version.is_before("1.1"));
     let old = layer.files.values().filter_map(|file| {
-        let found = outdated(view, file)?;
+        let found = outdated(view, file).filter(|found| !(reads_old && found.versions().contains(&"1.0")))?;
         let (top, _) = file.rel.split_once('/').unwrap_or_default();
         // Where loose files belong is only supposed.
         let top = if file.is_loose { file.folder() } else { top };

@@ -8,7 +8,7 @@ use super::picture::fault;
 use super::something_else;
 use super::spelling::{self, Meant};
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place, Suggestions, grouped};
-use crate::discover::Kind;
+use crate::discover::{Kind, Single};
 use crate::formats::mhmat::{Unknown, Word};
 use crate::formats::python_float;
 use crate::repo::mpfb::{self, Look, Reads, Set, key_names};
@@ -218,6 +218,11 @@ pub(super) fn rewritten(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Findin
 /// Files that are no pictures.
 pub(super) fn unreadable(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let mut named: BTreeMap<&str, (&FileFacts, Vec<String>)> = BTreeMap::new();
+    // The skin of the add-on names its pictures in code.
+    let is_of_skin = |file: &FileFacts| (view.layout().single)(&file.rel) == Some(Single::SkinPicture);
+    for file in view.files().filter(|file| is_of_skin(file)) {
+        named.insert(&file.path, (file, vec!["the layered skin".to_owned()]));
+    }
     for look in view.looks() {
         for one in &look.pictures {
             let Some(file) = one.found() else { continue };

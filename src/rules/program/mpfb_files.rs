@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use super::super::Rule;
 use super::super::cause::differing;
 use crate::diag::{Application::Mpfb, Case, Evidence, Finding, Level};
+use crate::discover::SKIN_MAPS;
 use crate::repo::mpfb::lost_rigs;
 use crate::repo::{Layer, View};
 
@@ -42,9 +43,6 @@ const NO_BODY: Case = &[(Mpfb, Level::Error, "starts, and fails with `OSError` a
 const NO_SKIN: Case =
     &[(Mpfb, Level::Error, "fails with `FileNotFoundError` at the first enhanced skin, after its material was made")];
 const NO_EYES: Case = &[(Mpfb, Level::Info, "silently makes eyes with the defaults of the shader")];
-/// A node asks for each of these by its name (§28; formats/additions.md 1.4).
-const SKIN_MAPS: [&str; 10] =
-    ["aureolae", "crotch", "ears", "eyelids", "face", "fingernails", "genitals", "inside-mouth", "lips", "toenails"];
 const NO_SKIN_MAP: Case = &[(
     Mpfb,
     Level::Error,
