@@ -10,6 +10,7 @@ use crate::diag::{Application, FailedStep, grouped};
 use crate::eval::measures::Measures;
 use crate::evaluate::{self, Rows, is_measured, needs_rows};
 use crate::formats::Content;
+use crate::formats::Format;
 
 /// Measures by name of the base, as each application shows it.
 pub(super) type Measured = BTreeMap<Application, BTreeMap<String, Arc<Measures>>>;
@@ -91,7 +92,7 @@ fn differing(now: &Data<'_>, before: &Data<'_>) -> BTreeSet<Option<String>> {
 /// What is evaluated but for targets, which are read in turn, by the base that it belongs to.
 fn contents<'d>(data: &'d Data<'_>) -> BTreeMap<Option<&'d str>, Vec<&'d Arc<Content>>> {
     let files = data.all().flat_map(|root| root.layer.files.values());
-    grouped(files.filter(|file| file.kind.format().is_read()).map(|file| (file.base(), &file.content)))
+    grouped(files.filter(|file| Format::of(file.kind).is_read()).map(|file| (file.base(), &file.content)))
 }
 
 /// The targets of a base.

@@ -99,4 +99,5 @@ use number::stored;
 pub(crate) use number::{python_float, python_int};
 pub(crate) use readers::{Input, Parsed};
 pub(crate) use table::FORMATS;
+pub use table::Format;
 pub(crate) use table::Needs;

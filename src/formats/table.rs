@@ -214,30 +214,23 @@ pub(crate) static FORMATS: [Format; 70] = [
 /// What nobody knows.
 const OTHER: Format = plain(Kind::Other, "file", Syntax::Binary);
 
-impl Kind {
-    /// What there is to know of files of this kind.
-    pub fn format(self) -> &'static Format {
+impl Format {
+    /// What there is to know of files of a kind.
+    pub fn of(kind: Kind) -> &'static Self {
         static UNKNOWN: Format = OTHER;
-        FORMATS.get(self as usize).unwrap_or(&UNKNOWN)
+        FORMATS.get(kind as usize).unwrap_or(&UNKNOWN)
     }
 
     /// Whether the file is JSON.
-    pub fn is_json(self) -> bool {
-        self.format().syntax == Syntax::Json
+    pub fn is_json(&self) -> bool {
+        self.syntax == Syntax::Json
     }
 
     /// Whether the file is text in which an encoding matters.
-    pub fn is_text(self) -> bool {
-        self.format().syntax != Syntax::Binary
+    pub fn is_text(&self) -> bool {
+        self.syntax != Syntax::Binary
     }
 
-    /// What people call it.
-    pub fn title(self) -> &'static str {
-        self.format().title
-    }
-}
-
-impl Format {
     /// Whether the content matters, not only the size.
     pub fn is_read(&self) -> bool {
         self.syntax != Syntax::Binary || matches!(self.reader, Some(Reader::Tree(_) | Reader::Bytes(_)))
@@ -255,7 +248,7 @@ mod tests {
 
     #[test]
     fn every_kind_has_its_row() {
-        assert!(FORMATS.iter().all(|format| std::ptr::eq(format.kind.format(), format)));
+        assert!(FORMATS.iter().all(|format| std::ptr::eq(Format::of(format.kind), format)));
         assert_eq!(FORMATS.len(), Kind::Other as usize + 1);
     }
 

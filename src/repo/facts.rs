@@ -49,7 +49,7 @@ use crate::formats::targets_npz::TargetsNpz;
 use crate::formats::unfit::LoaderFaults;
 use crate::formats::uv_layer::UvLayer;
 use crate::formats::uv_map::UvMap;
-use crate::formats::{Content, Needs};
+use crate::formats::{Content, Format, Needs};
 use crate::json::SchemaFaults;
 use crate::source::{Encoding, GzipFault, ReadFault};
 
@@ -147,7 +147,7 @@ impl FileFacts {
             Content::Clothes(clothes) => clothes.rows.count > 0,
             _ => false,
         };
-        names_some && self.kind.format().needs != Needs::Nothing
+        names_some && Format::of(self.kind).needs != Needs::Nothing
     }
 
     /// Whether there is more in it than is kept.

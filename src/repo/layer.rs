@@ -9,6 +9,7 @@ use unicode_normalization::{UnicodeNormalization, is_nfc};
 use super::{FileFacts, Pack, parent};
 use crate::diag::{Application, Identity};
 use crate::discover::{Kind, Layout, kind_in, uses_of};
+use crate::formats::Format;
 use crate::source::{WalkFault, has_hidden_part, inside, is_below};
 
 /// A path as a system compares it that regards neither capitals nor the form of accented letters.
@@ -220,7 +221,8 @@ impl Layer {
     /// Whether something other than a file stands at a path, or above it something that could not be walked.
     pub(crate) fn has_unusable(&self, rel: &str) -> bool {
         // Folders with other names, such as those of images, are not reported.
-        self.has_fault(rel) || uses_of(rel, &self.layouts).iter().any(|one| one.kind.is_text()) && self.has_folder(rel)
+        self.has_fault(rel)
+            || uses_of(rel, &self.layouts).iter().any(|one| Format::of(one.kind).is_text()) && self.has_folder(rel)
     }
 
     /// Whether a path, or something above it, could not be walked. That has a finding of its own.

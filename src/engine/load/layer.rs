@@ -16,6 +16,7 @@ use super::read;
 use crate::diag::grouped;
 use crate::discover::{Candidate, Kind, Layout, Role, extension};
 use crate::evaluate::Rows;
+use crate::formats::Format;
 use crate::formats::Needs;
 use crate::formats::obj::Mesh;
 use crate::formats::target::{MeshSize, Row};
@@ -44,7 +45,7 @@ pub(super) struct Reader<'r> {
 
 /// Reads everything in a data root but the bulk. `sizes` are those of meshes below; its own take their place.
 pub(super) fn load(place: &Place<'_>, reader: Reader<'_>, mut sizes: MeshSizes) -> (Layer, MeshSizes) {
-    let of = |needs: Needs| place.files().filter(|file| file.kind().format().needs == needs).collect();
+    let of = |needs: Needs| place.files().filter(|file| Format::of(file.kind()).needs == needs).collect();
     let (mut files, _) = read_all(place.tree, of(Needs::Nothing), reader, &sizes, None);
     add_own(&mut sizes, &files);
     files.append(&mut read_all(place.tree, of(Needs::Mesh), reader, &sizes, None).0);
@@ -132,7 +133,7 @@ pub(super) fn read_all(
 
 /// Size of the mesh that a file is measured against.
 pub(super) fn size_for(file: &Candidate<'_>, sizes: &MeshSizes) -> Option<MeshSize> {
-    let is_measured = file.kind().format().needs != Needs::Nothing;
+    let is_measured = Format::of(file.kind()).needs != Needs::Nothing;
     sizes.get(file.owner().filter(|_| is_measured)?)?.size
 }
 

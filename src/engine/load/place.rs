@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diag::{Application, grouped};
 use crate::discover::{Candidate, Known, Layout, Role, Use, candidates, loose};
+use crate::formats::Format;
 use crate::formats::Needs;
 use crate::repo::Pack;
 use crate::source::{Tree, is_below};
@@ -178,5 +179,5 @@ fn leave_out(below: &mut Vec<Candidate<'_>>, inner: &[String], layouts: &[&'stat
 }
 
 fn is_bulk(file: &Candidate<'_>) -> bool {
-    file.is_file() && file.kind().format().needs == Needs::MeshInTurn
+    file.is_file() && Format::of(file.kind()).needs == Needs::MeshInTurn
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::discover::Candidate;
 use crate::formats::json_file::JsonFault;
 use crate::formats::target::{MeshSize, Row};
-use crate::formats::{Input, Parsed};
+use crate::formats::{Format, Input, Parsed};
 use crate::repo::FileFacts;
 use crate::source::{Encoding, Limits, Tree};
 
@@ -19,7 +19,7 @@ pub(super) fn read(
     limits: &Limits,
     mesh: Option<MeshSize>,
 ) -> (FileFacts, Vec<Row>) {
-    let format = file.kind().format();
+    let format = Format::of(file.kind());
     if !format.is_read() && format.ends().is_none() && file.entry.size >= STAND_IN_BYTES {
         return (unread(tree, file), Vec::new());
     }
@@ -45,7 +45,7 @@ pub(super) fn unread(tree: &Tree, file: &Candidate<'_>) -> FileFacts {
 
 /// A stand-in for a file on which a parser of ours panicked.
 pub(super) fn panicked(tree: &Tree, file: &Candidate<'_>) -> FileFacts {
-    let content = Arc::new(file.kind().format().without(JsonFault::Empty));
+    let content = Arc::new(Format::of(file.kind()).without(JsonFault::Empty));
     FileFacts { failed: true, content, ..unread(tree, file) }
 }
 

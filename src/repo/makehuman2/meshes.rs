@@ -3,6 +3,7 @@
 
 use super::OWN;
 use crate::discover::Kind;
+use crate::formats::Format;
 use crate::formats::obj::Mesh;
 use crate::repo::{FileFacts, Layers};
 
@@ -77,6 +78,6 @@ impl<'a> UnreadMesh<'a> {
 }
 
 fn sound_mesh(file: &FileFacts) -> Option<&Mesh> {
-    let is_text = || file.kind_in(OWN).is_text();
+    let is_text = || Format::of(file.kind_in(OWN)).is_text();
     file.mesh().filter(|mesh| mesh.is_sound() && !(is_text() && file.encoding.invalid_utf8_at.is_some()))
 }

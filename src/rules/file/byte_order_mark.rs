@@ -9,6 +9,7 @@ use crate::diag::{
     Case, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo,
 };
 use crate::discover::Kind;
+use crate::formats::Format;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
@@ -35,7 +36,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let encoding = &file.encoding;
     // Behind a mark alone there is nothing to lose: the file is empty.
     let is_marked = encoding.byte_order_mark && encoding.invalid_utf8_at.is_none() && !encoding.blank;
-    if !is_marked || !file.kind.is_text() || is_override(file) || is_unmet(view, file) {
+    if !is_marked || !Format::of(file.kind).is_text() || is_override(file) || is_unmet(view, file) {
         return;
     }
     let damage = damage(view, file);
@@ -84,7 +85,7 @@ fn first_keyword(file: &FileFacts) -> Case {
 fn damage(view: &View<'_>, file: &FileFacts) -> Damage {
     let words = &file.encoding.marked_words;
     match file.kind {
-        kind if kind.is_json() => Damage::Refused,
+        kind if Format::of(kind).is_json() => Damage::Refused,
         Kind::Target if words.len() == ROW_FIELDS => Damage::MarkedRow,
         _ if words.first().is_none_or(|word| word.starts_with('#')) => Damage::MarkedComment,
         // Nobody reads these lines.

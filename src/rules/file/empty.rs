@@ -9,6 +9,7 @@ use crate::diag::{
     Finding, Level, Place, RuleInfo,
 };
 use crate::discover::Kind;
+use crate::formats::Format;
 use crate::formats::target::TargetFacts;
 use crate::repo::{FileFacts, Reference, ReferenceKind, View};
 
@@ -36,7 +37,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     }
     let damage = match file.kind {
         _ if view.does_without(file) => Damage::Needless,
-        kind if kind.is_json() => Damage::Refused,
+        kind if Format::of(kind).is_json() => Damage::Refused,
         _ => Damage::Empty,
     };
     let Some(loss) = consequence(view, &file.rel, damage) else { return };
@@ -49,7 +50,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
             "delete the archive: it is built again from the text beside it"
         }
         Kind::Packed => "get the asset again from its source",
-        kind if kind.is_json() => "restore the content from a backup or the original download",
+        kind if Format::of(kind).is_json() => "restore the content from a backup or the original download",
         _ => "restore the content; if the file is not needed, remove it with all references to it",
     };
     out.push(loss.of(view, RULE.at(file, Place::File, message)).help(help));
@@ -105,11 +106,11 @@ fn emptiness(file: &FileFacts, is_of_program: bool) -> Option<&'static str> {
     match file.kind {
         _ if file.size == 0 => Some(" (0 bytes)"),
         Kind::PackedTarget if has_no_line(file) && !is_of_program => Some(" (unpacked, it has no row)"),
-        kind if !kind.is_text() => None,
+        kind if !Format::of(kind).is_text() => None,
         _ if encoding.blank && encoding.byte_order_mark => Some(" (only a byte order mark)"),
         _ if encoding.blank => Some(" (only whitespace)"),
         // A comment is no JSON: that is a matter of syntax.
-        kind if !kind.is_json() && encoding.only_comments => Some(" (only comments)"),
+        kind if !Format::of(kind).is_json() && encoding.only_comments => Some(" (only comments)"),
         _ => None,
     }
 }

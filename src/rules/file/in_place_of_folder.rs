@@ -7,6 +7,7 @@ use crate::diag::{
     Finding, Level, RuleInfo,
 };
 use crate::discover::Kind;
+use crate::formats::Format;
 use crate::repo::View;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
@@ -55,7 +56,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 /// Whether loaders open what is of this kind as a file.
 fn is_file(kind: Kind) -> bool {
-    kind.is_text() || kind == Kind::TargetArchive
+    Format::of(kind).is_text() || kind == Kind::TargetArchive
 }
 
 /// Whether a folder has the name of the archive that MakeHuman 2 makes of the asset beside it.

@@ -9,6 +9,7 @@ use crate::diag::{
     Evidence, Finding, Level, Place, RuleInfo,
 };
 use crate::discover::Kind;
+use crate::formats::Format;
 use crate::repo::{FileFacts, View, parent};
 use crate::source::is_below;
 
@@ -89,7 +90,7 @@ fn effect(files: &[&FileFacts]) -> String {
     let has = |of: &dyn Fn(Kind) -> bool| files.iter().any(|file| of(file.kind));
     let concerned = [
         (has(&|kind| kind == Kind::Target), "targets move nothing"),
-        (has(&Kind::is_json), "JSON is rejected"),
+        (has(&|kind| Format::of(kind).is_json()), "JSON is rejected"),
         (has(&|kind| matches!(kind, Kind::BaseMesh | Kind::AssetMesh)), "meshes have no vertices"),
         (has(&|kind| matches!(kind, Kind::Image | Kind::TargetIcon)), "pictures are not shown"),
     ];

@@ -10,6 +10,7 @@ use crate::diag::{
     Case, Finding, Level, Place, RuleInfo,
 };
 use crate::discover::Kind;
+use crate::formats::Format;
 use crate::repo::{FileFacts, View};
 use crate::source::Guess;
 
@@ -25,7 +26,8 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(at) = file.encoding.invalid_utf8_at.filter(|_| file.kind.is_text() && !is_unmet(view, file)) else {
+    let Some(at) = file.encoding.invalid_utf8_at.filter(|_| Format::of(file.kind).is_text() && !is_unmet(view, file))
+    else {
         return;
     };
     let Some(loss) = consequence(view, &file.rel, Damage::NotUtf8) else { return };

@@ -3,6 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman2, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::discover::Kind;
+use crate::formats::Format;
 use crate::repo::{FileFacts, View};
 use crate::source::ReadFault;
 
@@ -41,9 +42,9 @@ fn run(_: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) 
         return;
     }
     let message = if unread {
-        format!("{} too large to check: {:.1} MB", file.kind.title(), size / MB)
+        format!("{} too large to check: {:.1} MB", Format::of(file.kind).title, size / MB)
     } else {
-        format!("unusually large {}: {} MB, more than {limit} MB", file.kind.title(), above(size / MB, limit))
+        format!("unusually large {}: {} MB, more than {limit} MB", Format::of(file.kind).title, above(size / MB, limit))
     };
     let help = if unread {
         "make it smaller: mhlint reads no file of more than 512 MiB".to_owned()
@@ -62,7 +63,7 @@ fn above(size: f64, limit: f64) -> String {
 
 fn option(file: &FileFacts) -> &'static str {
     match file.kind {
-        kind if kind.is_json() => "json",
+        kind if Format::of(kind).is_json() => "json",
         Kind::Target | Kind::PackedTarget => "target",
         Kind::BaseMesh | Kind::MeshArchive | Kind::PackedBaseMesh | Kind::AssetMesh => "mesh",
         Kind::Image | Kind::TargetIcon => "picture",

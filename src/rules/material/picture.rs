@@ -1,6 +1,7 @@
 //! Whether a picture can be shown.
 
 use crate::discover::{Kind, extension};
+use crate::formats::Format;
 use crate::formats::picture::{Picture, PictureFault, PictureFormat};
 use crate::repo::FileFacts;
 
@@ -40,5 +41,5 @@ pub(super) fn fault(file: &FileFacts) -> Option<String> {
 
 /// Whether a file is a mesh, a material or another text. Of unknown files nobody can tell.
 pub(super) fn is_something_else(kind: Kind) -> bool {
-    kind.is_text() && kind != Kind::Other
+    Format::of(kind).is_text() && kind != Kind::Other
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::diag::Suggestions;
+use crate::formats::Format;
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
 
@@ -67,7 +68,7 @@ pub(super) fn nearest<'a>(view: &View<'a>, reference: &Reference<'_>, suggestion
     let folder = parent(&reference.rel);
     let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
     // Editors on Windows put a second suffix behind the name: the file is the one that is meant.
-    let is_free = |file: &&FileFacts| !file.kind.is_json() && !is_used(view, file);
+    let is_free = |file: &&FileFacts| !Format::of(file.kind).is_json() && !is_used(view, file);
     let doubled = format!("{}.txt", reference.rel);
     let mut doubled = view.layers.strongest_first().filter_map(|layer| layer.file(&doubled)).filter(is_free);
     if let Some(file) = doubled.next() {

@@ -223,7 +223,7 @@ mod tests {
             let table = table(application);
             let spot = spot(application);
             let row = table.row(format.kind, spot);
-            let lost = if format.kind.is_json() { Damage::Syntax } else { Damage::Packed };
+            let lost = if format.is_json() { Damage::Syntax } else { Damage::Packed };
             for damage in [Damage::Closed, Damage::Pointer, Damage::NotUtf8, lost] {
                 let found = table.consequence(row, row.moment(spot), damage);
                 // It never opens a packed target.

@@ -4,6 +4,7 @@ use super::table::At;
 use super::{Damage, Moment, table};
 use crate::diag::{Application, Level};
 use crate::discover::{Kind, Single};
+use crate::formats::Format;
 
 /// What becomes of a file that cannot be read, in one of its roles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,7 +23,7 @@ pub struct Unread {
 /// where the table has no words of its own for the kind.
 pub(crate) fn unread(application: Application, kind: Kind) -> Vec<Unread> {
     let (table, mut all) = (table(application), Vec::new());
-    let damage = if kind.is_json() { Damage::Syntax } else { Damage::Closed };
+    let damage = if Format::of(kind).is_json() { Damage::Syntax } else { Damage::Closed };
     for row in table.rows.iter().filter(|row| row.kind == kind) {
         let Some(consequence) = table.consequence(row, row.opened, damage) else { continue };
         let Some(effect) = consequence.effect else { continue };
