@@ -12,7 +12,7 @@
 //! for finding in &outcome.findings {
 //!     println!("{}: {} [{}]", finding.path, finding.message, finding.rule);
 //! }
-//! assert!(outcome.passes(&config) && !outcome.has_at_least(Level::Warning));
+//! assert!(config.passes(&outcome) && !outcome.has_at_least(Level::Warning));
 //! # Ok::<(), mhlint::Error>(())
 //! ```
 //!

@@ -128,7 +128,7 @@ fn difference(taken_over: TakenOver) -> String {
 fn exit(outcome: &Outcome, config: &Config, panics: &[String]) -> Exit {
     if !panics.is_empty() || !outcome.is_whole() {
         Exit::CannotWork
-    } else if !outcome.passes(config) {
+    } else if !config.passes(outcome) {
         Exit::Findings
     } else if !outcome.nothing_in.is_empty() {
         Exit::NothingToCheck

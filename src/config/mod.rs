@@ -6,6 +6,7 @@
 mod date;
 mod fault;
 mod find;
+mod gate;
 mod glob;
 mod globs;
 mod keys;

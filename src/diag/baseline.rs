@@ -11,6 +11,22 @@ pub struct Baseline {
     pub entries: Vec<Entry>,
 }
 
+impl Baseline {
+    /// What the file says that it is.
+    pub const FORMAT: &str = "mhlint-baseline/1";
+
+    /// The file: sorted, one entry a line, so that changes can be read and merged.
+    pub fn text(&self) -> String {
+        let mut entries = self.entries.clone();
+        // Equal ones stay: two findings may differ in nothing that is kept, and each has its own.
+        entries.sort();
+        let line = |entry: &Entry| serde_json::to_string(entry).unwrap_or_default();
+        let lines: Vec<String> = entries.iter().map(line).collect();
+        let list = if lines.is_empty() { "[]".to_owned() } else { format!("[\n{}\n]", lines.join(",\n")) };
+        format!("{{\"format\": \"{}\", \"entries\": {list}}}\n", Self::FORMAT)
+    }
+}
+
 /// One known finding.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Entry {
@@ -32,6 +48,13 @@ pub struct Entry {
     /// Everything it spoke for, by name, numbers in a row as `first-last`; empty where that is one thing.
     #[serde(default, skip_serializing_if = "Parts::is_empty")]
     pub parts: Parts,
+}
+
+impl Entry {
+    /// What it is about, without its parts.
+    pub fn subject(&self) -> (&str, &str, &str) {
+        (&self.path, &self.rule, &self.key)
+    }
 }
 
 fn worst() -> Level {

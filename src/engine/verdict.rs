@@ -8,14 +8,6 @@ use crate::diag::{Application, ApplicationVerdict, Level, Outcome, Verdict, grad
 use crate::discover::Layout;
 use crate::source::{resolved, slashed};
 
-impl Outcome {
-    /// Whether the run passes: nothing at or above [`Config::fail_on`], no more warnings than
-    /// [`Config::max_warnings`], and all of the work was done.
-    pub fn passes(&self, config: &Config) -> bool {
-        self.is_whole() && !fails(self.findings.iter().map(|finding| finding.level), config)
-    }
-}
-
 /// Counts the findings by level and gives every application its verdict.
 pub(super) fn conclude(outcome: &mut Outcome, config: &Config) {
     let of = |level| outcome.findings.iter().filter(|finding| finding.level == level).count();
@@ -30,15 +22,8 @@ pub(super) fn conclude(outcome: &mut Outcome, config: &Config) {
 fn verdict(application: Application, outcome: &Outcome, config: &Config) -> ApplicationVerdict {
     let breaks = outcome.findings.iter().flat_map(|finding| &finding.breaks);
     let levels = breaks.filter(|one| one.application == application).map(|one| one.level);
-    let passes = outcome.is_whole() && !fails(levels, config);
+    let passes = outcome.is_whole() && !config.fails(levels);
     ApplicationVerdict { application, verdict: if passes { Verdict::Pass } else { Verdict::Fail } }
-}
-
-/// Whether findings of these levels are too much.
-fn fails(levels: impl Iterator<Item = Level> + Clone, config: &Config) -> bool {
-    let warnings = || levels.clone().filter(|level| *level == Level::Warning).count();
-    config.fail_on.is_some_and(|limit| levels.clone().any(|level| level >= limit))
-        || config.max_warnings.is_some_and(|limit| warnings() > limit)
 }
 
 /// Whether a file lies where a checked data root or the system data have their assets, or is a loose one of them.
@@ -80,13 +65,13 @@ mod tests {
     fn a_run_that_misses_something_does_not_pass() {
         let what = || vec!["something".to_owned()];
         let config = Config { fail_on: None, ..Config::default() };
-        assert!(Outcome::default().passes(&config));
+        assert!(config.passes(&Outcome::default()));
         for missing in [
             Outcome { failed_rules: what(), ..Outcome::default() },
             Outcome { failed_files: what(), ..Outcome::default() },
             Outcome { failed_steps: vec![FailedStep::Places], ..Outcome::default() },
         ] {
-            assert!(!missing.passes(&config) && !missing.is_whole());
+            assert!(!config.passes(&missing) && !missing.is_whole());
         }
     }
 
@@ -101,7 +86,7 @@ mod tests {
         assert_eq!(verdicts(found(&RULE), &config), [(Makehuman2, Fail), (Mpfb, Pass)]);
         let settings = RuleInfo { breaks: &[], levels: &[], ..RULE };
         assert_eq!(verdicts(found(&settings), &config), [(Makehuman2, Pass), (Mpfb, Pass)]);
-        assert!(!checked(found(&settings)).passes(&config), "the run fails all the same");
+        assert!(!config.passes(&checked(found(&settings))), "the run fails all the same");
     }
 
     #[test]

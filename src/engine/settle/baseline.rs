@@ -8,8 +8,6 @@ use crate::diag::{Baseline, Entry, grouped};
 use crate::engine::error::{BaselineFault, Error};
 use crate::source::{Folder, Limits, ReadFault, read_file};
 
-const FORMAT: &str = "mhlint-baseline/1";
-
 /// A finding as the baseline compares it.
 pub(super) struct Found {
     /// The entry that it would be.
@@ -18,86 +16,65 @@ pub(super) struct Found {
     pub(super) rel: String,
 }
 
-impl Baseline {
-    /// Reads a baseline.
-    pub(super) fn read(path: &Path) -> Result<Self, Error> {
-        let refuse = |fault| Error::Baseline { path: path.display().to_string(), fault };
-        let bytes = read_file(path, &Limits::default()).map_err(|fault| match fault {
-            ReadFault::Unreadable(reason) => refuse(BaselineFault::Unreadable(reason)),
-            ReadFault::TooLarge { .. } => refuse(BaselineFault::TooLarge),
-        })?;
-        if is_conflict(&bytes) {
-            return Err(refuse(BaselineFault::Conflict));
+/// Reads a baseline.
+pub(super) fn read(path: &Path) -> Result<Baseline, Error> {
+    let refuse = |fault| Error::Baseline { path: path.display().to_string(), fault };
+    let bytes = read_file(path, &Limits::default()).map_err(|fault| match fault {
+        ReadFault::Unreadable(reason) => refuse(BaselineFault::Unreadable(reason)),
+        ReadFault::TooLarge { .. } => refuse(BaselineFault::TooLarge),
+    })?;
+    if is_conflict(&bytes) {
+        return Err(refuse(BaselineFault::Conflict));
+    }
+    let damaged = |error: serde_json::Error| refuse(BaselineFault::Damaged(error.to_string()));
+    let mut file: serde_json::Value = serde_json::from_slice(&bytes).map_err(damaged)?;
+    match file.get("format").and_then(|format| format.as_str()) {
+        Some(Baseline::FORMAT) => {}
+        Some(other) if other.starts_with("mhlint-baseline/") => {
+            return Err(refuse(BaselineFault::Format { found: other.to_owned(), read: Baseline::FORMAT }));
         }
-        let damaged = |error: serde_json::Error| refuse(BaselineFault::Damaged(error.to_string()));
-        let mut file: serde_json::Value = serde_json::from_slice(&bytes).map_err(damaged)?;
-        match file.get("format").and_then(|format| format.as_str()) {
-            Some(FORMAT) => {}
-            Some(other) if other.starts_with("mhlint-baseline/") => {
-                return Err(refuse(BaselineFault::Format { found: other.to_owned(), read: FORMAT }));
-            }
-            _ => return Err(refuse(BaselineFault::Other)),
-        }
-        let entries = file.get_mut("entries").map(serde_json::Value::take).unwrap_or_default();
-        let entries = serde_json::from_value(entries).map_err(damaged)?;
-        Ok(Self { entries })
+        _ => return Err(refuse(BaselineFault::Other)),
     }
-
-    /// The file: sorted, one entry a line, so that changes can be read and merged.
-    pub fn text(&self) -> String {
-        let mut entries = self.entries.clone();
-        // Equal ones stay: two findings may differ in nothing that is kept, and each has its own.
-        entries.sort();
-        let line = |entry: &Entry| serde_json::to_string(entry).unwrap_or_default();
-        let lines: Vec<String> = entries.iter().map(line).collect();
-        let list = if lines.is_empty() { "[]".to_owned() } else { format!("[\n{}\n]", lines.join(",\n")) };
-        format!("{{\"format\": \"{FORMAT}\", \"entries\": {list}}}\n")
-    }
-
-    /// The path at which each entry is looked for: its own, or that of a finding where the data root was moved. `roots`
-    /// are the checked data roots, relative to the folder of the file; `is_there` tells whether the asset of an entry is
-    /// still where it says.
-    ///
-    /// Fingerprints do not depend on where a data root lies. Where several roots hold an asset of the same
-    /// name the path decides; an entry of a root that is checked, or of an asset that is still there, is not for
-    /// another one.
-    pub(super) fn homes<'e>(
-        &'e self,
-        found: &'e [Found],
-        roots: &BTreeSet<String>,
-        is_there: impl Fn(&Entry) -> bool,
-    ) -> Vec<&'e str> {
-        let alike = grouped(found.iter().map(|found| (found.entry.fingerprint.as_str(), found)));
-        let now: BTreeSet<_> = found.iter().map(|found| found.entry.subject()).collect();
-        // Findings that have entries of their own, or that others moved to.
-        let own = self.entries.iter().filter(|entry| now.contains(&entry.subject()));
-        let mut taken: BTreeMap<_, &str> = own.map(|entry| (entry.subject(), entry.path.as_str())).collect();
-        let home = |entry: &'e Entry| {
-            let is_free = |found: &&&Found| taken.get(&found.entry.subject()).is_none_or(|path| *path == entry.path);
-            let is_gone = |found: &&&Found| !roots.contains(root_of(&entry.path, &found.rel)) && !is_there(entry);
-            let mut alike = alike.get(entry.fingerprint.as_str()).into_iter().flatten();
-            let Some(found) = alike.find(|found| is_free(found) && (found.entry.path == entry.path || is_gone(found)))
-            else {
-                return entry.path.as_str();
-            };
-            taken.insert(found.entry.subject(), &entry.path);
-            found.entry.path.as_str()
-        };
-        self.entries.iter().map(home).collect()
-    }
+    let entries = file.get_mut("entries").map(serde_json::Value::take).unwrap_or_default();
+    let entries = serde_json::from_value(entries).map_err(damaged)?;
+    Ok(Baseline { entries })
 }
 
-impl Entry {
-    /// What it is about, without its parts.
-    fn subject(&self) -> (&str, &str, &str) {
-        (&self.path, &self.rule, &self.key)
-    }
-
-    /// As it is compared, its asset at `path`.
-    pub(super) fn claim<'e>(&'e self, path: &'e str) -> Claim<'e> {
-        let (rule, key, parts, level) = (&self.rule, &self.key, &self.parts, self.level);
-        Claim { rule, asset: path, key, parts, level, breaks: &[], value: self.measure, grows: None }
-    }
+/// The path at which each entry is looked for: its own, or that of a finding where the data root was moved. `roots`
+/// are the checked data roots, relative to the folder of the file; `is_there` tells whether the asset of an entry is
+/// still where it says.
+///
+/// Fingerprints do not depend on where a data root lies. Where several roots hold an asset of the same
+/// name the path decides; an entry of a root that is checked, or of an asset that is still there, is not for
+/// another one.
+pub(super) fn homes<'e>(
+    entries: &'e [Entry],
+    found: &'e [Found],
+    roots: &BTreeSet<String>,
+    is_there: impl Fn(&Entry) -> bool,
+) -> Vec<&'e str> {
+    let alike = grouped(found.iter().map(|found| (found.entry.fingerprint.as_str(), found)));
+    let now: BTreeSet<_> = found.iter().map(|found| found.entry.subject()).collect();
+    // Findings that have entries of their own, or that others moved to.
+    let own = entries.iter().filter(|entry| now.contains(&entry.subject()));
+    let mut taken: BTreeMap<_, &str> = own.map(|entry| (entry.subject(), entry.path.as_str())).collect();
+    let home = |entry: &'e Entry| {
+        let is_free = |found: &&&Found| taken.get(&found.entry.subject()).is_none_or(|path| *path == entry.path);
+        let is_gone = |found: &&&Found| !roots.contains(root_of(&entry.path, &found.rel)) && !is_there(entry);
+        let mut alike = alike.get(entry.fingerprint.as_str()).into_iter().flatten();
+        let Some(found) = alike.find(|found| is_free(found) && (found.entry.path == entry.path || is_gone(found)))
+        else {
+            return entry.path.as_str();
+        };
+        taken.insert(found.entry.subject(), &entry.path);
+        found.entry.path.as_str()
+    };
+    entries.iter().map(home).collect()
+}
+/// An entry as it is compared, its asset at `path`.
+pub(super) fn claim<'e>(entry: &'e Entry, path: &'e str) -> Claim<'e> {
+    let (rule, key, parts, level) = (&entry.rule, &entry.key, &entry.parts, entry.level);
+    Claim { rule, asset: path, key, parts, level, breaks: &[], value: entry.measure, grows: None }
 }
 
 /// Whether git left the lines of both sides of a merge in a file.
@@ -138,7 +115,7 @@ mod tests {
         let baseline = Baseline { entries: all(before) };
         let found: Vec<Found> = all(now).into_iter().map(|entry| Found { entry, rel: "a.target".to_owned() }).collect();
         let roots = roots.iter().map(|root| (*root).to_owned()).collect();
-        let homes = baseline.homes(&found, &roots, |entry| entry.path.starts_with("there/"));
+        let homes = super::homes(&baseline.entries, &found, &roots, |entry| entry.path.starts_with("there/"));
         homes.into_iter().map(str::to_owned).collect()
     }
 

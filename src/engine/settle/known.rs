@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use super::baseline::{Found, placed};
+use super::baseline::{self, Found, placed};
 use super::compare::{Claim, Comparison, Standing, compare};
 use super::identify::Placed;
 use super::scope::Scope;
@@ -43,7 +43,7 @@ impl Known {
         let inside = path.parent().unwrap_or(Path::new("")).to_owned();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let is_first = config.write_baseline && !holds(&inside, &name);
-        let old = if is_first { Baseline::default() } else { Baseline::read(&path)? };
+        let old = if is_first { Baseline::default() } else { baseline::read(&path)? };
         Ok(Some(Self { folder: Folder::of(&inside), path, old, write: config.write_baseline, is_first }))
     }
 
@@ -59,10 +59,10 @@ impl Known {
         let (safe, rest): (Vec<Placed>, Vec<Placed>) =
             found.into_iter().partition(|placed| cannot_be_ignored(placed.finding.rule));
         let entries: Vec<Found> = rest.iter().map(|placed| self.found(placed)).collect();
-        let homes = self.old.homes(&entries, &roots, |entry| self.is_there(&entry.path));
+        let homes = baseline::homes(&self.old.entries, &entries, &roots, |entry| self.is_there(&entry.path));
         let before: Vec<Claim<'_>> =
-            self.old.entries.iter().zip(homes).map(|(entry, path)| entry.claim(path)).collect();
-        let claims = entries.iter().map(|found| found.entry.claim(&found.entry.path)).zip(&rest);
+            self.old.entries.iter().zip(homes).map(|(entry, path)| baseline::claim(entry, path)).collect();
+        let claims = entries.iter().map(|found| baseline::claim(&found.entry, &found.entry.path)).zip(&rest);
         let now: Vec<Claim<'_>> = claims
             .map(|(claim, placed)| Claim { grows: placed.finding.measure().map(|one| one.grows), ..claim })
             .collect();
