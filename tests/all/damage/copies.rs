@@ -38,7 +38,7 @@ fn folder_of(name: &str) -> Option<PathBuf> {
 fn one(file: &Path, format: Format, full: bool, outcome: &Outcome, config: &Config) {
     let rules = rule_infos();
     let view = View {
-        pass: config.passes(&outcome),
+        pass: config.passes(outcome),
         fail_on: config.fail_on,
         max_warnings: None,
         color: false,
