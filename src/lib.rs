@@ -21,6 +21,17 @@
 //! the formats of the command line, [`evaluate`] computes what the application would show, [`eval`] the same on
 //! plain arrays.
 //!
+//! ```
+//! use std::path::Path;
+//! let mut evaluation = mhlint::open_base(Path::new("fixtures/makehuman2/data"), None, Some("figure"))?;
+//! let rest = evaluation.morphed(&evaluation.setting(&[])?)?;
+//! let oval = evaluation.setting(&[("head/head-oval".to_owned(), 1.0)])?;
+//! let morphed = evaluation.morphed(&oval)?;
+//! assert_eq!(rest.len(), morphed.len());
+//! assert_ne!(rest, morphed);
+//! # Ok::<(), mhlint::evaluate::Error>(())
+//! ```
+//!
 //! [`lint_and_fix`] checks and fixes in memory; [`fix::write_all`] brings the changes to disk, each file as a whole.
 //!
 //! Two channels are never mixed: damaged data are [`Finding`]s, [`Error`] means that the run could not be
@@ -32,30 +43,22 @@
 
 // Files, streams and surroundings have few doors, and who may use them says so; tests are free.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+#![warn(missing_docs)]
 
 #[doc(hidden)]
 pub mod cli;
-pub mod config;
-pub mod diag;
-mod discover;
-mod engine;
-pub mod eval;
-pub mod evaluate;
-pub mod fix;
-pub mod formats;
-mod json;
-mod repo;
-pub mod report;
-mod rules;
-mod source;
 
-pub use config::Config;
-pub use diag::{Application, Finding, Level, Outcome};
+pub use mhlint_config::{self as config, Config};
+pub use mhlint_diag::{self as diag, Application, Finding, Level, Outcome};
 #[doc(hidden)]
-pub use engine::trial;
-pub use engine::{
+pub use mhlint_engine::trial;
+pub use mhlint_engine::{
     BaselineFault, CoveredKind, Error, Fixed, PathFault, Proposal, SelectorFault, covered_kinds, lint, lint_and_fix,
     lint_trees, lint_with_replacements, open_base, propose, rule_infos,
 };
-pub use rules::Unread;
-pub use source::{Encoding, Limits, Tree};
+pub use mhlint_rules::Unread;
+pub use mhlint_source::{Encoding, Limits, Tree};
+pub use {
+    mhlint_eval as eval, mhlint_evaluate as evaluate, mhlint_fix as fix, mhlint_formats as formats,
+    mhlint_report as report,
+};

@@ -10,8 +10,8 @@ use super::eval::EvalCommand;
 use super::fix::FixArgs;
 use super::one_of::not_one_of;
 use super::output::Target;
-use crate::config::MOST_SAMPLES;
-use crate::diag::{Application, Edition, EditionFault, Level, Version};
+use mhlint_config::MOST_SAMPLES;
+use mhlint_diag::{Application, Edition, EditionFault, Level, Version};
 
 const AFTER_HELP: &str = "\
 Exit codes: 0 passed, 1 findings at or above --fail-on, 2 could not run, 3 nothing was checked in a PATH.

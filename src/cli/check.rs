@@ -17,10 +17,10 @@ use super::progress::Progress;
 use super::step_summary;
 use super::terminal::Terminal;
 use super::workspace::placed;
-use crate::config::Config;
-use crate::diag::{Baseline, Outcome, TakenOver, Timed, Untouched, grouped, nearest};
-use crate::engine::{Error, rule_infos};
-use crate::report::{self, Format, View};
+use mhlint_config::Config;
+use mhlint_diag::{Baseline, Outcome, TakenOver, Timed, Untouched, grouped, nearest};
+use mhlint_engine::{Error, rule_infos};
+use mhlint_report::{self as report, Format, View};
 
 pub(super) fn run(
     args: &CheckArgs,

@@ -7,10 +7,10 @@ use super::args::CheckArgs;
 use super::exit::Failure;
 use super::git::{Record, Refusal, Repository};
 use super::recorded::Recorded;
-use crate::config::{Before, Compare};
-use crate::engine::is_pack;
-use crate::report::printable;
-use crate::source::{Contents, folder_of, resolved};
+use mhlint_config::{Before, Compare};
+use mhlint_engine::is_pack;
+use mhlint_report::printable;
+use mhlint_source::{Contents, folder_of, resolved};
 
 /// What to compare with, if anything. Says on standard error why there is nothing although it was asked for.
 pub(super) fn compared(args: &CheckArgs, paths: &[PathBuf], err: &mut dyn Write) -> Result<Option<Compare>, Failure> {

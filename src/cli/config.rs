@@ -7,11 +7,11 @@ use std::path::{Path, PathBuf};
 
 use super::args::CheckArgs;
 use super::exit::{Exit, Failure};
-use crate::config::{Config, ConfigFile, Selector, find};
-use crate::diag::Level;
-use crate::engine::{DEFAULT_SAMPLES, rule_infos};
-use crate::report::printable;
-use crate::source::{Lines, slashed};
+use mhlint_config::{Config, ConfigFile, Selector, find};
+use mhlint_diag::Level;
+use mhlint_engine::{DEFAULT_SAMPLES, rule_infos};
+use mhlint_report::printable;
+use mhlint_source::{Lines, slashed};
 
 /// The settings in effect.
 pub(super) fn settings(args: &CheckArgs) -> Result<Config, Failure> {

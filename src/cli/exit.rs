@@ -4,8 +4,9 @@ use std::fmt;
 use std::io;
 use std::process::ExitCode;
 
-use crate::report::printable;
-use crate::{config, engine, evaluate};
+use crate::{config, evaluate};
+use mhlint_engine as engine;
+use mhlint_report::printable;
 
 /// How the command ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

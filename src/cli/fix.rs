@@ -11,12 +11,12 @@ use super::output::Target;
 use super::patch::{Names, names};
 use super::terminal::Terminal;
 use super::watch::Watch;
-use crate::config::Config;
-use crate::diag::Outcome;
-use crate::engine::{self, Fixed, fixable};
-use crate::fix::{FileChange, Left, Pending, unified, unpack, write_all};
-use crate::report::{Paint, count, printable};
-use crate::source::Limits;
+use mhlint_config::Config;
+use mhlint_diag::Outcome;
+use mhlint_engine::{self as engine, Fixed, fixable};
+use mhlint_fix::{FileChange, Left, Pending, unified, unpack, write_all};
+use mhlint_report::{Paint, count, printable};
+use mhlint_source::Limits;
 
 /// Options of `check` that fix.
 #[derive(Debug, Clone, Copy, Default, clap::Args)]

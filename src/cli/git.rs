@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::source::resolved;
+use mhlint_source::resolved;
 
 /// By these git hands its own repository and the index of the commit to a hook. They are relative to where the hook
 /// runs, and the folder to check may lie in another repository.

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::report::printable;
+use mhlint_report::printable;
 
 /// Standard error, line by line.
 pub(super) struct Harmless {

@@ -6,9 +6,9 @@ use std::path::Path;
 
 use super::exit::{Exit, Failure};
 use super::output::remedy;
-use crate::config::{FILE_NAME, TEMPLATE, find, template_for};
-use crate::engine::{Proposal, propose};
-use crate::report::printable;
+use mhlint_config::{FILE_NAME, TEMPLATE, find, template_for};
+use mhlint_engine::{Proposal, propose};
+use mhlint_report::printable;
 
 pub(super) fn run(folder: Option<&Path>, out: &mut dyn Write, err: &mut dyn Write) -> Result<Exit, Failure> {
     let folder = folder.unwrap_or(Path::new("."));

@@ -6,9 +6,9 @@ use serde_json::{Value, json};
 
 use super::args::ListFormat;
 use super::exit::{Exit, Failure};
-use crate::diag::{FixKind, RuleInfo};
-use crate::engine::rule_infos;
-use crate::report::Paint;
+use mhlint_diag::{FixKind, RuleInfo};
+use mhlint_engine::rule_infos;
+use mhlint_report::Paint;
 
 pub(super) fn run(format: ListFormat, paint: Paint, out: &mut dyn Write) -> Result<Exit, Failure> {
     let rules = rule_infos();

@@ -33,10 +33,10 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::report::Paint;
 use args::{Args, Command};
 use exit::{Exit, Failure};
 use harmless::Harmless;
+use mhlint_report::Paint;
 use panics::Panics;
 use terminal::Terminal;
 

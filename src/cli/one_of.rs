@@ -1,6 +1,6 @@
 //! A word that should be one of a few.
 
-use crate::diag::nearest;
+use mhlint_diag::nearest;
 
 /// Says that a word is not known, which one may be meant, and which there are.
 pub(super) fn not_one_of(what: &str, text: &str, known: &[&str]) -> String {

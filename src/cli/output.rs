@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 
 use super::exit::Failure;
 use super::one_of::not_one_of;
-use crate::config::Config;
-use crate::diag::Outcome;
-use crate::engine::holds_asset;
-use crate::fix::replace;
-use crate::report::Format;
-use crate::source::{folder_of, link_targets, resolved};
+use mhlint_config::Config;
+use mhlint_diag::Outcome;
+use mhlint_engine::holds_asset;
+use mhlint_fix::replace;
+use mhlint_report::Format;
+use mhlint_source::{folder_of, link_targets, resolved};
 
 /// `FORMAT[=FILE]`.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use std::path::{Component, Path, PathBuf};
 
-use crate::source::{canonical, own_place, slashed};
+use mhlint_source::{canonical, own_place, slashed};
 
 /// Names of the files of a patch.
 pub(super) struct Names {

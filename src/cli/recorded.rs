@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::git::{Record, Refusal, Repository, path};
-use crate::source::{Contents, Encoding, Limits, canonical, folder_of, resolved};
+use mhlint_source::{Contents, Encoding, Limits, canonical, folder_of, resolved};
 
 /// What git has in place of what lies in a working tree.
 #[derive(Default)]

@@ -4,7 +4,7 @@ use std::io::Write;
 
 use super::exit::{Exit, Failure};
 use super::one_of::not_one_of;
-use crate::json::{schema_names, schema_text};
+use mhlint_json::{schema_names, schema_text};
 
 pub(super) fn run(name: Option<&str>, out: &mut dyn Write) -> Result<Exit, Failure> {
     let Some(name) = name else {

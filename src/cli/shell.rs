@@ -10,7 +10,7 @@ use clap_mangen::Man;
 use super::args::Args;
 use super::exit::{Exit, Failure};
 use super::one_of::not_one_of;
-use crate::engine::rule_infos;
+use mhlint_engine::rule_infos;
 
 /// Writes the completion script of a shell.
 pub(super) fn write_completions(shell: Shell, out: &mut dyn Write) -> Result<Exit, Failure> {

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use super::exit::Failure;
 use super::output::remedy;
-use crate::diag::Outcome;
-use crate::report::{self, View};
+use mhlint_diag::Outcome;
+use mhlint_report::{self as report, View};
 
 /// GitHub drops the summary of a step as a whole when it is larger than 1 MiB.
 const LIMIT: u64 = 1 << 20;

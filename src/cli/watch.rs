@@ -1,6 +1,6 @@
 //! Who ends a run with a signal while it fixes: nothing of it stays beside the data.
 
-use crate::fix::Pending;
+use mhlint_fix::Pending;
 
 /// Waits for signals as long as it lives.
 pub(super) struct Watch {

@@ -4,9 +4,9 @@ use std::borrow::Cow;
 use std::env;
 use std::path::{Path, PathBuf};
 
-use crate::diag::Outcome;
-use crate::report::Format;
-use crate::source::{normalized, slashed};
+use mhlint_diag::Outcome;
+use mhlint_report::Format;
+use mhlint_source::{normalized, slashed};
 
 /// How paths that are relative to the working directory become relative to the top of the repository.
 struct Workspace {

@@ -53,7 +53,7 @@ A run names the files of which it did not check the contents, and why (`Not chec
 
 /// What is said of each kind of files in the code, by its name there: an entry of the list is a comment and a name.
 fn descriptions() -> BTreeMap<String, String> {
-    let code = fs::read_to_string(project("src/discover/kind.rs")).unwrap();
+    let code = fs::read_to_string(project("crates/discover/src/kind.rs")).unwrap();
     let (_, rest) = code.split_once("pub enum Kind {\n").unwrap();
     let (list, _) = rest.split_once("\n}").unwrap();
     let lines: Vec<&str> = list.lines().map(str::trim).collect();

@@ -8,8 +8,8 @@ use serde_json::Value;
 use super::args::{BaseArgs, MeshArgs, SkeletonArgs, SkinArgs};
 use super::{document, open, write};
 use crate::cli::exit::Failure;
-use crate::evaluate::makehuman2::read_skeleton;
-use crate::evaluate::{mesh_json, read_poses, skeleton_json, skin_json, with_positions};
+use mhlint_evaluate::makehuman2::read_skeleton;
+use mhlint_evaluate::{mesh_json, read_poses, skeleton_json, skin_json, with_positions};
 
 /// `mhlint eval macros`.
 pub(super) fn macros(args: &BaseArgs, out: &mut dyn Write) -> Result<(), Failure> {

@@ -6,9 +6,9 @@ use std::path::PathBuf;
 use super::args::CasesArgs;
 use super::write;
 use crate::cli::exit::{Exit, Failure};
-use crate::engine::open_base;
-use crate::evaluate::{CaseRun, Comparison, Deviation, Error, Roots, read_text, run_cases};
-use crate::report::printable;
+use mhlint_engine::open_base;
+use mhlint_evaluate::{CaseRun, Comparison, Deviation, Error, Roots, read_text, run_cases};
+use mhlint_report::printable;
 
 /// Differences that are listed of a case.
 const SHOWN: usize = 10;

@@ -8,7 +8,7 @@ use serde_json::{Map, Value};
 use super::args::{Attached, FitArgs, FittedBy, SettingArgs};
 use super::{document, mpfb, open_root, write};
 use crate::cli::exit::Failure;
-use crate::evaluate::{
+use mhlint_evaluate::{
     Error, Fitted, Point, fit_json, makehuman1, makehuman2, object, read_positions, read_text, with_positions,
 };
 

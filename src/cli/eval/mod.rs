@@ -15,9 +15,9 @@ use serde_json::{Map, Value};
 pub(super) use args::EvalCommand;
 
 use super::exit::{Exit, Failure};
-use crate::engine::open_base;
-use crate::evaluate::{Error, Evaluation, Setting, SliderSetting, object, parse_setting, read_settings};
 use args::{BaseArgs, SettingArgs};
+use mhlint_engine::open_base;
+use mhlint_evaluate::{Error, Evaluation, Setting, SliderSetting, object, parse_setting, read_settings};
 
 /// Runs one of the commands.
 pub(super) fn run(command: &EvalCommand, out: &mut dyn Write, err: &mut dyn Write) -> Result<Exit, Failure> {

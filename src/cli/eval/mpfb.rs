@@ -10,9 +10,9 @@ use serde_json::Value;
 use super::args::{FitArgs, RigArgs, RigChoice, SkinArgs};
 use super::{Opened, document, open, open_root, write};
 use crate::cli::exit::Failure;
-use crate::eval::vector::round_to_f32;
-use crate::evaluate::mpfb::{RigFile, StandingRig, groups_json, read_asset, read_groups, read_rig, read_stored_pose};
-use crate::evaluate::{Error, Point, object, read_text, with_positions};
+use mhlint_eval::vector::round_to_f32;
+use mhlint_evaluate::mpfb::{RigFile, StandingRig, groups_json, read_asset, read_groups, read_rig, read_stored_pose};
+use mhlint_evaluate::{Error, Point, object, read_text, with_positions};
 
 /// A figure with a rig on it.
 struct Rigged {

@@ -8,8 +8,8 @@ use serde_json::{Map, Value};
 use super::args::{LoadedBy, WeightsArgs};
 use super::{document, mpfb, write};
 use crate::cli::exit::Failure;
-use crate::evaluate::makehuman2::{read_skeleton, read_skeleton_with_joints, read_weights, to_mhw, transferred};
-use crate::evaluate::{Error, NamedWeights, SkeletonFile, load_json, makehuman1, object, reduction_json, weights_json};
+use mhlint_evaluate::makehuman2::{read_skeleton, read_skeleton_with_joints, read_weights, to_mhw, transferred};
+use mhlint_evaluate::{Error, NamedWeights, SkeletonFile, load_json, makehuman1, object, reduction_json, weights_json};
 
 /// Root bone of weights without a skeleton, as the shipped skeletons call it.
 const ROOT: &str = "root";

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::args::MeshOutput;
 use crate::cli::exit::Failure;
 use crate::cli::output::{refuse_unwritable, write_file};
-use crate::evaluate::Error;
+use mhlint_evaluate::Error;
 
 /// Writes to `file`, or to `out` without one.
 pub(super) fn write(bytes: &[u8], file: Option<&Path>, out: &mut dyn Write) -> Result<(), Failure> {

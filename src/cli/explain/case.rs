@@ -3,7 +3,7 @@
 use include_dir::{Dir, include_dir};
 use serde::Deserialize;
 
-use crate::report::count;
+use mhlint_report::count;
 
 static FIXTURES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/fixtures/rules");
 
@@ -225,7 +225,7 @@ impl Zipped {
 }
 
 fn shorten(line: &str) -> String {
-    let shown: String = crate::report::printable(line).chars().take(SHOWN_CHARACTERS).collect();
+    let shown: String = mhlint_report::printable(line).chars().take(SHOWN_CHARACTERS).collect();
     if shown.len() < line.len() { format!("{shown}...") } else { shown }
 }
 

@@ -5,7 +5,7 @@ use std::io::Write;
 use super::case::Case;
 use super::{SAFETY, fix, result, shown_cases};
 use crate::cli::exit::Failure;
-use crate::diag::RuleInfo;
+use mhlint_diag::RuleInfo;
 
 /// Several rules, with an empty line between them.
 pub(super) fn write_rules(rules: &[&RuleInfo], out: &mut dyn Write) -> Result<(), Failure> {

@@ -8,10 +8,10 @@ use std::io::Write;
 use super::args::ExplainFormat;
 use super::exit::{Exit, Failure};
 use super::list::write_table;
-use crate::diag::{FixKind, RuleInfo, nearest};
-use crate::engine::rule_infos;
-use crate::report::{Paint, count, hang, paragraphs};
 use case::Case;
+use mhlint_diag::{FixKind, RuleInfo, nearest};
+use mhlint_engine::rule_infos;
+use mhlint_report::{Paint, count, hang, paragraphs};
 
 const SAFETY: &str = "Safety rule: cannot be ignored or lowered.";
 

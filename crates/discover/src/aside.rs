@@ -1,0 +1,123 @@
+//! Files that look like assets and are none: tables of add-ons, and test data (formats/versions.md §1).
+
+use std::collections::BTreeMap;
+
+use super::kind::extension;
+use super::listing::{Listing, at};
+use mhlint_diag::Application;
+use mhlint_source::folder_and_name;
+
+/// Why files that look like assets are none.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Aside {
+    /// An add-on that makes assets has them for itself.
+    Helpers,
+    /// They test a program, and some are broken on purpose.
+    Tests,
+}
+
+/// The folders in a listing that hold such files.
+pub fn aside(listing: &Listing<'_>) -> BTreeMap<String, Aside> {
+    let mut found = BTreeMap::new();
+    for file in listing.files() {
+        let (folder, name) = folder_and_name(file);
+        if is_helper(listing, folder, name) {
+            found.insert(folder.to_owned(), Aside::Helpers);
+        }
+        if let Some(tests) = test_data(listing, file) {
+            found.insert(tests, Aside::Tests);
+        }
+    }
+    found
+}
+
+/// Whether a file is one that only an add-on has: what belongs to it lies beside it.
+fn is_helper(listing: &Listing<'_>, folder: &str, name: &str) -> bool {
+    let has = |wanted: &str| listing.has(&at(folder, wanted));
+    let beside = |is_wanted: &dyn Fn(&str) -> bool| {
+        listing.below(folder).map(folder_and_name).any(|(own, name)| own == folder && is_wanted(name))
+    };
+    match extension(name) {
+        "config" => name == "hm08.config" && has("tags.json"),
+        "mhclo" if name.ends_with("helper.mhclo") => beside(&|name| extension(name) == "mirror"),
+        "mhclo" => name.starts_with("a8_v69_"),
+        "trg" => beside(&|name| extension(name) == "mhclo"),
+        _ => false,
+    }
+}
+
+/// Where an application has its test data.
+pub struct TestData {
+    /// The folder.
+    pub folder: &'static str,
+    /// The source of the application, as seen from the same place.
+    pub source: &'static str,
+    /// Whose.
+    pub application: Application,
+}
+
+/// The test data of MPFB.
+pub const TEST_DATA: TestData =
+    TestData { folder: "test/testdata", source: "src/mpfb", application: Application::Mpfb };
+
+/// The folder of test data that a file lies in.
+fn test_data(listing: &Listing<'_>, file: &str) -> Option<String> {
+    let TestData { folder, source, .. } = TEST_DATA;
+    let start = format!("/{file}").find(&format!("/{folder}/"))?;
+    let above = file.get(..start)?.trim_end_matches('/');
+    listing.has_folder(&at(above, source)).then(|| at(above, folder))
+}
+
+/// Whether what should be an asset is a table for fitting others: it has rows, and neither a name nor a mesh of its own, not
+/// even in a comment.
+pub fn is_fitting_table(text: &[u8]) -> bool {
+    let words = |line: &'_ [u8]| -> Vec<String> {
+        let line = String::from_utf8_lossy(line);
+        line.trim_start_matches(['#', ' ', '\t']).split_whitespace().take(4).map(str::to_owned).collect()
+    };
+    let mut rows = 0;
+    for line in text.split(|byte| *byte == b'\n') {
+        let words = words(line);
+        match words.first().map(String::as_str) {
+            Some("name" | "obj_file" | "uuid" | "material") => return false,
+            Some(first) if first.parse::<u32>().is_ok() => rows += 1,
+            _ => {}
+        }
+    }
+    rows >= ROWS
+}
+
+/// Rows from which on a text is a table.
+const ROWS: usize = 3;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(files: &[&str]) -> Vec<(String, Aside)> {
+        aside(&Listing::of(files.iter().copied(), [])).into_iter().collect()
+    }
+
+    #[test]
+    fn signs_tell_and_names_of_folders_do_not() {
+        let helpers = |folder: &str| vec![(folder.to_owned(), Aside::Helpers)];
+        assert_eq!(found(&["x/data/hm08.config", "x/data/tags.json"]), helpers("x/data"));
+        assert_eq!(
+            found(&["maketarget/data/hm08helper.mhclo", "maketarget/data/hm08.mirror"]),
+            helpers("maketarget/data")
+        );
+        assert_eq!(found(&["maketarget/data/helper.mhclo", "makeclothes/data/tags.json"]), []);
+        assert_eq!(
+            found(&["test/testdata/a.mhclo", "src/mpfb/__init__.py"]),
+            [("test/testdata".to_owned(), Aside::Tests)]
+        );
+        assert_eq!(found(&["test/testdata/a.mhclo", "src/other/__init__.py"]), []);
+    }
+
+    #[test]
+    fn a_table_has_rows_and_no_name() {
+        assert!(is_fitting_table(b"# fits\nverts 0\n1\n2\n3\n"));
+        assert!(!is_fitting_table(b"# name shirt\nverts 0\n1\n2\n3\n"));
+        assert!(!is_fitting_table(b"verts 0\n1\n"));
+    }
+}

@@ -1,0 +1,153 @@
+//! The baseline of a run: what it hides, what of it is stale, what a new one holds.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use super::baseline::{self, Found, placed};
+use super::compare::{Claim, Comparison, Standing, compare};
+use super::identify::Placed;
+use super::scope::Scope;
+use super::select::{Selection, cannot_be_ignored};
+use crate::catalogue::listed;
+use crate::error::{BaselineFault, Error};
+use mhlint_config::Config;
+use mhlint_diag::{Baseline, BaselineUse, Entry, Finding, Level, TakenOver};
+use mhlint_source::{Folder, canonical, holds, slashed};
+
+/// The baseline of a run, read before it begins.
+pub(crate) struct Known {
+    path: PathBuf,
+    folder: Folder,
+    old: Baseline,
+    write: bool,
+    is_first: bool,
+}
+
+/// What a baseline did.
+pub(crate) struct Compared {
+    pub(crate) kept: Vec<Finding>,
+    pub(crate) hidden: usize,
+    pub(crate) used: BaselineUse,
+    /// How many there are less of.
+    pub(crate) smaller: usize,
+    /// The one to write.
+    pub(crate) new: Option<Baseline>,
+    /// What that one changes.
+    pub(crate) taken_over: Option<TakenOver>,
+}
+
+impl Known {
+    /// Reads the baseline, if there is to be one. To write the first one none need be there.
+    pub(crate) fn open(config: &Config) -> Result<Option<Self>, Error> {
+        let Some(path) = config.baseline.clone() else { return Ok(None) };
+        let inside = path.parent().unwrap_or(Path::new("")).to_owned();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let is_first = config.write_baseline && !holds(&inside, &name);
+        let old = if is_first { Baseline::default() } else { baseline::read(&path)? };
+        Ok(Some(Self { folder: Folder::of(&inside), path, old, write: config.write_baseline, is_first }))
+    }
+
+    /// Hides what is known. `roots` are printed paths of the checked data roots.
+    pub(crate) fn compare<'r>(
+        &self,
+        found: Vec<Placed>,
+        roots: impl Iterator<Item = &'r str>,
+        selection: &Selection<'_>,
+        scope: &Scope<'_>,
+    ) -> Result<Compared, Error> {
+        let roots: BTreeSet<String> = roots.map(|root| placed(&self.folder, root)).collect();
+        let (safe, rest): (Vec<Placed>, Vec<Placed>) =
+            found.into_iter().partition(|placed| cannot_be_ignored(placed.finding.rule));
+        let entries: Vec<Found> = rest.iter().map(|placed| self.found(placed)).collect();
+        let homes = baseline::homes(&self.old.entries, &entries, &roots, |entry| self.is_there(&entry.path));
+        let before: Vec<Claim<'_>> =
+            self.old.entries.iter().zip(homes).map(|(entry, path)| baseline::claim(entry, path)).collect();
+        let claims = entries.iter().map(|found| baseline::claim(&found.entry, &found.entry.path)).zip(&rest);
+        let now: Vec<Claim<'_>> = claims
+            .map(|(claim, placed)| Claim { grows: placed.finding.measure().map(|one| one.grows), ..claim })
+            .collect();
+        let Comparison { now, gone } = compare(&before, &now);
+        let known: Vec<bool> = now.iter().map(|one| matches!(one, Standing::Same | Standing::Smaller)).collect();
+        let smaller = now.iter().filter(|standing| **standing == Standing::Smaller).count();
+        let lost: Vec<&Entry> = gone.iter().filter_map(|number| self.old.entries.get(*number)).collect();
+        // Data in memory have no places on disk to look for.
+        let on_disk = roots.iter().any(|root| self.is_there(root));
+        if on_disk && lost.len() == self.old.entries.len() && scope.is_whole() {
+            self.refuse_foreign(selection)?;
+        }
+        let checked = |entry: &&Entry| self.is_checked(entry, selection, scope);
+        let stale: Vec<&Entry> = lost.into_iter().filter(checked).collect();
+        let mut used = BaselineUse {
+            path: slashed(&self.path),
+            checked: self.old.entries.iter().filter(checked).count(),
+            stale: stale.iter().map(|entry| describe(entry)).collect(),
+        };
+        let (mut new, mut taken_over) = (None, None);
+        if self.write {
+            let added = || rest.iter().zip(&known).filter(|(_, known)| !**known).map(|(placed, _)| placed);
+            let errors = added().filter(|placed| placed.finding.level == Level::Error).count();
+            taken_over = (!self.is_first).then(|| TakenOver { new: added().count(), errors, gone: used.stale.len() });
+            // Without what this run could not look at a narrower run would throw entries away.
+            let others = self.old.entries.iter().filter(|entry| !checked(entry) && !is_found(entry, &entries));
+            let mut all: Vec<Entry> = others.cloned().collect();
+            all.extend(entries.into_iter().map(|found| found.entry));
+            new = Some(Baseline { entries: all });
+            used.stale.clear();
+        }
+        let all = rest.len();
+        let told = rest.into_iter().zip(now).filter(|_| !self.write);
+        let told: Vec<Finding> = told.filter_map(|(placed, standing)| standing.of(placed.finding)).collect();
+        let hidden = all - told.len();
+        let kept = safe.into_iter().map(|placed| placed.finding).chain(told).collect();
+        Ok(Compared { kept, hidden, used, smaller, new, taken_over })
+    }
+
+    /// Whether there is something at the path of an entry, or at one beside it.
+    fn is_there(&self, path: &str) -> bool {
+        let folder = self.path.parent().unwrap_or(Path::new(""));
+        [folder.join(path).as_path(), Path::new(path)].into_iter().any(|path| canonical(path).is_some())
+    }
+
+    /// A file of which nothing was found, neither the faults nor the assets nor their folders, is not for these data.
+    /// Where the folder is there the asset was fixed by removing it.
+    fn refuse_foreign(&self, selection: &Selection<'_>) -> Result<(), Error> {
+        let entries = &self.old.entries;
+        let folder = |entry: &Entry| entry.path.rsplit_once('/').map_or(".", |(folder, _)| folder).to_owned();
+        let is_gone = |entry: &Entry| !self.is_there(&entry.path) && !self.is_there(&folder(entry));
+        let Some(first) = entries.first() else { return Ok(()) };
+        if !entries.iter().all(|entry| !selection.is_silenced(&entry.rule) && is_gone(entry)) {
+            return Ok(());
+        }
+        let fault = BaselineFault::Foreign { first: first.path.clone() };
+        Err(Error::Baseline { path: self.path.display().to_string(), fault })
+    }
+
+    fn found(&self, placed_at: &Placed) -> Found {
+        let finding = &placed_at.finding;
+        let entry = Entry {
+            path: placed(&self.folder, finding.asset_path()),
+            rule: finding.rule.to_owned(),
+            key: finding.subject.key.clone(),
+            fingerprint: placed_at.known_as.clone(),
+            level: placed_at.consequence,
+            parts: finding.subject.parts.clone(),
+            measure: finding.measure().map(|measure| measure.value),
+        };
+        Found { entry, rel: placed_at.rel.clone() }
+    }
+
+    /// Whether this run would have found it if it were still there.
+    fn is_checked(&self, entry: &Entry, selection: &Selection<'_>, scope: &Scope<'_>) -> bool {
+        let exists = listed().any(|rule| rule.info.id == entry.rule);
+        !exists || !selection.is_silenced(&entry.rule) && scope.covers(&self.folder, &entry.path)
+    }
+}
+
+fn is_found(entry: &Entry, found: &[Found]) -> bool {
+    found.iter().any(|found| found.entry.fingerprint == entry.fingerprint && found.entry.path == entry.path)
+}
+
+fn describe(entry: &Entry) -> String {
+    let key = if entry.key.is_empty() { String::new() } else { format!(" ({})", entry.key) };
+    format!("{}: {}{key}", entry.path, entry.rule)
+}

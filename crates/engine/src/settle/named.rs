@@ -1,0 +1,54 @@
+//! What the texts in ignores name: each text is looked up once, however many comments and findings there are.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use crate::catalogue::listed;
+use mhlint_config::Selector;
+use mhlint_diag::Suggestions;
+use mhlint_rules::RULES;
+
+/// Rules by the text that names them.
+#[derive(Default)]
+pub(super) struct NamedRules {
+    found: RefCell<HashMap<String, Rc<[&'static str]>>>,
+    suggestions: Suggestions,
+}
+
+impl NamedRules {
+    /// The rules that a text fits; none of a text that is no glob.
+    pub(super) fn of(&self, text: &str) -> Rc<[&'static str]> {
+        if let Some(rules) = self.found.borrow().get(text) {
+            return Rc::clone(rules);
+        }
+        let ids = RULES.iter().map(|rule| rule.info.id);
+        let rules: Rc<[&'static str]> = match Selector::new(text, 0..0) {
+            Ok(selector) => ids.filter(|id| selector.fits(id)).collect(),
+            Err(_) => Rc::new([]),
+        };
+        self.found.borrow_mut().insert(text.to_owned(), Rc::clone(&rules));
+        rules
+    }
+
+    /// A rule that may be meant.
+    pub(super) fn nearest(&self, text: &str) -> Option<&'static str> {
+        self.suggestions.nearest(text, listed().map(|rule| rule.info.id))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_is_compiled_once() {
+        let named = NamedRules::default();
+        for _ in 0..1000 {
+            assert!(named.of("json-*").contains(&"json-syntax"));
+            assert!(named.of("{").is_empty());
+        }
+        assert_eq!(named.found.borrow().len(), 2);
+        assert!(Rc::ptr_eq(&named.of("json-*"), &named.of("json-*")));
+    }
+}

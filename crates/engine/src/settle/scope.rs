@@ -1,0 +1,41 @@
+//! What a run looks at: the PATHs, without what the configuration excludes.
+
+use super::answered::Answered;
+use mhlint_config::Config;
+use mhlint_source::{Folder, Outer, is_below};
+
+/// The part of the world that a run reports on.
+pub(crate) struct Scope<'c> {
+    config: &'c Config,
+    /// PATHs as printed.
+    paths: Vec<Outer>,
+    /// Those of them that are excluded: who names a path wants to hear of it.
+    named: Vec<String>,
+    /// Whether a path is excluded.
+    excluded: Answered<bool>,
+}
+
+impl<'c> Scope<'c> {
+    /// The scope of a run on `paths`, as printed.
+    pub(crate) fn new(paths: Vec<String>, config: &'c Config) -> Self {
+        let named = paths.iter().filter(|path| config.excludes(path)).cloned().collect();
+        Self { config, paths: paths.iter().map(|path| Outer::of(path)).collect(), named, excluded: Answered::default() }
+    }
+
+    /// Whether nothing is to be reported for a printed path.
+    pub(crate) fn excludes(&self, path: &str) -> bool {
+        let is_excluded = || self.config.excludes(path) && !self.named.iter().any(|named| is_below(path, named));
+        self.config.has_exclude() && self.excluded.of(path, "", is_excluded)
+    }
+
+    /// Whether the run looks at everything at or below `rel`, a path relative to `folder`.
+    pub(crate) fn covers(&self, folder: &Folder, rel: &str) -> bool {
+        self.is_whole() && self.paths.iter().any(|path| folder.lies_in(rel, path))
+    }
+
+    /// Whether nothing but PATHs narrows what is reported. What the file says holds for every run.
+    pub(crate) fn is_whole(&self) -> bool {
+        let by_file = |key: &str| self.config.file.as_ref().is_some_and(|file| file.places.contains_key(key));
+        (self.config.bases.is_empty() || by_file("bases")) && (self.config.applications.is_empty() || by_file("apps"))
+    }
+}

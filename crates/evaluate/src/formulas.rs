@@ -1,0 +1,215 @@
+//! Whose formulas evaluate what: the one place that asks for an application.
+//!
+//! To evaluate another one: a variant of [`Formulas`], a folder beside `makehuman2`, and an arm wherever the compiler
+//! asks for one.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use serde_json::{Map, Value};
+
+use super::cases::Kind;
+use super::data::{RestSkeleton, SkeletonFile};
+use super::gauge::gauge;
+use super::{Error, Evaluation, Rows, Setting, SliderSetting, makehuman1, makehuman2, mpfb};
+use mhlint_config::Config;
+use mhlint_diag::Application;
+use mhlint_eval::measures::Measures;
+use mhlint_eval::scene::Scene;
+use mhlint_eval::vector::Point;
+use mhlint_eval::weights::BoneWeights;
+use mhlint_repo::Layers;
+use mhlint_repo::makehuman2::Base;
+use mhlint_source::Limits;
+
+/// Whose formulas evaluate a body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Formulas {
+    /// `makehuman2`.
+    Makehuman2,
+    /// `makehuman1`.
+    Makehuman1,
+    /// `mpfb`.
+    Mpfb,
+}
+
+impl Formulas {
+    /// The place of the slider that a saved character means by a name which no slider has, and the sign of its value.
+    pub(super) fn slider_of_character(self, scene: &Scene, name: &str) -> Option<(usize, f64)> {
+        match self {
+            Self::Makehuman2 | Self::Makehuman1 => None,
+            Self::Mpfb => mpfb::names::slider(scene, name),
+        }
+    }
+}
+
+/// A body of layers that can be opened.
+#[derive(Clone, Copy)]
+pub struct Openable<'a> {
+    pub name: &'a str,
+    pub layers: Layers<'a>,
+    formulas: Formulas,
+}
+
+/// Whose formulas evaluate the data of an application.
+const fn formulas(application: Application) -> Formulas {
+    match application {
+        Application::Makehuman2 => Formulas::Makehuman2,
+        Application::Mpfb => Formulas::Mpfb,
+        Application::Makehuman1 => Formulas::Makehuman1,
+    }
+}
+
+/// Whether rules ask for what the targets of an application come to, so that their rows are needed.
+pub const fn needs_rows(application: Application) -> bool {
+    matches!(application, Application::Makehuman2 | Application::Makehuman1 | Application::Mpfb)
+}
+
+/// Whether anything of the data of an application is measured: what is worn, also where nothing else is.
+pub const fn is_measured(application: Application) -> bool {
+    matches!(application, Application::Makehuman2 | Application::Makehuman1 | Application::Mpfb)
+}
+
+/// The applications whose data can be evaluated.
+pub fn evaluated() -> impl Iterator<Item = Application> {
+    Application::ALL.into_iter()
+}
+
+/// Measures a body as an application shows it, taking the rows of its targets out of `rows`. `None` for an application
+/// that is not evaluated, and without a mesh that vertices can be counted on.
+///
+/// Takes layers, not a view: their targets are not all read yet.
+pub fn measure(
+    application: Application,
+    layers: Layers<'_>,
+    name: &str,
+    rows: &mut Rows,
+    options: &Config,
+) -> Option<Measures> {
+    match application {
+        Application::Makehuman2 => {
+            let base = Base::resolve(name, layers);
+            let mut composed = makehuman2::compose::compose(&base, rows)?;
+            let own = makehuman2::worn::own(&base, layers);
+            let fitted = makehuman2::worn::fit(&base, &own);
+            let bones = composed.scene.skeleton.iter().flat_map(|skeleton| skeleton.names.iter().enumerate().rev());
+            let bones: BTreeMap<&str, usize> = bones.map(|(number, name)| (name.as_str(), number)).collect();
+            composed.scene.worn = fitted.iter().map(|one| one.on_scene(&bones)).collect();
+            let worn = || makehuman2::worn::measure(&base, &fitted);
+            let (measures, worn) = rayon::join(|| gauge(&composed, options), worn);
+            Some(Measures { worn, ..measures })
+        }
+        Application::Makehuman1 => Some(makehuman1::measure(layers, rows, options)),
+        Application::Mpfb => mpfb::measure(layers, rows, options),
+    }
+}
+
+/// The bodies that can be opened in layers as an application sees them.
+pub fn openable(application: Application, layers: Layers<'_>) -> Vec<Openable<'_>> {
+    let formulas = formulas(application);
+    let names = match formulas {
+        Formulas::Makehuman2 => makehuman2::base::with_mesh(layers),
+        Formulas::Makehuman1 => makehuman1::base::with_mesh(layers),
+        Formulas::Mpfb => mpfb::base::with_mesh(layers),
+    };
+    names.into_iter().map(|name| Openable { name, layers, formulas }).collect()
+}
+
+impl Openable<'_> {
+    /// Whether it has a macro system.
+    pub fn has_macros(&self) -> bool {
+        match self.formulas {
+            Formulas::Makehuman2 => Base::resolve(self.name, self.layers).macro_file().is_some(),
+            Formulas::Makehuman1 | Formulas::Mpfb => true,
+        }
+    }
+
+    /// Takes what its files hold, but for the rows of its targets.
+    ///
+    /// # Errors
+    /// An unusable mesh.
+    pub fn open(&self, limits: Limits) -> Result<Evaluation, Error> {
+        match self.formulas {
+            Formulas::Makehuman2 => makehuman2::base::open(&Base::resolve(self.name, self.layers), limits),
+            Formulas::Makehuman1 => makehuman1::base::open(self.name, self.layers, limits),
+            Formulas::Mpfb => mpfb::base::open(self.name, self.layers, limits),
+        }
+    }
+}
+
+impl Evaluation {
+    /// Whose data are evaluated.
+    pub(super) const fn application(&self) -> Application {
+        match self.formulas {
+            Formulas::Makehuman2 => Application::Makehuman2,
+            Formulas::Makehuman1 => Application::Makehuman1,
+            Formulas::Mpfb => Application::Mpfb,
+        }
+    }
+
+    /// Whether a vertex of several rows moves by all of them, and one that the mesh lacks is passed over.
+    pub(super) const fn adds_rows(&self) -> bool {
+        matches!(self.formulas, Formulas::Mpfb)
+    }
+
+    /// The weights that a pose moves the mesh by.
+    ///
+    /// # Errors
+    /// Weights of vertices beyond the mesh.
+    pub(super) fn posing_weights<'w>(
+        &self,
+        weights: &'w [BoneWeights],
+        vertices: usize,
+    ) -> Result<Cow<'w, [BoneWeights]>, Error> {
+        match self.formulas {
+            Formulas::Makehuman1 => makehuman1::posing_weights(weights, vertices).map(Cow::Owned),
+            Formulas::Makehuman2 | Formulas::Mpfb => Ok(Cow::Borrowed(weights)),
+        }
+    }
+
+    /// The macros at a setting, as JSON.
+    ///
+    /// # Errors
+    /// No macros, or macros that stop the application.
+    pub fn macros_json(&self, setting: &Setting) -> Result<Map<String, Value>, Error> {
+        match self.formulas {
+            Formulas::Makehuman2 => {
+                let (table, result) = self.macros(setting)?;
+                Ok(makehuman2::macros_json(self, table, &result))
+            }
+            Formulas::Makehuman1 => makehuman1::macros::macros_json(self, setting),
+            Formulas::Mpfb => mpfb::macros::macros_json(self, setting),
+        }
+    }
+
+    /// What modifiers do to their targets at a setting, as JSON: these one by one, then the weights of all targets.
+    ///
+    /// # Errors
+    /// Data of another application than `MakeHuman` 1; an unknown modifier.
+    pub fn modifiers_json(&self, setting: &Setting, asked: &[SliderSetting]) -> Result<Map<String, Value>, Error> {
+        match self.formulas {
+            Formulas::Makehuman1 => makehuman1::modifiers::modifiers_json(self, setting, asked),
+            Formulas::Makehuman2 | Formulas::Mpfb => {
+                let name = self.application().title();
+                Err(Error::Input(format!("modifiers are those of MakeHuman 1; for {name} use `mhlint eval macros`")))
+            }
+        }
+    }
+
+    /// Joints and rest matrices of a skeleton on a mesh.
+    ///
+    /// # Errors
+    /// A skeleton that the application refuses for this mesh.
+    pub fn rest(&self, skeleton: &SkeletonFile, positions: &[Point]) -> Result<RestSkeleton, Error> {
+        match self.formulas {
+            Formulas::Makehuman2 => makehuman2::skeleton::rest(skeleton, positions),
+            Formulas::Makehuman1 => makehuman1::skeleton::rest(&self.scene, skeleton, positions),
+            Formulas::Mpfb => Err(mpfb::no_rigs(self.base())),
+        }
+    }
+}
+
+/// Every kind of case, of all applications.
+pub(super) fn kinds() -> impl Iterator<Item = &'static Kind> {
+    makehuman2::cases::KINDS.iter().chain(&makehuman1::cases::KINDS).chain(&mpfb::cases::KINDS)
+}

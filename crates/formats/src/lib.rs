@@ -1,0 +1,106 @@
+//! Bytes to models and facts, one format a file.
+//!
+//! A parser returns what the application would see, and counts in the same
+//! pass everything rules ask about. Nothing is checked here; other files are not known here.
+
+// Files, streams and surroundings have few doors, and who may use them says so; tests are free.
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+#![warn(clippy::indexing_slicing)]
+
+pub mod asset_mesh;
+pub mod base_json;
+pub mod bone_references;
+pub mod bvh;
+pub mod bvh_blender;
+mod content;
+mod content_hash;
+pub mod expression;
+pub mod face_expression;
+pub mod face_units;
+mod faulty_rows;
+mod fields;
+mod fitting_columns;
+pub mod format_text;
+pub mod geometry;
+pub mod human_preset;
+pub mod importer_preset;
+pub mod index_table;
+pub mod ink_layer;
+pub mod inline_ignore;
+pub mod json_file;
+pub mod look_settings;
+pub mod macro_json;
+pub mod macro_parts;
+pub mod mesh_difference;
+pub mod mesh_metadata;
+pub mod mesh_npz;
+pub mod meta;
+pub mod mhbin;
+pub mod mhbin_asset;
+pub mod mhclo;
+pub mod mhm;
+pub mod mhm_columns;
+pub mod mhm_lines;
+pub mod mhmat;
+pub mod mhpose;
+pub mod mhpxy;
+pub mod mhskel;
+pub mod mhw;
+pub mod mhw_edit;
+mod mhw_facts;
+mod mhw_sums;
+pub mod modelling;
+pub mod modifier_file;
+pub mod modifier_mapping;
+pub mod modifier_sliders;
+pub mod modifier_texts;
+pub mod node_tree;
+mod npy;
+mod npy_header;
+mod npy_table;
+pub mod npz;
+mod npz_samples;
+mod number;
+pub mod obj;
+mod obj_facts;
+pub mod obj_text;
+pub mod outdated;
+pub mod pack_metadata;
+mod packed_json;
+mod packed_print;
+mod packed_rows;
+pub mod pickle;
+pub mod picture;
+pub mod picture_list;
+pub mod pose_units;
+pub mod program;
+pub mod proxy_corrections;
+pub mod randomization;
+mod readers;
+pub mod rig;
+pub mod scene;
+pub mod selection_filter;
+pub mod shader_source;
+pub mod stored_pose;
+mod table;
+pub mod target;
+mod target_blanks;
+pub mod target_cat;
+pub mod target_catalog;
+pub mod target_edit;
+mod target_facts;
+pub mod target_name;
+mod target_repeats;
+mod target_row;
+pub mod targets_npz;
+pub mod unfit;
+pub mod uv_layer;
+pub mod uv_map;
+
+pub use content::Content;
+use number::stored;
+pub use number::{python_float, python_int};
+pub use readers::{Input, Parsed};
+pub use table::FORMATS;
+pub use table::Format;
+pub use table::Needs;

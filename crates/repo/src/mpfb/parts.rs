@@ -1,0 +1,134 @@
+//! The parts of the macro settings with the targets that MPFB composes of their names (formats/mpfb.md §3).
+
+use std::collections::BTreeSet;
+
+use super::loops::{Axis, LOOPS, Name, are_too_many, is_reachable};
+use crate::{FileFacts, Layer};
+use mhlint_formats::macro_parts::{MacroParts, RACES};
+use mhlint_source::normalized;
+
+/// `macro.json` in its layer.
+#[derive(Debug)]
+pub struct Parts<'a> {
+    /// Where it lies.
+    pub layer: &'a Layer,
+    /// Its file.
+    pub file: &'a FileFacts,
+    /// What is in it.
+    pub settings: &'a MacroParts,
+    /// Targets that the loops ask for. None where something is absent that every character needs.
+    pub requests: Vec<Request<'a>>,
+    /// Whether these are more than are looked at, so that they are left out.
+    pub is_too_large: bool,
+    /// Printed paths of those that are there.
+    found: BTreeSet<&'a str>,
+}
+
+/// A target that a loop asks for.
+#[derive(Debug, Clone)]
+pub struct Request<'a> {
+    /// Number of the loop.
+    pub number: usize,
+    /// Numbers of its names, one an axis of the loop.
+    pub names: Vec<usize>,
+    /// Path below the targets without suffix.
+    pub target: String,
+    /// Path relative to the data root.
+    pub rel: String,
+    /// Whether sliders lead to it.
+    pub is_reachable: bool,
+    /// The target, if it is there.
+    pub file: Option<&'a FileFacts>,
+}
+
+impl<'a> Parts<'a> {
+    pub(super) fn of(layer: &'a Layer, file: &'a FileFacts) -> Option<Self> {
+        let settings = file.macro_parts()?;
+        let is_too_large = are_too_many(settings);
+        let mut parts = Self { layer, file, settings, requests: Vec::new(), is_too_large, found: BTreeSet::new() };
+        if settings.is_whole() && !is_too_large {
+            parts.requests = parts.all_requests();
+            parts.found = parts.requests.iter().filter_map(|own| Some(own.file?.path.as_str())).collect();
+        }
+        Some(parts)
+    }
+
+    /// Whether one of the loops asks for a file.
+    pub fn asks_for(&self, file: &FileFacts) -> bool {
+        self.found.contains(file.path.as_str())
+    }
+
+    /// The word in the name of a target that keeps the loops from asking for it, and the place of the setting that lacks
+    /// this name. `None` for a name that is not like those of a loop, and for a setting without parts.
+    pub fn unknown_word<'r>(&self, rel: &'r str) -> Option<(usize, &'r str)> {
+        let name = rel.strip_prefix(self.folder())?.strip_prefix('/')?.strip_suffix(".target.gz")?;
+        LOOPS.iter().find_map(|own| {
+            let words: Vec<&str> = name.strip_prefix(own.prefix)?.split('-').collect();
+            let mut unknown = own.axes.iter().zip(&words).filter(|(axis, word)| !self.has_name(axis, word));
+            match (unknown.next(), unknown.next()) {
+                (Some((Axis::Setting(place), word)), None) if words.len() == own.axes.len() => Some((*place, *word)),
+                _ => None,
+            }
+        })
+    }
+
+    /// Whether a name is written for an axis, in a part that has values or in another.
+    fn has_name(&self, axis: &Axis, name: &str) -> bool {
+        match axis {
+            Axis::Race => RACES.contains(&name),
+            Axis::Only(_, only) => *only == name,
+            Axis::Setting(place) => {
+                let setting = self.settings.settings.iter().find(|setting| setting.place == *place);
+                let mut parts = setting.iter().flat_map(|setting| &setting.parts).peekable();
+                let is_named = |own: &Option<String>| own.as_deref() == Some(name);
+                parts.peek().is_none() || parts.any(|part| is_named(&part.low) || is_named(&part.high))
+            }
+        }
+    }
+
+    /// Whether a loop misses a target in the folder of this one, which may be the one that it is meant to be.
+    pub fn may_be_meant(&self, rel: &str) -> bool {
+        let folder = crate::parent(rel);
+        let mut missing = self.requests.iter().filter(|request| request.is_reachable && request.file.is_none());
+        missing.any(|request| crate::parent(&request.rel).eq_ignore_ascii_case(folder))
+    }
+
+    /// The folder of all targets: the one above that of the file.
+    pub fn folder(&self) -> &'a str {
+        crate::parent(crate::parent(&self.file.rel))
+    }
+
+    fn all_requests(&self) -> Vec<Request<'a>> {
+        let mut requests = Vec::new();
+        for (number, own) in LOOPS.iter().enumerate() {
+            for names in combinations(&own.names(self.settings)) {
+                let words: Vec<&str> = names.iter().map(|(_, name)| name.text).collect();
+                let Some(target) = own.target(&words) else { continue };
+                let path = format!("{}/{target}.target.gz", self.folder());
+                // Nothing is found outside of the data.
+                let rel = normalized(&path).unwrap_or(path);
+                let is_reachable = is_reachable(&names.iter().map(|(_, name)| *name).collect::<Vec<_>>());
+                let names = names.iter().map(|(place, _)| *place).collect();
+                let file = self.layer.file(&rel);
+                requests.push(Request { number, names, target, rel, is_reachable, file });
+            }
+        }
+        requests
+    }
+}
+
+/// Every choice of one name from each list, the last list running fastest.
+fn combinations<'n, 'p>(lists: &'n [Vec<Name<'p>>]) -> impl Iterator<Item = Vec<(usize, Name<'p>)>> + use<'n, 'p> {
+    let count: usize = lists.iter().map(Vec::len).product();
+    (0..count).map(|number| {
+        let mut rest = number;
+        let mut chosen = Vec::with_capacity(lists.len());
+        for list in lists.iter().rev() {
+            let place = rest % list.len().max(1);
+            rest /= list.len().max(1);
+            chosen.extend(list.get(place).map(|name| (place, *name)));
+        }
+        chosen.reverse();
+        chosen
+    })
+}

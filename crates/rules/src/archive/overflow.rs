@@ -1,0 +1,52 @@
+//! What an archive of targets holds is what its text says.
+
+use super::super::units::length;
+use super::super::{Check, Rule, RuleCx, and_more};
+use mhlint_diag::{Application::Makehuman1, Evidence, Finding, Level, Place, RuleInfo};
+use mhlint_formats::target::PACKED_PART;
+use mhlint_repo::FileFacts;
+use mhlint_repo::makehuman1::View;
+
+pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
+    breaks: &[(Makehuman1, "takes the number from the archive, where it has gone around")],
+    docs: "`targets.npz` of MakeHuman 1 has displacements in thousandths of a decimetre, in 16 bits, and vertices in 16 bits. A \
+        part of a displacement of 32.768 decimetres or more, or a vertex beyond 65535, does not fit and goes around without a \
+        message: 33 becomes -32.536.\n\n\
+        The rule fires where the archive has such a number. In the text it is fine.\n\n\
+        Make the displacement smaller, or do without the archive.",
+    counts: "targets",
+    ..RuleInfo::new("archive-overflow", Level::Error, "a number of a target does not fit into the archive")
+});
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let known = view.targets.archive.as_ref().filter(|archive| archive.unused.is_none());
+    let Some(archive) = known.filter(|_| view.layers.checks_system()) else { return };
+    let of_member = |(name, own): (&String, &mhlint_formats::targets_npz::PackedTarget)| {
+        let file = view.layers.checked.file(&format!("{name}.target"))?;
+        let facts = file.target()?;
+        let (line, vertex, part) = facts.beyond_sixteen_bits?;
+        // Other numbers are those of another text.
+        (own.content == Some(facts.thousandths)).then_some((file, line, vertex, part))
+    };
+    let found: Vec<(&FileFacts, u32, i64, f32)> = archive.content.targets.iter().filter_map(of_member).collect();
+    let Some((file, line, vertex, part)) = found.first() else { return };
+    let more = and_more(found.len(), "target");
+    let message = if part.abs() >= PACKED_PART {
+        format!("vertex {vertex} moves by {}, and in `targets.npz` by {}{more}", length(*part), length(around(*part)))
+    } else {
+        format!("vertex {vertex} is vertex {} in `targets.npz`{more}", vertex.rem_euclid(1 << 16))
+    };
+    let finding =
+        RULE.at(file, Place::Line(*line), message).related(archive.file.path.clone(), Place::File, "the archive");
+    let finding = finding.evidence(Evidence::of_cases(found.iter().map(|(file, ..)| &file.rel)));
+    out.push(
+        finding
+            .help("make the displacement smaller, or delete `targets.npz` and `images.list`: then the texts are read"),
+    );
+}
+
+/// What becomes of a number of decimetres in 16 bits of thousandths.
+fn around(part: f32) -> f32 {
+    let range = 2.0 * PACKED_PART;
+    (part + PACKED_PART).rem_euclid(range) - PACKED_PART
+}

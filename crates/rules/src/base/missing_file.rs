@@ -1,0 +1,131 @@
+//! A base needs its `base.json`, its mesh, and what `base.json` names.
+
+use super::super::cause::consequence::NO_POSE_SKELETON;
+use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::absent_keys;
+use super::sliders::{self, Gap};
+use mhlint_diag::{Application::Makehuman2, Finding, Level, RuleInfo, nearest};
+use mhlint_repo::makehuman2::{Base, View, lacks_bases};
+use mhlint_repo::{FileFacts, Layer, Reference, ReferenceKind, Resolution};
+
+pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "crashes when it loads the base")],
+    docs: "A base mesh needs `base/<base>/base.json` and `base.obj` (or `base.mhbin`) beside it. `base.json` \
+        names a start model (`mhm`) in the same folder and a skeleton (`pose-skeleton`) in \
+        `rigs/<base>/`.\n\nWithout `base.json`, without the mesh, or with a start model that does not exist, \
+        MakeHuman 2 crashes when it loads the base. With a skeleton that does not exist it shows a message \
+        whenever poses or rigs are opened, has no bone weights for assets, and crashes with `AttributeError` in \
+        the editors (up to 2026-08-05 also in the glTF export). Targets for a base that does not exist are never loaded (a \
+        warning).\n\nThe sliders come from `modelling.json` in `target/<base>/`, their macros from `macro.json` \
+        beside it. Without the first all targets are lost, without the second those of the macros; only a log \
+        line says so. Both are errors. A base whose sliders need no macros may do without `macro.json`. The \
+        finding is a warning where the folder may be a user's whose system data has the file, and an info where \
+        `base.json` only has `target-opposites` and there are no targets.\n\nWithout the key `mhm` the base \
+        loads, but silently applies no targets (a warning). Without `pose-skeleton` the skeletons in \
+        `rigs/<base>/` are not used for poses, as if the named one did not exist (an error).\n\nAdd the file or \
+        the key, or correct the name.",
+    ..RuleInfo::new("base-missing-file", Level::Error, "a file that a base mesh needs does not exist")
+});
+
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for reference in view.references_of(base) {
+        if matches!(reference.resolution, Resolution::Missing) {
+            out.extend(named(view, base, reference));
+        }
+    }
+    out.extend(absent_keys::findings(&RULE, view, base));
+    // Only system data can prove that a file exists nowhere.
+    if view.layers.system.is_some() {
+        out.extend(unnamed(view, base));
+        out.extend(of_sliders(view, base));
+    }
+}
+
+/// A file that `base.json` names.
+fn named(view: &View<'_>, base: &Base<'_>, reference: &Reference<'_>) -> Option<Finding> {
+    let (what, folder) = match reference.kind {
+        ReferenceKind::PoseSkeleton => ("skeleton", "rigs"),
+        ReferenceKind::Model => ("start model", "base"),
+        _ => return None,
+    };
+    let message = format!("{what} `{}` does not exist", reference.rel);
+    let finding = RULE.at(reference.from, reference.place.clone(), message).key(reference.owner);
+    let extension = if what == "skeleton" { ".mhskel" } else { ".mhm" };
+    let folder = format!("{folder}/{}", base.name);
+    let layers: Vec<&Layer> = view.layers.strongest_first().collect();
+    let files = layers.iter().flat_map(|layer| layer.below(&folder));
+    let names: Vec<&str> = files.map(FileFacts::file_name).filter(|name| name.ends_with(extension)).collect();
+    let help = did_you_mean(
+        nearest(reference.text, names.iter().copied()).or_else(|| names.first().copied()),
+        // Without the key there are no poses either.
+        match reference.kind {
+            ReferenceKind::PoseSkeleton => format!("add the file to `{folder}`, or name a skeleton that exists"),
+            _ => format!("add the file to `{folder}`, or name a start model that exists"),
+        },
+    );
+    let finding = finding.help(help);
+    Some(match reference.kind {
+        ReferenceKind::PoseSkeleton => finding.effect(NO_POSE_SKELETON),
+        _ => finding.effect("crashes with `TypeError` when it loads the base"),
+    })
+}
+
+/// `base.json` and the mesh, of a base that the checked layer holds a part of.
+fn unnamed(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
+    let checked = view.layers.checked;
+    let folder = format!("base/{}", base.name);
+    // What is there but cannot be opened, or is written with other capitals, has a finding of its own.
+    let exists = |file: &str| {
+        let rel = format!("{folder}/{file}");
+        let is_here = |layer: &Layer| layer.file_ignoring_case(&rel).is_some() || layer.has_unusable(&rel);
+        view.layers.strongest_first().any(is_here)
+    };
+    let (settings, mesh) = (exists("base.json"), exists("base.obj") || exists("base.mhbin"));
+    let has_base = checked.below(&folder).next().is_some();
+    match (settings, mesh) {
+        (true, false) if has_base => {
+            let message = format!("base `{}` has neither base.obj nor base.mhbin", base.name);
+            let finding = RULE.in_layer(checked, &format!("{folder}/base.json"), message).key("mesh");
+            let effect = "crashes with `AttributeError` when it loads the base";
+            Some(finding.effect(effect).help(format!("add `{folder}/base.obj`")))
+        }
+        (false, true) if has_base && base.has_system => {
+            let message = format!("base `{}` has no base.json", base.name);
+            let finding = RULE.in_layer(checked, &format!("{folder}/base.json"), message).key("base.json");
+            let effect = "crashes with `TypeError` when it loads the base";
+            Some(finding.effect(effect).help(format!("add `{folder}/base.json`")))
+        }
+        // One root with `contarget/` may be a user's folder whose system data was not given.
+        (false, false) if !view.layers.is_one_root() && !is_lost(view) => orphan(checked, base),
+        _ => None,
+    }
+}
+
+/// Whether the program has lost all its bases: that is one fault.
+fn is_lost(view: &View<'_>) -> bool {
+    view.layers.checks_system() && lacks_bases(view.layers.checked)
+}
+
+/// What the sliders of a system's base need.
+fn of_sliders(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
+    let Gap { name, level, message, effect, help } = sliders::gap(view, base)?;
+    let rel = format!("target/{}/{name}", base.name);
+    let finding = RULE.in_layer(view.layers.checked, &rel, message).key(name).level(level);
+    Some(finding.effect(effect).help(help))
+}
+
+/// Targets of a base that no layer has.
+fn orphan(checked: &Layer, base: &Base<'_>) -> Option<Finding> {
+    let folders = ["contarget", "target"].map(|folder| format!("{folder}/{}", base.name));
+    // A loose file lies in no folder of a base: that its base is not known is among what was not checked.
+    let is_in = |folder: &&String| checked.below(folder).any(|file| !file.is_loose);
+    let folder = folders.iter().find(is_in)?;
+    let message = format!("base `{}` does not exist: base.json and the mesh are missing", base.name);
+    Some(
+        RULE.in_layer(checked, folder, message)
+            .key("base")
+            .level(Level::Warning)
+            .effect("never loads these targets")
+            .help("rename the folder to an existing base; if the system data has the base, pass it with `--system`"),
+    )
+}

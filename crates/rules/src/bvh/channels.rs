@@ -1,0 +1,80 @@
+//! The channels of a joint must be as many as announced, and have known names.
+
+use super::super::{Check, Rule, RuleCx, counted};
+use super::{REJECTED, VALUE, imported};
+use mhlint_diag::{
+    Application::{Makehuman2, Mpfb},
+    Case, Finding, Level, Place, RuleInfo,
+};
+use mhlint_formats::bvh::{Fault, FaultKind, Motion};
+use mhlint_repo::{Body, FileFacts};
+
+pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "rejects the file with a message"),
+        (Mpfb, "ignores the numbers of these channels: the joints do not turn"),
+    ],
+    levels: &[(Mpfb, Level::Warning)],
+    docs: "A line `CHANNELS n …` lists another number of channels than `n`, lists none, or names one that does not exist. \
+        The names are `Xposition`, `Yposition`, `Zposition`, `Xrotation`, `Yrotation` and `Zrotation`, with exactly these \
+        capitals.\n\n\
+        MakeHuman 2 rejects a file with a wrong number, and one with a joint without channels. The numbers of a channel \
+        with another name are read and not used: the joint does not turn (warning).\n\n\
+        The order of the channels does not matter: MakeHuman 2 picks the angles by name and always applies them in the \
+        same order.\n\nTo MPFB neither the number behind `CHANNELS` nor capitals matter. It does not use the numbers of a \
+        channel with another name (warning).",
+    ..RuleInfo::new("bvh-channels", Level::Error, "the channels of a BVH joint do not fit")
+});
+
+const UNUSED: Case = &[(Makehuman2, Level::Warning, "ignores the numbers of these channels: the joints do not turn")];
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    imported::unknown_channels(&RULE, body, out);
+    for (file, motion) in &body.motions {
+        out.extend(motion.fault.as_ref().and_then(|fault| miscounted(file, fault)));
+        out.extend(unknown(file, motion));
+    }
+}
+
+const CHANNELS: [&str; 6] = ["Xposition", "Yposition", "Zposition", "Xrotation", "Yrotation", "Zrotation"];
+
+fn miscounted(file: &FileFacts, fault: &Fault) -> Option<Finding> {
+    let (message, help) = match fault.kind {
+        FaultKind::NoChannels => (
+            "the joint has no channels".to_owned(),
+            "export the motion again with rotations for every joint".to_owned(),
+        ),
+        FaultKind::ChannelsNotWhole(ref word) => {
+            (format!("`CHANNELS {word}` is not a whole number"), "write the number of channels".to_owned())
+        }
+        FaultKind::Channels(announced, listed) => {
+            let message = format!("`CHANNELS {announced}`, but {} listed", are(listed));
+            (message, format!("write `CHANNELS {listed}`, and a number for each channel in every frame"))
+        }
+        _ => return None,
+    };
+    let case = if matches!(fault.kind, FaultKind::ChannelsNotWhole(_)) { VALUE } else { REJECTED };
+    Some(RULE.at(file, Place::Line(fault.line), message).case(case).help(help))
+}
+
+fn are(channels: usize) -> String {
+    let are = if channels == 1 { "is" } else { "are" };
+    format!("{} {are}", counted(channels, "channel"))
+}
+
+fn unknown(file: &FileFacts, motion: &Motion) -> Option<Finding> {
+    let unknown = &motion.unknown_channels;
+    let (line, first) = unknown.first.first().zip(motion.first_unknown.as_deref())?;
+    let message = match unknown.count {
+        1 => format!("`{first}` is not the name of a channel"),
+        count => format!("{count} of {} channel names are unknown, first `{first}`", motion.channels),
+    };
+    let finding = RULE.at(file, Place::Line(*line), message).case(UNUSED).key("unknown");
+    let evidence = unknown.evidence();
+    let meant = CHANNELS.into_iter().find(|known| known.eq_ignore_ascii_case(first));
+    let help = match meant {
+        Some(known) => format!("write `{known}`, with these capitals"),
+        None => "use the names `Xposition` to `Zposition` and `Xrotation` to `Zrotation`".to_owned(),
+    };
+    Some(finding.help(help).evidence(evidence.out_of(motion.channels)))
+}

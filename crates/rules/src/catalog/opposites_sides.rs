@@ -1,0 +1,33 @@
+//! A slider names its targets in the slots of the sides that it has.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{checked, key, place, sliders};
+use mhlint_diag::{Application::Mpfb, Finding, Level, RuleInfo};
+use mhlint_repo::mpfb::View;
+
+pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
+    breaks: &[(Mpfb, "asks for a target without a name and fails whenever the slider moves")],
+    docs: "`has_left_and_right` says which slots of `opposites` are used: `…-left` and `…-right` where it is true, \
+        `…-unsided` otherwise. Any value that Python takes for true counts, also the text `\"false\"`.\n\n\
+        Here only slots of the other kind name targets. MPFB shows the slider, or both of them, and fails with `OSError` \
+        at every move.\n\nCorrect `has_left_and_right`, or move the names to the other slots.",
+    ..RuleInfo::new(
+        "catalog-opposites-sides",
+        Level::Error,
+        "`has_left_and_right` does not fit the slots that name targets",
+    )
+});
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(catalog) = checked(view) else { return };
+    for (section, category) in sliders(&catalog).filter(|(_, category)| category.has_slots_of_other_kind()) {
+        let (value, slots) = if category.is_sided { ("true", "unsided") } else { ("false", "left and right") };
+        let message =
+            format!("`has_left_and_right` of `{}` is {value}, but only {slots} slots are used", category.name);
+        let finding = RULE.at(catalog.file, place(section, Some(category), &["has_left_and_right"]), message);
+        let other = if category.is_sided { "false" } else { "true" };
+        out.push(
+            finding.key(key(section, category)).help(format!("write {other}, or move the names to the other slots")),
+        );
+    }
+}

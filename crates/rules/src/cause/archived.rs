@@ -1,0 +1,12 @@
+//! Targets whose text MakeHuman 2 does not read, because an archive stands for it (formats/makehuman2.md §1.3, §6.2).
+//!
+//! What is wrong with such a text waits until the archive is deleted, which is the usual remedy for a stale one.
+
+use super::consequence::ARCHIVED;
+use mhlint_diag::Finding;
+use mhlint_repo::Target;
+
+/// A finding on a text that stops the program: while nobody parses it, only a warning of what comes.
+pub(crate) fn weigh(target: &Target<'_>, finding: Finding) -> Finding {
+    if target.is_unread() { finding.case(ARCHIVED) } else { finding }
+}

@@ -1,0 +1,51 @@
+//! Links that lead in a circle.
+
+use super::super::{Check, Rule, RuleCx};
+use mhlint_diag::{
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Case, Finding, Level, RuleInfo,
+};
+use mhlint_repo::View;
+use mhlint_source::{WalkFault, WalkFaultKind};
+
+pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "lists the same files over and over, or fails to open the link"),
+        (Makehuman1, "passes over the link"),
+        (Mpfb, "passes over the link"),
+    ],
+    levels: &[(Makehuman1, Level::Info)],
+    docs: "A symbolic link points to a folder above it, or to a link that points back. A program that lists the \
+        folder finds the same files under longer and longer names until the system stops it.\n\nIn its target \
+        folders MakeHuman 2 follows no links to folders, so such a link has no effect there (an info). `mhlint` \
+        does not follow the loop either.\n\nRemove the link.",
+    ..RuleInfo::new("file-link-loop", Level::Error, "a symbolic link that leads back to itself or a folder above it")
+});
+
+/// Targets are looked for without following links to folders.
+const NOT_FOLLOWED: Case =
+    &[(Makehuman2, Level::Info, "ignores it: links to folders are not followed in target folders")];
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers().checked;
+    let is_loop = |path: &str| {
+        let same = |fault: &&WalkFault| fault.path == path && matches!(fault.kind, WalkFaultKind::LinkLoop { .. });
+        layer.walk_faults.iter().any(|fault| same(&fault))
+    };
+    for fault in &layer.walk_faults {
+        let WalkFaultKind::LinkLoop { back_to } = &fault.kind else { continue };
+        // Links that point to each other are one circle, told at one of them.
+        if *back_to != fault.path && is_loop(back_to) {
+            continue;
+        }
+        let message = if *back_to == fault.path || back_to.is_empty() {
+            "the link leads back to itself or the data folder".to_owned()
+        } else {
+            format!("the link leads back to `{back_to}`")
+        };
+        let finding = RULE.in_layer(layer, &fault.path, message).help("remove the link");
+        let leads_up = back_to.is_empty() || fault.path.starts_with(&format!("{back_to}/"));
+        let is_in_targets = ["target/", "contarget/"].iter().any(|folder| fault.path.starts_with(folder));
+        out.push(if leads_up && is_in_targets { finding.case(NOT_FOLLOWED) } else { finding });
+    }
+}

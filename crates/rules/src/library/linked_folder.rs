@@ -1,0 +1,38 @@
+//! Folders behind links are not searched.
+
+use super::super::{Check, Rule, RuleCx, counted};
+use mhlint_diag::{
+    Application::{Makehuman1, Mpfb},
+    Evidence, Finding, Level, RuleInfo,
+};
+use mhlint_repo::View;
+
+pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[
+        (Makehuman1, "does not search the folder: its assets are not listed"),
+        (Mpfb, "does not search the folder: its assets are not listed"),
+    ],
+    docs: "A folder in a library is a symbolic link. MakeHuman 1 and MPFB do not follow links to folders when they list a \
+        library, so that the assets in it are missing. Links to files are fine.\n\n\
+        Copy the folder, or link its files.",
+    of_library: true,
+    ..RuleInfo::new("library-linked-folder", Level::Error, "a folder of assets that is a link")
+});
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers().checked;
+    for folder in &layer.linked_folders {
+        let assets: Vec<&str> =
+            layer.below(folder).filter(|file| view.lists(file)).map(|file| file.rel.as_str()).collect();
+        if assets.is_empty() {
+            continue;
+        }
+        let message = format!("the folder is a link: {} not listed", are(assets.len()));
+        let finding = RULE.in_layer(layer, folder, message).evidence(Evidence::of_cases(assets));
+        out.push(finding.help("copy the folder here, or make links to its files"));
+    }
+}
+
+fn are(count: usize) -> String {
+    format!("{} in it {}", counted(count, "asset"), if count == 1 { "is" } else { "are" })
+}

@@ -1,0 +1,84 @@
+//! Folders of MakeHuman 2 that no list looks into.
+
+use std::collections::BTreeSet;
+
+use super::super::{Rule, counted, did_you_mean};
+use mhlint_diag::{Application, Evidence, Finding, Place, nearest};
+use mhlint_discover::extension;
+use mhlint_repo::FileFacts;
+use mhlint_repo::makehuman2::View;
+
+/// Folders of assets that lists show.
+pub(super) const CATEGORIES: [&str; 13] = [
+    "clothes",
+    "hair",
+    "eyes",
+    "eyebrows",
+    "eyelashes",
+    "teeth",
+    "tongue",
+    "proxy",
+    "rigs",
+    "poses",
+    "expressions",
+    "models",
+    "skins",
+];
+
+/// What lies in a folder that is no category but looks like one: by its name, or because it is sorted by base mesh and has
+/// assets that are nowhere else. A name with other capitals has a finding of its own.
+pub(super) fn unread(
+    rule: &Rule,
+    view: &View<'_>,
+    folder: &str,
+    files: &[&FileFacts],
+    bases: &BTreeSet<&str>,
+) -> Option<Finding> {
+    let (first, near) = (files.first()?, nearest(folder, CATEGORIES));
+    let has_base = |file: &&FileFacts| file.rel.split('/').nth(1).is_some_and(|base| bases.contains(base));
+    let known = view.library.bases();
+    let is_meant = near.is_some() || files.iter().any(|file| is_lost(view, &known, file));
+    if near.is_some_and(|near| near.eq_ignore_ascii_case(folder)) || !is_meant || !files.iter().all(has_base) {
+        return None;
+    }
+    let message = format!("folder `{folder}` is not read ({})", counted(files.len(), "asset"));
+    let parts = files.iter().map(|file| (file.shown(), &file.path));
+    let finding = rule.at(first, Place::File, message).key(format!("folder {folder}")).parts_in(parts);
+    let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
+    Some(finding.help(did_you_mean(near, "rename it to the kind of its assets, such as `clothes`, `hair` or `eyes`")))
+}
+
+/// Whether a worn asset is listed nowhere under its name.
+fn is_lost(view: &View<'_>, bases: &BTreeSet<&str>, file: &FileFacts) -> bool {
+    let name = file.clothes().and_then(|clothes| clothes.scanned.name.as_ref());
+    let base = file.rel.split('/').nth(1).filter(|base| bases.contains(base));
+    name.is_some_and(|name| base.is_none_or(|base| view.library.named(base, &name.text).next().is_none()))
+}
+
+/// Folders in which other programs look for what `MakeHuman` 2 has elsewhere, and where that is.
+const OF_OTHERS: [(&str, &str, &str); 4] = [
+    ("custom", "target", "a folder below `target/<base>`"),
+    ("targets", "target", "a folder below `target/<base>`"),
+    ("proxymeshes", "proxy", "a folder below `proxy/<base>`"),
+    ("proxymeshes", "mhclo", "a folder below `clothes/<base>`"),
+];
+
+/// What lies where `MakeHuman` 1 or MPFB would look for it, in data that are not theirs as well.
+pub(super) fn in_folders_of_others(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers.checked;
+    let is_shared = layer.layouts.iter().any(|layout| layout.application != Application::Makehuman2);
+    if is_shared || layer.is_loose || layer.pack.is_some() {
+        return;
+    }
+    for (folder, suffix, right) in OF_OTHERS {
+        let files = layer.below(folder).filter(|file| extension(&file.rel) == suffix && !file.is_loose);
+        let files: Vec<&FileFacts> = files.collect();
+        let Some(first) = files.first() else { continue };
+        let what = if suffix == "target" { "target" } else { "asset" };
+        let message = format!("{} in `{folder}`, where MakeHuman 2 does not look for any", counted(files.len(), what));
+        let finding = rule.at(first, Place::File, message).key(format!("folder {folder} {suffix}"));
+        let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
+        let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
+        out.push(finding.help(format!("move them to {right}, if they are made for one of its base meshes")));
+    }
+}

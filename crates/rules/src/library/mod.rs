@@ -1,0 +1,92 @@
+//! What makes a folder of assets a library: what is listed, and by what it is known.
+
+pub(crate) mod duplicate_name;
+pub(crate) mod header_not_ascii;
+pub(crate) mod identity_clash;
+pub(crate) mod linked_folder;
+mod makehuman1;
+mod makehuman2;
+pub(crate) mod missing_thumbnail;
+mod mpfb;
+pub(crate) mod name_cut;
+pub(crate) mod old_format;
+mod old_words;
+pub(crate) mod scan_crash;
+pub(crate) mod shelves;
+pub(crate) mod side_by_side;
+pub(crate) mod too_deep;
+pub(crate) mod unreadable_thumbnail;
+pub(crate) mod wrong_folder;
+
+use super::{Rule, counted, enumerated};
+use mhlint_diag::{
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Case, Evidence, Finding, Level, Place,
+};
+use mhlint_discover::extension;
+use mhlint_repo::{FileFacts, Layer};
+
+/// The rules of the family.
+pub(super) static RULES: &[&Rule] = &[
+    &duplicate_name::RULE,
+    &duplicate_name::OF_UUID,
+    &duplicate_name::OF_WORN,
+    &header_not_ascii::RULE,
+    &identity_clash::RULE,
+    &linked_folder::RULE,
+    &missing_thumbnail::RULE,
+    &name_cut::RULE,
+    &old_format::RULE,
+    &scan_crash::RULE,
+    &too_deep::RULE,
+    &unreadable_thumbnail::RULE,
+    &wrong_folder::RULE,
+];
+
+/// Suffixes of assets that lists show.
+const SUFFIXES: [&str; 6] = ["mhclo", "proxy", "mhskel", "mhpose", "bvh", "mhm"];
+
+/// The suffix of an asset, in small letters, if the name has one.
+fn suffix(rel: &str) -> Option<&'static str> {
+    let own = extension(rel);
+    SUFFIXES.into_iter().find(|suffix| suffix.eq_ignore_ascii_case(own))
+}
+
+/// What is wrong with a file, or with several of a folder in the same way: then it is one finding, with a message of its
+/// own.
+fn of_folder(layer: &Layer, folder: &str, files: &[&FileFacts], one: Finding, message: String) -> Finding {
+    if files.len() < 2 {
+        return one;
+    }
+    let key = format!("{} {folder}", one.subject.key);
+    let many = Finding { message, ..one }.key(key).asset(layer.display(folder));
+    let many = many.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
+    many.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())))
+}
+
+const ASIDE: Case =
+    &[(Makehuman2, Level::Info, LISTS_NONE), (Makehuman1, Level::Info, LISTS_NONE), (Mpfb, Level::Info, LISTS_NONE)];
+const LISTS_NONE: &str = "does not list what is there";
+
+/// What lies beside the libraries of a pack, in folders that are not read.
+fn aside(rule: &Rule, files: &[&FileFacts]) -> Option<Finding> {
+    let mut folders: Vec<String> = files.iter().map(|file| format!("`{}`", top(file))).collect();
+    folders.dedup();
+    let word = if folders.len() > 1 { "folders" } else { "folder" };
+    let message =
+        format!("{} in {word} {}, beside those that are read", counted(files.len(), "asset"), enumerated(&folders));
+    let finding = rule.at(files.first()?, Place::File, message).key("aside").case(ASIDE);
+    let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
+    let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
+    Some(finding.help("move them to the folder of their kind, such as `clothes`, if they belong to the pack"))
+}
+
+/// By what files are sorted that have something in common: the copy, with a longer or a hidden name, comes last.
+fn as_copy(file: &FileFacts) -> (bool, usize, &str) {
+    (file.file_name().starts_with('.'), file.shown().len(), file.shown())
+}
+
+/// The first folder of a path.
+fn top(file: &FileFacts) -> &str {
+    file.rel.split('/').next().unwrap_or_default()
+}

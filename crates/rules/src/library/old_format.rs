@@ -1,0 +1,103 @@
+//! Assets in a format of an older version: each folder is one finding, whatever else follows from it.
+
+use super::super::cause::outdated::outdated;
+use super::super::{Check, Rule, RuleCx, counted, either};
+use super::old_words::{Sort, words};
+use mhlint_diag::{
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Evidence, Finding, Level, Place, RuleInfo, grouped,
+};
+use mhlint_discover::extension;
+use mhlint_formats::outdated::Outdated;
+use mhlint_repo::{FileFacts, View, parent};
+
+pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "uses nothing of this format"),
+        (Makehuman1, "uses nothing of this format"),
+        (Mpfb, "uses nothing of this format"),
+    ],
+    docs: "The files of a folder have a format of an older version of MakeHuman, which no program of today reads:\n\n\
+        - clothes, hair and topologies (`.mhclo`, `.proxy`) up to alpha 7, with their keywords behind `#` (`# obj_file \
+        hat.obj`, `# verts 0`) and the vertex numbers of a base mesh of 15340 or 18528 vertices; two such lines tell, where no \
+        line has a keyword of its own;\n\
+        - costumes of alpha 7 and 8: lines `# clothing`;\n\
+        - expressions up to 1.0 (`.mhm` with `version 1.0.0` and lines `expression UNIT VALUE`), and poses (`.mhp`);\n\
+        - rigs (`.json` with `settings`, or with `merge`) and lists of vertex groups of alpha 8 and 1.0;\n\
+        - models of the alphas (`version 1.0.0` without `v`, or `version alpha_8`);\n\
+        - targets whose header says `# basemesh alpha_7`. Their vertex numbers all exist in the base mesh of today, so \
+        they load, and move other vertices. Nothing but the header can tell: one without it may be as old.\n\n\
+        Another suffix or another folder does not help, nor do keywords without `#`: the vertices are those of another \
+        mesh. Export the asset again from its mesh, for `hm08`, or keep old files outside of the data.\n\n\
+        Whatever else would be reported of such a file (a missing mesh, a wrong folder) is not.",
+    counts: "files",
+    of_pieces: true,
+    ..RuleInfo::new("library-old-format", Level::Error, "assets in a format of an older version")
+});
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers().checked;
+    // The program of that time reads what it wrote.
+    let reads_old = view.is_makehuman1() && view.version().is_some_and(|version| version.is_before("1.1"));
+    let old = layer.files.values().filter_map(|file| {
+        let found = outdated(view, file).filter(|found| !(reads_old && found.versions().contains(&"1.0")))?;
+        let (top, _) = file.rel.split_once('/').unwrap_or_default();
+        // Where loose files belong is only supposed.
+        let top = if file.is_loose { file.folder() } else { top };
+        Some(((top, Sort::of(found, file)), (file, found)))
+    });
+    for ((top, sort), files) in grouped(old) {
+        out.extend(finding(view, top, sort, &files));
+    }
+}
+
+fn finding(view: &View<'_>, top: &str, sort: Sort, files: &[(&FileFacts, Outdated)]) -> Option<Finding> {
+    let (first, _) = files.first()?;
+    let mut versions: Vec<&str> = files.iter().flat_map(|(_, found)| found.versions()).copied().collect();
+    // `1.0` comes last.
+    versions.sort_by_key(|version| (version.starts_with('1'), *version));
+    versions.dedup();
+    let versions = either(&versions);
+    let words = words(sort, files);
+    let message = match files.len() {
+        1 => format!("`{}` {} of {versions}", first.file_name(), words.one),
+        count => {
+            let folder = common_folder(files);
+            let all = alike(view, first, folder);
+            let of_all = if all > count {
+                format!("{count} of {}", counted(all, words.noun))
+            } else {
+                counted(count, words.noun)
+            };
+            let place = if folder.is_empty() { String::new() } else { format!(" in `{folder}`") };
+            format!("{of_all}{place} {} of {versions}", words.several)
+        }
+    };
+    let layer = view.layers().checked;
+    let asset = if first.is_loose { top.to_owned() } else { layer.display(top) };
+    let place = first.target().and_then(|facts| Some(Place::Line(facts.basemesh.as_ref()?.0))).unwrap_or(Place::File);
+    let finding = RULE.at(first, place, message).key(sort.key()).case(words.case).help(words.help);
+    let finding = if files.len() > 1 || !first.is_loose { finding.asset(asset) } else { finding };
+    let finding = finding.parts_in(files.iter().map(|(file, _)| (file.shown(), &file.path)));
+    Some(finding.evidence(Evidence::of_cases(files.iter().map(|(file, _)| file.shown()))))
+}
+
+/// The folder that all of them lie in or below.
+fn common_folder<'f>(files: &[(&'f FileFacts, Outdated)]) -> &'f str {
+    let mut folders = files.iter().map(|(file, _)| parent(file.shown()));
+    let first = folders.next().unwrap_or_default();
+    folders.fold(first, |common, folder| {
+        let mut common = common;
+        while !common.is_empty() && folder != common && !folder.starts_with(&format!("{common}/")) {
+            common = parent(common);
+        }
+        common
+    })
+}
+
+/// How many files of the same suffix lie there.
+fn alike(view: &View<'_>, first: &FileFacts, folder: &str) -> usize {
+    let own = extension(&first.rel);
+    let files = view.layers().checked.files.values().filter(|file| extension(&file.rel) == own);
+    files.filter(|file| mhlint_source::is_below(file.shown(), folder)).count()
+}

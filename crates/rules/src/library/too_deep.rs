@@ -1,0 +1,144 @@
+//! An asset lies where the list looks, under a name that it takes.
+
+use super::super::cause::outdated::is_outdated;
+use super::super::{Check, Rule, RuleCx};
+use super::{SUFFIXES, makehuman1 as library, mpfb, shelves, suffix};
+use mhlint_diag::{
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
+};
+use mhlint_discover::{extension, in_place_of, library_extension};
+use mhlint_repo::makehuman2::View;
+use mhlint_repo::{FileFacts, Layer, makehuman1, parent};
+
+pub(crate) static RULE: Rule = Check::LibrariesOfAll(run, of_makehuman1, |view, _, out| {
+    shelves::in_capitals(&RULE, view, out);
+    mpfb::in_capitals(&RULE, view, out);
+    let layer = view.layers.checked;
+    let files = layer.files.values().filter(|file| !file.is_loose);
+    let lost = files.filter(|file| double(layer, file).is_some_and(|suffix| shelves::lists(file, suffix)));
+    out.extend(lost.map(doubled));
+})
+.rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "does not list what is in deeper folders"),
+        (Makehuman1, UNREAD),
+        (Mpfb, "takes suffixes as they are written, and does not find it"),
+    ],
+    docs: "MakeHuman 2 looks for assets in the folder of the base mesh (`clothes/<base>/`) and in the folders directly in it. It \
+        takes suffixes as they are written: `.mhclo`, not `.MHCLO`.\n\n\
+        An asset in a deeper folder, with a suffix in capitals or with another suffix behind its own (`vest.mhclo.txt`, which \
+        Windows shows as `vest.mhclo`) is not listed on any system, and models that wear it lose it.\n\n\
+        MakeHuman 1 looks in folders of any depth, but does not list a file with another suffix behind its own, \
+        either, nor one that ends in something else (`smile.mhupb` beside its picture). Targets of a user in `custom` end in \
+        `.target`; packed ones have no slider.\n\n\
+        MPFB looks in folders of any depth, too. What ends in capitals, or in another suffix behind its own, it neither lists nor \
+        finds by its name: `hat.MHCLO`, `smile.JSON`, `hat.mhclo.txt`.\n\n\
+        Move the folder of the asset up, or rename the file.",
+    ..RuleInfo::new("library-too-deep", Level::Error, "an asset that the list does not find")
+});
+
+const UNREAD: &str = "does not list it";
+const UNLISTED: Case = &[(Makehuman2, Level::Error, "does not list it")];
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers.checked;
+    let mut deep = Vec::new();
+    for file in layer.files.values().filter(|file| !is_outdated(file)) {
+        let parts: Vec<&str> = file.rel.split('/').collect();
+        let [category, base, .., name] = parts.as_slice() else { continue };
+        let is_for = |suffix: &str| in_place_of(suffix).contains(category);
+        let is_skin = *category == "skins" && extension(name) == "mhmat";
+        let own = suffix(name).filter(|suffix| is_for(suffix));
+        if *category == "skins" && !is_skin && extension(name).eq_ignore_ascii_case("mhmat") {
+            out.push(capitals(file, "mhmat"));
+            continue;
+        }
+        match own {
+            Some(suffix) if extension(name) != suffix => out.push(capitals(file, suffix)),
+            _ if parts.len() > 4
+                && !file.is_loose
+                && (is_skin || own.is_some() && !is_used_elsewhere(view, file))
+                && !is_note(name) =>
+            {
+                let folder = parts.get(..3).map(|top| top.join("/")).unwrap_or_default();
+                deep.push(((folder, *category, *base), file));
+            }
+            None if parts.len() <= 4 && double(layer, file).is_some_and(is_for) => out.push(doubled(file)),
+            _ => {}
+        }
+    }
+    // What was moved with its folder is one mistake.
+    out.extend(grouped(deep).into_iter().filter_map(|((folder, category, base), files)| {
+        let mut beside = layer.below(&folder).filter(|file| parent(&file.rel) == folder);
+        let is_of_asset = beside.any(|file| suffix(&file.rel).is_some());
+        let finding = too_deep(&folder, &format!("{category}/{base}"), &files)?;
+        let finding = if is_of_asset { finding.help(help_in_asset(&folder)) } else { finding };
+        Some(finding.asset(layer.display(&folder)))
+    }));
+}
+
+fn of_makehuman1(view: &makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers.checked;
+    let of_library =
+        |file: &FileFacts, suffix: &str| file.rel.split('/').next().and_then(library_extension) == Some(suffix);
+    let lost = layer.files.values().filter(|file| double(layer, file).is_some_and(|suffix| of_library(file, suffix)));
+    out.extend(lost.map(doubled));
+    library::targets_in_capitals(&RULE, view, out);
+    library::packed_targets(&RULE, view, out);
+    library::misnamed(&RULE, view, out);
+}
+
+/// In the folder of another asset it is mostly an older version, or belongs there by mistake.
+fn help_in_asset(folder: &str) -> String {
+    format!("move it to a folder of its own beside `{folder}`, or keep an older version outside of the data")
+}
+
+/// What macOS leaves beside each file of an archive.
+fn is_note(name: &str) -> bool {
+    name.starts_with("._")
+}
+
+fn capitals(file: &FileFacts, suffix: &str) -> Finding {
+    let message = format!("`{}` must end in `.{suffix}`: capitals matter", file.file_name());
+    RULE.at(file, Place::File, message).key("suffix").case(UNLISTED).help(format!("rename it to end in `.{suffix}`"))
+}
+
+fn doubled(file: &FileFacts) -> Finding {
+    let name = file.file_name();
+    let (right, last) = name.rsplit_once('.').unwrap_or((name, ""));
+    let message = format!("`{name}` ends in `.{last}`, which keeps it out of the list");
+    RULE.at(file, Place::File, message).key("suffix").case(UNLISTED).help(format!("rename it to `{right}`"))
+}
+
+fn too_deep(folder: &str, right: &str, files: &[&FileFacts]) -> Option<Finding> {
+    let first = files.first()?;
+    let message = match files.len() {
+        1 => {
+            let depth = first.rel.split('/').count().saturating_sub(3);
+            format!("`{}` lies {depth} folders below `{right}`, expected 1 at most", first.file_name())
+        }
+        count => format!("{count} assets lie too deep in `{folder}`, first `{}`", first.file_name()),
+    };
+    let parts = files.iter().map(|file| (file.shown(), &file.path));
+    let finding = RULE.at(first, Place::File, message).key("deep").parts_in(parts);
+    let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
+    Some(finding.help(format!("move what is in `{folder}` to `{right}`")))
+}
+
+/// The suffix of an asset in front of another one, where there is no asset of that name: then it would be a copy.
+fn double(layer: &Layer, file: &FileFacts) -> Option<&'static str> {
+    let (right, last) = file.rel.rsplit_once('.')?;
+    let suffix = SUFFIXES.into_iter().find(|suffix| *suffix == extension(right))?;
+    let is_text = matches!(last, "txt" | "text" | "json" | "html");
+    // Beside the asset of a folder of its own it is an older version, or a note.
+    let is_own = |other: &FileFacts| parent(&other.rel) == parent(right) && extension(&other.rel) == suffix;
+    let is_worn = matches!(suffix, "mhclo" | "proxy");
+    let has_asset = || right.matches('/').count() > 1 && layer.below(parent(right)).any(is_own);
+    (is_text && layer.file(right).is_none() && !(is_worn && has_asset())).then_some(suffix)
+}
+
+/// Whether something names the file, such as `base.json` a skeleton.
+fn is_used_elsewhere(view: &View<'_>, file: &FileFacts) -> bool {
+    view.references.to_file(file).any(|reference| reference.found().is_some())
+}

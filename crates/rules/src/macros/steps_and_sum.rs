@@ -1,0 +1,59 @@
+//! A component has either `steps` or `sum`.
+
+use super::super::{Check, Rule, RuleCx};
+use super::component::{sound_components, unknown_patterns, weigh};
+use mhlint_diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, pointer};
+use mhlint_json::UnknownKey;
+use mhlint_repo::FileFacts;
+use mhlint_repo::makehuman2::{Base, View};
+
+pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "crashes with `KeyError` without either; ignores `sum` if it has both")],
+    docs: "A component has both `steps` and `sum`, or neither. `steps` divides one plain slider; `sum` names the \
+        three corners of a triangle slider.\n\nIf both are present, MakeHuman 2 ignores `sum` and takes \
+        `pattern` as the pattern of one slider (a warning). If no slider has that pattern, it drops the \
+        component, and its macrodefs never apply (an error). With neither, it crashes at start with `KeyError` \
+        (an error).\n\nKeep the one that fits the slider.",
+    ..RuleInfo::new("macro-steps-and-sum", Level::Error, "a component has both `steps` and `sum`, or neither")
+});
+
+/// What a key of the component was meant to be, if it is nearly one of the two.
+fn misspelt(file: &FileFacts, component: &str) -> Option<String> {
+    let own = pointer(&["components", component]);
+    let is_own = |key: &&UnknownKey| key.pointer.rsplit_once('/').is_some_and(|(owner, _)| owner == own);
+    let meant = |key: &UnknownKey| key.nearest.clone().filter(|near| near == "steps" || near == "sum");
+    let mut keys = file.schema.unknown.iter().filter(is_own);
+    keys.find_map(|key| Some(format!("did you mean `{}` instead of `{}`?", meant(key)?, key.key)))
+}
+
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, macros)) = base.macro_file() else { return };
+    for component in sound_components(file, macros) {
+        let name = &component.name;
+        let finding = match (&component.steps, &component.sum) {
+            (Some(_), Some(_)) => {
+                let dead = !unknown_patterns(base, component).is_empty();
+                let (level, effect) = if dead {
+                    (Level::Error, "ignores `sum`, finds no slider for `pattern` and never applies the macrodefs")
+                } else {
+                    (Level::Warning, "ignores `sum`")
+                };
+                let place = Place::key(["components", name, "sum"]);
+                RULE.at(file, place, format!("component `{name}` has both `steps` and `sum`"))
+                    .level(level)
+                    .effect(effect)
+                    .help("remove `sum` if the slider is plain, or `steps` if it is a triangle")
+            }
+            (None, None) => {
+                let place = Place::key(["components", name]);
+                RULE.at(file, place, format!("component `{name}` has neither `steps` nor `sum`"))
+                    .effect("crashes at start with `KeyError`")
+                    .help(misspelt(file, name).unwrap_or_else(|| {
+                        "add `steps` with a slider position for each value, or `sum` for a triangle slider".to_owned()
+                    }))
+            }
+            _ => continue,
+        };
+        out.push(weigh(finding.key(name), macros, component));
+    }
+}

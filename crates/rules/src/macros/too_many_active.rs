@@ -1,0 +1,55 @@
+//! So many components blend at once that no combination is strong enough.
+
+use super::super::{Check, Rule, RuleCx};
+use super::space::Space;
+use mhlint_diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use mhlint_formats::macro_json::Component;
+use mhlint_repo::makehuman2::{Base, View};
+
+pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Makehuman2,
+        "drops every combination between the steps, so that the shape of the macrodef disappears there",
+    )],
+    docs: "A macrodef blends so many values at once that no combination has enough weight. Between two steps of a \
+        slider, two values are active; inside a triangle, three. The components multiply: seven sliders between \
+        their steps make 128 combinations with the weight 1/128 each.\n\nMakeHuman 2 applies a combination only \
+        if its weight is above 0.01, and does not give the lost weight to the others. If no combination is above \
+        that limit when every slider is equally far from its active values, the shape of the macrodef disappears \
+        between the steps. (More than three values of a triangle slider crash MakeHuman 2; see \
+        `macro-sum-arity`.)\n\nSplit the macrodef into several with fewer components each.",
+    ..RuleInfo::new(
+        "macro-too-many-active",
+        Level::Warning,
+        "a macrodef blends so many values at once that no combination has enough weight",
+    )
+});
+
+/// A combination counts only above this weight (formats/makehuman2.md §3.3).
+const SMALLEST_WEIGHT: f64 = 0.01;
+
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, macros)) = base.macro_file() else { return };
+    for macrodef in &macros.macrodefs {
+        let Some(space) = Space::of(macros, macrodef) else { continue };
+        let active: f64 = space.axes.iter().map(|axis| active_values(axis)).product();
+        if 1.0 / active > SMALLEST_WEIGHT {
+            continue;
+        }
+        let count = macrodef.components.len();
+        let message = format!(
+            "{count} components make {active} combinations active at once, each with the weight {:.4}; the limit is \
+             {SMALLEST_WEIGHT}",
+            1.0 / active
+        );
+        let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]);
+        let finding = RULE.at(file, place, message).key(macrodef.components.join("-"));
+        out.push(finding.help("split the macrodef into several with fewer components each"));
+    }
+}
+
+/// How many values of a component are active at once where most are: two between steps, three in a triangle.
+fn active_values(component: &Component) -> f64 {
+    let slots = if component.steps.is_some() { 2 } else { 3 };
+    component.values.len().clamp(1, slots) as f64
+}

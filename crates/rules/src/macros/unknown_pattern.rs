@@ -1,0 +1,71 @@
+//! The pattern of a component must be that of a macro slider.
+
+use std::collections::BTreeSet;
+
+use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::component::{macro_patterns, sound_components, unknown_patterns, weigh};
+use mhlint_diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use mhlint_repo::makehuman2::{Base, View};
+
+pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Makehuman2,
+        "drops the component; the names of its macrodefs are then too short, and none of their targets is applied",
+    )],
+    docs: "No slider has the pattern of a component. `pattern` is the `macro` of an entry of `modelling.json`. \
+        With `sum`, `pattern` followed by each entry of `sum` is one of the texts in `barycentric` of a triangle \
+        slider.\n\nMakeHuman 2 silently drops a component whose pattern no slider has. The names of all its \
+        combinations then lack that part and match nothing: the macrodef is dead. If only one corner of a \
+        triangle is unknown, the targets of that corner are lost.\n\nWrite the pattern exactly as in \
+        `modelling.json`.",
+    counts: "patterns",
+    ..RuleInfo::new("macro-unknown-pattern", Level::Error, "no slider has the pattern of a component")
+});
+
+fn has_doubled(base: &Base<'_>) -> bool {
+    let mut seen = BTreeSet::new();
+    macro_patterns(base).any(|pattern| !seen.insert(pattern))
+}
+
+fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, macros)) = base.macro_file() else { return };
+    for component in sound_components(file, macros) {
+        if component.steps.is_some() && component.sum.is_some() {
+            continue; // `macro-steps-and-sum`: which of the two is meant is open.
+        }
+        let unknown = unknown_patterns(base, component);
+        let Some(first) = unknown.first() else { continue };
+        // A slider with the name of another one leaves its own behind: `modelling-duplicate-pattern`.
+        if unknown.len() == 1 && has_doubled(base) {
+            continue;
+        }
+        let name = &component.name;
+        let message = match unknown.len() {
+            1 => format!("component `{name}` reads the pattern `{first}`, which no slider has"),
+            count => {
+                format!("component `{name}` reads the pattern `{first}`, which no slider has ({count} such patterns)")
+            }
+        };
+        let read = super::super::cause::component::patterns(component);
+        let free = macro_patterns(base).filter(|pattern| !read.iter().any(|own| own == pattern));
+        let help = did_you_mean(
+            cx.suggestions.nearest(first, free),
+            "write the `macro`, or a text of `barycentric`, of an entry of modelling.json",
+        );
+        let is_corner = component.steps.is_none() && unknown.len() < read.len();
+        let corner = read.iter().position(|own| own == first).filter(|_| is_corner).map(|at| at.to_string());
+        let place = match &corner {
+            Some(corner) => Place::pointer(["components", name, "sum", corner]),
+            None => Place::pointer(["components", name, "pattern"]),
+        };
+        let mut finding = RULE.at(file, place, message).key(name).help(help);
+        if is_corner {
+            let effect = "silently skips this corner of the triangle; the targets of its value are never applied";
+            finding = finding.effect(effect);
+        }
+        if let Some((sliders, _)) = base.modelling.winner() {
+            finding = finding.against(&sliders.path);
+        }
+        out.push(weigh(finding.evidence(Evidence::of_cases(&unknown).out_of(read.len())), macros, component));
+    }
+}

@@ -1,0 +1,59 @@
+//! Materials beside the folders of assets, which are offered for assets without materials of their own (formats/makehuman2.md
+//! §17).
+
+use std::collections::BTreeSet;
+
+use super::super::{Rule, counted};
+use mhlint_diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, grouped};
+use mhlint_discover::Kind;
+use mhlint_repo::{FileFacts, Layer, ReferenceKind, View, Worn, parent};
+
+const UNOFFERED: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "offers them for no asset: each has materials in its own folder, and only these count",
+)];
+
+/// The folder of shared materials, `eyes/<base>/materials`.
+const SHARED: &str = "materials";
+
+/// Those that are offered for nothing.
+pub(super) fn unoffered(rule: &Rule, view: &View<'_>) -> Vec<Finding> {
+    let layer = view.layers().checked;
+    // The standard material of an asset is there without being offered.
+    let standard = view.assets().iter().filter_map(|worn| worn.reference(ReferenceKind::AssetMaterial)?.meant());
+    let named: BTreeSet<&str> = standard.map(|file| file.path.as_str()).collect();
+    let shared = layer.files.values().filter(|file| file.kind == Kind::Material && !named.contains(file.path.as_str()));
+    let by_folder = grouped(shared.filter_map(|file| Some((sort_of(file)?, file))));
+    let lost = by_folder.into_iter().filter(|(sort, _)| is_offered_for_nothing(view, sort));
+    lost.filter_map(|(sort, files)| finding(rule, sort, &files)).collect()
+}
+
+/// `eyes/<base>` for a file directly in `eyes/<base>/materials`.
+fn sort_of(file: &FileFacts) -> Option<&str> {
+    let sort = parent(&file.rel).strip_suffix(SHARED)?.strip_suffix('/')?;
+    (sort.matches('/').count() == 1 && !sort.starts_with("skins/")).then_some(sort)
+}
+
+/// Whether there are assets of a sort, and all of them have materials of their own.
+fn is_offered_for_nothing(view: &View<'_>, sort: &str) -> bool {
+    let folder = |worn: &Worn<'_>| {
+        let mesh = worn.reference(ReferenceKind::AssetMesh)?.found()?;
+        let folder = parent(&mesh.rel);
+        (parent(folder) == sort).then(|| folder.to_owned())
+    };
+    let mut folders = view.assets().iter().filter_map(folder).peekable();
+    let has_own = |layer: &Layer, folder: &str| layer.below(folder).any(|file| file.kind == Kind::Material);
+    folders.peek().is_some()
+        && folders.all(|folder| view.layers().strongest_first().any(|layer| has_own(layer, &folder)))
+}
+
+fn finding(rule: &Rule, sort: &str, files: &[&FileFacts]) -> Option<Finding> {
+    let first = files.first()?;
+    let are = if files.len() == 1 { "is" } else { "are" };
+    let message = format!("{} in `{sort}/{SHARED}` {are} not offered", counted(files.len(), "material"));
+    let finding = rule.at(first, Place::File, message).key(sort).case(UNOFFERED);
+    let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
+    let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.file_name())));
+    Some(finding.help("move them to the folder of the asset that they are for"))
+}

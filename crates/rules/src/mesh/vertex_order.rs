@@ -1,0 +1,51 @@
+//! The vertices of a base mesh keep their order.
+
+use super::super::{Check, Rule, RuleCx};
+use mhlint_diag::{
+    Application::{Makehuman1, Makehuman2},
+    Confidence, Evidence, Finding, Level, Place, RuleInfo,
+};
+use mhlint_repo::cubes::Strays;
+use mhlint_repo::makehuman2::{Base, ForeignMesh, ForeignSign, View};
+use mhlint_repo::{FileFacts, makehuman1};
+
+pub(crate) static RULE: Rule = Check::EachBase(run, of_makehuman1, |_, _, _| ()).rule(RuleInfo {
+    breaks: &[(Makehuman2, MOVES), (Makehuman1, MOVES)],
+    docs: "The vertices of the base mesh have other numbers than the skeleton knows. Targets, weights and \
+        skeletons identify a vertex by its number in `base.obj`, and a program that exports objects or groups in \
+        another order, or adds or drops a vertex, renumbers them.\n\n\
+        MakeHuman 2 and 1 load the mesh without a message and then move the wrong vertices.\n\n\
+        The joint cubes show it: more than half of the joints of the skeleton for poses (MakeHuman 1: of the default rig) have \
+        other vertices than a cube of the mesh, or no vertex in the group `joint-…` with their name, or more than half of the cubes are torn apart. Nothing else is checked \
+        against such a mesh. For MPFB it is `metadata-base-mesh`.\n\n\
+        Export the mesh with its vertex order kept (in Blender: `Keep Vertex Order`), or take the old base.obj and \
+        move its vertices.",
+    ..RuleInfo::new("mesh-vertex-order", Level::Warning, "the vertices of a base mesh are in another order")
+});
+
+const MOVES: &str = "silently moves the wrong vertices: targets, weights and joints were made for other numbers";
+
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(ForeignMesh { file, sign: ForeignSign::Order(strays), .. }) = base.foreign_mesh else { return };
+    let Some((rig, _)) = base.pose_rig() else { return };
+    out.push(finding(file, rig.file, strays));
+}
+
+fn of_makehuman1(view: &makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, strays)) = view.foreign_mesh else { return };
+    let Some(rig) = view.base_rig() else { return };
+    if view.layers.is_checked(file) || view.layers.is_checked(rig.file) {
+        out.push(finding(file, rig.file, strays));
+    }
+}
+
+fn finding(file: &FileFacts, rig: &FileFacts, Strays { are_torn, strayed, of }: Strays) -> Finding {
+    let how = if are_torn { "cubes of joints are torn apart" } else { "joints are not at their cube" };
+    let message = format!("the vertices have other numbers: {strayed} of {of} {how}");
+    let mut evidence = Evidence::counted(strayed);
+    evidence.of = Some(of as u64);
+    let finding = RULE.at(file, Place::File, message).confidence(Confidence::Medium).evidence(evidence);
+    let finding = finding.related(rig.path.clone(), Place::File, "the skeleton made for the old numbers");
+    let help = "restore the mesh from a copy with the old vertices in their order; until then nothing else is checked against it";
+    finding.help(help).against(&rig.path)
+}

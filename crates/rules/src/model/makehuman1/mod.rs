@@ -1,0 +1,20 @@
+//! Saved characters as MakeHuman 1 reads them (formats/makehuman1.md §19; makehuman1-observed.md 1.13, 2.2, 4.40 to 4.42).
+
+pub(super) mod arity;
+pub(super) mod assets;
+pub(super) mod keyword;
+pub(super) mod material;
+pub(super) mod modifier;
+pub(super) mod tags;
+
+use mhlint_repo::makehuman1::{SavedModel, Version, View};
+
+/// The characters that are checked, as far as their version lets the program read them.
+fn own<'v, 'a>(view: &'v View<'a>) -> impl Iterator<Item = &'v SavedModel<'a>> {
+    view.models.iter().filter(|model| view.layers.is_checked(model.file) && model.version.is_read())
+}
+
+/// Those of them whose lines are those of today.
+fn current<'v, 'a>(view: &'v View<'a>) -> impl Iterator<Item = &'v SavedModel<'a>> {
+    own(view).filter(|model| model.version == Version::Current)
+}

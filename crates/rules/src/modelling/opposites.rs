@@ -1,0 +1,141 @@
+//! A pair of targets makes a slider with two directions only if `base.json` declares its endings.
+
+use super::super::cause::schema::is_faulty;
+use super::super::{Check, Rule, RuleCx};
+use super::with_patterns;
+use mhlint_diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use mhlint_repo::FileFacts;
+use mhlint_repo::makehuman2::{Base, BoundSlider, Pattern, View};
+
+pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "shows a slider that can only increase; the other target cannot be reached")],
+    docs: "An entry has `decr` and `incr`, but `target-opposites` of `base.json` has no pair of endings for them. \
+        A slider has two directions only if the two file names end in such a pair, each after a `-`.\n\nMakeHuman 2 \
+        silently drops the decreasing direction, and the pattern of the slider is `incr` alone: presets, symmetry and \
+        saved models that use `<decr>|<ending>` do not find it. If it is the left counterpart of another slider, \
+        the random character view looks for it under that pattern and crashes with `KeyError` (an error).\n\nAdd \
+        the pair, or correct the names. If `target-opposites` is missing, or none of its pairs matches, no slider \
+        has two directions, and `base.json` has one finding for all of them.",
+    counts: "sliders",
+    ..RuleInfo::new("modelling-opposites", Level::Warning, "`target-opposites` does not cover a pair of targets")
+});
+
+/// Who makes a random character looks the partner up by its pattern.
+const HAS_PARTNERS: &str =
+    "crashes with `KeyError` when it makes a random character; the sliders have only one direction";
+
+type Pairs<'r, 'a> = Vec<&'r BoundSlider<'a>>;
+
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, settings)) = base.settings() else { return };
+    if is_faulty(file, "target-opposites") {
+        return;
+    }
+    let sliders = with_patterns(base).unwrap_or_default();
+    let undeclared: Pairs<'_, '_> =
+        sliders.iter().filter(|slider| slider.is_undeclared_pair() && !base.lacks_target(slider)).collect();
+    let by_endings = grouped(undeclared.iter().map(|slider| {
+        let endings = (ending(slider.slider.decr.as_deref()), ending(slider.slider.incr.as_deref()));
+        (endings, *slider)
+    }));
+    let is_one_cause = if settings.opposites.is_empty() {
+        undeclared.len() > 1
+    } else {
+        by_endings.len() > 1 && !sliders.iter().any(|slider| matches!(slider.pattern, Pattern::Pair(_)))
+    };
+    if is_one_cause && view.layers.is_checked(file) {
+        out.push(without_pairs(base, file, &settings.opposites, &undeclared));
+        return;
+    }
+    for (endings, sliders) in by_endings {
+        let found = of_endings(base, &settings.opposites, endings, &sliders);
+        out.extend(found.map(|finding| finding.against(&file.path)));
+    }
+}
+
+/// No slider at all has two directions: one thing to say, of `base.json`.
+fn without_pairs(
+    base: &Base<'_>,
+    file: &FileFacts,
+    opposites: &[(String, String)],
+    sliders: &[&BoundSlider<'_>],
+) -> Finding {
+    let count = sliders.len();
+    let covers = |flipped: bool| {
+        let first = sliders.first().map(|bound| bound.slider);
+        let ends = |path: Option<&String>, end: &str| path.is_some_and(|path| path.ends_with(end.trim_matches('-')));
+        first.is_some_and(|slider| {
+            let (decr, incr) = (slider.decr.as_ref(), slider.incr.as_ref());
+            let (one, other) = if flipped { (incr, decr) } else { (decr, incr) };
+            opposites.iter().any(|(d, i)| ends(one, d) && ends(other, i))
+        })
+    };
+    let (place, message, help) = match opposites {
+        [] => (
+            Place::File,
+            format!("`target-opposites` is missing, so {count} sliders have only one direction"),
+            "add `\"target-opposites\": {\"decr\": \"incr\"}` with the endings of the target names",
+        ),
+        _ => (
+            Place::key(["target-opposites"]),
+            format!(
+                "`target-opposites` covers none of the {count} pairs of targets, so their sliders have only one direction"
+            ),
+            match (covers(false), covers(true)) {
+                (_, true) => "write the decreasing ending first: `\"decr\": \"incr\"`",
+                (true, _) => "write the endings without `-`: `\"decr\": \"incr\"`",
+                _ => "write the endings of the target names: `\"decr\": \"incr\"`",
+            },
+        ),
+    };
+    let evidence = Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key));
+    weigh(base, sliders, RULE.at(file, place, message).help(help).evidence(evidence))
+}
+
+/// A slider is saved under the names of its targets.
+const MODELS: &str = "; saved models then find these sliders by new names";
+
+fn of_endings(
+    base: &Base<'_>,
+    opposites: &[(String, String)],
+    (decr, incr): (&str, &str),
+    sliders: &[&BoundSlider<'_>],
+) -> Option<Finding> {
+    let first = sliders.first()?;
+    let key = first.slider.key.as_str();
+    let message = match sliders {
+        [_] => format!("`{key}` has only one direction: `target-opposites` has no pair `{decr}`/`{incr}`"),
+        more => {
+            format!("{} sliders have only one direction: `target-opposites` has no pair `{decr}`/`{incr}`", more.len())
+        }
+    };
+    let swapped = opposites.iter().any(|(d, i)| d == incr && i == decr);
+    let known = opposites.iter().find(|(d, _)| d == decr);
+    let help = if swapped {
+        format!("swap `incr` and `decr`{MODELS}")
+    } else if let Some((_, known)) = known {
+        // A second pair for the ending would take the place of the first.
+        format!("use targets that belong together: `{decr}` goes with `{known}`")
+    } else {
+        format!("add `\"{decr}\": \"{incr}\"` to `target-opposites` of base.json, or correct the names{MODELS}")
+    };
+    let finding = RULE.at(first.file, Place::pointer([key, "decr"]), message).key(format!("{decr}/{incr}")).help(help);
+    Some(weigh(base, sliders, finding.evidence(Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key)))))
+}
+
+/// Raises a finding where a left slider is looked up under the pattern that one of these would have: a pattern that is
+/// not there stops the randomizer (formats/makehuman2.md §4.3). A right one is left out without a word.
+fn weigh(base: &Base<'_>, sliders: &[&BoundSlider<'_>], finding: Finding) -> Finding {
+    let mut lefts = base.sliders.iter().filter(|bound| bound.slider.rsym.is_none());
+    let is_met = lefts.any(|bound| {
+        let left = bound.slider.lsym.as_deref().filter(|left| base.slider(left).is_none());
+        left.is_some_and(|left| sliders.iter().any(|slider| slider.would_register(left)))
+    });
+    if is_met { finding.level(Level::Error).effect(HAS_PARTNERS) } else { finding }
+}
+
+/// The part of a target's name behind its last `-`.
+fn ending(path: Option<&str>) -> &str {
+    let name = path.unwrap_or_default().rsplit('/').next().unwrap_or_default();
+    name.rsplit('-').next().unwrap_or(name)
+}

@@ -1,0 +1,35 @@
+//! Two user targets must not be given the same key.
+
+use super::super::{Check, Rule, RuleCx};
+use mhlint_diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use mhlint_repo::makehuman2::{Base, View, user_scan};
+
+pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "makes one slider of them; the order of files in the folder decides which target is lost")],
+    docs: "Two user targets get the same key. MakeHuman 2 makes a slider for every user target, with the folder \
+        and the file name as its key: the first letter of each in upper case, all others in lower case, and \
+        spaces instead of `-`. A pair `-incr`/`-decr` is one slider, without that ending.\n\nNames that differ \
+        only in case, or in `-` and a space, get the same key. One slider replaces the other, depending on the \
+        order of files in the folder. A single target also collides with a pair of the same name, and a folder \
+        `user` with the targets beside it.\n\nRename one of the files.",
+    counts: "targets",
+    ..RuleInfo::new("modelling-user-key-collision", Level::Error, "two user targets get the same key")
+});
+
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let targets = user_scan::targets(base);
+    let by_key = grouped(user_scan::entries(&targets).into_iter().map(|entry| (entry.key, entry.file)));
+    for (key, files) in &by_key {
+        let Some((last, others)) = files.split_last().filter(|(_, others)| !others.is_empty()) else { continue };
+        let message = format!("{} user targets become the same slider `{key}`", files.len());
+        let mut finding = RULE
+            .at(last, Place::File, message)
+            .key(key)
+            .help("rename the newer of the files, as saved models know its slider by the name; case, `-` and spaces make no difference")
+            .evidence(Evidence::of_cases(files.iter().map(|file| file.file_name())));
+        for other in others {
+            finding = finding.related(other.path.clone(), Place::File, "gets the same key");
+        }
+        out.push(finding);
+    }
+}

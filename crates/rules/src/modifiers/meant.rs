@@ -1,0 +1,63 @@
+//! Which modifier a name is meant for that none has: the fault may be in the modifier, where it is told.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::super::RuleCx;
+use mhlint_repo::makehuman1::{KnownModifier, View};
+
+/// Names that no modifier has, and the modifiers that seem to be meant by them.
+pub(crate) struct Meant<'v> {
+    /// Modifiers that lack a side or a target, and that no slider sets, by name.
+    faulty: BTreeMap<&'v str, &'v KnownModifier<'v>>,
+    /// For each of them the slider that seems to mean it.
+    sliders: BTreeMap<&'v str, &'v str>,
+}
+
+impl<'v> Meant<'v> {
+    /// What the sliders mean.
+    pub(crate) fn of(view: &'v View<'_>, cx: &RuleCx<'_>) -> Self {
+        let with_slider = view.modifiers.with_slider();
+        let own = view.modifiers.all.iter().filter(|one| one.modifier.variable.is_none() && is_faulty(one));
+        let faulty = own.filter(|one| !with_slider.contains(one.name.as_str())).map(|one| (one.name.as_str(), one));
+        let mut meant = Self { faulty: faulty.collect(), sliders: BTreeMap::new() };
+        let unknown: BTreeSet<&str> =
+            with_slider.into_iter().filter(|name| view.modifiers.called(name).next().is_none()).collect();
+        for name in unknown {
+            if let Some(one) = meant.modifier(name, cx) {
+                meant.sliders.entry(&one.name).or_insert(name);
+            }
+        }
+        meant
+    }
+
+    /// The modifier at fault that is meant by a name.
+    pub(crate) fn modifier(&self, name: &str, cx: &RuleCx<'_>) -> Option<&'v KnownModifier<'v>> {
+        if self.faulty.is_empty() {
+            return None;
+        }
+        // One that lacks a side has the name without both.
+        let shorter = name.rmatch_indices('-').filter_map(|(at, _)| self.faulty.get(name.get(..at)?));
+        let lacks_side = shorter.into_iter().find(|one| one.modifier.tails.unpaired().is_some()).copied();
+        lacks_side.or_else(|| {
+            let near = cx.suggestions.nearest(name, self.faulty.keys().copied())?;
+            self.faulty.get(near).copied()
+        })
+    }
+
+    /// The slider that means a modifier by another name.
+    pub(super) fn slider_for(&self, one: &KnownModifier<'_>) -> Option<&'v str> {
+        self.sliders.get(one.name.as_str()).copied()
+    }
+}
+
+/// The name with its sides exchanged.
+pub(super) fn exchanged(name: &str) -> Option<String> {
+    let (stem, tails) = name.rsplit_once('-')?;
+    let (min, max) = tails.split_once('|')?;
+    Some(format!("{stem}-{max}|{min}"))
+}
+
+/// Whether it has a side alone, or some part without targets.
+fn is_faulty(one: &KnownModifier<'_>) -> bool {
+    one.modifier.tails.unpaired().is_some() || one.parts.iter().any(|part| part.targets.is_empty())
+}

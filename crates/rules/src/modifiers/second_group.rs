@@ -1,0 +1,53 @@
+//! A macro variable is set in one group.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use mhlint_diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
+use mhlint_repo::makehuman1::{KnownModifier, View, category};
+
+pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
+    breaks: &[(Makehuman1, "logs an error; of two groups for one variable the first keeps it")],
+    docs: "MakeHuman 1 notes for each macro variable the group that sets it, and brings the other groups up to date when it \
+        changes. A second group that sets the same variable is not noted: what depends on it is not brought up to date.\n\n\
+        Put the modifiers of one variable into one group.",
+    ..RuleInfo::new("modifiers-second-group", Level::Warning, "two groups that set one macro variable")
+});
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if !view.layers.checks_system() {
+        return;
+    }
+    let mut first: BTreeMap<&str, &KnownModifier<'_>> = BTreeMap::new();
+    for one in &view.modifiers.all {
+        let Some((variable, category)) =
+            one.modifier.variable.as_ref().and_then(|own| Some((own, category(&own.name)?)))
+        else {
+            continue;
+        };
+        let earlier = first.entry(category).or_insert(one);
+        if earlier.modifier.group == one.modifier.group {
+            continue;
+        }
+        let message = format!("{category} is set by group `{}` already", earlier.modifier.group);
+        let finding = RULE.at(one.file, Place::Pointer(variable.pointer.clone()), message).key(&one.name);
+        let finding = finding.related(
+            earlier.file.path.clone(),
+            Place::Pointer(earlier.modifier.pointer.clone()),
+            "the first modifier for it",
+        );
+        out.push(finding.help(help(view, &variable.name, &earlier.modifier.group)));
+    }
+}
+
+/// A group has one modifier for a variable.
+fn help(view: &View<'_>, variable: &str, group: &str) -> String {
+    let is_there = |one: &KnownModifier<'_>| {
+        one.modifier.group == group && one.modifier.variable.as_ref().is_some_and(|own| own.name == variable)
+    };
+    if view.modifiers.all.iter().any(is_there) {
+        format!("remove the modifier with its slider and description: group `{group}` has one for `{variable}`")
+    } else {
+        format!("move the modifier to group `{group}`, and correct its name in sliders and descriptions")
+    }
+}

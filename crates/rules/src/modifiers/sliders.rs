@@ -1,0 +1,94 @@
+//! A slider sets a modifier that is loaded.
+
+use std::collections::BTreeSet;
+
+use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::LOST_TABS;
+use super::meant::{Meant, exchanged};
+use mhlint_diag::{Application::Makehuman1, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use mhlint_formats::unfit::NamedAt;
+use mhlint_repo::FileFacts;
+use mhlint_repo::makehuman1::View;
+
+pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
+    breaks: &[(Makehuman1, LOST_TABS)],
+    docs: "`mod` of a slider is the full name of a modifier, `group/target-min|max`, of its own file or one that is loaded \
+        before: MakeHuman 1 loads `modeling`, then `bodyshapes`, then `measurement`.\n\n\
+        One unknown name costs the rest of its tab and all tabs behind it in the file. The modifiers themselves exist, and \
+        models set them.\n\nCorrect the name.",
+    ..RuleInfo::new("modifiers-unknown-in-slider", Level::Error, "a slider for a modifier that does not exist")
+});
+
+fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // What a file that cannot be read holds, nobody knows.
+    if !view.layers.checks_system() || !view.modifiers.is_whole() {
+        return;
+    }
+    let meant = Meant::of(view, cx);
+    let known: BTreeSet<&str> = view.modifiers.names().map(group_of).collect();
+    for (place, set) in view.modifiers.sets.iter().enumerate() {
+        let Some((file, sliders)) = set.sliders else { continue };
+        let (lost, others): (Vec<_>, Vec<_>) =
+            sliders.modifiers().partition(|named| !known.contains(group_of(&named.name)));
+        for (group, sliders) in grouped(lost.into_iter().map(|named| (group_of(&named.name), named))) {
+            match sliders.as_slice() {
+                [only] => out.extend(finding(view, place, file, only, &meant, cx)),
+                all => out.extend(of_group(file, group, all, &known, cx)),
+            }
+        }
+        out.extend(others.into_iter().filter_map(|named| finding(view, place, file, named, &meant, cx)));
+    }
+}
+
+/// What stands in front of the name of a modifier.
+fn group_of(name: &str) -> &str {
+    name.split('/').next().unwrap_or_default()
+}
+
+/// Several sliders for a group that does not exist: it has another name.
+fn of_group(
+    file: &FileFacts,
+    group: &str,
+    sliders: &[&NamedAt],
+    known: &BTreeSet<&str>,
+    cx: &RuleCx<'_>,
+) -> Option<Finding> {
+    let first = sliders.first()?;
+    let message = format!("no modifier is in group `{group}`, which {} sliders name", sliders.len());
+    let finding = RULE.at(file, Place::Pointer(first.pointer.clone()), message).key(format!("group {group}"));
+    let same = known.iter().find(|known| known.eq_ignore_ascii_case(group)).copied();
+    let near = same.or_else(|| cx.suggestions.nearest(group, known.iter().copied()));
+    let evidence = Evidence::of_cases(sliders.iter().map(|named| named.name.as_str()));
+    let help = near.map_or_else(
+        || "correct the group of these modifiers, or remove the sliders".to_owned(),
+        |near| format!("write `{group}` in place of `{near}` in the list of modifiers, or the other way around here"),
+    );
+    Some(finding.evidence(evidence).help(help))
+}
+
+fn finding(
+    view: &View<'_>,
+    place: usize,
+    file: &FileFacts,
+    named: &NamedAt,
+    meant: &Meant<'_>,
+    cx: &RuleCx<'_>,
+) -> Option<Finding> {
+    let name = named.name.as_str();
+    let mut sets = view.modifiers.called(name).map(|one| one.set);
+    let told = |message: String| RULE.at(file, Place::Pointer(named.pointer.clone()), message).key(name);
+    if let Some(first) = sets.next() {
+        let later = view.modifiers.sets.get(first).filter(|_| first > place)?;
+        let message = format!("modifier `{name}` is loaded later, with `{}_modifiers.json`", later.stem);
+        return Some(told(message).help(format!("move the slider to `{}_sliders.json`", later.stem)));
+    }
+    // The modifier itself is what is wrong, and told.
+    if meant.modifier(name, cx).is_some() {
+        return None;
+    }
+    let other = exchanged(name);
+    let other = other.as_deref().and_then(|other| view.modifiers.called(other).next()).map(|one| one.name.as_str());
+    let near = other.or_else(|| cx.suggestions.nearest(name, view.modifiers.names()));
+    let finding = told(format!("modifier `{name}` does not exist"));
+    Some(finding.help(did_you_mean(near, "correct the name, or remove the slider")))
+}

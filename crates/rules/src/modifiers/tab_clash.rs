@@ -1,0 +1,43 @@
+//! A tab has a name of its own.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use mhlint_diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
+use mhlint_formats::modifier_sliders::Tab;
+use mhlint_repo::FileFacts;
+use mhlint_repo::makehuman1::View;
+
+pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
+    breaks: &[(Makehuman1, "fails with `KeyError`: the tabs of the plugin that comes later are missing")],
+    docs: "The tabs of Modelling have their names from `*_sliders.json`, and plugins have some of their own: `Custom` for the \
+        targets of the user, `Random`. Of two with one name the later one stops its plugin: with a tab `Custom` the user's own \
+        targets have no sliders.\n\nRename the tab.",
+    ..RuleInfo::new("modifiers-tab-clash", Level::Error, "two tabs with one name")
+});
+
+/// Tabs that plugins have of their own (makehuman1-observed.md 1.4).
+const OF_PLUGINS: [&str; 2] = ["Custom", "Random"];
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if !view.layers.checks_system() {
+        return;
+    }
+    let mut first: BTreeMap<&str, (&FileFacts, &Tab)> = BTreeMap::new();
+    for (file, sliders) in view.modifiers.sets.iter().filter_map(|set| set.sliders) {
+        for tab in &sliders.tabs {
+            let told = |message: String| RULE.at(file, Place::Key(tab.pointer.clone()), message).key(&tab.name);
+            if OF_PLUGINS.contains(&tab.name.as_str()) {
+                let message = format!("the program has a tab `{}` of its own", tab.name);
+                out.push(told(message).help("rename the tab"));
+            } else if let Some((other, earlier)) = first.get(tab.name.as_str()) {
+                let message = format!("a tab `{}` exists already", tab.name);
+                let finding =
+                    told(message).related(other.path.clone(), Place::Key(earlier.pointer.clone()), "the first");
+                out.push(finding.help("rename one of the tabs"));
+            } else {
+                first.insert(&tab.name, (file, tab));
+            }
+        }
+    }
+}

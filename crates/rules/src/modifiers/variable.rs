@@ -1,0 +1,38 @@
+//! A macro variable exists.
+
+use super::super::{Check, Rule, RuleCx, did_you_mean};
+use mhlint_diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
+use mhlint_repo::makehuman1::{VARIABLES, View};
+
+pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
+    breaks: &[(Makehuman1, "shows none of the tabs behind its slider, and fails each time the modifier is used")],
+    docs: "`macrovar` is one of `Gender`, `Age`, `Muscle`, `Weight`, `Height`, `BreastSize`, `BreastFirmness`, \
+        `BodyProportions`, `African`, `Asian` and `Caucasian`; capitals count.\n\n\
+        In other capitals it stops MakeHuman 1 at start: only the splash picture stays on the screen. Any other name is taken \
+        for a variable, its slider costs the tabs behind it, and every use of the modifier fails.\n\n\
+        Correct the name.",
+    ..RuleInfo::new("modifiers-unknown-macro-variable", Level::Error, "a macro variable that does not exist")
+});
+
+fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if !view.layers.checks_system() {
+        return;
+    }
+    for one in &view.modifiers.all {
+        let Some(variable) = &one.modifier.variable else { continue };
+        let name = variable.name.as_str();
+        if VARIABLES.contains(&name) {
+            continue;
+        }
+        let in_capitals = VARIABLES.into_iter().find(|own| own.eq_ignore_ascii_case(name));
+        let near = in_capitals.or_else(|| cx.suggestions.nearest(name, VARIABLES));
+        let message = format!("macro variable `{name}` does not exist");
+        let finding = RULE.at(one.file, Place::Pointer(variable.pointer.clone()), message).key(&one.name);
+        let finding = finding.help(did_you_mean(near, "name a variable that exists"));
+        out.push(if in_capitals.is_some() {
+            finding.effect(super::super::cause::consequence::STOPS_AT_START)
+        } else {
+            finding
+        });
+    }
+}

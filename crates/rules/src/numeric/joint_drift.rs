@@ -1,0 +1,45 @@
+//! A joint that leaves its limb at some setting.
+
+use super::super::units::length;
+use super::super::{Check, Rule, RuleCx};
+use super::{at_setting, untold};
+use mhlint_diag::{
+    Application::{Makehuman1, Makehuman2},
+    Confidence, Evidence, Finding, Grows, Level, MeasureKind, RuleInfo,
+};
+use mhlint_eval::measures::Measures;
+use mhlint_eval::survey::Trouble;
+use mhlint_repo::Body;
+
+pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "rotates the limb around a point outside it as soon as the figure is posed"),
+        (Makehuman1, "rotates the limb around a point outside it as soon as the figure is posed"),
+    ],
+    docs: "At some slider setting a joint moves away from the skin around it.\n\n\
+        A joint is compared with the sixteen vertices of visible skin nearest to it on the default character. Its \
+        reach is its distance from the middle of that skin plus the radius of that skin. The distance may grow by \
+        three times this reach; in MakeHuman's own base toes and spine come to 2.2 at extremes of age and \
+        weight. A joint that a helper is nearer to than the skin, such as that of a tail, is not reported where it stays \
+        in that helper.\n\n\
+        Usually a target moves a joint cube but not the skin, or the skin but not the cube. The finding is \
+        reported at the target that moves the joint most at that setting. Move the joint cube and the skin \
+        together.",
+    counts: "joints",
+    grows: Grows::more(MeasureKind::Distance),
+    ..RuleInfo::new("numeric-joint-drift", Level::Warning, "a joint leaves its limb at some slider setting")
+});
+
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(seen) = untold(body, measures, Trouble::Drifted) else { return };
+    let away = seen.length.map(|away| format!(" {}", length(away))).unwrap_or_default();
+    let message =
+        format!("joint `{}` moves{away} away from the skin around it, {:.1} times its reach", seen.name, seen.value);
+    out.push(
+        at_setting(&RULE, body, seen, &message)
+            .parts(&seen.all)
+            .confidence(Confidence::Medium)
+            .help("move the joint cube and the skin together")
+            .evidence(Evidence::counted(seen.count).with_worst(seen.value, &*seen.name)),
+    );
+}

@@ -1,0 +1,56 @@
+//! What the cut-off of small factors throws away.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{percent, title, to_see};
+use mhlint_diag::{Application::Makehuman2, Evidence, Finding, Grows, Level, MeasureKind, OptionInfo, Place, RuleInfo};
+use mhlint_eval::measures::Measures;
+use mhlint_repo::Body;
+
+pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(
+        Makehuman2,
+        "applies that much less of the shape between the steps; no other combination makes up for it",
+    )],
+    docs: "A macrodef loses much of its weight because MakeHuman 2 drops small factors.\n\n\
+        MakeHuman 2 multiplies the weights of all components of a macrodef and drops every combination whose \
+        product is 0.01 or less. It does not give the dropped weight to the others, so that part of the shape is \
+        missing between the steps. At worst, with each component between two steps, two components lose 2 %, three \
+        4 %, four 8 %, five 17 % and six 36 %.\n\n\
+        There is one finding per `macro.json`: the macrodef that loses most, at the worst setting found. Nothing \
+        needs to be done; splitting a macrodef with many components reduces the loss.",
+    options: &[OptionInfo { name: "percent", default: 5.0, docs: "how much weight may be lost, in per cent" }],
+    counts: "macrodefs",
+    grows: Grows::more(MeasureKind::Share),
+    ..RuleInfo::new(
+        "numeric-threshold-loss",
+        Level::Info,
+        "a macrodef loses much weight to the cut-off of small factors",
+    )
+});
+
+/// Above this share nobody takes it for a rounding.
+const LARGE: f64 = 0.2;
+
+fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, macros)) = body.macros else { return };
+    let limit = cx.option(&RULE, "percent") / 100.0;
+    let over = || measures.macros.losses.iter().filter(|(_, lost, _)| *lost > limit);
+    let Some((number, lost, at)) = over().max_by(|a, b| a.1.total_cmp(&b.1)) else { return };
+    let Some(macrodef) = macros.macrodefs.get(*number) else { return };
+    let (title, share) = (title(macrodef), percent(*lost));
+    let message = format!("macrodef `{title}` loses {share} of its weight because factors up to 0.01 are dropped");
+    let named = |number: &usize| macros.macrodefs.get(*number).map(super::title).unwrap_or_default();
+    let cases = over().map(|(number, lost, _)| format!("{}: {}", named(number), percent(*lost)));
+    out.push(
+        RULE.at(file, Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]), message)
+            .key("loss")
+            .related(&file.path, Place::File, to_see(at))
+            .parts(over().map(|(number, ..)| named(number)))
+            .help(if *lost > LARGE {
+                "use fewer components in this macrodef, or split it"
+            } else {
+                "leave it if the loss is too small to see; otherwise use fewer components in this macrodef"
+            })
+            .evidence(Evidence::of_cases(cases).out_of(macros.macrodefs.len()).with_worst(*lost, title)),
+    );
+}

@@ -1,0 +1,52 @@
+//! An end of a setting that no part covers.
+
+use super::super::{Check, Rule, RuleCx};
+use super::stretch::{THESE_VALUES, checked, effect, harmful, is_of_dead_part, level, shown, whole};
+use mhlint_diag::{Application::Mpfb, Finding, Level, Place, RuleInfo, pointer};
+use mhlint_eval::mpfb::cover::Hole;
+use mhlint_formats::macro_parts::Setting;
+use mhlint_repo::FileFacts;
+use mhlint_repo::mpfb::View;
+
+pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
+    breaks: &[(Mpfb, "drops all targets that need the setting at this end of the slider")],
+    docs: "The first part of a setting must begin below 0 and the last one end above 1. MPFB compares strictly: with \
+        `lowest` 0 the value 0 itself is outside of the part, so the setting has no share there, and all targets \
+        that need it are dropped (`parts-gap` has the list). A setting with an empty list of parts never has a \
+        share.\n\nParts in per cent (0 to 101) leave nearly the whole slider uncovered. If 0.5 of gender or age is \
+        not covered, new characters have no shape at all (an error). An end without a name is not reported: there \
+        is no shape to lose.\n\nWrite a `lowest` below 0 or a `highest` above 1. The closer it is, the nearer the \
+        end comes to the full shape (`parts-end-share`).",
+    ..RuleInfo::new("parts-coverage", Level::Error, "an end of a setting is not covered by any part")
+});
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(parts) = checked(view) else { return };
+    for setting in whole(parts) {
+        let ends = harmful(setting).into_iter().filter(|hole| !is_of_dead_part(setting, hole));
+        out.extend(ends.filter_map(|end| finding(parts.file, setting, &end)));
+    }
+}
+
+/// Nothing for a hole between two parts.
+fn finding(file: &FileFacts, setting: &Setting, hole: &Hole) -> Option<Finding> {
+    let part = |number: Option<usize>| number.and_then(|number| setting.parts.get(number));
+    let name = setting.name();
+    let from_to = shown(hole);
+    let uncovered = format!("no part of `{name}` covers {from_to}");
+    let (place, message, help, end) = match (part(hole.before), part(hole.after)) {
+        (Some(_), Some(_)) => return None,
+        (None, Some(first)) => (setting.pointer(first, "lowest"), uncovered, "write a `lowest` below 0", " 0"),
+        (Some(last), None) => (setting.pointer(last, "highest"), uncovered, "write a `highest` above 1", " 1"),
+        (None, None) => {
+            let is_empty = setting.parts.is_empty();
+            let message = if is_empty { format!("`{name}` has no parts") } else { uncovered };
+            let help = if is_empty { "add the parts" } else { "write parts that cover 0 to 1" };
+            (pointer(&["macrotargets", name, "parts"]), message, help, "")
+        }
+    };
+    let level = level(setting, [hole]);
+    let finding =
+        RULE.at(file, Place::Pointer(place), message).level(level).effect(effect(setting, level, THESE_VALUES));
+    Some(finding.key(format!("{name}{end}")).help(help))
+}

@@ -1,0 +1,63 @@
+//! What `makehuman2_version.json` names must exist.
+
+use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::{mpfb_content, version_keys};
+use mhlint_diag::{
+    Application::{Makehuman2, Mpfb},
+    Case, Finding, Level, Place, RuleInfo, nearest,
+};
+use mhlint_formats::program::Version;
+use mhlint_repo::{FileFacts, View};
+
+pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "crashes with `KeyError` where it uses the key"),
+        (Mpfb, "fails with an exception where it uses the value"),
+    ],
+    docs: "`support_urls` in `makehuman2_version.json` names, for each entry of a menu, a key of the same file with an \
+        address. `standardmesh` names a base mesh.\n\n\
+        Without the key MakeHuman 2 crashes. A base mesh that does not exist is never chosen (a warning).\n\n\
+        The download panel needs `url_assetlist`, `url_assetpacklist` and `url_assetpacks`, a download `url_fileserver`, and \
+        `makehuman.py --version` needs `url_mhcommunity` (a warning). Of a file without `suffix`, which is of an older version, \
+        none is asked for.\n\n\
+        Of MPFB the rule looks at presets of the importer and of the randomizer, makeup, settings of eyes and skins and node \
+        trees: values that their loaders do not take, misspelt keys, ink layers that do not exist, and a second link to one \
+        input of a node. A preset of the randomizer needs every key, and settings for every section of `target.json` that has \
+        sliders.\n\n\
+        Add the key, or correct the name. Missing keys and wrong types are reported by `json-schema`.",
+    ..RuleInfo::new("program-file-content", Level::Error, "a file of the program names something that does not exist")
+});
+
+const NO_MESH: Case = &[(Makehuman2, Level::Warning, "does not find its standard mesh")];
+
+fn run(view: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    mpfb_content::faults(&RULE, view, file, cx, out);
+    let Some(version) = file.version() else { return };
+    out.extend(version.support.iter().filter_map(|(label, key)| support(file, version, label, key)));
+    out.extend(version_keys::missing(&RULE, file, version, cx));
+    out.extend(version.standard_mesh.as_deref().and_then(|mesh| standard_mesh(view, file, mesh)));
+}
+
+fn support(file: &FileFacts, version: &Version, label: &str, key: &str) -> Option<Finding> {
+    if version.keys.iter().any(|known| known == key) {
+        return None;
+    }
+    let near = nearest(key, version.keys.iter().map(String::as_str).filter(|key| key.starts_with("url_")));
+    let message = format!("`{key}` of `{label}` is not a key of this file");
+    let finding = RULE.at(file, Place::pointer(["support_urls", label]), message).key(label);
+    Some(finding.help(did_you_mean(near, format!("add `{key}` with its address, or remove the entry"))))
+}
+
+fn standard_mesh(view: &View<'_>, file: &FileFacts, mesh: &str) -> Option<Finding> {
+    let layers = view.layers();
+    let bases = view.body_names();
+    // A repository need not hold the base meshes of the program.
+    let holds_bases = layers.system.is_some_and(|system| system.below("base").next().is_some());
+    if !holds_bases || bases.contains(&mesh) {
+        return None;
+    }
+    let message = format!("base mesh `{mesh}` does not exist");
+    let near = nearest(mesh, bases.iter().copied()).or(bases.first().copied());
+    let finding = RULE.at(file, Place::pointer(["standardmesh"]), message).case(NO_MESH);
+    Some(finding.help(did_you_mean(near, "name a base mesh that exists")))
+}

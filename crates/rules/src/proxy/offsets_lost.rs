@@ -1,0 +1,35 @@
+//! Offsets that the archive of an asset does not keep.
+
+use super::super::{Check, Rule, RuleCx};
+use super::texts;
+use mhlint_diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
+use mhlint_repo::Body;
+
+pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Makehuman1, "puts the asset on without its offsets from the second start on")],
+    docs: "All rows of an asset hang on one vertex alone (`v a b 1 0 0`), and have offsets.\n\n\
+        In the data of a user MakeHuman 1 writes an archive (`.mhpxy`) when such an asset is put on, and reads that one \
+        from the next start on. For rows like these it keeps the vertex and not the offset: the asset then lies on the \
+        vertices themselves.\n\n\
+        Export the asset with three vertices a row. A single row that has parts of two vertices keeps the offsets of all.",
+    ..RuleInfo::new("proxy-offsets-lost", Level::Warning, "offsets that the archive of an asset does not keep")
+});
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // Nothing is compiled in the data of the program.
+    if body.layers.checks_system() {
+        return;
+    }
+    for text in texts(body).filter(|text| !text.stops()) {
+        let rows = &text.clothes.rows;
+        // Without a uuid, and with `uvLayer`, no archive is made.
+        let is_compiled = text.last("uuid").is_some() && text.last("uvLayer").is_none();
+        if !is_compiled || !rows.has_offsets || rows.has_shares {
+            continue;
+        }
+        let verts = text.clothes.entries.iter().find(|entry| &*entry.keyword == "verts");
+        let place = verts.map_or(Place::File, |entry| Place::Line(entry.line));
+        let finding = RULE.at(text.file, place, "the rows have offsets, but each row uses only one vertex");
+        out.push(finding.help("export the asset with three vertices per row"));
+    }
+}

@@ -1,0 +1,135 @@
+//! The archive of an asset is that of its text.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use super::{Archive, Text, archives, listed, packed_proxy, texts};
+use mhlint_diag::{
+    Application::{Makehuman1, Makehuman2},
+    Case, Finding, Level, Place, RuleInfo, grouped,
+};
+use mhlint_formats::mhbin_asset::PackedAsset;
+use mhlint_formats::mhclo::{Clothes, Scanned};
+use mhlint_formats::python_int;
+use mhlint_repo::Body;
+
+pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "loads the archive unless the text is newer; until then the text has no effect"),
+        (Makehuman1, "loads the archive unless the text is newer; until then the text has no effect"),
+    ],
+    docs: "The `.mhbin` of an asset differs from the text beside it.\n\n\
+        MakeHuman 2 writes the archive when the asset is put on, and loads it in place of the text from then on, as \
+        long as the text is not newer. After a download or a checkout all files are of one age, so the archive wins. \
+        The date of the mesh is never looked at: a newly exported OBJ has no effect.\n\n\
+        There is one finding per archive, which lists what differs. Texture coordinates are not compared. If an asset was \
+        copied with its archive, the archive still has the old name and uuid, and one of the two assets is not listed: an \
+        error.\n\n\
+        MakeHuman 1 does the same with `.mhpxy`. One that was copied from another asset names a mesh that is not in its folder, \
+        and the asset cannot be put on: an error. Which vertices stand beside one that has all the weight does not matter.\n\n\
+        Delete the archive; the program writes it again. It does not belong in version control.",
+    ..RuleInfo::new("proxy-stale-binary", Level::Warning, "a packed asset differs from its text")
+});
+
+/// The binary still has the identity of the asset that it was copied with.
+const COPY: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "lists the archive, unless the text is newer, and of two assets with the same name and uuid only one",
+)];
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if body.is_makehuman1() {
+        return out.extend(body.worn.iter().filter_map(|worn| packed_proxy::finding(&RULE, body, worn)));
+    }
+    let known = identities(body);
+    for archive in archives(body) {
+        let Some(text) = archive.text.filter(|text| !text.stops()) else { continue };
+        let kinds = kinds(&archive, &text);
+        if kinds.is_empty() {
+            continue;
+        }
+        let message = format!("differs from `{}`: {}", text.file.file_name(), listed(&kinds));
+        let finding = RULE.at(archive.file, Place::File, message).parts(kinds.iter().copied());
+        let finding = finding.related(text.file.path.clone(), Place::File, "the `.mhclo` or `.proxy`");
+        let other =
+            known.get(&identity(archive.asset)).into_iter().flatten().copied().find(|other| *other != text.file.path);
+        let finding = match other {
+            Some(other) => finding.case(COPY).related(other.to_owned(), Place::File, "has the same name and uuid"),
+            None => finding,
+        };
+        out.push(finding.help("if the text (`.mhclo` or `.proxy`) and its mesh are up to date, delete the `.mhbin`: MakeHuman 2 builds it again from them"));
+    }
+}
+
+type Identity<'v> = (&'v str, &'v str);
+
+fn identity(asset: &PackedAsset) -> Identity<'_> {
+    let [name, uuid, ..] = &asset.texts;
+    (name, uuid)
+}
+
+/// The texts by name and uuid.
+fn identities<'v>(body: &Body<'v>) -> BTreeMap<Identity<'v>, Vec<&'v str>> {
+    let known = texts(body).filter_map(|text| {
+        let Scanned { name, uuid, .. } = &text.clothes.scanned;
+        Some(((&*name.as_ref()?.text, &*uuid.as_ref()?.text), text.file.path.as_str()))
+    });
+    grouped(known)
+}
+
+/// Everything that differs.
+fn kinds(archive: &Archive<'_, '_>, text: &Text<'_, '_>) -> Vec<&'static str> {
+    let (asset, clothes) = (archive.asset, text.clothes);
+    let value = |keyword: &str| clothes.last(keyword).map_or("", |entry| &*entry.value);
+    let word = |keyword: &str| clothes.last(keyword).map_or("", |entry| entry.word());
+    let [name, uuid, ..] = &asset.texts;
+    let [material, weights] = &asset.files;
+    let mesh = text.worn.mesh().filter(|(_, mesh)| mesh.is_sound()).map(|(_, mesh)| mesh.print);
+    let differs = [
+        ("name", clothes.last("name").is_some() && **name != *value("name")),
+        ("uuid", **uuid != *value("uuid")),
+        ("material", **material != *word("material")),
+        ("bone weights", **weights != *word("vertexboneweights_file")),
+        ("z_depth", asset.z_depth != depth(text)),
+        ("vertex rows", has_other_rows(archive, clothes)),
+        ("scale", has_other_scale(archive, clothes)),
+        ("hidden vertices", has_other_mask(archive, clothes)),
+        (
+            "mesh",
+            mesh.is_some_and(|mesh| mesh.vertices != asset.print.vertices || mesh.has_other_corners(&asset.print)),
+        ),
+    ];
+    differs.into_iter().filter(|(_, differs)| *differs).map(|(kind, _)| kind).collect()
+}
+
+fn depth(text: &Text<'_, '_>) -> i64 {
+    let written = text.last("z_depth").and_then(|entry| python_int(entry.word().as_bytes()));
+    if text.worn.is_topology() { 1 } else { written.unwrap_or(50) }
+}
+
+fn has_other_rows(archive: &Archive<'_, '_>, clothes: &Clothes) -> bool {
+    let (packed, text) = (&archive.asset.rows, &clothes.rows);
+    // Rows that cannot be used have a finding of their own.
+    if packed.count != archive.asset.print.vertices || packed.out_of_range.count > 0 {
+        return false;
+    }
+    let ([all, first], [own, own_first]) = (packed.prints, text.prints);
+    packed.count != text.count || if archive.asset.is_exact { first != own_first } else { all != own }
+}
+
+/// Without three usable distances no scale is packed.
+fn has_other_scale(archive: &Archive<'_, '_>, clothes: &Clothes) -> bool {
+    let [x, y, z] = clothes.scales.map(|scale| scale.filter(|scale| scale.distance >= 0.01));
+    let written = x.zip(y).zip(z).map(|((x, y), z)| [x, y, z].map(|scale| (scale.vertices, scale.distance)));
+    let packed = archive.asset.scale.map(|axes| axes.map(|(a, b, distance)| ([a, b], distance)));
+    written != packed
+}
+
+fn has_other_mask(archive: &Archive<'_, '_>, clothes: &Clothes) -> bool {
+    let length = archive.asset.mask.as_ref().map(|mask| mask.length);
+    let vertices = length.or(archive.asset.rows.mesh.map(|mesh| mesh.vertices));
+    let Some(vertices) = vertices else { return false };
+    let runs = archive.asset.mask.as_ref().map(|mask| mask.runs.as_slice()).unwrap_or_default();
+    clothes.merged_deletes(vertices) != runs
+}

@@ -1,0 +1,79 @@
+//! Left and right bones mirror each other.
+
+use super::super::{Check, Rule, RuleCx, such};
+use super::located::{Placed, apart, by_name, of_body};
+use super::{at_bones, pairs};
+use mhlint_diag::{Application::Mpfb, Finding, Level, RuleInfo};
+use mhlint_eval::side::Side;
+use mhlint_eval::vector::Vec3;
+use mhlint_formats::rig::Rig;
+use mhlint_repo::mpfb::{RigFile, View};
+
+pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
+    breaks: &[(Mpfb, "builds the bones as they are written; poses that are mirrored do not fit")],
+    docs: "A left bone is unlike its right one: it is connected and the other is not, or its head or tail, mirrored, is more than \
+        5 mm away from that of the other on the base mesh, which is exactly symmetric. Bones are paired by their names.\n\n\
+        MPFB builds both as they are written. A pose that is mirrored looks different on both sides.\n\n\
+        Give both the same keys, and joints or vertices that mirror each other.",
+    counts: "bones",
+    ..RuleInfo::new("rig-asymmetric", Level::Info, "a left bone is unlike its right one")
+});
+
+/// Nearer than this to each other places mirror one another, metres.
+const NEAR: f64 = 5e-3;
+
+/// In what two bones differ.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Unlike {
+    Connected,
+    Head,
+    Tail,
+}
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, rig, bones) in of_body(view) {
+        out.extend(finding(file, rig, &bones));
+    }
+}
+
+fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Finding> {
+    let known = by_name(bones);
+    let pair = |placed: &Placed<'_>| {
+        // Each pair is looked at once.
+        let (_, partner) = pairs::of(&placed.bone.name).filter(|(side, _)| *side == Side::Left)?;
+        known.get(partner.as_str()).copied()
+    };
+    // What lies otherwise than it should has findings of its own.
+    let swapped = pairs::swapped(bones);
+    let is_told = |one: &Placed<'_>| pairs::is_across(one) || swapped.contains(&one.bone.name.as_str());
+    let unlike: Vec<(&str, &str, Unlike)> = bones
+        .iter()
+        .filter_map(|left| {
+            let right = pair(left).filter(|right| !is_told(left) && !is_told(right))?;
+            Some((left.bone.name.as_str(), right.bone.name.as_str(), unlike(left, right)?))
+        })
+        .collect();
+    let (left, right, how) = unlike.first()?;
+    let how = match how {
+        Unlike::Connected => "is connected with its parent, or not, unlike",
+        Unlike::Head => "does not begin where it mirrors",
+        Unlike::Tail => "does not end where it mirrors",
+    };
+    let message = format!("bone `{left}` {how} `{right}`{}", such(unlike.len(), "bones"));
+    let names: Vec<&str> = unlike.iter().map(|(left, ..)| *left).collect();
+    let finding = at_bones(&RULE, file, rig, &names, "", message)?;
+    Some(finding.help("give both bones the same keys, and joints or vertices that mirror each other"))
+}
+
+fn unlike(left: &Placed<'_>, right: &Placed<'_>) -> Option<Unlike> {
+    if left.bone.use_connect != right.bone.use_connect {
+        return Some(Unlike::Connected);
+    }
+    let ((left_head, left_tail), (right_head, right_tail)) = (left.found()?, right.found()?);
+    let is_off = |own: Vec3, other: Vec3| apart([-own[0], own[1], own[2]], other) > NEAR;
+    match (is_off(left_head, right_head), is_off(left_tail, right_tail)) {
+        (true, _) => Some(Unlike::Head),
+        (_, true) => Some(Unlike::Tail),
+        _ => None,
+    }
+}

@@ -1,0 +1,78 @@
+//! Rigs of a user are listed.
+
+use super::super::{Check, Rule, RuleCx};
+use mhlint_diag::{Application::Mpfb, Case, Finding, Level, Place, RuleInfo};
+use mhlint_discover::Kind;
+use mhlint_formats::rig::{Identifying, LayoutFault, Rig};
+use mhlint_repo::mpfb::{View, is_listed};
+use mhlint_repo::{FileFacts, parent};
+
+pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
+    breaks: &[(Mpfb, "does not list the rig")],
+    docs: "MPFB lists the JSON files directly in the `rigs/` of a user that have a name of letters, digits and `_` alone, and \
+        the key `identifying_bones`. All others are passed over without a message: `my-rig.json`, `rig.mine.json`, one in a \
+        folder below, one without the key.\n\n\
+        A file there that is a list, a number or a text raises an exception: then no rig of a user is listed at all. A file \
+        without bones, such as notes or weights, is none of them and is not reported.\n\n\
+        Rename the file, or add `identifying_bones` with names of bones that no other rig has.",
+    ..RuleInfo::new("rig-custom-scan", Level::Error, "a rig of a user that is not listed")
+});
+
+const NONE_LISTED: Case = &[(Mpfb, Level::Error, "fails with an exception when rigs are listed: no rig of a user is")];
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if view.layers.checks_system() && !view.layers.is_one_root() {
+        return;
+    }
+    for file in view.own(Kind::CustomRig).chain(view.own(Kind::Rig)) {
+        let Some(rig) = file.rig() else { continue };
+        out.extend(if parent(&file.rel) == "rigs" { listed(file, rig) } else { too_deep(view, file, rig) });
+    }
+}
+
+fn listed(file: &FileFacts, rig: &Rig) -> Option<Finding> {
+    if let Some(found) = no_object(rig) {
+        // What is not looked at for its name does no harm.
+        let message = format!("the file is {found}, expected an object");
+        let finding = RULE.at(file, Place::File, message).case(NONE_LISTED);
+        return is_listed(file).then(|| finding.help("remove the file from `rigs`, or export the rig again"));
+    }
+    if !is_rig(rig) {
+        let finding = || RULE.at(file, Place::File, "the file is a skeleton of MakeHuman, and not a rig of MPFB");
+        let is_skeleton = is_listed(file)
+            && (rig.has_header && !rig.bones.is_empty() || rig.faults.layout.contains(&LayoutFault::Skeleton));
+        return is_skeleton
+            .then(|| finding().help("make a rig of it in Blender and save that with MPFB; it reads no `.mhskel`"));
+    }
+    if !is_listed(file) {
+        let message = format!("`{}` has other characters than letters, digits and `_` in its name", file.file_name());
+        let plain: String =
+            file.stem().chars().map(|one| if one.is_ascii_alphanumeric() { one } else { '_' }).collect();
+        let finding =
+            RULE.at(file, Place::File, message).help(format!("rename it to `{plain}.json`, and its weights alike"));
+        return Some(finding);
+    }
+    let lacks = rig.identifying == Identifying::Absent;
+    let finding = || RULE.at(file, Place::File, "the rig has no `identifying_bones`");
+    lacks.then(|| finding().help("add `identifying_bones` with names of bones that no other rig has"))
+}
+
+fn too_deep(view: &View<'_>, file: &FileFacts, rig: &Rig) -> Option<Finding> {
+    if view.layers.is_one_root() || !is_rig(rig) {
+        return None;
+    }
+    let message = format!("rigs of a user are looked for in `rigs` alone, and not in `{}`", parent(&file.rel));
+    Some(RULE.at(file, Place::File, message).help("move the file to `rigs`, with its weights"))
+}
+
+fn no_object(rig: &Rig) -> Option<&'static str> {
+    rig.faults.layout.iter().find_map(|fault| match fault {
+        LayoutFault::NotObject(found) => Some(*found),
+        _ => None,
+    })
+}
+
+/// Whether a file has bones, or says by which it is recognised.
+fn is_rig(rig: &Rig) -> bool {
+    rig.bones.iter().any(|bone| bone.head.is_some() || bone.tail.is_some()) || rig.identifying != Identifying::Absent
+}

@@ -1,0 +1,120 @@
+//! What a sub-rig names of the rig of the body is one bone of it.
+
+use super::super::{Check, Rule, RuleCx, did_you_mean, such};
+use super::located::{Figure, Placed, apart, placed};
+use super::{STOPS, at_bones, has_asset, stops};
+use mhlint_diag::{Application::Mpfb, Case, Finding, Level, RuleInfo};
+use mhlint_eval::mpfb::joints::Joints;
+use mhlint_eval::vector::Vec3;
+use mhlint_formats::rig::{Rig, RigBone, Target};
+use mhlint_repo::mpfb::{RigFile, RigPart, View};
+
+pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
+    breaks: &[(Mpfb, STOPS)],
+    docs: "A constraint of a sub-rig (`.mpfbskel`) can be bound to a bone of the rig that the body has, whatever that is: \
+        `target` is an object with the strategy JOINTS, and `joint_head` and `joint_tail` are the joints where that bone begins \
+        and ends.\n\n\
+        If several bones lie between the joints, MPFB raises an exception. If a joint does not exist, the constraint keeps the \
+        `subtarget` as it is written (a warning). In a rig of the body such a target raises an exception, too.\n\n\
+        Name the joints of one bone.",
+    counts: "bones",
+    ..RuleInfo::new("rig-parent-span", Level::Error, "a sub-rig names more than one bone of the rig of the body")
+});
+
+const AS_WRITTEN: Case = &[(Mpfb, Level::Warning, "silently binds the constraint to the `subtarget` as it is written")];
+
+/// MPFB takes places for one that are nearer than this, metres (§21.1).
+const NEAR: f64 = 0.01;
+
+fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let figure = Figure::of(view);
+    let joints = figure.as_ref().map(Figure::joints);
+    for (file, rig) in view.own_rigs() {
+        let bound = rig.bones.iter().flat_map(|bone| bone.constraints.iter().map(move |one| (bone, one)));
+        let targets = bound.flat_map(|(bone, one)| one.targets.iter().map(move |own| (bone, own)));
+        if file.part != RigPart::Asset {
+            let foreign = targets.filter(|(_, (target, _))| matches!(target, Target::Parent | Target::Span(..)));
+            out.extend(in_rig_of_body(file, rig, &foreign.map(|(bone, _)| bone.name.as_str()).collect::<Vec<_>>()));
+            continue;
+        }
+        let Some(joints) = joints.as_ref().filter(|_| has_asset(file)) else { continue };
+        for (bone, (target, subtarget)) in targets {
+            // Without a bone to replace nothing is looked for.
+            if let (Target::Span(_, head, tail), Some(_)) = (target, subtarget) {
+                out.extend(unknown(file, rig, bone, [head, tail], joints, cx));
+                out.extend(several(view, file, rig, bone, [head, tail], joints));
+            }
+        }
+    }
+}
+
+fn in_rig_of_body(file: &RigFile<'_>, rig: &Rig, bones: &[&str]) -> Option<Finding> {
+    let first = bones.first()?;
+    let message = format!("a constraint of bone `{first}` names another rig{}", such(bones.len(), "constraints"));
+    let finding = at_bones(&RULE, file, rig, bones, "constraints", message)?.key("body");
+    Some(finding.help("write `\"target\": true` for the rig itself"))
+}
+
+fn unknown(
+    file: &RigFile<'_>,
+    rig: &Rig,
+    bone: &RigBone,
+    ends: [&String; 2],
+    joints: &Joints<'_>,
+    cx: &RuleCx<'_>,
+) -> Option<Finding> {
+    let name = ends.into_iter().find(|name| joints.cube(name).is_none())?;
+    let message = format!("joint `{name}` in a constraint of bone `{}` does not exist", bone.name);
+    let near = cx.suggestions.nearest(name, joints.names());
+    let finding = at_bones(&RULE, file, rig, &[&bone.name], "constraints", message)?.key("joint");
+    Some(finding.case(AS_WRITTEN).help(did_you_mean(near, "name a joint of the base mesh")))
+}
+
+/// A rig of the body in which several bones lie between the joints, and not one.
+fn several(
+    view: &View<'_>,
+    file: &RigFile<'_>,
+    rig: &Rig,
+    bone: &RigBone,
+    [head, tail]: [&String; 2],
+    joints: &Joints<'_>,
+) -> Option<Finding> {
+    let (from, to) = (joints.cube(head)?, joints.cube(tail)?);
+    let of_body = view.rigs.iter().filter(|rig| rig.part == RigPart::Standard);
+    let spanned = |of_body: &&RigFile<'_>| {
+        let bones = of_body.definition().map(|rig| placed(rig, joints)).unwrap_or_default();
+        is_chain(&bones, from, to)
+    };
+    let wrong: Vec<&str> = of_body.filter(spanned).map(|rig| rig.name).collect();
+    let first = wrong.first()?;
+    let message = format!(
+        "from `{head}` to `{tail}` in a constraint of bone `{}` lies more than one bone of the rig `{first}`{}",
+        bone.name,
+        such(wrong.len(), "rigs")
+    );
+    let finding = at_bones(&RULE, file, rig, &[&bone.name], "constraints", message)?.key("span");
+    Some(stops(file, finding.help("name the joints at which one bone begins and ends")))
+}
+
+/// Bones that are followed from joint to joint.
+const LONGEST: usize = 64;
+
+/// Whether bones lead from one place to another, one behind the other, and none does so alone.
+fn is_chain(bones: &[Placed<'_>], from: Vec3, to: Vec3) -> bool {
+    let ends: Vec<(Vec3, Vec3)> = bones.iter().filter_map(Placed::ends).collect();
+    let next = |at: Vec3| ends.iter().filter(move |(head, _)| apart(*head, at) < NEAR).map(|(_, tail)| *tail);
+    if next(from).any(|tail| apart(tail, to) < NEAR) {
+        return false;
+    }
+    let mut places: Vec<Vec3> = next(from).collect();
+    for _ in 0..LONGEST {
+        if places.is_empty() {
+            return false;
+        }
+        if places.iter().any(|place| apart(*place, to) < NEAR) {
+            return true;
+        }
+        places = places.iter().flat_map(|place| next(*place)).take(LONGEST).collect();
+    }
+    false
+}

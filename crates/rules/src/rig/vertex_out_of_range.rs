@@ -1,0 +1,99 @@
+//! Vertices that bones end at exist.
+
+use super::super::{Check, Rule, RuleCx, such};
+use super::ends::{AT_DEFAULT, ends, has_place};
+use super::{STOPS, at_bones, stops};
+use mhlint_diag::{Application::Mpfb, Case, Finding, Level, RuleInfo};
+use mhlint_formats::rig::{End, Rig, RigBone, Strategy};
+use mhlint_repo::mpfb::{RigFile, RigPart, View};
+use mhlint_repo::parent;
+
+pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
+    breaks: &[(Mpfb, STOPS)],
+    docs: "`vertex_index` and `vertex_indices` of an end count the vertices of the base mesh from 0, those of a sub-rig \
+        (`.mpfbskel`) the vertices of its asset.\n\n\
+        If one of them does not exist, MPFB puts the whole end at `default_position`, which follows no morph (a warning); \
+        without one the rig cannot be made. A negative number counts from the last vertex: the end lies somewhere else (a \
+        warning).\n\n\
+        Usually the rig was made for another mesh. Name vertices of this one.",
+    counts: "bones",
+    ..RuleInfo::new("rig-vertex-out-of-range", Level::Error, "a bone ends at a vertex that the mesh does not have")
+});
+
+const FROM_THE_END: Case =
+    &[(Mpfb, Level::Warning, "silently counts from the last vertex: the bone ends somewhere else")];
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, rig) in view.own_rigs() {
+        let Some(count) = vertices(view, file).and_then(|count| i64::try_from(count).ok()) else { continue };
+        for key in ["without default", "default", "negative"] {
+            let found = ends(rig).filter(|(.., end)| sort(end, count) == Some(key));
+            let found: Vec<(&RigBone, &'static str, &End)> = found.collect();
+            out.extend(finding(file, rig, &found, key, count));
+        }
+    }
+}
+
+/// What is wrong with the vertices of an end.
+fn sort(end: &End, count: i64) -> Option<&'static str> {
+    match (is_beyond(end, count), has_place(end)) {
+        (true, false) => Some("without default"),
+        (true, true) => Some("default"),
+        (false, _) => listed(end).any(|vertex| vertex < 0).then_some("negative"),
+    }
+}
+
+/// How many vertices there are to count.
+fn vertices(view: &View<'_>, file: &RigFile<'_>) -> Option<usize> {
+    if file.part != RigPart::Asset {
+        let (_, mesh) = view.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
+        return Some(mesh.facts.vertices);
+    }
+    let is_own = |asset: &str, stem: &str| asset == parent(&file.file.rel) && stem == file.file.stem();
+    let asset = view.worn_anywhere().find(|worn| is_own(parent(&worn.file.rel), worn.file.stem()))?;
+    Some(asset.mesh()?.1.facts.vertices)
+}
+
+fn listed(end: &End) -> impl Iterator<Item = i64> {
+    let (one, many) = match &end.strategy {
+        Strategy::Vertex(vertex) => (Some(*vertex), [].as_slice()),
+        Strategy::Mean(vertices) | Strategy::Xyz(vertices) => (None, vertices.as_slice()),
+        _ => (None, [].as_slice()),
+    };
+    one.into_iter().chain(many.iter().copied())
+}
+
+fn is_beyond(end: &End, count: i64) -> bool {
+    listed(end).any(|vertex| vertex >= count || vertex < -count)
+}
+
+fn finding(
+    file: &RigFile<'_>,
+    rig: &Rig,
+    found: &[(&RigBone, &'static str, &End)],
+    key: &'static str,
+    count: i64,
+) -> Option<Finding> {
+    let (bone, which, end) = found.first()?;
+    let is_negative = key == "negative";
+    let vertex =
+        listed(end).find(|vertex| if is_negative { *vertex < 0 } else { *vertex >= count || *vertex < -count })?;
+    let (more, last) = (such(found.len(), "ends"), count.saturating_sub(1));
+    let whose = if file.part == RigPart::Asset { "the asset" } else { "the base mesh" };
+    let message = if is_negative {
+        format!("vertex {vertex} of `{which}` of bone `{}` is negative{more}", bone.name)
+    } else {
+        format!(
+            "vertex {vertex} of `{which}` of bone `{}` does not exist; {whose} has vertices 0 to {last}{more}",
+            bone.name
+        )
+    };
+    let bones: Vec<&str> = found.iter().map(|(bone, ..)| bone.name.as_str()).collect();
+    let finding = at_bones(&RULE, file, rig, &bones, which, message)?.key(key);
+    let finding = finding.help(format!("name a vertex of {whose}, counted from 0"));
+    Some(match key {
+        "negative" => finding.case(FROM_THE_END),
+        "default" => finding.case(AT_DEFAULT),
+        _ => stops(file, finding),
+    })
+}

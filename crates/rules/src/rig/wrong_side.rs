@@ -1,0 +1,39 @@
+//! Bones lie on the side that their names say.
+
+use super::super::units::centimetres_of_metres;
+use super::super::{Check, Rule, RuleCx, bones_in_words};
+use super::at_bones;
+use super::located::{Placed, of_body};
+use super::pairs::is_across;
+use mhlint_diag::{Application::Mpfb, Finding, Level, RuleInfo};
+use mhlint_formats::rig::Rig;
+use mhlint_repo::mpfb::{RigFile, View};
+
+pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
+    breaks: &[(Mpfb, "builds the bone where it is written: it moves what lies on the side opposite to its name")],
+    docs: "Both ends of a left bone lie on the right half of the base mesh, or the reverse. Left and right bones are recognised \
+        by their names. Left is where x is positive.\n\n\
+        MPFB builds the bone there. Its weights are on the side that its name says, so that the limb is pulled from across the \
+        body.\n\n\
+        Name the joints or vertices of the correct side.",
+    counts: "bones",
+    ..RuleInfo::new("rig-wrong-side", Level::Warning, "a bone is not on the side its name says")
+});
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, rig, bones) in of_body(view) {
+        out.extend(finding(file, rig, &bones));
+    }
+}
+
+fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Finding> {
+    let across: Vec<&Placed<'_>> = bones.iter().filter(|placed| is_across(placed)).collect();
+    let (head, _) = across.first()?.found()?;
+    let names: Vec<&str> = across.iter().map(|placed| placed.bone.name.as_str()).collect();
+    let is_not =
+        if names.len() == 1 { "is not on the side its name says" } else { "are not on the side their names say" };
+    let at = centimetres_of_metres(head[0]);
+    let message = format!("{} {is_not}: `{}` begins at x = {at}", bones_in_words(&names), names.first()?);
+    let finding = at_bones(&RULE, file, rig, &names, "", message)?;
+    Some(finding.help("swap the left and right joints, or name the vertices of the correct side"))
+}

@@ -1,0 +1,54 @@
+//! The weights of a skeleton must be found.
+
+use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::{Rig, rigs};
+use mhlint_diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, RuleInfo,
+};
+use mhlint_repo::{Body, Reference, Resolution};
+
+pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[
+        (Makehuman2, "rejects the skeleton and logs a line"),
+        (Makehuman1, "fails with `FileNotFoundError` when the skeleton is chosen, at start for the base skeleton"),
+    ],
+    docs: "The weights file of a skeleton does not exist where MakeHuman 2 looks for it.\n\n\
+        MakeHuman 2 looks for `weights_file` (`default_weights.mhw` if the key is missing) in `rigs/<base>/` of \
+        the user's data, then of the system data, and never beside the skeleton. If the file does not exist there, it \
+        rejects the whole skeleton.\n\n\
+        MakeHuman 1 looks beside the skeleton, then for the whole path below the data folders; a skeleton without the key \
+        takes its weights through references.\n\n\
+        Correct the name, or move the file. A skeleton in a sub-folder has to name the sub-folder: `sub/file.mhw`.",
+    ..RuleInfo::new(
+        "skeleton-missing-weights",
+        Level::Error,
+        "the weights file of a skeleton is not where MakeHuman 2 looks for it",
+    )
+});
+
+fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(body) {
+        let missing = |reference: &&Reference<'_>| matches!(reference.resolution, Resolution::Missing);
+        let Some(reference) = rig.own.weights.as_ref().filter(missing) else { continue };
+        let folder = reference.rel.strip_suffix(reference.text).unwrap_or_default();
+        let unnamed = if rig.skeleton.weights_file.is_some() { "" } else { "no `weights_file` is named, and " };
+        let message = format!("{unnamed}weights file `{}` does not exist in `{folder}`", reference.text);
+        let help = help(body, &rig, (folder, reference.text), cx);
+        out.push(RULE.at(rig.file, reference.place.clone(), message).help(help));
+    }
+}
+
+fn help(body: &Body<'_>, rig: &Rig<'_>, (root, text): (&str, &str), cx: &RuleCx<'_>) -> String {
+    let below = rig.file.rel.strip_prefix(root).and_then(|rest| rest.rsplit_once('/'));
+    let all: Vec<&str> = body.weights.iter().filter_map(|own| own.file.rel.strip_prefix(root)).collect();
+    if let Some((folder, _)) = below
+        && all.iter().any(|name| *name == format!("{folder}/{text}"))
+    {
+        return format!("write `{folder}/{text}`: the file is in the folder of the skeleton");
+    }
+    did_you_mean(
+        cx.suggestions.nearest(text, all.iter().copied()),
+        format!("move the file into `{root}`, or name a file that exists there"),
+    )
+}

@@ -1,0 +1,41 @@
+//! A detail does not depend on some values of a macro alone.
+
+use super::super::{Check, Rule, RuleCx, enumerated};
+use mhlint_diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
+use mhlint_formats::target_name::CATEGORIES;
+use mhlint_repo::makehuman1::{NamedTarget, View};
+
+pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
+    breaks: &[(Makehuman1, "applies it with a part of its weight, or not at all, at other values of the macro")],
+    docs: "A word such as `female` or `old` in the path of a target makes it depend on that macro variable, also in the name of \
+        a folder. A detail that has `female` alone works with half its weight on the neutral figure, and not at all on a male \
+        one.\n\n\
+        Add targets for the other values, or choose another word.",
+    ..RuleInfo::new("target-gendered-detail", Level::Warning, "a detail that depends on some values of a macro")
+});
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if !view.layers.checks_system() || view.targets.is_packed {
+        return;
+    }
+    let details = view.modifiers.all.iter().filter(|one| one.modifier.variable.is_none());
+    for part in details.flat_map(|one| &one.parts) {
+        let targets: Vec<&NamedTarget<'_>> = part.targets.iter().filter_map(|place| view.targets.at(*place)).collect();
+        for (category, words) in CATEGORIES {
+            let values: Vec<&str> = words
+                .iter()
+                .copied()
+                .filter(|word| targets.iter().any(|target| target.name.value(category) == Some(word)))
+                .collect();
+            let Some(first) = targets.iter().find(|target| target.name.value(category).is_some()) else { continue };
+            if values.len() == words.len() {
+                continue;
+            }
+            let quoted: Vec<String> = values.iter().map(|value| format!("`{value}`")).collect();
+            let message = format!("depends on {category}: there is a target for {} alone", enumerated(&quoted));
+            let finding = RULE.at(first.file, Place::File, message).key(category);
+            let others: Vec<&str> = words.iter().copied().filter(|word| !values.contains(word)).collect();
+            out.push(finding.help(format!("rename it, or add targets for {}", enumerated(&others))));
+        }
+    }
+}

@@ -1,9 +1,0 @@
-//! Files that MakeHuman 2 writes itself, for the targets of a user.
-
-use crate::repo::FileFacts;
-use crate::repo::makehuman2::Base;
-
-/// Whether the file is the `modelling.json` of a base that MakeHuman 2 makes from the user's targets.
-pub(in crate::rules) fn is_generated_for(base: &Base<'_>, file: &FileFacts) -> bool {
-    base.user_modelling.file().is_some_and(|own| std::ptr::eq(own, file))
-}
