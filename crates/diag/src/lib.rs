@@ -34,7 +34,7 @@ pub use evidence::{Cases, EXAMPLES, Evidence, Few, Tally, Worst};
 pub use finding::{Break, Finding, IgnoredFiles, NewParts, Related};
 pub use fix::{Change, Edit, Fix, Replaced, Rewrite, Step};
 pub use glued::{begins_word, glued, is_like_path};
-pub use grouped::grouped;
+pub use grouped::{Grouped, grouped};
 pub use identity::{Identity, PlaceKind, Sign, Speaks};
 pub use key::{fingerprint, structural};
 pub use level::{Application, Confidence, Level};

@@ -92,7 +92,8 @@ fn differing(now: &Data<'_>, before: &Data<'_>) -> BTreeSet<Option<String>> {
 /// What is evaluated but for targets, which are read in turn, by the base that it belongs to.
 fn contents<'d>(data: &'d Data<'_>) -> BTreeMap<Option<&'d str>, Vec<&'d Arc<Content>>> {
     let files = data.all().flat_map(|root| root.layer.files.values());
-    grouped(files.filter(|file| Format::of(file.kind).is_read()).map(|file| (file.base(), &file.content)))
+    let read = files.filter(|file| Format::of(file.kind).is_read());
+    grouped(read.map(|file| (file.base(), &file.content))).into_iter().collect()
 }
 
 /// The targets of a base.

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use super::mhw_facts::{SUM_TOLERANCE, THRESHOLD};
 use super::stored;
-use mhlint_diag::{Edit, grouped};
+use mhlint_diag::{Edit, Grouped, grouped};
 use mhlint_json::{self as json, Member, Node};
 
 /// Steps in which the rounding of a sum is given to the largest weight; one is nearly always enough.
@@ -130,7 +130,7 @@ impl<'d> Table<'d> {
         Self { object, bones, entries: read.flat_map(pairs).collect() }
     }
 
-    fn by_vertex(&self) -> BTreeMap<i64, Vec<&Entry>> {
+    fn by_vertex(&self) -> Grouped<i64, &Entry> {
         grouped(self.entries.iter().map(|entry| (entry.vertex, entry)))
     }
 

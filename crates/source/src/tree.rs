@@ -12,7 +12,7 @@ use super::listing::{Room, add_file, add_folders, folders_above, memory_entries}
 use super::pack::{Pack, PackFacts};
 use super::read::{ends_of, read_bounded, too_large};
 use super::walk::{self, Walk, Wanted};
-use mhlint_diag::grouped;
+use mhlint_diag::{Grouped, grouped};
 
 /// Contents of files by path, where they are not those that lie there; `None`: there is no such file.
 pub type Contents<P> = BTreeMap<P, Option<Vec<u8>>>;
@@ -365,7 +365,7 @@ impl Tree {
 }
 
 /// The other paths of a file: links to it, and what lies there behind links to folders.
-fn linked(links: &BTreeMap<&str, Vec<&str>>, path: &str) -> BTreeSet<String> {
+fn linked(links: &Grouped<&str, &str>, path: &str) -> BTreeSet<String> {
     let above =
         folders_above(path).chain([path]).filter_map(|meant| Some((links.get(meant)?, path.get(meant.len()..)?)));
     above.flat_map(|(links, rest)| links.iter().map(move |link| format!("{link}{rest}"))).collect()

@@ -25,7 +25,8 @@ pub(super) fn roots_beside(
     let peek = |path: &str| look_into(tree, path);
     let listing = listing(tree).with_contents(&peek).with_bases(bases.iter().map(String::as_str));
     let wanted = find_roots(&listing, meant).into_iter().filter(|root| wanted(root.application));
-    let mut roots = grouped(wanted.map(|root| (root.path, Layout::of(root.application))));
+    let roots = grouped(wanted.map(|root| (root.path, Layout::of(root.application))));
+    let mut roots: BTreeMap<String, Vec<&'static Layout>> = roots.into_iter().collect();
     for (path, layouts) in &mut roots {
         leave_to_program(tree, &listing, path, layouts, meant.named);
     }

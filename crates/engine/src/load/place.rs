@@ -79,7 +79,7 @@ impl<'t> Place<'t> {
         is_loose: bool,
     ) -> Self {
         let bulk = below.iter().enumerate().filter(|(_, file)| is_bulk(file));
-        let bulk = grouped(bulk.map(|(number, file)| (file.owner().map(str::to_owned), number)));
+        let bulk = grouped(bulk.map(|(number, file)| (file.owner().map(str::to_owned), number))).into_iter().collect();
         Self {
             tree,
             root: root.to_owned(),

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Base, BoundSlider, Pattern};
-use mhlint_diag::{Sought, grouped};
+use mhlint_diag::{Grouped, Sought, grouped};
 use mhlint_formats::modelling::Modelling;
 
 /// Names of missing targets that are compared with others: each pattern that is looked for is compared with all of them.
@@ -28,7 +28,7 @@ pub(super) struct Intent<'a> {
     /// Folders of the barycentric sets that are too short.
     short: BTreeSet<Option<String>>,
     /// Numbers of the sliders with two targets that no pair of opposites covers, by `decr`.
-    undeclared: BTreeMap<&'a str, Vec<usize>>,
+    undeclared: Grouped<&'a str, usize>,
     /// Targets of sliders that lack one.
     lacking: BTreeMap<&'a str, Sought<'a>>,
 }

@@ -1,10 +1,8 @@
 //! Sliders bound to a base: their identity ("pattern") and where their files come from
 //! (formats/makehuman2.md §4.2).
 
-use std::collections::BTreeMap;
-
 use crate::FileFacts;
-use mhlint_diag::grouped;
+use mhlint_diag::{Grouped, grouped};
 use mhlint_formats::modelling::Slider;
 
 /// A slider of a base.
@@ -86,7 +84,7 @@ impl Pattern {
 }
 
 /// `target-opposites` of `base.json`, by the ending of `decr`: place in the file and the ending of `incr`.
-pub struct Opposites<'o>(BTreeMap<&'o str, Vec<(usize, &'o str)>>);
+pub struct Opposites<'o>(Grouped<&'o str, (usize, &'o str)>);
 
 impl<'o> Opposites<'o> {
     /// For pairs in file order.

@@ -145,7 +145,8 @@ impl<'a> View<'a> {
     /// A body for every base, and one for the targets and weights that belong to none.
     pub(crate) fn bodies<'v>(&'v self, view: &'v crate::View<'v>) -> Vec<Body<'v>> {
         let files = view.files().filter(|file| is_of_body(file));
-        let mut files = grouped(files.map(|file| (file.base_in(OWN).unwrap_or_default(), file)));
+        let files = grouped(files.map(|file| (file.base_in(OWN).unwrap_or_default(), file)));
+        let mut files: BTreeMap<_, _> = files.into_iter().collect();
         let body = |name: &'v str, files: Vec<&'v FileFacts>| {
             let of = |kind| files.iter().copied().filter(move |file| file.kind == kind);
             let base = self.base(name);

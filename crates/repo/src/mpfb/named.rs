@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::sliders::is_custom;
 use super::view::OWN;
 use crate::{FileFacts, Layers, Worn};
-use mhlint_diag::grouped;
+use mhlint_diag::{Grouped, grouped};
 use mhlint_discover::Layout;
 use mhlint_formats::mhclo::Entry;
 use mhlint_source::is_below;
@@ -101,7 +101,7 @@ impl<'a> NamedTargets<'a> {
 
 /// Files of assets by their names: folders count only where several have one name.
 #[derive(Debug, Default)]
-pub struct NamedFiles<'a>(BTreeMap<&'a str, Vec<&'a FileFacts>>);
+pub struct NamedFiles<'a>(Grouped<&'a str, &'a FileFacts>);
 
 impl<'a> NamedFiles<'a> {
     /// Those of all layers.

@@ -1,11 +1,11 @@
 //! The catalogue of MPFB must name targets that exist.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, counted, such};
 use super::neighbours::Neighbours;
 use super::{checked, forgotten_ends, sliders};
-use mhlint_diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo, grouped, pointer, steps};
+use mhlint_diag::{Application::Mpfb, Evidence, Finding, Grouped, Level, Place, RuleInfo, grouped, pointer, steps};
 use mhlint_formats::target_catalog::Section;
 use mhlint_repo::mpfb::{Catalog, View};
 use mhlint_repo::{Reference, ReferenceKind, Resolution, parent};
@@ -61,9 +61,7 @@ fn cause(catalog: &Catalog<'_>, reference: &Reference<'_>) -> String {
 const MANY: usize = 4;
 
 /// Many files of one folder are one cause.
-fn many_of_folder<'r, 'a>(
-    by_cause: BTreeMap<String, Vec<&'r Reference<'a>>>,
-) -> BTreeMap<String, Vec<&'r Reference<'a>>> {
+fn many_of_folder<'r, 'a>(by_cause: Grouped<String, &'r Reference<'a>>) -> Grouped<String, &'r Reference<'a>> {
     let folder = |cause: &str, references: &[&Reference<'_>]| {
         let rel = &references.first()?.rel;
         (cause == rel).then(|| parent(rel).to_owned())
@@ -72,12 +70,12 @@ fn many_of_folder<'r, 'a>(
         grouped(by_cause.iter().filter_map(|(cause, references)| Some((folder(cause, references)?, cause))));
     let many: BTreeSet<String> =
         by_folder.iter().filter(|(_, causes)| causes.len() >= MANY).map(|(folder, _)| format!("{folder}/")).collect();
-    let mut merged: BTreeMap<String, Vec<&Reference<'_>>> = BTreeMap::new();
-    for (cause, references) in by_cause {
+    let merged = by_cause.into_iter().flat_map(|(cause, references)| {
         let folder = folder(&cause, &references).map(|folder| format!("{folder}/")).filter(|one| many.contains(one));
-        merged.entry(folder.unwrap_or(cause)).or_default().extend(references);
-    }
-    merged
+        let cause = folder.unwrap_or(cause);
+        references.into_iter().map(move |one| (cause.clone(), one))
+    });
+    grouped(merged)
 }
 
 fn told(cause: &str, references: &[&Reference<'_>], neighbours: &Neighbours<'_, '_>) -> Option<Finding> {

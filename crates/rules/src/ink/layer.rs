@@ -1,11 +1,9 @@
 //! An ink layer names a picture beside it and a UV layer that exists.
 
-use std::collections::BTreeMap;
-
 use super::super::pictures::blender_loads;
 use super::super::unfit::findings;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use mhlint_diag::{Application::Mpfb, Finding, Level, Place, RuleInfo, grouped};
+use mhlint_diag::{Application::Mpfb, Finding, Grouped, Level, Place, RuleInfo, grouped};
 use mhlint_discover::Kind;
 use mhlint_formats::unfit::NamedAt;
 use mhlint_repo::mpfb::View;
@@ -38,7 +36,7 @@ fn picture(
     view: &View<'_>,
     file: &FileFacts,
     image: &NamedAt,
-    pictures: &BTreeMap<&str, Vec<&str>>,
+    pictures: &Grouped<&str, &str>,
     cx: &RuleCx<'_>,
 ) -> Option<Finding> {
     let (layer, folder) = (view.layers.checked, parent(&file.rel));

@@ -3,10 +3,10 @@
 //! File names are free; by habit they are the values of a combination, with those left out that make no difference.
 
 use std::cell::Cell;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::links::has_suffix;
-use mhlint_diag::grouped;
+use mhlint_diag::{Grouped, grouped};
 use mhlint_formats::macro_json::{MacroFile, Macrodef};
 
 /// The parts of a name.
@@ -25,7 +25,7 @@ const COMPARED: usize = 1 << 22;
 /// Names of files or of combinations, each with what it belongs to, found by the values that they spell.
 pub(super) struct Spellings<'s, T> {
     all: Vec<(BTreeSet<&'s str>, T)>,
-    by_value: BTreeMap<&'s str, Vec<usize>>,
+    by_value: Grouped<&'s str, usize>,
     compared: Cell<usize>,
 }
 

@@ -1,10 +1,10 @@
 //! Entries of `macro.json` that name a file of other values while a better one is free.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::fit::{Spellings, contradiction, values_of};
 use super::links::{MacroLink, links};
-use mhlint_diag::grouped;
+use mhlint_diag::{Grouped, grouped};
 use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::{Base, View};
 
@@ -21,7 +21,7 @@ pub(super) struct Suspect<'s> {
 const CROWD: usize = 4;
 
 /// Suspects by the definition and the file that they name.
-pub(super) fn by_file<'a>(suspects: &'a [Suspect<'_>]) -> BTreeMap<(usize, &'a str), Vec<&'a Suspect<'a>>> {
+pub(super) fn by_file<'a>(suspects: &'a [Suspect<'_>]) -> Grouped<(usize, &'a str), &'a Suspect<'a>> {
     let file = |suspect: &Suspect<'a>| (suspect.link.macrodef.index, suspect.link.reference.text);
     grouped(suspects.iter().map(|suspect| (file(suspect), suspect)))
 }

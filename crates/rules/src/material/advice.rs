@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Bound;
 
 use super::super::{did_you_mean, meant_beside};
-use mhlint_diag::{Place, Suggestions, grouped};
+use mhlint_diag::{Grouped, Place, Suggestions, grouped};
 use mhlint_discover::extension;
 use mhlint_formats::mhmat::Line;
 use mhlint_repo::{FileFacts, PictureFolders, Reference, View};
@@ -13,7 +13,7 @@ use mhlint_repo::{FileFacts, PictureFolders, Reference, View};
 pub(super) struct Advice<'v, 'a> {
     view: &'v View<'a>,
     /// By their names without folders.
-    pictures: BTreeMap<&'a str, Vec<&'a FileFacts>>,
+    pictures: Grouped<&'a str, &'a FileFacts>,
     /// By their paths.
     paths: BTreeMap<&'a str, &'a FileFacts>,
     suggestions: Suggestions,

@@ -1,12 +1,12 @@
 //! A keyword must not be set twice.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::loader;
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
-    Finding, Level, Place, RuleInfo, grouped,
+    Finding, Grouped, Level, Place, RuleInfo, grouped,
 };
 use mhlint_formats::mhmat::{Line, Value};
 use mhlint_repo::{Surface, View};
@@ -29,7 +29,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             surface.material.lines.iter().filter(|line| {
                 loader::reads(surface.application, line.keyword.name) && line.count > 0 && !is_cut(line)
             });
-        let by_name: BTreeMap<(&str, &str), Vec<&Line>> = grouped(set.filter_map(|line| Some((name(line)?, line))));
+        let by_name: Grouped<(&str, &str), &Line> = grouped(set.filter_map(|line| Some((name(line)?, line))));
         for ((keyword, parameter), lines) in by_name.into_iter().filter(|(_, lines)| lines.len() > 1) {
             out.extend(finding(view, surface, keyword, parameter, &lines));
         }

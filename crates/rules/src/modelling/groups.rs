@@ -59,7 +59,8 @@ pub(super) fn of<'b, 'a>(base: &'b Base<'a>, suggestions: &Suggestions) -> Optio
     }
     let sliders = hand_made(base).filter(|slider| slider.slider.group.is_some() || is_ungrouped(slider));
     let by_group = sliders.map(|slider| (slider.slider.group.as_deref().unwrap_or_default(), slider));
-    let mut unknown = grouped(by_group.filter(|(group, _)| !offered.contains(*group) && !replaced.contains(*group)));
+    let by_group = by_group.filter(|(group, _)| !offered.contains(*group) && !replaced.contains(*group));
+    let mut unknown: BTreeMap<_, _> = grouped(by_group).into_iter().collect();
     let of_offered: BTreeSet<String> = offered.iter().map(|group| category_of(group).to_owned()).collect();
     let renamed = take_renamed(base, &categories.categories, &of_offered, &mut unknown);
     let near = |group| suggestions.nearest(group, offered.iter().map(String::as_str)).map(str::to_owned);

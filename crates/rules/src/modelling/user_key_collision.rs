@@ -19,7 +19,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let targets = user_scan::targets(base);
     let by_key = grouped(user_scan::entries(&targets).into_iter().map(|entry| (entry.key, entry.file)));
-    for (key, files) in &by_key {
+    for (key, files) in by_key.iter() {
         let Some((last, others)) = files.split_last().filter(|(_, others)| !others.is_empty()) else { continue };
         let message = format!("{} user targets become the same slider `{key}`", files.len());
         let mut finding = RULE

@@ -6,7 +6,7 @@ use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
 use super::meant::Meant;
 use super::spellings::{Spellings, Starts, help};
 use super::{LOST_FILE, LOST_TABS};
-use mhlint_diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use mhlint_diag::{Application::Makehuman1, Case, Evidence, Finding, Grouped, Level, Place, RuleInfo, grouped};
 use mhlint_formats::modifier_file::Part;
 use mhlint_repo::makehuman1::{KnownModifier, View, category};
 
@@ -38,7 +38,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return out.push(finding);
     }
     let mut starts = BTreeMap::new();
-    for (group, all) in &bare {
+    for (group, all) in bare.iter() {
         let words = group.split('-').count();
         let starts = starts.entry(words).or_insert_with(|| Starts::of(view, words));
         out.extend(group_finding(starts, all, cx));
@@ -48,7 +48,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         one.parts.iter().any(|part| part.targets.is_empty() && view.targets.hides(&part.group))
     };
     let spellings = Spellings::of(view);
-    let others = view.modifiers.all.iter().filter(|one| !bare.contains_key(one.modifier.group.as_str()));
+    let others = view.modifiers.all.iter().filter(|one| bare.get(one.modifier.group.as_str()).is_none());
     for one in others.filter(|one| !is_hidden(one)) {
         match &one.modifier.variable {
             Some(variable) => out.extend(macro_finding(view, one, &variable.name)),
@@ -69,7 +69,7 @@ fn renamed_folder(view: &View<'_>) -> Option<Finding> {
 }
 
 /// Groups of several modifiers of which none has a target: the group, or the folder of its targets, has another name.
-fn bare_groups<'v>(view: &'v View<'_>) -> BTreeMap<&'v str, Vec<&'v KnownModifier<'v>>> {
+fn bare_groups<'v>(view: &'v View<'_>) -> Grouped<&'v str, &'v KnownModifier<'v>> {
     let has_none = |one: &&KnownModifier<'_>| one.parts.iter().all(|part| part.targets.is_empty());
     let mut groups = grouped(view.modifiers.all.iter().map(|one| (one.modifier.group.as_str(), one)));
     groups.retain(|_, all| all.len() > 1 && all.iter().all(has_none));

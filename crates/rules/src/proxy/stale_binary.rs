@@ -1,12 +1,10 @@
 //! The archive of an asset is that of its text.
 
-use std::collections::BTreeMap;
-
 use super::super::{Check, Rule, RuleCx};
 use super::{Archive, Text, archives, listed, packed_proxy, texts};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
-    Case, Finding, Level, Place, RuleInfo, grouped,
+    Case, Finding, Grouped, Level, Place, RuleInfo, grouped,
 };
 use mhlint_formats::mhbin_asset::PackedAsset;
 use mhlint_formats::mhclo::{Clothes, Scanned};
@@ -70,7 +68,7 @@ fn identity(asset: &PackedAsset) -> Identity<'_> {
 }
 
 /// The texts by name and uuid.
-fn identities<'v>(body: &Body<'v>) -> BTreeMap<Identity<'v>, Vec<&'v str>> {
+fn identities<'v>(body: &Body<'v>) -> Grouped<Identity<'v>, &'v str> {
     let known = texts(body).filter_map(|text| {
         let Scanned { name, uuid, .. } = &text.clothes.scanned;
         Some(((&*name.as_ref()?.text, &*uuid.as_ref()?.text), text.file.path.as_str()))

@@ -1,9 +1,7 @@
 //! Left and right bones of rigs, by their names, and bones that lie otherwise than they should.
 
-use std::collections::BTreeMap;
-
 use super::located::{Placed, apart, by_name};
-use mhlint_diag::grouped;
+use mhlint_diag::{Grouped, grouped};
 use mhlint_eval::side::{self, Side};
 
 /// The side that the name of a bone says, and the name of its partner: also `mixamorig:LeftHand`, `LThumb`.
@@ -47,7 +45,7 @@ const BEYOND: f64 = 1.05;
 pub(super) fn swapped<'r>(bones: &[Placed<'r>]) -> Vec<&'r str> {
     let known = by_name(bones);
     let parent = |placed: &Placed<'_>| known.get(placed.bone.parent.as_deref()?).copied();
-    let children: BTreeMap<&str, Vec<&Placed<'_>>> =
+    let children: Grouped<&str, &Placed<'_>> =
         grouped(bones.iter().filter_map(|child| Some((child.bone.parent.as_deref()?, child))));
     let is_swapped = |placed: &&Placed<'_>| {
         let ends = placed.found().zip(parent(placed).and_then(Placed::found));

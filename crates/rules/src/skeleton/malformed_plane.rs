@@ -42,7 +42,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let outcome = if asked.contains(plane.name.as_str()) { Outcome::Asked(error) } else { Outcome::NotUsed };
             Some(((what, outcome), plane.name.as_str()))
         }));
-        for ((what, outcome), planes) in &faults {
+        for ((what, outcome), planes) in faults.iter() {
             if planes.len() > SINGLE {
                 let message = format!("{} planes are malformed, first: `{}` {what}", planes.len(), name(planes));
                 let evidence = Evidence::of_cases(planes).out_of(rig.skeleton.planes.len());
