@@ -47,6 +47,11 @@ impl Input {
         self.narrow.is_empty() || self.narrow.iter().any(|narrow| is_below(path, narrow))
     }
 
+    /// Whether it is a folder that is opened for parts of it: a data root, or one with data and what lies beside them.
+    fn is_home(&self) -> bool {
+        !self.narrow.is_empty() && !self.is_beside && self.tree.pack().is_none()
+    }
+
     /// Takes in another PATH to a part of the same tree.
     fn ask_for(&mut self, path: String) {
         if !self.narrow.is_empty() {
@@ -96,7 +101,31 @@ pub(crate) fn open(paths: &[PathBuf], applications: &[Application], limits: &Lim
             None => inputs.push((root, input)),
         }
     }
+    let parts = inputs.iter().map(|(root, input)| input.is_home().then(|| root.clone()));
+    for home in parts.collect::<Vec<_>>().into_iter().flatten() {
+        take_in(&mut inputs, &home);
+    }
     Ok(inputs.into_iter().map(|(_, input)| input).collect())
+}
+
+/// Adds what was asked for inside of a folder, which is opened for what lies beside data, to what is asked for of it: the
+/// data are the same.
+fn take_in(inputs: &mut Vec<(PathBuf, Input)>, home: &Path) {
+    let Some(at) = inputs.iter().position(|(root, _)| root == home) else { return };
+    let (_, mut own) = inputs.remove(at);
+    let mut others = Vec::new();
+    for (root, input) in std::mem::take(inputs) {
+        let below = root.strip_prefix(home).map(slashed).ok();
+        let is_listed = |below: &String| own.tree.entries().iter().any(|entry| is_below(&entry.path, below));
+        if input.tree.pack().is_none() && below.as_ref().is_some_and(is_listed) {
+            own.narrow.extend(if input.narrow.is_empty() { input.named.clone() } else { input.narrow });
+            own.named.extend(input.named);
+        } else {
+            others.push((root, input));
+        }
+    }
+    others.insert(at.min(others.len()), (home.to_owned(), own));
+    *inputs = others;
 }
 
 /// Whose test data a path lies among: they stand beside the source of the application.

@@ -141,7 +141,9 @@ const TARGET: usize = ".target".len();
 /// Whether something stands behind the suffix of a target.
 fn is_suffixed(file: &FileFacts) -> bool {
     let behind = file.file_name().rfind(".target").and_then(|at| file.file_name().get(at + TARGET..));
-    behind.is_some_and(|behind| !behind.is_empty() && behind != ".gz")
+    // An editor has such a name for what it has not saved yet.
+    let is_unsaved = file.file_name().starts_with('#');
+    behind.is_some_and(|behind| !behind.is_empty() && behind != ".gz") && !is_unsaved
 }
 
 /// What stands beside assets under their names.
@@ -179,6 +181,9 @@ pub(super) fn misnamed(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     }
 }
 
+const COPIED: Case = &[(Makehuman1, Level::Info, "lists the same assets in their own folders")];
+pub(super) const REMOVE_COPY: &str = "keep the copy outside of the data, or remove it";
+
 /// Folders with assets that are no library, such as `Clothes` or `hairs`.
 pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
@@ -201,6 +206,9 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             && (is_worn || of_other_case)
     });
     let lost = lost.filter(|(_, file)| !layer.is_aside(Makehuman1, file));
+    let content = |file: &FileFacts| (file.file_name().to_owned(), file.content_hash);
+    let listed = layer.files.values().filter(|file| library_of(&file.rel).is_some() && file.content_hash.is_some());
+    let are_listed: BTreeSet<_> = listed.map(content).collect();
     for (top, files) in grouped(lost) {
         let Some(first) = files.first() else { continue };
         let message = if first.rel.contains('/') {
@@ -212,7 +220,12 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let finding = rule.at(first, Place::File, message).key(format!("folder {top}"));
         let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
         let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
-        out.push(finding.help(did_you_mean(near, "move the assets to the folder of their kind, such as `clothes`")));
+        // A copy of what is listed is lost to nobody, and moved there it would be listed twice.
+        out.push(if files.iter().all(|file| are_listed.contains(&content(file))) {
+            finding.case(COPIED).help(REMOVE_COPY)
+        } else {
+            finding.help(did_you_mean(near, "move the assets to the folder of their kind, such as `clothes`"))
+        });
     }
 }
 

@@ -38,21 +38,38 @@ pub(super) fn unread(
     let has_base = |file: &&FileFacts| file.rel.split('/').nth(1).is_some_and(|base| bases.contains(base));
     let known = view.library.bases();
     let is_meant = near.is_some() || files.iter().any(|file| is_lost(view, &known, file));
-    if near.is_some_and(|near| near.eq_ignore_ascii_case(folder)) || !is_meant || !files.iter().all(has_base) {
+    if near.is_some_and(|near| near.eq_ignore_ascii_case(folder))
+        || !is_meant
+        || !files.iter().all(|file| has_base(file) || is_directly_in(file))
+    {
         return None;
     }
     let message = format!("folder `{folder}` is not read ({})", counted(files.len(), "asset"));
+    let is_of_asset = near.is_none() && files.iter().all(|file| is_directly_in(file));
     let parts = files.iter().map(|file| (file.shown(), &file.path));
     let finding = rule.at(first, Place::File, message).key(format!("folder {folder}")).parts_in(parts);
     let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
+    let base = bases.first().filter(|_| bases.len() == 1).copied().unwrap_or("<base>");
+    if is_of_asset {
+        return Some(finding.help(format!("move the folder to that of its kind, such as `clothes/{base}`")));
+    }
     Some(finding.help(did_you_mean(near, "rename it to the kind of its assets, such as `clothes`, `hair` or `eyes`")))
+}
+
+/// Whether a file lies in a folder at the top, as an asset in its own.
+fn is_directly_in(file: &FileFacts) -> bool {
+    file.rel.matches('/').count() == 1
 }
 
 /// Whether a worn asset is listed nowhere under its name.
 fn is_lost(view: &View<'_>, bases: &BTreeSet<&str>, file: &FileFacts) -> bool {
     let name = file.clothes().and_then(|clothes| clothes.scanned.name.as_ref());
     let base = file.rel.split('/').nth(1).filter(|base| bases.contains(base));
-    name.is_some_and(|name| base.is_none_or(|base| view.library.named(base, &name.text).next().is_none()))
+    let is_listed = |base: &&str, name: &str| view.library.named(base, name).next().is_some();
+    name.is_some_and(|name| match base {
+        Some(base) => !is_listed(&base, &name.text),
+        None => !bases.iter().any(|base| is_listed(base, &name.text)),
+    })
 }
 
 /// Folders in which other programs look for what `MakeHuman` 2 has elsewhere, and where that is.
@@ -69,6 +86,12 @@ pub(super) fn in_folders_of_others(rule: &Rule, view: &View<'_>, out: &mut Vec<F
     let is_shared = layer.layouts.iter().any(|layout| layout.application != Application::Makehuman2);
     if is_shared || layer.is_loose || layer.pack.is_some() {
         return;
+    }
+    let at_top = layer.files.values().filter(|file| !file.rel.contains('/') && extension(&file.rel) == "target");
+    for file in at_top.filter(|file| !file.is_loose) {
+        let message = format!("`{}` lies in no folder of targets", file.rel);
+        let finding = rule.at(file, Place::File, message).key("top");
+        out.push(finding.help("move it to a folder below `target/<base>`, if it is made for one of its base meshes"));
     }
     for (folder, suffix, right) in OF_OTHERS {
         let files = layer.below(folder).filter(|file| extension(&file.rel) == suffix && !file.is_loose);

@@ -1,8 +1,11 @@
 //! Where MPFB looks for a user's files (formats/mpfb.md §1, §2.5, §7).
 
+use std::collections::BTreeSet;
+
 use super::super::cause::outdated::is_outdated;
 use super::super::{Rule, counted, did_you_mean};
-use super::aside;
+use super::makehuman1::REMOVE_COPY;
+use super::{aside, top};
 use mhlint_diag::{Application, Case, Evidence, Finding, Level, Place, grouped, nearest};
 use mhlint_discover::{Kind, Layout, extension};
 use mhlint_repo::FileFacts;
@@ -13,6 +16,8 @@ const NOT_LISTED: Case =
     &[(Application::Mpfb, Level::Error, "does not list them: it looks for them in another folder")];
 const NOT_FOUND: Case =
     &[(Application::Mpfb, Level::Error, "makes no sliders of them, and saved characters do not find them")];
+
+const COPIED: Case = &[(Application::Mpfb, Level::Info, "lists the same files in their own folders")];
 
 /// What lies in a folder of the user's data in which nobody looks for it.
 pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
@@ -38,6 +43,11 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let loose: Vec<&FileFacts> = loose.collect();
     let message = format!("{} in no folder of a kind", counted(loose.len(), "asset"));
     out.extend(finding(rule, &loose, "", message, NOT_LISTED, TO_KIND));
+    // A copy of what is listed is lost to nobody, and moved there it would be listed twice.
+    let content = |file: &FileFacts| (file.file_name().to_owned(), file.content_hash);
+    let is_listed = |file: &&FileFacts| own.has_at_top(top(file)) && file.content_hash.is_some();
+    let listed: BTreeSet<_> = files().filter(is_listed).map(content).collect();
+    let are_copies = |files: &[&FileFacts]| files.iter().all(|file| listed.contains(&content(file)));
     let tops = files().filter_map(|file| Some((file.rel.split_once('/')?.0, file)));
     let mut beside: Vec<&FileFacts> = Vec::new();
     for (top, files) in grouped(tops.filter(|(top, _)| !is_other(top))) {
@@ -56,11 +66,14 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         } else if !is_known && let Some(near) = near_of_mpfb(top) {
             let files: Vec<&FileFacts> = files.into_iter().filter(|file| is_asset(file)).collect();
             let message = format!("folder `{top}` is not read ({})", counted(files.len(), "file"));
-            out.extend(finding(rule, &files, top, message, NOT_LISTED, did_you_mean(Some(near), "")));
+            let usual = (NOT_LISTED, did_you_mean(Some(near), ""));
+            let (case, help) = if are_copies(&files) { (COPIED, REMOVE_COPY.to_owned()) } else { usual };
+            out.extend(finding(rule, &files, top, message, case, help));
         } else if !is_known && !is_zip && !view.layers.checked.has_folder(&format!("{top}/packs")) {
             let worn: Vec<&FileFacts> = files.into_iter().filter(|file| is_worn(file)).collect();
             let message = format!("{} in `{top}`, where MPFB does not look for any", counted(worn.len(), "asset"));
-            out.extend(finding(rule, &worn, top, message, NOT_LISTED, TO_KIND));
+            let (case, help) = if are_copies(&worn) { (COPIED, REMOVE_COPY) } else { (NOT_LISTED, TO_KIND) };
+            out.extend(finding(rule, &worn, top, message, case, help));
         }
     }
     out.extend(aside(rule, &beside));

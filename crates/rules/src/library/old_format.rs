@@ -5,7 +5,7 @@ use super::super::{Check, Rule, RuleCx, counted, either};
 use super::old_words::{Sort, words};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
-    Evidence, Finding, Level, Place, RuleInfo, grouped,
+    Evidence, Finding, Level, Place, RuleInfo, Version, grouped,
 };
 use mhlint_discover::extension;
 use mhlint_formats::outdated::Outdated;
@@ -38,7 +38,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     // The program of that time reads what it wrote.
-    let reads_old = view.is_makehuman1() && view.version().is_some_and(|version| version.is_before("1.1"));
+    let reads_old = view.is_makehuman1() && view.version().is_some_and(is_1_0);
     let old = layer.files.values().filter_map(|file| {
         let found = outdated(view, file).filter(|found| !(reads_old && found.versions().contains(&"1.0")))?;
         let (top, _) = file.rel.split_once('/').unwrap_or_default();
@@ -49,6 +49,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for ((top, sort), files) in grouped(old) {
         out.extend(finding(view, top, sort, &files));
     }
+}
+
+fn is_1_0(version: Version) -> bool {
+    version.is_before("1.1") && !version.is_before("1.0")
 }
 
 fn finding(view: &View<'_>, top: &str, sort: Sort, files: &[(&FileFacts, Outdated)]) -> Option<Finding> {
