@@ -1,7 +1,7 @@
 //! The version of a model decides how MakeHuman 1 reads it, and whether.
 
 use super::super::{Check, Rule, RuleCx};
-use mhlint_diag::{Application::Makehuman1, Case, Finding, Level, Place, RuleInfo};
+use mhlint_diag::{Application::Makehuman1, Case, Finding, Level, Place, RuleInfo, Version as Edition};
 use mhlint_repo::makehuman1::{SavedModel, Version, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
@@ -10,7 +10,7 @@ pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
         `v1.2`, `v1.1` or `v1.0`. Without one, without the `v`, or with any other, loading ends there: the human was reset \
         before, and stays so.\n\n\
         A model of version 1.0 is read without its skeleton, and in one of version 1.1 the tags are the name (warnings). \
-        A blank line ends the loading of both.\n\n\
+        A blank line ends the loading of both. A model that a newer program saved is read by none before it.\n\n\
         Write the version of the program that saved the model.",
     ..RuleInfo::new("model-version", Level::Error, "a model with a version that MakeHuman 1 does not read")
 });
@@ -30,8 +30,23 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if encoding.blank || encoding.only_comments || encoding.lfs_pointer || is_hidden {
             continue;
         }
-        out.extend(finding(model));
+        out.extend(newer(model, view.layers.version(Makehuman1)).or_else(|| finding(model)));
     }
+}
+
+/// The version of a model that a newer program saved than the one at hand; 1.0 does not look at it
+/// (formats/versions.md §3).
+fn newer(model: &SavedModel<'_>, own: Option<Edition>) -> Option<Finding> {
+    let own = own.filter(|own| !own.is_before("1.1"))?;
+    let line = model.lines.last("version")?;
+    let number = line.text.trim_start_matches('v').get(..3)?;
+    if !own.is_before(number) {
+        return None;
+    }
+    let message = format!("`{}` is newer than the program, {}", line.text, own.title());
+    let help =
+        "save the model with that version of the program, or ask for the one that saved it (`--app makehuman1@1.3`)";
+    Some(RULE.at(model.file, Place::Span(line.span.clone()), message).key("newer").help(help))
 }
 
 fn finding(model: &SavedModel<'_>) -> Option<Finding> {
