@@ -51,12 +51,19 @@ pub fn uses_of(rel: &str, layouts: &[&Layout]) -> Vec<Use> {
     layouts.iter().map(|layout| layout.use_of(rel)).collect()
 }
 
+/// What macOS puts beside the files of a zip: no application looks for it.
+const OF_MACOS: &str = "__MACOSX";
+
+/// Whether a path lies in what macOS puts beside the files of a zip.
+pub fn is_of_macos(path: &str) -> bool {
+    path.split('/').any(|part| part == OF_MACOS)
+}
+
 /// Everything in `tree` below `root`, the data root of the applications that `layouts` are of, and what belongs to it
 /// beside it.
 pub fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) -> Vec<Candidate<'t>> {
     let entries = tree.entries().iter().filter_map(|entry| Some((entry, inside(&entry.path, root)?)));
-    // What macOS puts beside the files of a zip, no application looks for.
-    let entries = entries.filter(|(_, rel)| !is_below(rel, "__MACOSX"));
+    let entries = entries.filter(|(_, rel)| !is_below(rel, OF_MACOS));
     // What is hidden from these applications may be listed for the sake of others.
     let is_taken = |entry: &Entry| {
         layouts.iter().any(|layout| layout.takes(&entry.path, root.len(), entry.kind == EntryKind::Folder))

@@ -19,7 +19,7 @@ mod paths;
 mod roots;
 
 pub use aside::{Aside, TEST_DATA, aside, is_fitting_table};
-pub use candidate::{Candidate, Use, candidates, kind_in, owner_of, uses_of};
+pub use candidate::{Candidate, Use, candidates, is_of_macos, kind_in, owner_of, uses_of};
 pub use evidence::{Evidence, evidence, lacks};
 pub use kind::{Kind, SHADER_FILES, extension, is_asset_anywhere, meant_extension};
 pub use layout::makehuman1::{TARGETS_NPZ, archive_library_of, libraries, library_extension, library_of};

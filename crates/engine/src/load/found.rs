@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use mhlint_diag::{Application, grouped};
-use mhlint_discover::{Layout, Listing, Meant, Role, candidates, evidence, find_roots};
+use mhlint_discover::{Layout, Listing, Meant, Role, candidates, evidence, find_roots, is_of_macos};
 use mhlint_source::{EntryKind, Limits, Tree};
 
 /// The data roots in a tree of the applications of which `wanted` holds, by path; `asked` are those asked for by name.
@@ -53,7 +53,8 @@ fn leave_to_program(
 
 /// The paths of a tree.
 pub(super) fn listing(tree: &Tree) -> Listing<'_> {
-    let of = |kind: EntryKind| tree.entries().iter().filter(move |entry| entry.kind == kind);
+    let of =
+        |kind: EntryKind| tree.entries().iter().filter(move |entry| entry.kind == kind && !is_of_macos(&entry.path));
     let paths = |kind| of(kind).map(|entry| entry.path.as_str());
     Listing::of(paths(EntryKind::File), paths(EntryKind::Folder))
 }

@@ -10,7 +10,7 @@ use super::unit_names::UnitNames;
 use mhlint_config::Config;
 use mhlint_diag::Application;
 use mhlint_discover::{
-    Binding, Known, Layout, Role, SAVED_CHARACTER, STORED_POSE, candidates, extension, meant_extension,
+    Binding, Known, Layout, Role, SAVED_CHARACTER, STORED_POSE, candidates, extension, is_of_macos, meant_extension,
 };
 use mhlint_formats::target::{has_broken_rows, recognise};
 use mhlint_source::{Entry, Limits, Tree, canonical, folder_and_name, is_below, lines, slashed};
@@ -100,7 +100,7 @@ impl<'t> Outside<'t, '_> {
             })
         };
         let is_in_root = || around().any(keeps) && !is_left_out();
-        !self.taken.contains(entry.path.as_str()) && !is_in_root()
+        !self.taken.contains(entry.path.as_str()) && !is_of_macos(&entry.path) && !is_in_root()
     }
 
     /// Whether what lies in a data root is no loose asset. A user's data of an application that is not asked for may be

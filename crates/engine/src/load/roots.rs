@@ -15,7 +15,7 @@ use super::singly::unpacked_singly;
 use super::taken::Taken;
 use mhlint_config::Config;
 use mhlint_diag::{Application, Identity, NotChecked, Note, Outcome, RootSummary, Unchecked};
-use mhlint_discover::{Layout, Meant, Role, candidates, is_asset_anywhere};
+use mhlint_discover::{Layout, Meant, Role, candidates, is_asset_anywhere, is_of_macos};
 use mhlint_source::{EntryKind, Tree, WalkFaultKind, is_below};
 
 /// What a run reads.
@@ -298,6 +298,7 @@ fn note_outside<'p, 't: 'p>(
         closed.extend(shut.filter(|path| !input.is_beside || input.asks_for(path)));
         let files =
             input.tree.entries().iter().filter(|entry| entry.kind == EntryKind::File && is_outside(&entry.path));
+        let files = files.filter(|entry| !is_of_macos(&entry.path));
         let shown = files.map(|entry| (entry, input.tree.shown(&entry.path)));
         let assets = shown.filter(|(entry, shown)| input.named.contains(shown) || is_asset_anywhere(&entry.path));
         others.extend(assets.map(|(_, shown)| shown).filter(|shown| input.asks_for(shown)));
