@@ -1,8 +1,9 @@
 //! What lies in a pack beside the libraries that are read: manuals, examples, what was put by.
 
+use super::makehuman1::CUSTOM;
 use super::{FileFacts, Layer};
 use mhlint_diag::{Application, PlaceKind, nearest};
-use mhlint_discover::{Layout, libraries, library_extension};
+use mhlint_discover::{Layout, extension, libraries, library_extension};
 
 /// Folders of MakeHuman 1 that hold assets for the program itself.
 pub const OF_MAKEHUMAN1: &str = "3dobjs";
@@ -21,7 +22,9 @@ impl Layer {
         let Some((top, _)) = file.rel.split_once('/') else { return false };
         let is_read = || match application {
             Application::Makehuman2 => true,
-            Application::Makehuman1 => is_library(top) || nearest(top, libraries()).is_some(),
+            Application::Makehuman1 => {
+                is_library(top) || is_own_target(top, file) || nearest(top, libraries()).is_some()
+            }
             Application::Mpfb => is_of_mpfb(top),
         };
         self.is_pack_of(application) && !file.is_loose && !is_read()
@@ -30,6 +33,11 @@ impl Layer {
 
 fn is_library(top: &str) -> bool {
     library_extension(top).is_some() || matches!(top, OF_MAKEHUMAN1 | "models")
+}
+
+/// Whether it is a target where MakeHuman 1 looks for those of users; assets of other kinds it does not read there.
+fn is_own_target(top: &str, file: &FileFacts) -> bool {
+    top == CUSTOM && extension(&file.rel) == "target"
 }
 
 fn is_of_mpfb(top: &str) -> bool {

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use mhlint_diag::Finding;
+use mhlint_discover::extension;
 use mhlint_repo::View;
 
 /// What happens to them today.
@@ -18,7 +19,11 @@ pub fn lower_aside(view: &View<'_>, findings: &mut [Finding]) {
     }
     let aside = layer.files.values().filter(|file| layer.is_aside(application, file));
     let aside: BTreeSet<&str> = aside.map(|file| file.path.as_str()).collect();
-    for finding in findings.iter_mut().filter(|finding| aside.contains(finding.path.as_str())) {
+    // Where a target lies takes effect as it is: it has no slider.
+    let is_of_place =
+        |finding: &Finding| finding.rule == "library-wrong-folder" && extension(&finding.path) == "target";
+    let is_waiting = |finding: &&mut Finding| aside.contains(finding.path.as_str()) && !is_of_place(finding);
+    for finding in findings.iter_mut().filter(is_waiting) {
         finding.wait_in(application, NOT_YET);
     }
 }

@@ -56,16 +56,21 @@ pub(super) fn targets(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     if view.layers.checks_system() || is_shared {
         return;
     }
+    let (of_user, place) = if layer.is_pack_of(Makehuman1) {
+        ("", "move them to `custom`, beside folders such as `clothes`")
+    } else {
+        (" of the user", "move them to `custom` in the data folder of the user")
+    };
     let targets = |folder: &str, is_beside: bool| -> Vec<&FileFacts> {
         let files = layer.below(folder).filter(|file| file.is_loose == is_beside || layer.is_loose);
         files.filter(|file| extension(&file.rel) == "target").collect()
     };
     let beside = if layer.is_loose { Vec::new() } else { targets(CUSTOM, true) };
-    let mut places = vec![("`targets` of the user".to_owned(), targets("targets", false))];
+    let mut places = vec![(format!("`targets`{of_user}"), targets(TARGETS, false))];
     places.push(("`custom` beside `data`".to_owned(), beside));
     // Any other folder, such as `Custom`, `morphs` or that of a skirt; what else ends so there is nobody's business.
     let is_lost = |file: &&FileFacts| {
-        let is_target = extension(&file.rel) == "target" && !matches!(top(file), CUSTOM | "targets");
+        let is_target = extension(&file.rel) == "target" && !matches!(top(file), CUSTOM | TARGETS);
         is_target && !file.is_loose && has_rows(file) && !layer.is_aside(Makehuman1, file)
     };
     let top = |file: &FileFacts| file.rel.split_once('/').map(|(top, _)| top.to_owned());
@@ -78,9 +83,12 @@ pub(super) fn targets(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let finding = rule.at(first, Place::File, message).key(format!("targets {folder}")).case(NO_SLIDER);
         let finding = finding.parts_in(lost.iter().map(|file| (file.shown(), &file.path)));
         let finding = finding.evidence(Evidence::of_cases(lost.iter().map(|file| file.shown())));
-        out.push(finding.help("move them to `custom` in the data folder of the user"));
+        out.push(finding.help(place));
     }
 }
+
+/// Where the program has its targets, and MPFB those of users as well.
+const TARGETS: &str = "targets";
 
 /// Whether a file has a row of a target: other programs have files of this name.
 fn has_rows(file: &FileFacts) -> bool {
@@ -233,7 +241,8 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 pub(super) fn beside_libraries(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
     let is_asset = |file: &FileFacts| matches!(extension(&file.rel), "mhclo" | "proxy" | "mhskel" | "mhpose" | "mhm");
-    let is_target = |file: &FileFacts| extension(&file.rel) == "target" && has_rows(file);
+    // Those in `targets` have a finding of their own.
+    let is_target = |file: &FileFacts| extension(&file.rel) == "target" && top(file) != TARGETS && has_rows(file);
     let is_asset = |file: &FileFacts| is_asset(file) || is_target(file);
     let files =
         layer.files.values().filter(|file| is_asset(file) && !is_outdated(file) && layer.is_aside(Makehuman1, file));

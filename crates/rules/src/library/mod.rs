@@ -78,7 +78,10 @@ fn aside(rule: &Rule, files: &[&FileFacts]) -> Option<Finding> {
     let finding = rule.at(files.first()?, Place::File, message).key("aside").case(ASIDE);
     let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
     let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
-    Some(finding.help("move them to the folder of their kind, such as `clothes`, if they belong to the pack"))
+    let are_targets = files.iter().all(|file| extension(&file.rel) == "target");
+    let example = if are_targets { "custom" } else { "clothes" };
+    let help = format!("move them to the folder of their kind, such as `{example}`, if they belong to the pack");
+    Some(finding.help(help))
 }
 
 /// By what files are sorted that have something in common: the copy, with a longer or a hidden name, comes last.
