@@ -16,7 +16,7 @@ pub struct Evidence {
     /// Whether nothing else could be meant.
     pub is_certain: bool,
     /// Whether it is what lies beside the data that says so.
-    pub(super) is_certain_beside: bool,
+    pub is_certain_beside: bool,
     /// How many signs there are, those included that are not named.
     pub(super) found: usize,
     /// How many of them the folders of users of two applications have alike.

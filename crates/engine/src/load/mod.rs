@@ -2,6 +2,7 @@
 //!
 //! Knows applications by their layouts only: what is loaded has the kinds and owners that these give it.
 
+mod copy;
 mod data;
 mod found;
 mod identify;

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
+use super::copy::{faults, is_copy, meant};
 use super::found::{roots_beside, roots_of};
 use super::identify::is_pack;
 use super::input::Input;
@@ -64,7 +65,7 @@ fn inner(
 }
 
 /// The files that belong to a data root beside it.
-fn beside_root(tree: &Tree, root: &str, layouts: &[&'static Layout]) -> Vec<String> {
+pub(super) fn beside_root(tree: &Tree, root: &str, layouts: &[&'static Layout]) -> Vec<String> {
     let own = layouts.iter().filter(|layout| !layout.beside.is_empty());
     let files = own.flat_map(|layout| candidates(tree, root, &[layout]));
     files.filter(|file| file.is_loose).map(|file| file.entry.path.clone()).collect()
@@ -80,7 +81,8 @@ impl<'t> Roots<'t> {
         applications: &[Application],
         outcome: &mut Outcome,
     ) -> Result<Self, Error> {
-        let (packs, folders): (Vec<&Input>, Vec<&Input>) = inputs.iter().partition(|input| input.tree.pack().is_some());
+        let is_pack = |input: &&Input| input.tree.pack().is_some() && !is_copy(input, options);
+        let (packs, folders): (Vec<&Input>, Vec<&Input>) = inputs.iter().partition(is_pack);
         let mut systems = all_systems(systems, applications)?;
         // What shares its users' folders with another application has them where its data are given.
         let mut at_hand = options.applications.clone();
@@ -101,13 +103,19 @@ impl<'t> Roots<'t> {
         let mut packed_places = Vec::new();
         let of_packs: Vec<_> = of_packs.into_iter().map(|one| (one, bases_of(one).collect())).collect();
         for pack in packs {
-            let places = packed(pack, &of_packs, options)?;
-            let rest = of_packs.iter().filter(|(one, _)| !places.iter().any(|place| place.is_of(*one)));
+            let of_pack = meant(pack, &of_packs, options);
+            let places = packed(pack, &of_pack, options)?;
+            let rest = of_pack.iter().filter(|(one, _)| !places.iter().any(|place| place.is_of(*one)));
             packed_places.extend(unpacked_singly(pack, rest, &systems, &given)?);
             packed_places.extend(places.into_iter().map(|place| (place, Vec::new())));
         }
         let asked: Vec<Application> =
             applications.iter().copied().filter(|application| options.asks_for(*application)).collect();
+        for (input, roots) in &found {
+            let layouts: BTreeMap<_, _> = roots.values().flatten().map(|one| (one.application, *one)).collect();
+            let layouts: Vec<_> = layouts.into_values().filter(|one| applications.contains(&one.application)).collect();
+            packed_places.extend(faults(input, &layouts).map(|place| (place, Vec::new())));
+        }
         // What belongs to data roots, and what is no asset.
         let mut beside: Vec<BTreeSet<String>> = found.iter().map(|(input, roots)| beside(input, roots)).collect();
         beside.iter_mut().zip(left).for_each(|(beside, left)| beside.extend(left));

@@ -44,7 +44,7 @@ pub(super) fn set_aside(found: &mut [Found<'_>], outcome: &mut Outcome) -> Vec<B
 }
 
 /// The folders to leave out. Who names one, or something in it, wants it checked.
-fn folders(input: &Input) -> BTreeMap<String, Aside> {
+pub(super) fn folders(input: &Input) -> BTreeMap<String, Aside> {
     let mut folders = aside(&listing(&input.tree));
     folders.retain(|folder, _| {
         let shown = input.tree.shown(folder);
