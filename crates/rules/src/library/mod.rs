@@ -1,5 +1,6 @@
 //! What makes a folder of assets a library: what is listed, and by what it is known.
 
+mod custom_targets;
 pub(crate) mod duplicate_name;
 pub(crate) mod header_not_ascii;
 pub(crate) mod identity_clash;

@@ -2,7 +2,7 @@
 
 use super::super::cause::outdated::is_outdated;
 use super::super::{Check, Rule, RuleCx};
-use super::{SUFFIXES, makehuman1 as library, mpfb, shelves, suffix};
+use super::{SUFFIXES, custom_targets, makehuman1 as library, mpfb, shelves, suffix};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
@@ -84,8 +84,8 @@ fn of_makehuman1(view: &makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Find
         |file: &FileFacts, suffix: &str| file.rel.split('/').next().and_then(library_extension) == Some(suffix);
     let lost = layer.files.values().filter(|file| double(layer, file).is_some_and(|suffix| of_library(file, suffix)));
     out.extend(lost.map(doubled));
-    library::targets_in_capitals(&RULE, view, out);
-    library::packed_targets(&RULE, view, out);
+    custom_targets::targets_in_capitals(&RULE, view, out);
+    custom_targets::packed_targets(&RULE, view, out);
     library::misnamed(&RULE, view, out);
 }
 
