@@ -160,7 +160,11 @@ fn side_by_side(named: &BTreeSet<String>, data: &Data<'_>) -> SideBySide {
         let path = if root.layer.pack.is_some() { root.place.tree.label() } else { &root.layer.path };
         !root.layer.is_loose && named.contains(path)
     };
-    let packs: Vec<Stack<'_, '_>> = data.stacks().into_iter().filter(is_named).collect();
+    let mut packs: Vec<Stack<'_, '_>> = data.stacks().into_iter().filter(is_named).collect();
+    // A zip beside a user's folder is mostly one that is to be put there, or a newer state of what is there.
+    if packs.iter().any(|pack| pack.root.layer.pack.is_some()) {
+        packs.retain(|pack| pack.root.layer.pack.is_some());
+    }
     let mut beside = SideBySide::default();
     for (application, layers) in packs.iter().filter(|_| packs.len() > 1).flat_map(|pack| &pack.seen) {
         if !layers.checks_system() {
