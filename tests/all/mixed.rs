@@ -320,3 +320,23 @@ fn a_users_folder_is_of_mpfb_if_only_mpfb_has_what_is_in_it() {
     let user = alone(&[hat, ("u/data/packs/hats.json", "{\"hat\": {}}")]);
     assert_eq!(applications(user.path(), "."), ["makehuman1", "mpfb"]);
 }
+
+#[test]
+fn paths_of_one_folder_are_one_however_they_are_written() {
+    let repository = side_by_side(&["makehuman1"], &["makehuman1"]);
+    let absolute = |path: &str| repository.path().canonicalize().unwrap().join(path).to_str().unwrap().to_owned();
+    let (data, models) = ("makehuman1/user/data", "makehuman1/user/models");
+    let (target, pose) = ("makehuman1/user/data/custom/paunch.target", "makehuman1/user/data/poses/step.bvh");
+    let pairs = [
+        [absolute(data), models.to_owned()],
+        [models.to_owned(), absolute(data)],
+        [data.to_owned(), absolute(models)],
+        [absolute(target), pose.to_owned()],
+        [target.to_owned(), absolute(pose)],
+    ];
+    for pair in pairs {
+        let args = [pair[0].as_str(), pair[1].as_str(), "--system", "makehuman1/data"];
+        let output = mhlint(repository.path(), &args);
+        assert_eq!(output.status.code(), Some(0), "{pair:?}: {}{}", stdout(&output), stderr(&output));
+    }
+}

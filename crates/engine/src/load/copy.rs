@@ -14,9 +14,12 @@ use mhlint_discover::{Kind, Layout, Role, candidates, evidence};
 use mhlint_repo::Pack;
 use mhlint_source::{EntryKind, Tree, is_below};
 
+/// Data roots with those whose they certainly are.
+pub(super) type Certain = Vec<(String, &'static Layout)>;
+
 /// Data roots in a zip that are certainly data of an application: of its program, or of a user with something beside them
 /// that says so.
-fn certain(input: &Input, options: &Config) -> Vec<(String, &'static Layout)> {
+pub(super) fn certain(input: &Input, options: &Config) -> Certain {
     let tree = &input.tree;
     let peek = |path: &str| look_into(tree, path);
     let listing = listing(tree).with_contents(&peek);
@@ -34,17 +37,16 @@ fn certain(input: &Input, options: &Config) -> Vec<(String, &'static Layout)> {
 
 /// Whether a zip is checked as the folder that it was made of: it has data that are certainly those of an application that
 /// imports no packs, where that one is asked for or none is.
-pub(super) fn is_copy(input: &Input, options: &Config) -> bool {
-    let certain = certain(input, options);
+pub(super) fn is_copy(input: &Input, certain: &Certain, options: &Config) -> bool {
     let mut own = certain.iter().filter(|(_, layout)| layout.import.is_none());
     own.any(|(path, layout)| !has_pack_beside(&input.tree, path, layout, options))
 }
 
 /// Those of the applications that a pack may be for: with the data of a program in it that imports packs it is for no other,
 /// unless these are asked for.
-pub(super) fn meant<T: Clone>(pack: &Input, of: &[(Application, T)], options: &Config) -> Vec<(Application, T)> {
-    let certain = if options.applications.is_empty() { certain(pack, options) } else { Vec::new() };
-    let programs: Vec<_> = certain.iter().map(|(_, layout)| *layout).filter(|layout| layout.import.is_some()).collect();
+pub(super) fn meant<T: Clone>(certain: &Certain, of: &[(Application, T)], options: &Config) -> Vec<(Application, T)> {
+    let certain = certain.iter().filter(|_| options.applications.is_empty());
+    let programs: Vec<_> = certain.map(|(_, layout)| *layout).filter(|layout| layout.import.is_some()).collect();
     let is_meant = |application: Application| programs.iter().any(|layout| layout.application == application);
     let is_known = of.iter().any(|(application, _)| is_meant(*application));
     of.iter().filter(|(application, _)| !is_known || is_meant(*application)).cloned().collect()

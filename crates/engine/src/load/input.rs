@@ -64,15 +64,30 @@ impl Input {
     fn join(&mut self, mut other: Self) {
         // What lists more is kept.
         if self.is_beside && !other.is_beside {
-            std::mem::swap(&mut self.tree, &mut other.tree);
-            self.is_beside = false;
+            std::mem::swap(self, &mut other);
         }
-        if self.narrow.is_empty() || other.narrow.is_empty() {
+        self.take_over("", other);
+    }
+
+    /// Takes in what is asked for of a folder of this tree, which may be written otherwise there.
+    fn take_over(&mut self, folder: &str, other: Self) {
+        let here = |path: &String| match other.tree.below(path) {
+            Some(rel) if !folder.is_empty() => self.tree.shown(&format!("{folder}/{rel}")),
+            Some(rel) => self.tree.shown(rel),
+            None => self.tree.shown(folder),
+        };
+        let named: Vec<String> = other.named.iter().map(here).collect();
+        let narrow: Vec<String> = match other.narrow.as_slice() {
+            [] if folder.is_empty() => Vec::new(),
+            [] => vec![self.tree.shown(folder)],
+            narrow => narrow.iter().map(here).collect(),
+        };
+        if self.narrow.is_empty() || narrow.is_empty() {
             self.narrow.clear();
         } else {
-            self.narrow.append(&mut other.narrow);
+            self.narrow.extend(narrow);
         }
-        self.named.append(&mut other.named);
+        self.named.extend(named);
     }
 }
 
@@ -88,7 +103,8 @@ pub(crate) fn open(paths: &[PathBuf], applications: &[Application], limits: &Lim
         });
         // A hook names many files of one tree: it is walked once.
         if let (Some((_, input)), Some(part)) = (known_tree, &part) {
-            input.ask_for(part.narrow.clone());
+            let below = place.strip_prefix(&part.root).map(slashed).unwrap_or_default();
+            input.ask_for(input.tree.shown(&below));
             continue;
         }
         let (root, mut input) = match part {
@@ -115,13 +131,11 @@ fn take_in(inputs: &mut Vec<(PathBuf, Input)>, home: &Path) {
     let (_, mut own) = inputs.remove(at);
     let mut others = Vec::new();
     for (root, input) in std::mem::take(inputs) {
-        let below = root.strip_prefix(home).map(slashed).ok();
-        let is_listed = |below: &String| own.tree.entries().iter().any(|entry| is_below(&entry.path, below));
-        if input.tree.pack().is_none() && below.as_ref().is_some_and(is_listed) {
-            own.narrow.extend(if input.narrow.is_empty() { input.named.clone() } else { input.narrow });
-            own.named.extend(input.named);
-        } else {
-            others.push((root, input));
+        let is_listed = |folder: &String| own.tree.entries().iter().any(|entry| is_below(&entry.path, folder));
+        let folder = root.strip_prefix(home).map(slashed).ok().filter(is_listed);
+        match folder.filter(|_| input.tree.pack().is_none()) {
+            Some(folder) => own.take_over(&folder, input),
+            None => others.push((root, input)),
         }
     }
     others.insert(at.min(others.len()), (home.to_owned(), own));

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
-use super::copy::{faults, is_copy, meant};
+use super::copy::{certain, faults, is_copy, meant};
 use super::found::{roots_beside, roots_of};
 use super::identify::is_pack;
 use super::input::Input;
@@ -81,8 +81,14 @@ impl<'t> Roots<'t> {
         applications: &[Application],
         outcome: &mut Outcome,
     ) -> Result<Self, Error> {
-        let is_pack = |input: &&Input| input.tree.pack().is_some() && !is_copy(input, options);
-        let (packs, folders): (Vec<&Input>, Vec<&Input>) = inputs.iter().partition(is_pack);
+        let (mut packs, mut folders) = (Vec::new(), Vec::new());
+        for input in inputs {
+            let certain = input.tree.pack().map(|_| certain(input, options));
+            match certain.filter(|certain| !is_copy(input, certain, options)) {
+                Some(certain) => packs.push((input, certain)),
+                None => folders.push(input),
+            }
+        }
         let mut systems = all_systems(systems, applications)?;
         // What shares its users' folders with another application has them where its data are given.
         let mut at_hand = options.applications.clone();
@@ -102,8 +108,8 @@ impl<'t> Roots<'t> {
         let given = Given::of(&systems, options);
         let mut packed_places = Vec::new();
         let of_packs: Vec<_> = of_packs.into_iter().map(|one| (one, bases_of(one).collect())).collect();
-        for pack in packs {
-            let of_pack = meant(pack, &of_packs, options);
+        for (pack, certain) in packs {
+            let of_pack = meant(&certain, &of_packs, options);
             let places = packed(pack, &of_pack, options)?;
             let rest = of_pack.iter().filter(|(one, _)| !places.iter().any(|place| place.is_of(*one)));
             packed_places.extend(unpacked_singly(pack, rest, &systems, &given)?);
