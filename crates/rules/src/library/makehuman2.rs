@@ -36,16 +36,19 @@ pub(super) fn unread(
 ) -> Option<Finding> {
     let (first, near) = (files.first()?, nearest(folder, CATEGORIES));
     let has_base = |file: &&FileFacts| file.rel.split('/').nth(1).is_some_and(|base| bases.contains(base));
+    // Beside the libraries of a pack it may wait there on purpose.
+    let is_at_top =
+        |file: &&FileFacts| is_directly_in(file) && !view.layers.checked.is_pack_of(Application::Makehuman2);
     let known = view.library.bases();
     let is_meant = near.is_some() || files.iter().any(|file| is_lost(view, &known, file));
     if near.is_some_and(|near| near.eq_ignore_ascii_case(folder))
         || !is_meant
-        || !files.iter().all(|file| has_base(file) || is_directly_in(file))
+        || !files.iter().all(|file| has_base(file) || is_at_top(file))
     {
         return None;
     }
     let message = format!("folder `{folder}` is not read ({})", counted(files.len(), "asset"));
-    let is_of_asset = near.is_none() && files.iter().all(|file| is_directly_in(file));
+    let is_of_asset = near.is_none() && files.iter().all(is_at_top);
     let parts = files.iter().map(|file| (file.shown(), &file.path));
     let finding = rule.at(first, Place::File, message).key(format!("folder {folder}")).parts_in(parts);
     let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
