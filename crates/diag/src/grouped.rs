@@ -68,19 +68,9 @@ impl<K, V> Grouped<K, V> {
         self.0.into_iter().map(|(_, values)| values)
     }
 
-    /// The keys.
-    pub fn into_keys(self) -> impl Iterator<Item = K> {
-        self.0.into_iter().map(|(key, _)| key)
-    }
-
     /// The values of each key.
     pub fn values(&self) -> impl Iterator<Item = &Vec<V>> {
         self.0.iter().map(|(_, values)| values)
-    }
-
-    /// The keys.
-    pub fn keys(&self) -> impl Iterator<Item = &K> {
-        self.0.iter().map(|(key, _)| key)
     }
 
     /// Keys with their values.

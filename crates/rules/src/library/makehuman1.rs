@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::super::cause::outdated::is_outdated;
 use super::super::{Rule, counted, did_you_mean};
 use super::custom_targets::NO_SLIDER;
-use super::{as_copy, aside, of_folder, top};
+use super::{Contents, as_copy, aside, of_folder, top};
 use mhlint_diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped, nearest};
 use mhlint_discover::{Kind, archive_library_of, extension, libraries, library_extension, library_of};
 use mhlint_formats::mhbin_asset::Packed;
@@ -151,8 +151,7 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
     // What a link leads to may be there on purpose; the link is reported.
     let linked = layer.linked_folders.iter().flat_map(|folder| layer.below(folder));
-    let linked: BTreeSet<_> = linked.filter_map(|file| Some((file.file_name(), file.content_hash?))).collect();
-    let is_linked = |file: &FileFacts| file.content_hash.is_some_and(|hash| linked.contains(&(file.file_name(), hash)));
+    let linked = Contents::of(linked);
     let tops = layer.files.values().filter_map(|file| Some((file.rel.split('/').next()?, file)));
     let lost = tops.filter(|(top, file)| {
         let is_lone = || extension(&file.rel) == "mhpxy" && layer.text_of_archive(&file.rel).is_none();
@@ -162,15 +161,13 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         (file.rel.contains('/') || matches!(extension(&file.rel), "mhskel" | "mhpose"))
             && !file.is_loose
             && !is_outdated(file)
-            && !is_linked(file)
+            && !linked.has(file)
             && *top != OF_MAKEHUMAN1
             && library_extension(top).is_none()
             && (is_worn || of_other_case)
     });
     let lost = lost.filter(|(_, file)| !layer.is_aside(Makehuman1, file));
-    let content = |file: &FileFacts| (file.file_name().to_owned(), file.content_hash);
-    let listed = layer.files.values().filter(|file| library_of(&file.rel).is_some() && file.content_hash.is_some());
-    let are_listed: BTreeSet<_> = listed.map(content).collect();
+    let listed = Contents::of(layer.files.values().filter(|file| library_of(&file.rel).is_some()));
     for (top, files) in grouped(lost) {
         let Some(first) = files.first() else { continue };
         let message = if first.rel.contains('/') {
@@ -183,7 +180,7 @@ pub(super) fn unread(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
         let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
         let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
         // A copy of what is listed is lost to nobody, and moved there it would be listed twice.
-        out.push(if files.iter().all(|file| are_listed.contains(&content(file))) {
+        out.push(if files.iter().all(|file| listed.has(file)) {
             finding.case(COPIED).help(REMOVE_COPY)
         } else {
             finding.help(did_you_mean(near, "move the assets to the folder of their kind, such as `clothes`"))

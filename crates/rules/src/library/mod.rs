@@ -19,6 +19,8 @@ pub(crate) mod too_deep;
 pub(crate) mod unreadable_thumbnail;
 pub(crate) mod wrong_folder;
 
+use std::collections::BTreeSet;
+
 use super::{Rule, counted, enumerated};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
@@ -83,6 +85,19 @@ fn aside(rule: &Rule, files: &[&FileFacts]) -> Option<Finding> {
     let example = if are_targets { "custom" } else { "clothes" };
     let help = format!("move them to the folder of their kind, such as `{example}`, if they belong to the pack");
     Some(finding.help(help))
+}
+
+/// Files by name and content, so that copies of them are known.
+struct Contents<'f>(BTreeSet<(&'f str, u64)>);
+
+impl<'f> Contents<'f> {
+    fn of(files: impl Iterator<Item = &'f FileFacts>) -> Self {
+        Self(files.filter_map(|file| Some((file.file_name(), file.content_hash?))).collect())
+    }
+
+    fn has(&self, file: &FileFacts) -> bool {
+        file.content_hash.is_some_and(|hash| self.0.contains(&(file.file_name(), hash)))
+    }
 }
 
 /// By what files are sorted that have something in common: the copy, with a longer or a hidden name, comes last.

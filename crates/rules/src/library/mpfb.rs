@@ -1,11 +1,9 @@
 //! Where MPFB looks for a user's files (formats/mpfb.md §1, §2.5, §7).
 
-use std::collections::BTreeSet;
-
 use super::super::cause::outdated::is_outdated;
 use super::super::{Rule, counted, did_you_mean};
 use super::makehuman1::REMOVE_COPY;
-use super::{aside, top};
+use super::{Contents, aside, top};
 use mhlint_diag::{Application, Case, Evidence, Finding, Level, Place, grouped, nearest};
 use mhlint_discover::{Kind, Layout, extension};
 use mhlint_repo::FileFacts;
@@ -44,10 +42,8 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let message = format!("{} in no folder of a kind", counted(loose.len(), "asset"));
     out.extend(finding(rule, &loose, "", message, NOT_LISTED, TO_KIND));
     // A copy of what is listed is lost to nobody, and moved there it would be listed twice.
-    let content = |file: &FileFacts| (file.file_name().to_owned(), file.content_hash);
-    let is_listed = |file: &&FileFacts| own.has_at_top(top(file)) && file.content_hash.is_some();
-    let listed: BTreeSet<_> = files().filter(is_listed).map(content).collect();
-    let are_copies = |files: &[&FileFacts]| files.iter().all(|file| listed.contains(&content(file)));
+    let listed = Contents::of(files().filter(|file| own.has_at_top(top(file))));
+    let are_copies = |files: &[&FileFacts]| files.iter().all(|file| listed.has(file));
     let tops = files().filter_map(|file| Some((file.rel.split_once('/')?.0, file)));
     let mut beside: Vec<&FileFacts> = Vec::new();
     for (top, files) in grouped(tops.filter(|(top, _)| !is_other(top))) {

@@ -39,7 +39,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn newer(model: &SavedModel<'_>, own: Option<Edition>) -> Option<Finding> {
     let own = own.filter(|own| !own.is_before("1.1"))?;
     let line = model.lines.last("version")?;
-    let number = line.text.trim_start_matches('v').get(..3)?;
+    let number = line.text.strip_prefix('v')?.get(..3)?;
     if !own.is_before(number) {
         return None;
     }
