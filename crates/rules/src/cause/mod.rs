@@ -16,6 +16,7 @@ pub(super) mod mesh;
 pub(super) mod outdated;
 pub(super) mod overlay;
 pub(super) mod schema;
+pub(super) mod unfiled;
 pub(super) mod unmerged;
 pub(super) mod weights;
 pub(super) mod worn;

@@ -2,28 +2,12 @@
 
 use std::collections::BTreeSet;
 
+use super::super::cause::unfiled::CATEGORIES;
 use super::super::{Rule, counted, did_you_mean};
 use mhlint_diag::{Application, Evidence, Finding, Place, nearest};
 use mhlint_discover::extension;
 use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::View;
-
-/// Folders of assets that lists show.
-pub(super) const CATEGORIES: [&str; 13] = [
-    "clothes",
-    "hair",
-    "eyes",
-    "eyebrows",
-    "eyelashes",
-    "teeth",
-    "tongue",
-    "proxy",
-    "rigs",
-    "poses",
-    "expressions",
-    "models",
-    "skins",
-];
 
 /// What lies in a folder that is no category but looks like one: by its name, or because it is sorted by base mesh and has
 /// assets that are nowhere else. A name with other capitals has a finding of its own.

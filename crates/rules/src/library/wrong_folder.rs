@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::cause::outdated::is_outdated;
+use super::super::cause::unfiled::{CATEGORIES, is_of_no_base};
 use super::super::{Check, Rule, RuleCx};
 use super::{makehuman1, makehuman2, mpfb, of_folder, shelves, suffix};
 use mhlint_diag::{
@@ -47,34 +48,23 @@ pub(crate) static RULE: Rule = Check::LibrariesOfAll(
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let bases: BTreeSet<&str> = view.bases.iter().map(|base| base.name).collect();
     let layer = view.layers.checked;
-    // A folder that several categories have is that of a base mesh elsewhere.
-    let is_elsewhere = |category: &str, folder: &str| {
-        let mut others = makehuman2::CATEGORIES.iter().filter(|other| **other != category);
-        others.any(|other| layer.below(&format!("{other}/{folder}")).next().is_some())
-    };
-    // Without the system data it may be one of its base meshes, unless it is the asset's own folder.
-    let is_no_base = |file: &FileFacts, folder: &str| {
-        let can_tell = view.layers.system.is_some() || file.stem() == folder;
-        can_tell && !bases.is_empty() && !bases.contains(folder)
-    };
+    let is_no_base = |file: &FileFacts| is_of_no_base(view.layers, &bases, file);
     let mut unknown: BTreeMap<&str, Vec<&FileFacts>> = BTreeMap::new();
     let mut of_other_kind: BTreeMap<(&str, &'static str), Vec<&FileFacts>> = BTreeMap::new();
     for file in layer.files.values().filter(|file| !file.is_loose && !is_outdated(file)) {
         match *file.rel.split('/').collect::<Vec<_>>() {
-            [category, FILTER] if makehuman2::CATEGORIES.contains(&category) => {
+            [category, FILTER] if CATEGORIES.contains(&category) => {
                 out.push(filter(file, category, &bases));
             }
             ["skins", name] if extension(name) == "mhmat" => out.push(without_base(file, "skins", name, &bases)),
-            ["skins", folder, name]
-                if extension(name) == "mhmat" && is_no_base(file, folder) && !is_elsewhere("skins", folder) =>
-            {
+            ["skins", folder, name] if extension(name) == "mhmat" && is_no_base(file) => {
                 out.push(without_base(file, "skins", &format!("{folder}/{name}"), &bases));
             }
             _ => {}
         }
         let Some(suffix) = suffix(&file.rel).filter(|suffix| extension(&file.rel) == *suffix) else { continue };
         let parts: Vec<&str> = file.rel.split('/').collect();
-        let Some(category) = parts.first().filter(|first| makehuman2::CATEGORIES.contains(first)) else {
+        let Some(category) = parts.first().filter(|first| CATEGORIES.contains(first)) else {
             // The name of any other folder is its owner's business, unless it is nearly one of these.
             unknown.entry(parts.first().copied().unwrap_or_default()).or_default().push(file);
             continue;
@@ -83,7 +73,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         match parts.as_slice() {
             _ if !right.contains(category) => of_other_kind.entry((category, suffix)).or_default().push(file),
             [_, name] => out.push(without_base(file, category, name, &bases)),
-            [_, folder, name] if is_no_base(file, folder) && !is_elsewhere(category, folder) => {
+            [_, folder, name] if is_no_base(file) => {
                 out.push(without_base(file, category, &format!("{folder}/{name}"), &bases));
             }
             _ => {}

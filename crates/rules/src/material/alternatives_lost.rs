@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::super::cause::unfiled::is_of_no_base;
 use super::super::{Check, Rule, RuleCx};
 use super::alternatives_shared::unoffered;
 use mhlint_diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
@@ -55,7 +56,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     capitals(view, out);
     out.extend(unoffered(&RULE, view));
+    let bases: BTreeSet<&str> = view.body_names().into_iter().collect();
+    let is_listed = |worn: &&Worn<'_>| !is_of_no_base(layers, &bases, worn.file);
     let own = view.assets().iter().filter(|worn| layers.is_checked(worn.file) && !worn.is_topology());
+    let own = own.filter(is_listed);
     let meshes = own.filter_map(|worn| Some((worn, mesh(worn)?)));
     let by_folder = grouped(meshes.map(|(worn, mesh)| (parent(&mesh.rel), (worn, mesh))));
     for (folder, assets) in by_folder {
