@@ -360,9 +360,10 @@ impl<'v> Body<'v> {
         self.target(&file.path).map_or_else(|| parent(&file.rel), |target| target.folder)
     }
 
-    /// Whether a target lies where the folder of a base mesh is missing, so that the name of its folder says nothing.
-    pub fn is_unsorted(&self, file: &FileFacts) -> bool {
-        matches!(self.view, View::Makehuman2(view) if view.is_unsorted(file))
+    /// Whether a target lies where the folder of a base mesh is missing, or in that of one that no layer has: nobody loads it.
+    pub fn is_without_base(&self, file: &FileFacts) -> bool {
+        let View::Makehuman2(view) = self.view else { return false };
+        view.is_unsorted(file) || !file.is_loose && view.is_nowhere(self.name)
     }
 
     /// A setting at which a target is applied fully; `None` if nothing uses it.

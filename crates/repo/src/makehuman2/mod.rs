@@ -10,6 +10,7 @@ mod macro_folders;
 mod meshes;
 mod misnamed;
 mod models;
+mod orphaned;
 mod overlay;
 mod poses;
 mod program;

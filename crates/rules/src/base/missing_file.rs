@@ -2,10 +2,10 @@
 
 use super::super::cause::consequence::NO_POSE_SKELETON;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::absent_keys;
 use super::sliders::{self, Gap};
+use super::{absent_keys, orphan};
 use mhlint_diag::{Application::Makehuman2, Finding, Level, RuleInfo, nearest};
-use mhlint_repo::makehuman2::{Base, View, lacks_bases};
+use mhlint_repo::makehuman2::{Base, View};
 use mhlint_repo::{FileFacts, Layer, Reference, ReferenceKind, Resolution};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
@@ -74,12 +74,7 @@ fn named(view: &View<'_>, base: &Base<'_>, reference: &Reference<'_>) -> Option<
 fn unnamed(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
     let checked = view.layers.checked;
     let folder = format!("base/{}", base.name);
-    // What is there but cannot be opened, or is written with other capitals, has a finding of its own.
-    let exists = |file: &str| {
-        let rel = format!("{folder}/{file}");
-        let is_here = |layer: &Layer| layer.file_ignoring_case(&rel).is_some() || layer.has_unusable(&rel);
-        view.layers.strongest_first().any(is_here)
-    };
+    let exists = |file: &str| view.has_base_file(base.name, file);
     let (settings, mesh) = (exists("base.json"), exists("base.obj") || exists("base.mhbin"));
     let has_base = checked.below(&folder).next().is_some();
     match (settings, mesh) {
@@ -95,15 +90,9 @@ fn unnamed(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
             let effect = "crashes with `TypeError` when it loads the base";
             Some(finding.effect(effect).help(format!("add `{folder}/base.json`")))
         }
-        // One root with `contarget/` may be a user's folder whose system data was not given.
-        (false, false) if !view.layers.is_one_root() && !is_lost(view) => orphan(checked, base),
+        (false, false) if view.is_nowhere(base.name) => orphan::finding(&RULE, view, base),
         _ => None,
     }
-}
-
-/// Whether the program has lost all its bases: that is one fault.
-fn is_lost(view: &View<'_>) -> bool {
-    view.layers.checks_system() && lacks_bases(view.layers.checked)
 }
 
 /// What the sliders of a system's base need.
@@ -112,20 +101,4 @@ fn of_sliders(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
     let rel = format!("target/{}/{name}", base.name);
     let finding = RULE.in_layer(view.layers.checked, &rel, message).key(name).level(level);
     Some(finding.effect(effect).help(help))
-}
-
-/// Targets of a base that no layer has.
-fn orphan(checked: &Layer, base: &Base<'_>) -> Option<Finding> {
-    let folders = ["contarget", "target"].map(|folder| format!("{folder}/{}", base.name));
-    // A loose file lies in no folder of a base: that its base is not known is among what was not checked.
-    let is_in = |folder: &&String| checked.below(folder).any(|file| !file.is_loose);
-    let folder = folders.iter().find(is_in)?;
-    let message = format!("base `{}` does not exist: base.json and the mesh are missing", base.name);
-    Some(
-        RULE.in_layer(checked, folder, message)
-            .key("base")
-            .level(Level::Warning)
-            .effect("never loads these targets")
-            .help("rename the folder to an existing base; if the system data has the base, pass it with `--system`"),
-    )
 }

@@ -5,6 +5,7 @@ mod barycentric_presets;
 mod geometry_range;
 mod missing_file;
 mod names;
+mod orphan;
 mod other_base;
 mod rule_without_effect;
 mod sliders;

@@ -25,10 +25,11 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    // What a folder is called says nothing where that of the base mesh is missing (`overlay-base-folder-missing`).
+    // What a folder is called says nothing where that of the base mesh (`overlay-base-folder-missing`) or the base mesh itself
+    // (`base-missing-file`) is missing.
     let found = grouped(targets(body).filter_map(|(_, file, facts)| {
         let (line, named) = facts.basemesh.as_ref()?;
-        let is_other = !named.eq_ignore_ascii_case(file.base()?) && !body.is_unsorted(file);
+        let is_other = !named.eq_ignore_ascii_case(file.base()?) && !body.is_without_base(file);
         is_other.then(|| ((body.folder_of(file), named.as_str()), (file, *line)))
     }));
     for ((folder, named), files) in found {
