@@ -231,9 +231,12 @@ impl<'a> View<'a> {
     /// Weights of a rig, used or not.
     fn weights<'v>(&self, file: &'v FileFacts) -> BodyWeights<'v> {
         let is_used = self.rigs.iter().filter_map(RigFile::weights).any(|own| own.path == file.path);
-        // Those of a rig that is not found are told there.
-        let rig = file.file_name().strip_prefix("weights.").map(|name| format!("{}/{name}", parent(&file.rel)));
-        let is_used = is_used || rig.is_some_and(|rel| self.layers.checked.file(&rel).is_some());
+        // Those of a rig that is not found are told there, also of one that is called as the add-on calls its own.
+        let has_rig = |name: &str| {
+            let rigs = ["", "rig."].map(|start| format!("{}/{start}{name}", parent(&file.rel)));
+            rigs.iter().any(|rel| self.layers.checked.file(rel).is_some())
+        };
+        let is_used = is_used || file.file_name().strip_prefix("weights.").is_some_and(has_rig);
         // What lacks its rig is told there, where it is one that is offered.
         let is_of_lost = || self.layers.system.is_some_and(|system| is_of_lost_rig(system, &file.rel));
         let is_used = is_used || is_of_lost();

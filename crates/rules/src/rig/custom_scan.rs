@@ -5,7 +5,7 @@ use mhlint_diag::{Application::Mpfb, Case, Finding, Level, Place, RuleInfo};
 use mhlint_discover::Kind;
 use mhlint_formats::rig::{Identifying, LayoutFault, Rig};
 use mhlint_repo::mpfb::{View, is_listed};
-use mhlint_repo::{FileFacts, parent};
+use mhlint_repo::{FileFacts, Layer, parent};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "does not list the rig")],
@@ -26,11 +26,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     for file in view.own(Kind::CustomRig).chain(view.own(Kind::Rig)) {
         let Some(rig) = file.rig() else { continue };
-        out.extend(if parent(&file.rel) == "rigs" { listed(file, rig) } else { too_deep(view, file, rig) });
+        out.extend(if parent(&file.rel) == "rigs" { listed(view, file, rig) } else { too_deep(view, file, rig) });
     }
 }
 
-fn listed(file: &FileFacts, rig: &Rig) -> Option<Finding> {
+fn listed(view: &View<'_>, file: &FileFacts, rig: &Rig) -> Option<Finding> {
     if let Some(found) = no_object(rig) {
         // What is not looked at for its name does no harm.
         let message = format!("the file is {found}, expected an object");
@@ -46,15 +46,34 @@ fn listed(file: &FileFacts, rig: &Rig) -> Option<Finding> {
     }
     if !is_listed(file) {
         let message = format!("`{}` has other characters than letters, digits and `_` in its name", file.file_name());
-        let plain: String =
-            file.stem().chars().map(|one| if one.is_ascii_alphanumeric() { one } else { '_' }).collect();
-        let finding =
-            RULE.at(file, Place::File, message).help(format!("rename it to `{plain}.json`, and its weights alike"));
-        return Some(finding);
+        return Some(RULE.at(file, Place::File, message).help(renamed(view.layers.checked, file, rig)));
     }
     let lacks = rig.identifying == Identifying::Absent;
     let finding = || RULE.at(file, Place::File, "the rig has no `identifying_bones`");
-    lacks.then(|| finding().help("add `identifying_bones` with names of bones that no other rig has"))
+    lacks.then(|| finding().help(format!("add {SIGN}")))
+}
+
+const SIGN: &str = "`identifying_bones` with names of bones that no other rig has";
+
+/// How to call a rig whose name is not listed, and what becomes of its weights.
+fn renamed(layer: &Layer, file: &FileFacts, rig: &Rig) -> String {
+    let plain = |name: &str| -> String {
+        name.chars().map(|one| if one.is_ascii_alphanumeric() { one } else { '_' }).collect()
+    };
+    let is_there = |name: &str| layer.is_there(&format!("rigs/{name}.json"));
+    // The add-on calls its own so, and their weights as those of a user are called.
+    let own = file.stem().strip_prefix("rig.").filter(|own| !own.is_empty());
+    let free = own.filter(|own| !is_there(&plain(own)));
+    let new = plain(free.unwrap_or(file.stem()));
+    let weights = match own.map(|own| format!("weights.{own}")).filter(|weights| is_there(weights)) {
+        Some(weights) if free == Some(&*new) => format!("; `{weights}.json` keeps its name"),
+        // Those are of the rig that has the name.
+        Some(weights) if free.is_none() => format!("; copy `{weights}.json` to `weights.{new}.json`"),
+        None if free == Some(&*new) => String::new(),
+        _ => ", and its weights alike".to_owned(),
+    };
+    let sign = if rig.identifying == Identifying::Absent { format!("; add {SIGN}") } else { String::new() };
+    format!("rename it to `{new}.json`{weights}{sign}")
 }
 
 fn too_deep(view: &View<'_>, file: &FileFacts, rig: &Rig) -> Option<Finding> {
