@@ -32,9 +32,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let finding = RULE.at(first.file, Surface::place(line), message);
     let parts = tinted.iter().map(|(surface, line)| (surface.file.shown(), &surface.file.path, Surface::place(line)));
     let finding = finding.parts_at(parts).evidence(Evidence::of_cases(tinted.iter().map(|(one, _)| one.file.shown())));
-    out.push(finding.help(
-        "write `diffuseColor 1.0 1.0 1.0` to keep the look that MakeHuman 2 shows; only exported OBJ files change",
-    ));
+    out.push(finding.help(if view.is_makehuman1() {
+        "write `diffuseColor 1.0 1.0 1.0` to show the texture as it is; if the tint is wanted, put it into the picture"
+    } else {
+        "write `diffuseColor 1.0 1.0 1.0` to keep the look that MakeHuman 2 shows; there only exported OBJ files change"
+    }));
 }
 
 /// The line of the colour, if the texture is there and it is not white.
