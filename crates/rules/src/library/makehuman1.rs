@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::super::cause::outdated::is_outdated;
 use super::super::{Rule, counted, did_you_mean};
 use super::custom_targets::NO_SLIDER;
-use super::{Contents, as_copy, aside, of_folder, top};
+use super::{Contents, as_copy, aside, is_exported, of_folder, top, unpictured};
 use mhlint_diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped, nearest};
 use mhlint_discover::{Kind, archive_library_of, extension, libraries, library_extension, library_of};
 use mhlint_formats::mhbin_asset::Packed;
@@ -229,7 +229,7 @@ pub(super) fn without_pictures(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
         let has = |extension| beside(file, extension).is_some();
         let is_pictured = has("thumb") || *library == "skins" && has("png");
         let is_own = !copies.contains(file.path.as_str()) && !file.file_name().starts_with('.');
-        is_sound && is_listed && is_own && !is_pictured && !is_outdated(file)
+        is_sound && is_listed && is_own && !is_pictured && !is_outdated(file) && !is_exported(file)
     });
     for (library, files) in grouped(bare) {
         let unused = |file: &&&FileFacts| {
@@ -241,9 +241,7 @@ pub(super) fn without_pictures(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
             let message = match (files.len(), key) {
                 (1, "png") => format!("`{}.png` is not used as the picture of `{}`", first.stem(), first.file_name()),
                 (1, _) => format!("`{}` has no picture", first.file_name()),
-                (count, _) => {
-                    format!("{} in `{library}` have no picture, first `{}`", counted(count, "asset"), first.file_name())
-                }
+                (count, _) => unpictured(&counted(count, "asset"), library, first, first.file_name()),
             };
             let help = if key == "png" {
                 "save it as PNG of at most 128 by 128 pixels with the suffix `.thumb`"

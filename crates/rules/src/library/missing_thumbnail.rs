@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::cause::outdated::is_outdated;
 use super::super::{Check, Rule, RuleCx, counted};
-use super::{makehuman1, shelves};
+use super::{is_exported, makehuman1, shelves, unpictured};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
@@ -48,6 +48,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             && layer.file(&rel).is_none()
             && !is_renamed
             && !copies.contains(asset.file.path.as_str())
+            && !is_exported(asset.file)
     });
     let strays = layer.files.values().filter(|file| is_thumb(file) && !is_of_one(&file.rel, &stems, layer));
     let mut strays: BTreeMap<&str, &FileFacts> = strays.map(|file| (parent(&file.rel), file)).collect();
@@ -103,9 +104,7 @@ fn without(category: &str, base: &str, assets: &[&Asset<'_>]) -> Option<Finding>
     let first = assets.first()?;
     let message = match assets.len() {
         1 => format!("`{}` has no picture", first.file.file_name()),
-        count => {
-            format!("{} in `{category}/{base}` have no picture, first `{}`", counted(count, first.noun()), first.name)
-        }
+        count => unpictured(&counted(count, first.noun()), &format!("{category}/{base}"), first.file, &first.name),
     };
     let finding = RULE.at(first.file, Place::File, message).key(format!("{category} {base}"));
     let parts = assets.iter().map(|asset| (asset.file.shown(), &asset.file.path));

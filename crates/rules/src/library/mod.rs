@@ -67,6 +67,19 @@ fn of_folder(layer: &Layer, folder: &str, files: &[&FileFacts], one: Finding, me
     many.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())))
 }
 
+/// Whether a file lies where a program writes what others are to read: no list shows it.
+fn is_exported(file: &FileFacts) -> bool {
+    file.is_loose && file.folder().split('/').any(|part| part == "exports")
+}
+
+/// How many assets lack a picture, with the first of them. Loose files have no folder of a library, and may lie in several.
+fn unpictured(count: &str, library: &str, first: &FileFacts, name: &str) -> String {
+    if first.is_loose {
+        return format!("{count} have no picture, first `{}`", first.shown());
+    }
+    format!("{count} in `{library}` have no picture, first `{name}`")
+}
+
 const ASIDE: Case =
     &[(Makehuman2, Level::Info, LISTS_NONE), (Makehuman1, Level::Info, LISTS_NONE), (Mpfb, Level::Info, LISTS_NONE)];
 const LISTS_NONE: &str = "does not list what is there";

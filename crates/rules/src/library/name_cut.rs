@@ -84,11 +84,11 @@ fn in_path(view: &View<'_>, file: &FileFacts) -> Option<Finding> {
                 return None;
             }
             let count = counted(listed.count() + 1, what);
-            let message = format!("folder `{folder}` of {count} has a space in its name");
+            let message = format!("folder `{}` of {count} has a space in its name", layer.shown(folder));
             RULE.in_layer(layer, folder, message).help("rename the folder, and what is in it, without spaces")
         }
         None if has_space(&file.rel) => {
-            let message = format!("the path of the {what} has a space: `{}`", file.rel);
+            let message = format!("the path of the {what} has a space: `{}`", file.shown());
             RULE.at(file, Place::File, message).help("rename the file without spaces")
         }
         None => return None,

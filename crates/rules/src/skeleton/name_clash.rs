@@ -40,7 +40,7 @@ fn finding(body: &Body<'_>, name: &str, rigs: &[Rig<'_>]) -> Option<Finding> {
     let others: Vec<&Rig<'_>> = rigs.iter().filter(|rig| rig.file.path != told.file.path).collect();
     let first = others.first()?;
     let more = if others.len() > 1 { format!(" and {} more", others.len() - 1) } else { String::new() };
-    let message = format!("the name `{name}` is also used by `{}`{more}", first.file.rel);
+    let message = format!("the name `{name}` is also used by `{}`{more}", first.file.shown());
     let mut finding = RULE
         .at(told.file, Place::pointer(["name"]), message)
         .key(name)

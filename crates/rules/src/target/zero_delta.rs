@@ -36,7 +36,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             [(file, facts)] => one_file(layer, folder, file, facts),
             [(file, facts), ..] => {
                 let most = most_first(&found);
-                let (message, evidence) = of_folder(folder, &most);
+                let (message, evidence) = of_folder(&layer.shown(folder), &most);
                 let finding = RULE.at(file, first_row(&facts.zero), message).evidence(evidence);
                 let parts = found.iter().map(|(file, facts)| (&file.rel, &file.path, first_row(&facts.zero)));
                 let finding = finding.asset(layer.display(folder)).parts_at(parts);
@@ -84,7 +84,7 @@ fn of_folder(folder: &str, files: &[(&FileFacts, &TargetFacts)]) -> (String, Evi
     let count: u64 = files.iter().map(|(_, facts)| facts.zero.count).sum();
     let of: usize = files.iter().map(|(_, facts)| facts.rows).sum();
     let message = format!("{count} zero rows in {} of `{folder}` move nothing", counted(files.len(), "target"));
-    let named = files.iter().map(|(file, facts)| format!("{} ({})", file.rel, facts.zero.count));
+    let named = files.iter().map(|(file, facts)| format!("{} ({})", file.shown(), facts.zero.count));
     let evidence = Evidence::of_groups(named, count);
     (message, evidence.out_of(of))
 }
