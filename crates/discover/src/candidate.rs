@@ -70,12 +70,12 @@ pub fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) -> Vec<Ca
     };
     let entries = entries.filter(|(entry, _)| is_taken(entry));
     let mut found: Vec<Candidate<'t>> = entries.map(|(entry, rel)| Candidate::new(entry, rel, layouts)).collect();
-    // Only a user has something of his own there.
+    // Only a user has something of his own there, also one over whose data those of the program were copied.
     let own = found.len();
     let users = layouts.iter().filter_map(|layout| {
         found.truncate(own);
         found.extend(beside(tree, root, layout));
-        let is_user = found.len() > own && (layout.role)(&found) == Role::User;
+        let is_user = found.len() > own && (layout.role)(&found) != Role::System;
         is_user.then(|| found.split_off(own))
     });
     let all: Vec<Candidate<'t>> = users.collect::<Vec<_>>().concat();

@@ -20,6 +20,7 @@ pub(super) static LAYOUT: Layout = Layout {
     is_of_others,
     place,
     role,
+    is_system_of_two: |_| true,
     shelf,
     loose_place,
     unpacks_singly: true,
@@ -114,7 +115,13 @@ fn role(below: &[Candidate<'_>]) -> Role {
     let is_of_user = has("custom/") || below.iter().any(|one| one.is_loose);
     let is_copy = is_of_user && !is_build && !(has("targets/") && has("modifiers/"));
     let is_own = has("modifiers/modeling_modifiers.json") || has_mesh || has("rigs/default.mhskel");
-    if is_build || is_own && !is_copy { Role::System } else { Role::User }
+    // A program that was copied over the data of its user.
+    let is_home = below.iter().any(|one| one.is_loose && !one.rel.starts_with("custom/"));
+    match (is_build || is_own && !is_copy, is_home) {
+        (true, false) => Role::System,
+        (true, true) => Role::Both,
+        (false, _) => Role::User,
+    }
 }
 
 fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {

@@ -44,6 +44,7 @@ pub(super) static LAYOUT: Layout = Layout {
     shares_roots_of: Some(Application::Makehuman1),
     has_second_user: true,
     role,
+    is_system_of_two: |_| true,
     reads_hidden,
     is_folder: |rel, _| FOLDERS.contains(&rel) || WORN.contains(&rel),
     single: |rel| is_skin_picture(rel).then_some(Single::SkinPicture),
@@ -131,10 +132,16 @@ fn role(below: &[Candidate<'_>]) -> Role {
         WORN.contains(&top) || matches!(top, "custom" | "skins" | "proxymeshes" | "packs")
     };
     let (files, folders) = (OWN.iter().filter(has).count(), FOLDERS.iter().filter(has_folder).count());
-    match (files, files + folders) {
-        (_, MUCH..) | (2.., _) => Role::System,
-        (1, _) if !below.iter().any(is_of_user) => Role::System,
-        _ => Role::User,
+    let is_of_addon = match (files, files + folders) {
+        (_, MUCH..) | (2.., _) => true,
+        (1, _) => !below.iter().any(is_of_user),
+        _ => false,
+    };
+    // What is copied over the data of a user is both.
+    match (is_of_addon, below.iter().any(|one| one.is_loose)) {
+        (true, false) => Role::System,
+        (true, true) => Role::Both,
+        (false, _) => Role::User,
     }
 }
 

@@ -7,7 +7,7 @@ use super::roots::Roots;
 use super::stack::{Roles, roles};
 use mhlint_config::Config;
 use mhlint_diag::Application;
-use mhlint_discover::{Candidate, Role};
+use mhlint_discover::{Candidate, Layout, Role};
 use mhlint_evaluate::Rows;
 use mhlint_formats::target::MeshSize;
 use mhlint_repo::{FileFacts, Layer};
@@ -152,7 +152,9 @@ impl<'t> Data<'t> {
     fn alone(&self, root: &Loaded<'_>) -> Vec<Application> {
         let stands_alone = |one: &Application| {
             let has_base = |given: &Loaded<'_>| root.place.stands_alone(*one, |base| given.sizes.contains_key(base));
-            root.is_system_for(*one) && self.given(*one).is_some_and(has_base)
+            // With things of a user beside it, it is no less the program's.
+            let is_copied = || root.role_in(*one) == Some(Role::Both) && !Layout::of(*one).beside.is_empty();
+            (root.is_system_for(*one) || is_copied()) && self.given(*one).is_some_and(has_base)
         };
         root.roles.iter().map(|(application, _)| *application).filter(stands_alone).collect()
     }

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::roots::Found;
 use mhlint_diag::{Application, grouped};
 use mhlint_discover::{Layout, Listing, Meant, Role, candidates, evidence, find_roots, is_of_macos};
 use mhlint_source::{EntryKind, Limits, Tree};
@@ -49,6 +50,30 @@ fn leave_to_program(
         let is_theirs = role(owner) == Role::System && role(own) == Role::User;
         !is_theirs || evidence(listing, path, own.application).is_certain
     });
+}
+
+/// An application whose user has a home of his own here reads that of another application only where it is asked for: what
+/// certainly is a home of the other one is left to that.
+pub(super) fn leave_to_homes(found: &mut [Found<'_>], named: &[Application]) {
+    for own in Application::ALL.into_iter().filter(|own| !named.contains(own)) {
+        let Some(owner) = Layout::of(own).shares_roots_of else { continue };
+        let is_certain = |tree: &Tree, path: &str, application| evidence(&listing(tree), path, application).is_certain;
+        let is_of = |layouts: &[&'static Layout], one| layouts.iter().any(|layout| layout.application == one);
+        let is_home = |tree: &Tree, path: &str, layouts: &[&'static Layout]| {
+            let is_users = || (Layout::of(own).role)(&candidates(tree, path, &[Layout::of(own)])) != Role::System;
+            is_of(layouts, own) && !is_of(layouts, owner) && is_users() && is_certain(tree, path, own)
+        };
+        let has_home = |(input, roots): &Found<'_>| roots.iter().any(|(path, all)| is_home(&input.tree, path, all));
+        if !found.iter().any(has_home) {
+            continue;
+        }
+        for (input, roots) in &mut *found {
+            let both = roots.iter_mut().filter(|(_, layouts)| is_of(layouts, own) && is_of(layouts, owner));
+            let theirs = both.filter(|(path, _)| is_certain(&input.tree, path, owner));
+            let theirs = theirs.filter(|(path, _)| !is_certain(&input.tree, path, own));
+            theirs.for_each(|(_, layouts)| layouts.retain(|layout| layout.application != own));
+        }
+    }
 }
 
 /// The paths of a tree.

@@ -22,7 +22,7 @@ pub(super) fn identify(root: &mut Loaded<'_>, options: &Config) {
         let paths = Paths::of(files(place), mesh(&root.layer, *application), &look);
         let own = options.versions.iter().find(|version| version.application() == *application).copied();
         // In the folder of a user files of all versions meet.
-        let is_programs = *role == Role::System && !place.is_supposed();
+        let is_programs = *role != Role::User && !place.is_supposed();
         let found = || Version::named(*application, (layout.version)(&paths).filter(|_| is_programs)?);
         let Evidence { signs, is_certain, .. } =
             if place.is_supposed() { Evidence::default() } else { evidence(&listing, &place.root, *application) };

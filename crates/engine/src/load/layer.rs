@@ -175,7 +175,7 @@ fn belongs_beside(place: &Place<'_>, path: &str) -> bool {
     let rel = relative_beside(&place.root, path);
     let top = rel.as_deref().and_then(|rel| rel.strip_prefix("../")?.split('/').next());
     let has = |layout: &&&Layout| top.is_some_and(|top| layout.beside.contains(&top));
-    place.layouts.iter().filter(has).any(|layout| (layout.role)(&place.below) == Role::User)
+    place.layouts.iter().filter(has).any(|layout| (layout.role)(&place.below) != Role::System)
 }
 
 /// The path from a data root called `data` to what lies beside it.

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
 use super::copy::{certain, faults, is_copy, meant};
-use super::found::{roots_beside, roots_of};
+use super::found::{leave_to_homes, roots_beside, roots_of};
 use super::identify::is_pack;
 use super::input::Input;
 use super::loose::{Given, Outside, Seen};
@@ -185,19 +185,20 @@ fn found_in<'i>(inputs: &[&'i Input], meant: Meant<'_>, bases: &BTreeSet<String>
     let of = |input: &&'i Input, at_hand: &[Application]| {
         (*input, roots_beside(&input.tree, Meant { at_hand, ..meant }, bases, |_| true))
     };
-    let alone: Vec<Found<'_>> = inputs.iter().map(|input| of(input, &[])).collect();
+    let mut found: Vec<Found<'_>> = inputs.iter().map(|input| of(input, &[])).collect();
     let is_data = |input: &Input, path: &str, layout: &&'static Layout| {
         layout.shares_roots_of.is_some() && (layout.role)(&candidates(&input.tree, path, &[layout])) != Role::User
     };
     let mut at_hand: Vec<Application> = Vec::new();
-    for (input, roots) in alone.iter().filter(|_| inputs.len() > 1) {
+    for (input, roots) in found.iter().filter(|_| inputs.len() > 1) {
         let layouts = roots.iter().flat_map(|(path, layouts)| layouts.iter().map(move |layout| (path, *layout)));
         at_hand.extend(layouts.filter(|(path, layout)| is_data(input, path, layout)).map(|(_, one)| one.application));
     }
-    if at_hand.is_empty() {
-        return alone;
+    if !at_hand.is_empty() {
+        found = inputs.iter().map(|input| of(input, &at_hand)).collect();
     }
-    inputs.iter().map(|input| of(input, &at_hand)).collect()
+    leave_to_homes(&mut found, meant.named);
+    found
 }
 
 /// The data roots of all of `--system`. Which of two of one application counts nobody can tell.

@@ -22,4 +22,4 @@ pub use program::has_most_of_program;
 pub use target_archive::{TargetArchive, Unused};
 pub use targets::{CUSTOM, CustomTarget, NamedTarget, PathClash, is_own_target};
 pub use view::mesh_archive;
-pub use view::{HIDDEN, View, is_checked, mesh, shows, worn};
+pub use view::{ForeignSign, HIDDEN, View, is_checked, mesh, shows, worn};

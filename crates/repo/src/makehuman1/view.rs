@@ -35,7 +35,7 @@ pub struct View<'a> {
     /// The base mesh, if it can be read.
     pub mesh: Option<(&'a FileFacts, &'a Mesh)>,
     /// A base mesh that the default rig is not made for: nothing else is measured against it.
-    pub foreign_mesh: Option<(&'a FileFacts, Strays)>,
+    pub foreign_mesh: Option<(&'a FileFacts, ForeignSign)>,
     /// The skeletons of all layers.
     rigs: Vec<Rig<'a>>,
     /// The groups of the body that are shown.
@@ -52,6 +52,15 @@ pub struct View<'a> {
     pub models: Vec<SavedModel<'a>>,
     /// What expressions are made of.
     pub face: FaceFrames<'a>,
+}
+
+/// What shows that the base mesh is not the one that the other data are for.
+#[derive(Debug, Clone, Copy)]
+pub enum ForeignSign {
+    /// The default rig and its weights both name vertices up to this one, which it does not have.
+    Short(i64),
+    /// Its vertices have other numbers.
+    Order(Strays),
 }
 
 /// What names of groups begin with that are not shown (§1).
@@ -103,8 +112,8 @@ impl<'a> View<'a> {
         let models = models(layers);
         references.extend(models::references(layers, &models, &worn));
         let mesh = mesh(layers);
-        let skeleton = rigs.iter().find(|rig| rig.is_default).and_then(Rig::skeleton);
-        let strays = mesh.zip(skeleton).and_then(|((file, mesh), rig)| Some((file, strays_of(mesh, &rig.joints)?)));
+        let rig = rigs.iter().find(|rig| rig.is_default);
+        let foreign_mesh = mesh.zip(rig).and_then(|((file, mesh), rig)| Some((file, foreign_sign(mesh, rig)?)));
         let mut targets = Targets::of(layers);
         let modifiers = Modifiers::of(layers, &targets);
         if targets.are_archived() && modifiers.has_no_macro() {
@@ -118,7 +127,7 @@ impl<'a> View<'a> {
             references: References::new(references),
             shown: groups.filter(|name| shows(name)).cloned().collect(),
             mesh,
-            foreign_mesh: strays,
+            foreign_mesh,
             rigs,
             worn,
             surfaces,
@@ -226,6 +235,20 @@ impl<'a> View<'a> {
     /// The materials of all layers.
     pub fn surfaces(&self) -> &[Surface<'a>] {
         &self.surfaces
+    }
+}
+
+/// What shows that a mesh is not the one that the default rig is for. Of one file alone it is the file that is at fault.
+fn foreign_sign(mesh: &Mesh, rig: &Rig<'_>) -> Option<ForeignSign> {
+    let skeleton = rig.skeleton()?;
+    let named = skeleton.joints.iter().filter_map(|joint| joint.vertices.as_ref()).flatten();
+    let joints = named.copied().max();
+    let weights = rig.weights()?;
+    let weighted = weights.bones.iter().flat_map(|bone| &bone.pairs).map(|pair| pair.vertex).max();
+    let last = i64::try_from(mesh.facts.vertices).ok()? - 1;
+    match joints.min(weighted).filter(|lower| *lower > last) {
+        Some(_) if mesh.is_sound() => joints.max(weighted).map(ForeignSign::Short),
+        _ => strays_of(mesh, &skeleton.joints).map(ForeignSign::Order),
     }
 }
 

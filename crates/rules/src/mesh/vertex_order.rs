@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2},
-    Confidence, Evidence, Finding, Level, Place, RuleInfo,
+    Case, Confidence, Evidence, Finding, Level, Place, RuleInfo,
 };
 use mhlint_repo::cubes::Strays;
 use mhlint_repo::makehuman2::{Base, ForeignMesh, ForeignSign, View};
@@ -18,10 +18,15 @@ pub(crate) static RULE: Rule = Check::EachBase(run, of_makehuman1, |_, _, _| ())
         The joint cubes show it: more than half of the joints of the skeleton for poses (MakeHuman 1: of the default rig) have \
         other vertices than a cube of the mesh, or no vertex in the group `joint-…` with their name, or more than half of the cubes are torn apart. Nothing else is checked \
         against such a mesh. For MPFB it is `metadata-base-mesh`.\n\n\
+        In MakeHuman 1 the base skeleton and its weights may both name vertices that the mesh does not have: then it is cut off, \
+        and the program fails with `IndexError` while it loads the mesh (an error). In MakeHuman 2 that is `base-vertex-count`.\n\n\
         Export the mesh with its vertex order kept (in Blender: `Keep Vertex Order`), or take the old base.obj and \
         move its vertices.",
     ..RuleInfo::new("mesh-vertex-order", Level::Warning, "the vertices of a base mesh are in another order")
 });
+
+/// What the skeleton does to a mesh that lacks its vertices.
+const SHORT: Case = &[(Makehuman1, Level::Error, "fails with `IndexError` while loading the base mesh")];
 
 const MOVES: &str = "silently moves the wrong vertices: targets, weights and joints were made for other numbers";
 
@@ -32,11 +37,25 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn of_makehuman1(view: &makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, strays)) = view.foreign_mesh else { return };
+    let Some((file, sign)) = view.foreign_mesh else { return };
     let Some(rig) = view.base_rig() else { return };
     if view.layers.is_checked(file) || view.layers.is_checked(rig.file) {
-        out.push(finding(file, rig.file, strays));
+        out.push(match sign {
+            makehuman1::ForeignSign::Short(last) => short(view, file, rig.file, last),
+            makehuman1::ForeignSign::Order(strays) => finding(file, rig.file, strays),
+        });
     }
+}
+
+/// Vertices are missing that the skeleton and its weights name.
+fn short(view: &makehuman1::View<'_>, file: &FileFacts, rig: &FileFacts, last: i64) -> Finding {
+    let vertices = view.mesh.map(|(_, mesh)| mesh.facts.vertices).unwrap_or_default();
+    let message =
+        format!("the mesh has {vertices} vertices, but the base skeleton and its weights name vertices up to {last}");
+    let finding = RULE.at(file, Place::File, message).key("vertices").case(SHORT);
+    let finding = finding.related(rig.path.clone(), Place::File, "the skeleton of the missing vertices");
+    let help = "restore the base mesh, or export it again with all its vertices in their order; until then nothing else is checked against it";
+    finding.help(help).against(&rig.path)
 }
 
 fn finding(file: &FileFacts, rig: &FileFacts, Strays { are_torn, strayed, of }: Strays) -> Finding {

@@ -27,9 +27,10 @@ pub(super) fn unused(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Ve
         let group = target.name.group();
         let is_of_side = group.rsplit_once('-').is_some_and(|(stem, _)| lacking.contains(stem));
         let is_told = strays.contains(target.file.rel.as_str()) || meant.contains(&group) || is_of_side;
-        // What only an archive has is no file that could be kept elsewhere.
+        // What only an archive has is no file that could be kept elsewhere, and a user's has a slider of its own.
+        let is_users = view.layers.is_one_root() && target.file.rel.starts_with("custom/");
         let is_file = target.file.kind_in(Makehuman1) == Kind::Target;
-        is_file && !used.contains_key(place) && !is_told && !target.name.key.is_empty()
+        is_file && !is_users && !used.contains_key(place) && !is_told && !target.name.key.is_empty()
     });
     let folders = grouped(idle.map(|(_, target)| (folder(target.file), target.file)));
     for (folder, files) in folders {
