@@ -19,6 +19,9 @@ pub struct Identity {
     /// Whether nothing else could be meant.
     #[serde(skip)]
     pub is_certain: bool,
+    /// Whether the version is that which was asked for.
+    #[serde(skip)]
+    pub is_version_asked: bool,
 }
 
 /// What kind of place data lie in.

@@ -32,7 +32,8 @@ pub(super) fn identify(root: &mut Loaded<'_>, options: &Config) {
             evidence.extend(others.map(|other| speaks(other, Speaks::Against, lacks(&listing, &place.root, other))));
         }
         let kind = Some(kind(place, &paths, *application, *role));
-        (*application, Identity { kind, version: own.or_else(found), evidence, is_certain })
+        let (version, is_version_asked) = (own.or_else(found), own.is_some());
+        (*application, Identity { kind, version, evidence, is_certain, is_version_asked })
     });
     root.layer.identities = identities.collect();
 }

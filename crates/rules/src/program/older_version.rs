@@ -35,6 +35,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if version.is_newest() || layers.checked.is_loose {
         return;
     }
+    // Who asks for a version knows it, but not what becomes of such a folder.
+    let identity = layers.checked.identities.get(&version.application());
+    if identity.is_some_and(|identity| identity.is_version_asked) && !view.is_in_pieces() {
+        return;
+    }
     let Some(later) = later(version) else { return };
     let message = format!("data of {}: {later} came later", version.title());
     let finding = RULE.in_layer(layers.checked, "", message).key("version");
