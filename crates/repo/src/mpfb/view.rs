@@ -239,7 +239,12 @@ impl<'a> View<'a> {
         let is_used = is_used || file.file_name().strip_prefix("weights.").is_some_and(has_rig);
         // What lacks its rig is told there, where it is one that is offered.
         let is_of_lost = || self.layers.system.is_some_and(|system| is_of_lost_rig(system, &file.rel));
-        let is_used = is_used || is_of_lost();
+        // And a rig that lacks its weights where only their capitals differ.
+        let is_misnamed = || {
+            let lacking = self.rigs.iter().filter(|rig| rig.weights().is_none());
+            lacking.flat_map(|rig| &rig.wanted_weights).any(|wanted| wanted.eq_ignore_ascii_case(&file.rel))
+        };
+        let is_used = is_used || is_of_lost() || is_misnamed();
         let used = if is_used { WeightsUse::Applied } else { WeightsUse::Unread };
         BodyWeights { file, name: Some(file.file_name()), used }
     }

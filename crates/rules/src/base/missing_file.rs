@@ -1,6 +1,7 @@
 //! A base needs its `base.json`, its mesh, and what `base.json` names.
 
 use super::super::cause::consequence::NO_POSE_SKELETON;
+use super::super::cause::unfiled::renamed_rigs;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::sliders::{self, Gap};
 use super::{absent_keys, orphan};
@@ -55,7 +56,9 @@ fn named(view: &View<'_>, base: &Base<'_>, reference: &Reference<'_>) -> Option<
     let layers: Vec<&Layer> = view.layers.strongest_first().collect();
     let files = layers.iter().flat_map(|layer| layer.below(&folder));
     let names: Vec<&str> = files.map(FileFacts::file_name).filter(|name| name.ends_with(extension)).collect();
-    let help = did_you_mean(
+    let renamed = layers.iter().find_map(|layer| renamed_rigs(layer, reference));
+    let help = renamed.map(|folder| format!("rename the folder `{folder}` to `rigs`"));
+    let near = did_you_mean(
         nearest(reference.text, names.iter().copied()).or_else(|| names.first().copied()),
         // Without the key there are no poses either.
         match reference.kind {
@@ -63,7 +66,7 @@ fn named(view: &View<'_>, base: &Base<'_>, reference: &Reference<'_>) -> Option<
             _ => format!("add the file to `{folder}`, or name a start model that exists"),
         },
     );
-    let finding = finding.help(help);
+    let finding = finding.help(help.unwrap_or(near));
     Some(match reference.kind {
         ReferenceKind::PoseSkeleton => finding.effect(NO_POSE_SKELETON),
         _ => finding.effect("crashes with `TypeError` when it loads the base"),

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use super::super::cause::unfiled::TARGETS_OF_OTHERS;
 use super::super::counted;
 use super::NO_MEASURE;
 use mhlint_diag::Level;
@@ -36,6 +37,10 @@ pub(super) fn gap(view: &View<'_>, base: &Base<'_>) -> Option<Gap> {
         let rel = format!("{folder}/{name}");
         checked.file_ignoring_case(&rel).is_none() && !checked.has_unusable(&rel)
     };
+    // The folder of all targets has the name that other programs have for it (`library-wrong-folder`).
+    if !checked.has_folder("target") && checked.file(&format!("{TARGETS_OF_OTHERS}/{}/modelling.json", base.name)).is_some() {
+        return None;
+    }
     if is_missing("modelling.json") {
         without_sliders(checked, base, &folder)
     } else if is_missing("macro.json") {

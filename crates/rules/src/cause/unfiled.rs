@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use mhlint_repo::{FileFacts, Layers};
+use mhlint_diag::nearest;
+use mhlint_repo::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution};
 
 /// Folders of assets that lists show.
 pub(crate) const CATEGORIES: [&str; 13] = [
@@ -21,6 +22,9 @@ pub(crate) const CATEGORIES: [&str; 13] = [
     "skins",
 ];
 
+/// What other programs call the folder of targets.
+pub(crate) const TARGETS_OF_OTHERS: &str = "targets";
+
 /// Whether a file of the checked layer lies in a folder of assets, and there in the folder of none of the base meshes
 /// `bases`, as far as that can be told.
 pub(crate) fn is_of_no_base(layers: Layers<'_>, bases: &BTreeSet<&str>, file: &FileFacts) -> bool {
@@ -35,4 +39,14 @@ pub(crate) fn is_of_no_base(layers: Layers<'_>, bases: &BTreeSet<&str>, file: &F
         others.any(|other| layers.checked.below(&format!("{other}/{folder}")).next().is_some())
     };
     can_tell && !bases.is_empty() && !bases.contains(folder) && !is_elsewhere()
+}
+
+/// The folder at the top that has the name of another one by a slip and holds the skeleton that `base.json` names: then it is
+/// the skeleton that is missing, and nothing else is said of the folder.
+pub(crate) fn renamed_rigs<'l>(layer: &'l Layer, reference: &Reference<'_>) -> Option<&'l str> {
+    let is_lost = matches!(reference.resolution, Resolution::Missing) && reference.kind == ReferenceKind::PoseSkeleton;
+    let below = reference.rel.strip_prefix("rigs").filter(|_| is_lost)?;
+    let folders = layer.files.keys().filter_map(|rel| rel.strip_suffix(below));
+    let mut folders = folders.filter(|folder| !folder.contains('/') && *folder != "rigs");
+    folders.find(|folder| nearest(folder, CATEGORIES) == Some("rigs"))
 }

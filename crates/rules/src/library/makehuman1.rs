@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::super::cause::library::FIRST_SKIN;
 use super::super::cause::outdated::is_outdated;
 use super::super::{Rule, counted, did_you_mean};
 use super::custom_targets::NO_SLIDER;
@@ -228,7 +229,9 @@ pub(super) fn without_pictures(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
         let is_listed = !layer.linked_folders.iter().any(|folder| is_below(&file.rel, folder));
         let has = |extension| beside(file, extension).is_some();
         let is_pictured = has("thumb") || *library == "skins" && has("png");
-        let is_own = !copies.contains(file.path.as_str()) && !file.file_name().starts_with('.');
+        // What the program opens by its name is missing under that (`program-missing-file`).
+        let is_misnamed = file.rel != FIRST_SKIN && file.rel.eq_ignore_ascii_case(FIRST_SKIN);
+        let is_own = !copies.contains(file.path.as_str()) && !file.file_name().starts_with('.') && !is_misnamed;
         is_sound && is_listed && is_own && !is_pictured && !is_outdated(file) && !is_exported(file)
     });
     for (library, files) in grouped(bare) {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::cause::unfiled::CATEGORIES;
+use super::super::cause::unfiled::{CATEGORIES, TARGETS_OF_OTHERS, renamed_rigs};
 use super::super::{Rule, counted, did_you_mean};
 use mhlint_diag::{Application, Evidence, Finding, Place, nearest};
 use mhlint_discover::extension;
@@ -25,7 +25,9 @@ pub(super) fn unread(
         |file: &&FileFacts| is_directly_in(file) && !view.layers.checked.is_pack_of(Application::Makehuman2);
     let known = view.library.bases();
     let is_meant = near.is_some() || files.iter().any(|file| is_lost(view, &known, file));
+    let holds_skeleton = || view.references.iter().any(|one| renamed_rigs(view.layers.checked, one) == Some(folder));
     if near.is_some_and(|near| near.eq_ignore_ascii_case(folder))
+        || near == Some("rigs") && holds_skeleton()
         || !is_meant
         || !files.iter().all(|file| has_base(file) || is_at_top(file))
     {
@@ -89,6 +91,13 @@ pub(super) fn in_folders_of_others(rule: &Rule, view: &View<'_>, out: &mut Vec<F
         let finding = rule.at(first, Place::File, message).key(format!("folder {folder} {suffix}"));
         let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
         let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
-        out.push(finding.help(format!("move them to {right}, if they are made for one of its base meshes")));
+        // With the lists of sliders it is the whole folder.
+        let has_sliders = || layer.below(folder).any(|file| file.file_name() == "modelling.json");
+        let help = if folder == TARGETS_OF_OTHERS && !layer.has_folder("target") && has_sliders() {
+            "rename the folder to `target`".to_owned()
+        } else {
+            format!("move them to {right}, if they are made for one of its base meshes")
+        };
+        out.push(finding.help(help));
     }
 }

@@ -50,6 +50,30 @@ impl<'v> Meant<'v> {
     }
 }
 
+/// The groups of no modifier that several sliders of a file name, with the group of modifiers that seems to be meant.
+pub(super) fn meant_groups<'v>(view: &'v View<'_>, cx: &RuleCx<'_>) -> BTreeMap<&'v str, &'v str> {
+    let known: BTreeSet<&str> = view.modifiers.names().map(group_of).collect();
+    let named = view.modifiers.sets.iter().filter_map(|set| set.sliders).flat_map(|(_, sliders)| sliders.modifiers());
+    let lost = named.map(|named| group_of(&named.name)).filter(|group| !known.contains(group));
+    let lost: BTreeMap<&str, usize> = lost.fold(BTreeMap::new(), |mut counts, group| {
+        *counts.entry(group).or_default() += 1;
+        counts
+    });
+    let several = lost.into_iter().filter(|(_, count)| *count > 1);
+    several.filter_map(|(group, _)| Some((group, near_group(group, &known, cx)?))).collect()
+}
+
+/// The group of modifiers that is meant by a name of none.
+pub(super) fn near_group<'k>(group: &str, known: &BTreeSet<&'k str>, cx: &RuleCx<'_>) -> Option<&'k str> {
+    let same = known.iter().find(|known| known.eq_ignore_ascii_case(group)).copied();
+    same.or_else(|| cx.suggestions.nearest(group, known.iter().copied()))
+}
+
+/// What stands in front of the name of a modifier.
+pub(super) fn group_of(name: &str) -> &str {
+    name.split('/').next().unwrap_or_default()
+}
+
 /// The name with its sides exchanged.
 pub(super) fn exchanged(name: &str) -> Option<String> {
     let (stem, tails) = name.rsplit_once('-')?;

@@ -1,9 +1,9 @@
 //! A modifier moves targets that exist.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
-use super::meant::Meant;
+use super::meant::{Meant, meant_groups};
 use super::spellings::{Spellings, Starts, help};
 use super::{LOST_FILE, LOST_TABS};
 use mhlint_diag::{Application::Makehuman1, Case, Evidence, Finding, Grouped, Level, Place, RuleInfo, grouped};
@@ -38,7 +38,9 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return out.push(finding);
     }
     let mut starts = BTreeMap::new();
-    for (group, all) in bare.iter() {
+    // The sliders name it otherwise, and there it is told (`modifiers-unknown-in-slider`).
+    let renamed: BTreeSet<&str> = meant_groups(view, cx).into_values().collect();
+    for (group, all) in bare.iter().filter(|(group, _)| !renamed.contains(*group)) {
         let words = group.split('-').count();
         let starts = starts.entry(words).or_insert_with(|| Starts::of(view, words));
         out.extend(group_finding(starts, all, cx));

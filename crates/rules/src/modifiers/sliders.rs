@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::LOST_TABS;
-use super::meant::{Meant, exchanged};
+use super::meant::{Meant, exchanged, group_of, near_group};
 use mhlint_diag::{Application::Makehuman1, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use mhlint_formats::unfit::NamedAt;
 use mhlint_repo::FileFacts;
@@ -33,20 +33,16 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         for (group, sliders) in grouped(lost.into_iter().map(|named| (group_of(&named.name), named))) {
             match sliders.as_slice() {
                 [only] => out.extend(finding(view, place, file, only, &meant, cx)),
-                all => out.extend(of_group(file, group, all, &known, cx)),
+                all => out.extend(of_group(view, file, group, all, &known, cx)),
             }
         }
         out.extend(others.into_iter().filter_map(|named| finding(view, place, file, named, &meant, cx)));
     }
 }
 
-/// What stands in front of the name of a modifier.
-fn group_of(name: &str) -> &str {
-    name.split('/').next().unwrap_or_default()
-}
-
 /// Several sliders for a group that does not exist: it has another name.
 fn of_group(
+    view: &View<'_>,
     file: &FileFacts,
     group: &str,
     sliders: &[&NamedAt],
@@ -56,13 +52,19 @@ fn of_group(
     let first = sliders.first()?;
     let message = format!("no modifier is in group `{group}`, which {} sliders name", sliders.len());
     let finding = RULE.at(file, Place::Pointer(first.pointer.clone()), message).key(format!("group {group}"));
-    let same = known.iter().find(|known| known.eq_ignore_ascii_case(group)).copied();
-    let near = same.or_else(|| cx.suggestions.nearest(group, known.iter().copied()));
     let evidence = Evidence::of_cases(sliders.iter().map(|named| named.name.as_str()));
-    let help = near.map_or_else(
-        || "correct the group of these modifiers, or remove the sliders".to_owned(),
-        |near| format!("write `{group}` in place of `{near}` in the list of modifiers, or the other way around here"),
-    );
+    // The targets say which of the two names is right.
+    let has_targets = || {
+        let start = format!("{group}-");
+        view.targets.groups().any(|own| own == group || own.starts_with(&start))
+    };
+    let help = match near_group(group, known, cx) {
+        Some(near) if has_targets() => format!("write `{group}` in place of `{near}` in the list of modifiers"),
+        Some(near) => {
+            format!("write `{group}` in place of `{near}` in the list of modifiers, or the other way around here")
+        }
+        None => "correct the group of these modifiers, or remove the sliders".to_owned(),
+    };
     Some(finding.evidence(evidence).help(help))
 }
 
