@@ -1,4 +1,5 @@
-//! Files that look like assets and are none: tables of add-ons, and test data (formats/versions.md §1).
+//! Files that look like assets and are none: tables of add-ons, and test data
+//! (`docs/loaders/versions.md#whose-data-a-folder-is`).
 
 use std::collections::BTreeMap;
 

@@ -1,5 +1,5 @@
 //! Folders that look like data of several applications: one stray file makes nobody's data those of another program
-//! (formats/versions.md §1).
+//! (`docs/loaders/versions.md#whose-data-a-folder-is`).
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,5 @@
-//! What speaks for and against a data root being that of an application (formats/versions.md §1).
+//! What speaks for and against a data root being that of an application
+//! (`docs/loaders/versions.md#whose-data-a-folder-is`).
 
 use std::collections::{BTreeMap, BTreeSet};
 

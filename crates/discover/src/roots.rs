@@ -1,4 +1,4 @@
-//! Finds data roots by their shape (design.md, "Data roots, layers, applications").
+//! Finds data roots by their shape (`docs/architecture.md#layouts-and-formats`).
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};

@@ -45,7 +45,8 @@ pub enum Formulas {
     /// `makehuman2`.
     #[default]
     Makehuman2,
-    /// The same with several roots, and joints of the mesh (formats/makehuman1.md §4).
+    /// The same with several roots, and joints of the mesh
+    /// (`docs/loaders/makehuman1/skeletons.md#order-and-orientation`).
     Makehuman1,
 }
 

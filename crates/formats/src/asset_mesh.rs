@@ -45,7 +45,7 @@ pub struct AssetMesh {
     pub whole: Option<Box<Mesh>>,
 }
 
-/// How many faces of a vertex an archive of MakeHuman 1 has room for (formats/makehuman1.md §11).
+/// How many faces of a vertex an archive of MakeHuman 1 has room for (`docs/loaders/makehuman1/base-mesh.md#packed-meshes`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct KeptFaces {
     /// The columns of its table.

@@ -1,4 +1,5 @@
-//! Which bones of the base skeleton those of another one name, in plain numbers (formats/makehuman1.md §4).
+//! Which bones of the base skeleton those of another one name, in plain numbers
+//! (`docs/loaders/makehuman1/skeletons.md#references-and-weights`).
 
 use std::collections::BTreeMap;
 

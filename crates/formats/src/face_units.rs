@@ -1,5 +1,5 @@
 //! `face-poseunits.json` of MakeHuman 1: a name for each frame of the motion beside it, of which expressions are made
-//! (formats/makehuman1.md §17).
+//! (`docs/loaders/makehuman1/expressions.md#units`).
 
 use mhlint_json::{Document, Node};
 

@@ -1,4 +1,5 @@
-//! `.npz` beside an OBJ: the mesh as MakeHuman 1 packs it, and reads it in place of the text (formats/makehuman1.md §11).
+//! `.npz` beside an OBJ: the mesh as MakeHuman 1 packs it, and reads it in place of the text
+//! (`docs/loaders/makehuman1/base-mesh.md#packed-meshes`).
 //!
 //! A zip of `.npy`. Gets its members, returns the mesh as its OBJ would give it, but for where texture coordinates lie, or why it
 //! cannot be loaded.

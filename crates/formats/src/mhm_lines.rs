@@ -1,5 +1,5 @@
 //! `.mhm` as MakeHuman 1 reads it: words split at white space, a comment where the first word is `#` alone
-//! (formats/makehuman1.md §19).
+//! (`docs/loaders/makehuman1/models.md#model-keywords`).
 
 use std::ops::Range;
 

@@ -1,4 +1,5 @@
-//! `.mhpxy`: what is worn as MakeHuman 1 packs it, and reads it in place of the text (formats/makehuman1.md §10.5).
+//! `.mhpxy`: what is worn as MakeHuman 1 packs it, and reads it in place of the text
+//! (`docs/loaders/makehuman1/compiled-clothes.md#members-of-the-archive`).
 //!
 //! A zip of `.npy`. Gets its members and the size of the base mesh; returns what the text is compared with, or why it cannot
 //! be loaded. Keeps no rows.
@@ -37,7 +38,8 @@ pub struct PackedProxy {
     pub fault: Option<(&'static str, Option<NpyFault>)>,
 }
 
-/// What comes back of author and licence. Their lengths are written in letters, and read in bytes (makehuman1-observed.md 1.16).
+/// What comes back of author and licence. Their lengths are written in letters, and read in bytes
+/// (`docs/loaders/makehuman1/compiled-clothes.md#licences-that-are-not-ascii`).
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Licence {
     /// All of it, or nothing was written.

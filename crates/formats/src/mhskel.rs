@@ -117,7 +117,8 @@ impl Skeleton {
     }
 
     /// Places of bones in the order of MakeHuman 1, each with the number of its parent: all roots, then breadth first. Bones
-    /// below an unknown parent or in a circle do not exist for it (formats/makehuman1.md §4).
+    /// below an unknown parent or in a circle do not exist for it
+    /// (`docs/loaders/makehuman1/skeletons.md#order-and-orientation`).
     pub fn breadth_first(&self) -> Vec<(usize, Option<usize>)> {
         let places: BTreeMap<&str, usize> =
             self.bones.iter().enumerate().rev().map(|(place, bone)| (bone.name.as_str(), place)).collect();

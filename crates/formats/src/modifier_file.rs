@@ -1,4 +1,5 @@
-//! `*_modifiers.json` of MakeHuman 1: what sliders there are, and which targets they move (formats/makehuman1.md §8.1).
+//! `*_modifiers.json` of MakeHuman 1: what sliders there are, and which targets they move
+//! (`docs/loaders/makehuman1/modifiers.md#modifier-file`).
 
 use super::macro_json::text;
 use super::unfit::NamedAt;

@@ -1,5 +1,5 @@
 //! `mh_1-0_modifier_mapping.csv` of MakeHuman 1: what modifiers of models of version 1.0 are called today
-//! (formats/makehuman1.md §8.3).
+//! (`docs/loaders/makehuman1/modifiers.md#shipped-modifiers`).
 
 /// The table, without its heading and the rows that separate parts of it.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

@@ -1,4 +1,5 @@
-//! `*_sliders.json` of MakeHuman 1: tabs of sliders, and which modifier each one sets (formats/makehuman1.md §8.3).
+//! `*_sliders.json` of MakeHuman 1: tabs of sliders, and which modifier each one sets
+//! (`docs/loaders/makehuman1/modifiers.md#sliders`).
 
 use super::macro_json::text;
 use super::unfit::{NamedAt, below, nth};

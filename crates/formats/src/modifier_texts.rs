@@ -1,4 +1,5 @@
-//! `*_modifiers_desc.json` of MakeHuman 1: what the status line says of a slider (formats/makehuman1.md §8.2).
+//! `*_modifiers_desc.json` of MakeHuman 1: what the status line says of a slider
+//! (`docs/loaders/makehuman1/modifiers.md#descriptions`).
 
 use super::unfit::{NamedAt, below, keep};
 use mhlint_json::{Document, Value};

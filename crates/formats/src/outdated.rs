@@ -1,5 +1,5 @@
 //! Formats of older versions of MakeHuman that no program reads any more, known by what is in a file
-//! (formats/versions.md §2, §4).
+//! (`docs/loaders/versions.md#formats-that-are-gone`).
 
 use super::fields::fields;
 use super::mhm_lines::{Line, Lines, keywords};

@@ -1,5 +1,5 @@
 //! What rows of targets are compared by where `MakeHuman` 1 packs them: thousandths of a decimetre in 16 bits, and the
-//! vertex in 16 bits (formats/makehuman1.md §7).
+//! vertex in 16 bits (`docs/loaders/makehuman1/target-archive.md#content`).
 
 /// Added to a number this moves its whole part, rounded to even, to the lowest bits.
 const WHOLE: f64 = 6_755_399_441_055_744.0;

@@ -1,4 +1,5 @@
-//! `images.list`: the pictures that MakeHuman 1 has for its sliders beside an archive of targets (formats/makehuman1.md §7).
+//! `images.list`: the pictures that MakeHuman 1 has for its sliders beside an archive of targets
+//! (`docs/loaders/makehuman1/target-archive.md#content`).
 
 /// The pictures of a list.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

@@ -1,5 +1,6 @@
-//! `.mhscene` of MakeHuman 1: its lights, in pickles one behind the other (formats/makehuman1.md §15). And the lists of its
-//! libraries, `cache/*.mhc`, which are pickles as well (makehuman1-observed.md 4.16).
+//! `.mhscene` of MakeHuman 1: its lights, in pickles one behind the other
+//! (`docs/loaders/makehuman1/scenes.md#values-of-a-scene`). And the lists of its libraries, `cache/*.mhc`, which are pickles
+//! as well (`docs/loaders/makehuman1/libraries.md#lists-of-libraries`).
 //!
 //! Gets bytes, returns what in them would run code, and what keeps them from being loaded.
 

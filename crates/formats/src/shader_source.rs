@@ -1,4 +1,5 @@
-//! GLSL sources of `MakeHuman` 1: which defines they ask for, which parameters they have (formats/makehuman1.md §13).
+//! GLSL sources of `MakeHuman` 1: which defines they ask for, which parameters they have
+//! (`docs/loaders/makehuman1/shaders.md#defines-and-uniforms`).
 
 use std::collections::{BTreeMap, BTreeSet};
 

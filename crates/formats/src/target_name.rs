@@ -1,5 +1,5 @@
 //! What the path of a target tells MakeHuman 1: the group it is in, and the macro variables that it depends on
-//! (formats/makehuman1.md §5).
+//! (`docs/loaders/makehuman1/targets.md#names`).
 
 /// The categories of macro variables with the words that stand for their values.
 pub const CATEGORIES: [(&str, &[&str]); 9] = [

@@ -1,4 +1,5 @@
-//! `targets.npz`: the archive that MakeHuman 1 makes of all targets in its data (formats/makehuman1.md §7).
+//! `targets.npz`: the archive that MakeHuman 1 makes of all targets in its data
+//! (`docs/loaders/makehuman1/target-archive.md#content`).
 //!
 //! A zip of `.npy`, two for each target: the vertices, and what moves them in thousandths of a decimetre. Gets bytes and
 //! limits, returns what is in it for each target with a hash of its rows; keeps no rows.

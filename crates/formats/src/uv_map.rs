@@ -1,4 +1,4 @@
-//! `.mhuv` of `MakeHuman` 1: texture coordinates for a mesh, face by face (formats/makehuman1.md §14).
+//! `.mhuv` of `MakeHuman` 1: texture coordinates for a mesh, face by face (`docs/loaders/makehuman1/materials.md#uv-maps`).
 
 use super::fields::fields;
 use super::{python_float, python_int};

@@ -1,5 +1,5 @@
 //! What is wrong with a text in place of which an archive is read: it takes effect once the archive is made again
-//! (makehuman1-observed.md 4.1).
+//! (`docs/loaders/makehuman1/target-archive.md#when-the-texts-are-used`).
 
 use std::collections::BTreeSet;
 

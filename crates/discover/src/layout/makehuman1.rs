@@ -1,4 +1,5 @@
-//! MakeHuman 1: one base mesh, libraries without a folder for it (formats/makehuman1.md §1, §2.1).
+//! MakeHuman 1: one base mesh, libraries without a folder for it
+//! (`docs/loaders/makehuman1/folders.md#libraries-and-their-places`).
 
 mod version;
 
@@ -30,7 +31,7 @@ pub(super) static LAYOUT: Layout = Layout {
     above_data,
     tells_without_data: |_, _| false,
     is_folder: |rel, _| is_beside(rel, CACHE),
-    // §5: what is called a target is one.
+    // What is called a target is one (`docs/loaders/makehuman1/targets.md#where-targets-are-found`).
     everywhere: Some(Kind::Target),
     only_base: Some(HM08),
     joint: Some("upperleg02.L"),
@@ -49,7 +50,7 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         [.., "rigs", name] if extension(name) == "mhskel" => Some((Sign::Weak, 2)),
         // Rigs are listed at any depth.
         [.., "rigs", _, name] if extension(name) == "mhskel" => Some((Sign::Faint, 3)),
-        // What is packed stands for its text (§2.4).
+        // What is packed stands for its text (`docs/loaders/makehuman1/compiled-clothes.md#when-it-is-read`).
         [.., "proxymeshes", _, name] if extension(name) == "mhpxy" => Some((Sign::Faint, 3)),
         [.., library, _, name] if WORN.contains(library) && extension(name) == "mhpxy" => Some((Sign::Faint, 3)),
         // MPFB has them, too.
@@ -90,7 +91,8 @@ fn weigh(listing: &Listing<'_>, root: &str, file: &str, sign: Sign) -> Option<Si
     is_own.then_some(sign)
 }
 
-/// Models and the lists of libraries lie beside the data of a user, which may be an empty folder (§1).
+/// Models and the lists of libraries lie beside the data of a user, which may be an empty folder
+/// (`docs/loaders/versions.md#whose-data-a-folder-is`).
 fn above_data(parts: &[&str]) -> Option<usize> {
     match parts {
         [.., CACHE, name] if name.ends_with("_filecache.mhc") => Some(2),
@@ -168,8 +170,9 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
     (kind, (parts.len() > 1 || kind == Kind::Target).then_some(HM08))
 }
 
-/// Libraries list files by their extension, hidden or not; macOS and editors leave such beside each of their own (§2.1,
-/// makehuman1-observed.md 4.14). The names of all folders of the data count for its targets (4.12).
+/// Libraries list files by their extension, hidden or not; macOS and editors leave such beside each of their own
+/// (`docs/loaders/makehuman1/folders.md#links`). The names of all folders of the data count for its targets
+/// (`docs/loaders/makehuman1/targets.md#faults-of-names`).
 fn reads_hidden(path: &HiddenPath<'_>) -> bool {
     let is_in_data = path.in_root || path.visible.iter().any(|part| matches!(*part, "data" | "targets"));
     if is_in_data && (path.is_folder || extension(path.name).eq_ignore_ascii_case("target")) {
@@ -269,7 +272,8 @@ const FACE_MOTION: &str = "face-poseunits.bvh";
 /// The folder of what stands for the body.
 const TOPOLOGIES: &str = "proxymeshes";
 
-/// The library that a file is listed in: at any depth, in whatever capitals its extension is (§2.1).
+/// The library that a file is listed in: at any depth, in whatever capitals its extension is
+/// (`docs/loaders/makehuman1/folders.md#extensions`).
 pub fn library_of(rel: &str) -> Option<&str> {
     // Those of a user's models lie beside the data.
     let rel = rel.strip_prefix("../").unwrap_or(rel);

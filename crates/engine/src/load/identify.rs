@@ -1,4 +1,5 @@
-//! What each data root was taken for: kind of place, version, and why (formats/versions.md §1, §2).
+//! What each data root was taken for: kind of place, version, and why
+//! (`docs/loaders/versions.md#whose-data-a-folder-is`).
 
 use super::data::Loaded;
 use super::found::look_into;

@@ -1,6 +1,6 @@
 //! What MakeHuman 1 adds to fitting: scales with the sign of their divisor, and shears.
 //!
-//! Source: formats/makehuman1.md §10.3.
+//! Source: `docs/loaders/makehuman1/clothes.md#fitting`.
 
 use super::super::error::EvalError;
 use super::super::fit::ScaleLine;

@@ -1,7 +1,7 @@
 //! Modifiers to weights of targets.
 //!
 //! Gets positions of the macro sliders and of modifiers, returns numbers of targets with weights. Source:
-//! formats/makehuman1.md §8.4.
+//! `docs/loaders/makehuman1/modifiers.md#evaluation`.
 
 use std::collections::BTreeMap;
 

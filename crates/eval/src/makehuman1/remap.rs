@@ -1,7 +1,8 @@
 //! Weights of the base skeleton handed to another one through its reference bones.
 //!
 //! Gets the hierarchy of the base skeleton and, for each bone of the other one, its references as numbers of base bones;
-//! returns the base bones whose weights it takes. Source: formats/makehuman1.md §4.
+//! returns the base bones whose weights it takes. Source:
+//! `docs/loaders/makehuman1/skeletons.md#references-and-weights`.
 
 use std::collections::BTreeMap;
 

@@ -1,6 +1,7 @@
 //! Macro sliders to the variables that weight targets.
 //!
-//! Gets values of sliders, returns a value for each word that a target can have. Source: formats/makehuman1.md §9.
+//! Gets values of sliders, returns a value for each word that a target can have. Source:
+//! `docs/loaders/makehuman1/macros.md#values-of-words`.
 
 /// The sliders in the order in which they are numbered here; the last three are the races.
 pub const SLIDERS: [&str; 11] = [

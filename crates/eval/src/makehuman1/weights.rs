@@ -1,6 +1,6 @@
 //! What MakeHuman 1 adds to loading weights, and how it keeps the strongest bones of a vertex.
 //!
-//! Source: formats/makehuman1.md §3.
+//! Source: `docs/loaders/makehuman1/weights.md#strongest-bones`.
 
 use super::super::error::EvalError;
 use super::super::influences::{Influence, Influences};

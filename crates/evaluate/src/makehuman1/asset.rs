@@ -1,4 +1,4 @@
-//! Assets as MakeHuman 1 fits them (formats/makehuman1.md §10.3).
+//! Assets as MakeHuman 1 fits them (`docs/loaders/makehuman1/clothes.md#fitting`).
 
 use std::path::{Path, PathBuf};
 

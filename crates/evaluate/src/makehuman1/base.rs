@@ -89,8 +89,8 @@ pub(super) fn compose(view: &View<'_>, rows: &mut Rows) -> Option<Composed> {
     scene.skeleton = rig.and_then(|rig| skeleton_of(rig.skeleton()?, &scene).ok());
     let lists = rig.and_then(mhlint_repo::Rig::usable_weights);
     scene.weights = scene.skeleton.as_ref().zip(lists).and_then(|(bones, (_, own))| weights::bind(bones, own, &scene));
-    // What other skeletons take of the weights is theirs to leave out: bones without any are usual (formats/makehuman1.md
-    // §23).
+    // What other skeletons take of the weights is theirs to leave out: bones without any are usual
+    // (`docs/loaders/makehuman1/weights.md#shipped-weights`).
     let rigs = view.rigs().iter().filter_map(|rig| {
         let skeleton = skeleton_of(rig.skeleton()?, &scene).ok()?;
         Some(Rig { path: rig.file.path.clone(), skeleton, received: Received::default() })

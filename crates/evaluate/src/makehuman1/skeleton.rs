@@ -1,4 +1,4 @@
-//! Skeletons of MakeHuman 1 on its mesh (formats/makehuman1.md §4).
+//! Skeletons of MakeHuman 1 on its mesh (`docs/loaders/makehuman1/skeletons.md#joints`).
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,5 @@
-//! Weights as MakeHuman 1 loads them, hands them to other skeletons and keeps the strongest (formats/makehuman1.md §3, §4).
+//! Weights as MakeHuman 1 loads them, hands them to other skeletons and keeps the strongest
+//! (`docs/loaders/makehuman1/weights.md#loading-weights`, `docs/loaders/makehuman1/skeletons.md#references-and-weights`).
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! What the body of MakeHuman 1 wears, as it fits it (formats/makehuman1.md §10.3).
+//! What the body of MakeHuman 1 wears, as it fits it (`docs/loaders/makehuman1/clothes.md#fitting`).
 
 use std::collections::BTreeMap;
 

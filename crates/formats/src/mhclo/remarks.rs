@@ -1,5 +1,5 @@
-//! Keywords behind `#`, which up to alpha 7 was how they were written (formats/versions.md §4): to later readers they
-//! are comments, and so they are where an author keeps a line.
+//! Keywords behind `#`, which up to alpha 7 was how they were written (`docs/loaders/versions.md#formats-that-are-gone`): to
+//! later readers they are comments, and so they are where an author keeps a line.
 
 use std::collections::BTreeSet;
 

@@ -1,5 +1,5 @@
-//! The keywords of materials: all that one of the applications reads (formats/makehuman2.md §17, makehuman1.md §12,
-//! mpfb.md §27.1).
+//! The keywords of materials: all that one of the applications reads (formats/makehuman2.md §17,
+//! `docs/loaders/makehuman1/materials.md#material-keywords`, mpfb.md §27.1).
 
 /// A keyword.
 #[derive(Debug, PartialEq, Eq)]

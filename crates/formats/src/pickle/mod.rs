@@ -1,4 +1,5 @@
-//! Pickles of Python, looked at without running anything (formats/makehuman1.md §15).
+//! Pickles of Python, looked at without running anything
+//! (`docs/loaders/makehuman1/scenes.md#danger`).
 //!
 //! A pickle is a program for a small machine, and some of its instructions import and call what they name. A file is
 //! walked twice: first instruction by instruction, to find those; then, only if there are none, with a machine that

@@ -1,4 +1,5 @@
-//! Assets that are nothing but their archive (`.mhpxy`), and what archives name (formats/makehuman1.md §2.2, §10.5).
+//! Assets that are nothing but their archive (`.mhpxy`), and what archives name
+//! (`docs/loaders/makehuman1/compiled-clothes.md#when-it-is-read`, `docs/loaders/makehuman1/folders.md#search-lists`).
 
 use super::search::Search;
 use super::view::{OWN, beside_mesh};

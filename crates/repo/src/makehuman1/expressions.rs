@@ -1,4 +1,4 @@
-//! Expressions with the frames that they are made of (formats/makehuman1.md §17).
+//! Expressions with the frames that they are made of (`docs/loaders/makehuman1/expressions.md#units`).
 
 use super::view::OWN;
 use crate::{BodyPose, FileFacts, Layers, PoseUnitsFile};

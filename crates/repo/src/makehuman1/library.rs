@@ -1,4 +1,5 @@
-//! What libraries list of what is worn, and by what it is known (formats/makehuman1.md §2.5, §10.1, §10.7).
+//! What libraries list of what is worn, and by what it is known
+//! (`docs/loaders/makehuman1/libraries.md#scan`, `docs/loaders/makehuman1/libraries.md#identity`).
 
 use crate::{FileFacts, Worn};
 use mhlint_discover::{archive_library_of, library_of};

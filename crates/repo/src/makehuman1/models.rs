@@ -1,4 +1,5 @@
-//! Saved characters: what they name, and whether the program reads them at all (formats/makehuman1.md §19).
+//! Saved characters: what they name, and whether the program reads them at all
+//! (`docs/loaders/makehuman1/models.md#version-of-a-model`).
 
 use super::Asset;
 use super::search::Search;

@@ -1,4 +1,4 @@
-//! Modifiers with their targets, descriptions and sliders (formats/makehuman1.md §8).
+//! Modifiers with their targets, descriptions and sliders (`docs/loaders/makehuman1/modifiers.md#modifier-file`).
 
 use std::collections::{BTreeMap, BTreeSet};
 

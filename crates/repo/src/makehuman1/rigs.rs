@@ -1,4 +1,4 @@
-//! Skeletons with the weights that they name (formats/makehuman1.md §4).
+//! Skeletons with the weights that they name (`docs/loaders/makehuman1/skeletons.md#top-level`).
 
 use super::search::Search;
 use super::view::OWN;

@@ -1,4 +1,5 @@
-//! Where MakeHuman 1 looks for a file that another one names (formats/makehuman1.md §2.2).
+//! Where MakeHuman 1 looks for a file that another one names
+//! (`docs/loaders/makehuman1/folders.md#search-for-named-files`).
 
 use crate::path::resolve;
 use crate::{FileFacts, Layer, Layers, Resolution, parent};

@@ -1,4 +1,5 @@
-//! Materials with the files that they name, and where `MakeHuman` 1 looks for these (formats/makehuman1.md §2.2, §12).
+//! Materials with the files that they name, and where `MakeHuman` 1 looks for these
+//! (`docs/loaders/makehuman1/folders.md#search-lists`).
 
 use std::collections::BTreeSet;
 

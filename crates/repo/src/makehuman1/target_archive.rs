@@ -1,5 +1,5 @@
-//! `targets.npz`: when MakeHuman 1 takes its targets from there, and when from the texts (formats/makehuman1.md §5, §7;
-//! makehuman1-observed.md 4.1 to 4.5).
+//! `targets.npz`: when MakeHuman 1 takes its targets from there, and when from the texts
+//! (`docs/loaders/makehuman1/target-archive.md#when-the-texts-are-used`).
 
 use std::collections::BTreeMap;
 

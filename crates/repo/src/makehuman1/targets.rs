@@ -1,4 +1,5 @@
-//! Targets by the words of their paths, and the user's own (formats/makehuman1.md §5, §8.4).
+//! Targets by the words of their paths, and the user's own
+//! (`docs/loaders/makehuman1/targets.md#names`, `docs/loaders/makehuman1/modifiers.md#custom-targets`).
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -146,7 +147,7 @@ impl<'a> Targets<'a> {
     }
 
     /// The folder of all targets at the top of the data, where it has another name than `targets`, which is then a word of
-    /// every group (formats/makehuman1.md §5).
+    /// every group (`docs/loaders/makehuman1/targets.md#names`).
     pub fn renamed_folder(&self) -> Option<&str> {
         let folders: BTreeSet<&str> =
             self.shipped.iter().map(|target| target.rel.split_once('/').map_or("", |(top, _)| top)).collect();

@@ -1,4 +1,5 @@
-//! The layers of `MakeHuman` 1 with its body, what that wears, and its poses (formats/makehuman1.md §2, §10 to §12, §16).
+//! The layers of `MakeHuman` 1 with its body, what that wears, and its poses
+//! (`docs/loaders/makehuman1/folders.md#libraries-and-their-places`).
 
 use std::collections::BTreeSet;
 
@@ -63,7 +64,7 @@ pub enum ForeignSign {
     Order(Strays),
 }
 
-/// What names of groups begin with that are not shown (§1).
+/// What names of groups begin with that are not shown (`docs/loaders/makehuman1/base-mesh.md#numbers-of-hm08`).
 pub const HIDDEN: [&str; 2] = ["joint-", "helper-"];
 
 /// Whether files of this kind are checked so far.

@@ -1,5 +1,6 @@
-//! What is wrong with the packed assets of MakeHuman 1: `.mhpxy` of what is worn, `.npz` of meshes (makehuman1-observed.md 4.6
-//! to 4.8).
+//! What is wrong with the packed assets of MakeHuman 1: `.mhpxy` of what is worn, `.npz` of meshes
+//! (`docs/loaders/makehuman1/compiled-clothes.md#faults-of-compiled-clothes`,
+//! `docs/loaders/makehuman1/base-mesh.md#packed-meshes`).
 
 use super::super::Rule;
 use super::{Sort, words};

@@ -1,4 +1,5 @@
-//! What is wrong with the archive of all targets of MakeHuman 1 (makehuman1-observed.md 4.2 to 4.4).
+//! What is wrong with the archive of all targets of MakeHuman 1
+//! (`docs/loaders/makehuman1/target-archive.md#faults-of-the-archive`).
 
 use std::collections::BTreeMap;
 

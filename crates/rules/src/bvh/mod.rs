@@ -27,7 +27,8 @@ const REJECTED: Case = &[(
 const INDEX: Case = &[(Makehuman2, Level::Error, "crashes with `IndexError` when the pose is chosen")];
 const VALUE: Case = &[(Makehuman2, Level::Error, "crashes with `ValueError` when the pose is chosen")];
 
-/// With the motion whose frames are the units of expressions MakeHuman 1 loses these (formats/makehuman1.md §17).
+/// With the motion whose frames are the units of expressions MakeHuman 1 loses these
+/// (`docs/loaders/makehuman1/expressions.md#units`).
 fn of_units(body: &Body<'_>, file: &FileFacts, finding: Finding) -> Finding {
     let is_of_units = body.is_makehuman1() && library_of(&file.rel).is_none();
     if is_of_units { finding.effect_in(Makehuman1, NO_EXPRESSION) } else { finding }

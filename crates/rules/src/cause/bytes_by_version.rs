@@ -4,7 +4,8 @@ use mhlint_diag::{Application::Makehuman1, Case, Finding, Level};
 use mhlint_discover::Kind;
 use mhlint_repo::{FileFacts, View};
 
-/// What other versions of MakeHuman 1 do with such a file (formats/versions.md §3): it is said where they differ.
+/// What other versions of MakeHuman 1 do with such a file (`docs/loaders/versions.md#loaders-of-makehuman-1`): it is said
+/// where they differ.
 pub(crate) fn by_version(view: &View<'_>, file: &FileFacts, finding: Finding) -> Finding {
     if !view.is_makehuman1() {
         return finding;

@@ -1,4 +1,5 @@
-//! What keeps the scan of a library of MakeHuman 1 from coming to its end (formats/makehuman1.md §2.5).
+//! What keeps the scan of a library of MakeHuman 1 from coming to its end
+//! (`docs/loaders/makehuman1/libraries.md#why-a-library-is-empty`).
 
 use mhlint_formats::mhclo::{Clothes, Entry, Section};
 

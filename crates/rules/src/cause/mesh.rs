@@ -5,7 +5,7 @@ use mhlint_diag::{Application::Makehuman1, Case, Finding, Level};
 use mhlint_formats::obj::Mesh;
 use mhlint_repo::{FileFacts, View};
 
-/// What becomes of MakeHuman 1 without its base mesh (formats/makehuman1-observed.md 4.27).
+/// What becomes of MakeHuman 1 without its base mesh (`docs/loaders/makehuman1/base-mesh.md#faults-of-the-base-mesh`).
 const NO_START: Case = &[(Makehuman1, Level::Error, STOPS_AT_START)];
 
 /// A finding on a base mesh: at most an info while an archive is read in its place. What keeps MakeHuman 1 from putting on an

@@ -1,5 +1,5 @@
 //! Files in a format of an older version, which `library-old-format` reports by the folder: everything else that is wrong
-//! with them follows from that (formats/versions.md §4).
+//! with them follows from that (`docs/loaders/versions.md#formats-that-are-gone`).
 
 use std::collections::BTreeMap;
 

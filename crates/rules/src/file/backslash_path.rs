@@ -60,7 +60,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         for ((path, pointer), text) in folders {
             fix = fix.step(path, Change::Value { pointer: pointer.clone(), text: Some(text) });
         }
-        // It splits the name of a file beside an asset at both (formats/makehuman1.md §2.2).
+        // It splits the name of a file beside an asset at both (`docs/loaders/makehuman1/folders.md#search-for-named-files`).
         let is_of_asset = |one: &&Reference<'_>| {
             matches!(one.kind, ReferenceKind::AssetMesh | ReferenceKind::AssetMaterial | ReferenceKind::AssetWeights)
         };

@@ -1,4 +1,5 @@
-//! Targets of a user of MakeHuman 1: each is a slider if it ends as it should (formats/makehuman1.md §2.1).
+//! Targets of a user of MakeHuman 1: each is a slider if it ends as it should
+//! (`docs/loaders/makehuman1/modifiers.md#custom-targets`).
 
 use super::super::Rule;
 use super::mpfb;

@@ -1,4 +1,5 @@
-//! The libraries of MakeHuman 1: what lies in which, and by what it is known (formats/makehuman1.md §2.1, §10.7).
+//! The libraries of MakeHuman 1: what lies in which, and by what it is known
+//! (`docs/loaders/makehuman1/folders.md#libraries-and-their-places`, `docs/loaders/makehuman1/libraries.md#identity`).
 
 use std::collections::BTreeSet;
 
@@ -97,7 +98,8 @@ fn has_rows(file: &FileFacts) -> bool {
     file.target().is_some_and(|facts| facts.rows > 0)
 }
 
-/// Languages of a user: the list has them, but texts are read from the program's folder alone (formats/makehuman1.md §2.1).
+/// Languages of a user: the list has them, but texts are read from the program's folder alone
+/// (`docs/loaders/makehuman1/folders.md#libraries-and-their-places`).
 pub(super) fn languages(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
     let files = layer.files.values().filter(|file| file.kind_in(Makehuman1) == Kind::Language && !file.is_loose);
@@ -113,7 +115,8 @@ const UNTRANSLATED: Case = &[(Makehuman1, Level::Warning, "lists the language, a
 const COMPANIONS: [&str; 13] =
     ["thumb", "png", "jpg", "obj", "mhmat", "mhw", "jsonw", "mhpxy", "npz", "meta", "mhskel", "mhbin", "blend"];
 
-/// What older versions had beside such pictures. Under another suffix it is not what that says (formats/versions.md §4).
+/// What older versions had beside such pictures. Under another suffix it is not what that says
+/// (`docs/loaders/versions.md#versions-of-makehuman-1`).
 const OLDER: [&str; 8] = ["mhp", "mhstx", "lmk", "hair", "rig", "dat", "rot", "mhuv"];
 
 /// Files that are pictured as assets are, and end in something that is not listed.

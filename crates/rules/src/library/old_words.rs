@@ -1,5 +1,5 @@
 //! What is said of each sort of old files: what programs of today make of them, and what an author can do
-//! (formats/versions.md §4).
+//! (`docs/loaders/versions.md#formats-that-are-gone`).
 
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},

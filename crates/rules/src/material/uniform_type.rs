@@ -19,8 +19,8 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     ..RuleInfo::new("material-uniform-type", Level::Error, "a parameter of a shader of another kind")
 });
 
-/// Shader, parameter, and what it takes; of the shaders that come with the program (formats/makehuman1.md §13), where
-/// their sources are not at hand.
+/// Shader, parameter, and what it takes; of the shaders that come with the program
+/// (`docs/loaders/makehuman1/shaders.md#shipped-shaders`), where their sources are not at hand.
 const UNIFORMS: [(&str, &str, Shape); 8] = [
     ("litsphere", "AdditiveShading", Shape::Numbers(1)),
     ("litsphere", "litsphereTexture", Shape::Picture),

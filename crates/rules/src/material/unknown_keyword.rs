@@ -94,7 +94,7 @@ fn unknown_word(cx: &RuleCx<'_>, surface: &Surface<'_>, one: &Unknown) -> Fault 
     }
 }
 
-/// What can be switched on and off in a shader of MakeHuman 1 (formats/makehuman1.md §12).
+/// What can be switched on and off in a shader of MakeHuman 1 (`docs/loaders/makehuman1/materials.md#material-keywords`).
 const PARTS: [&str; 8] =
     ["diffuse", "bump", "normal", "displacement", "spec", "vertexColors", "transparency", "ambientOcclusion"];
 

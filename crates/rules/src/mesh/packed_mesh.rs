@@ -1,4 +1,5 @@
-//! The archive of a mesh that MakeHuman 1 reads in the place of an OBJ (`.npz`), against that (makehuman1-observed.md 3, 4.11).
+//! The archive of a mesh that MakeHuman 1 reads in the place of an OBJ (`.npz`), against that
+//! (`docs/loaders/makehuman1/base-mesh.md#packed-meshes`).
 
 use super::super::{Rule, counted, units::length};
 use mhlint_diag::{Application::Makehuman1, Case, Finding, Level, Place};

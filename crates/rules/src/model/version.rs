@@ -35,7 +35,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 /// The version of a model that a newer program saved than the one at hand; 1.0 does not look at it
-/// (formats/versions.md §3).
+/// (`docs/loaders/versions.md#loaders-of-makehuman-1`).
 fn newer(model: &SavedModel<'_>, own: Option<Edition>) -> Option<Finding> {
     let own = own.filter(|own| !own.is_before("1.1"))?;
     let line = model.lines.last("version")?;

@@ -49,7 +49,7 @@ pub(super) static RULES: &[&Rule] = &[
     &view::RULE,
 ];
 
-/// What one bad slider costs (makehuman1-observed.md 1.5).
+/// What one bad slider costs (`docs/loaders/makehuman1/modifiers.md#what-a-failing-slider-costs`).
 const LOST_TABS: &str = "shows neither the rest of its tab nor the tabs behind it in the file";
 /// What one bad modifier costs.
 const LOST_FILE: &str = "loads no further modifiers of the file and shows none of its tabs";

@@ -12,7 +12,7 @@ pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     ..RuleInfo::new("modifiers-missing-ruler", Level::Error, "a measure for which the program has no ruler")
 });
 
-/// What is measured (formats/makehuman1.md §8.3).
+/// What is measured (`docs/loaders/makehuman1/modifiers.md#rulers`).
 const RULERS: [&str; 20] = [
     "neck-circ",
     "neck-height",

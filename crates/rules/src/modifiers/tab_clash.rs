@@ -16,7 +16,7 @@ pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     ..RuleInfo::new("modifiers-tab-clash", Level::Error, "two tabs with one name")
 });
 
-/// Tabs that plugins have of their own (makehuman1-observed.md 1.4).
+/// Tabs that plugins have of their own (`docs/loaders/makehuman1/modifiers.md#faults-of-sliders`).
 const OF_PLUGINS: [&str; 2] = ["Custom", "Random"];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

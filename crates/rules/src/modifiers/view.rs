@@ -24,7 +24,7 @@ const CONDITION: Case = &[(
     "fails at start and at each change of the human; sliders behind this one are not brought up to date",
 )];
 
-/// What the program has, in its short form (formats/makehuman1.md §8.3).
+/// What the program has, in its short form (`docs/loaders/makehuman1/modifiers.md#sliders`).
 const CAMERAS: [&str; 24] = [
     "frontView",
     "backView",

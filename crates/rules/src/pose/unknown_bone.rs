@@ -30,7 +30,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 const REST_POSE: Case = &[(Makehuman2, Level::Warning, "shows the rest pose: no joint is a bone")];
 
-/// The joint by which MakeHuman 1 tells poses for its rig, and their size (formats/makehuman1.md §16).
+/// The joint by which MakeHuman 1 tells poses for its rig, and their size (`docs/loaders/makehuman1/poses.md#lines-of-a-motion`).
 const COMPARED: &str = "upperleg02.L";
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {

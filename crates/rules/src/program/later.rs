@@ -5,7 +5,7 @@ use mhlint_diag::{
     Version,
 };
 
-/// What newer programs have besides (formats/versions.md §2).
+/// What newer programs have besides (`docs/loaders/versions.md#versions-of-makehuman-1` and behind it).
 pub(super) fn later(version: Version) -> Option<&'static str> {
     let before = |name: &str| version.is_before(name);
     match version.application() {

@@ -1,4 +1,5 @@
-//! Files without which MakeHuman 1 does not work, or not as it should (formats/makehuman1-observed.md 4).
+//! Files without which MakeHuman 1 does not work, or not as it should
+//! (`docs/loaders/makehuman1/program.md#files-that-the-start-needs`).
 
 use super::super::Rule;
 use super::super::cause::consequence::STOPS_AT_START;

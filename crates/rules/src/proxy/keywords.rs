@@ -42,7 +42,7 @@ const OF_MAKEHUMAN1: [&str; 12] = [
     "r_shear_z",
 ];
 
-/// Of old: MakeHuman 1 knows them and passes over them (formats/makehuman1.md §10.1).
+/// Of old: MakeHuman 1 knows them and passes over them (`docs/loaders/makehuman1/clothes.md#keywords`).
 pub(super) const OLD: [&str; 13] = [
     "backface_culling",
     "transparent",

@@ -1,4 +1,5 @@
-//! What MakeHuman 1 makes of the lines of an asset where that is not what MakeHuman 2 does (formats/makehuman1.md §10).
+//! What MakeHuman 1 makes of the lines of an asset where that is not what MakeHuman 2 does
+//! (`docs/loaders/makehuman1/clothes.md#keywords`, `docs/loaders/makehuman1/clothes.md#rows`).
 
 use std::cmp::Ordering;
 

@@ -1,4 +1,5 @@
-//! The archive that MakeHuman 1 makes of something worn (`.mhpxy`), against its text (makehuman1-observed.md 4.8, 4.11).
+//! The archive that MakeHuman 1 makes of something worn (`.mhpxy`), against its text
+//! (`docs/loaders/makehuman1/compiled-clothes.md#when-it-is-read`).
 
 use super::super::Rule;
 use super::{Lone, listed};

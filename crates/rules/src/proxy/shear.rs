@@ -1,4 +1,4 @@
-//! Lines of shear, which MakeHuman 1 alone reads (formats/makehuman1.md §10.1, §10.3).
+//! Lines of shear, which MakeHuman 1 alone reads (`docs/loaders/makehuman1/clothes.md#fitting`).
 
 use super::super::Rule;
 use super::{AXES, INDEX, Text, VALUE};

@@ -1,4 +1,5 @@
-//! What the bones of a skeleton of MakeHuman 1 take of the weights of the base skeleton (formats/makehuman1.md §4).
+//! What the bones of a skeleton of MakeHuman 1 take of the weights of the base skeleton
+//! (`docs/loaders/makehuman1/skeletons.md#references-and-weights`).
 
 use std::collections::BTreeSet;
 

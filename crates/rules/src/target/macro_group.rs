@@ -76,7 +76,8 @@ impl MacroGroup<'_> {
     }
 
     /// Combinations of values without a target that none of the targets beside them explains. A value that never occurs is
-    /// left out on purpose, and so is a pair of values that never occurs together (formats/makehuman1.md §5).
+    /// left out on purpose, and so is a pair of values that never occurs together
+    /// (`docs/loaders/makehuman1/targets.md#macro-groups`).
     pub(super) fn holes(&self) -> Vec<Vec<&'static str>> {
         let of = |target: &&NamedTarget<'_>| {
             self.categories.iter().filter_map(|category| target.name.value(category)).collect::<Vec<_>>()

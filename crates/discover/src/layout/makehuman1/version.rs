@@ -1,4 +1,4 @@
-//! The version that data of MakeHuman 1 are of (formats/versions.md §2).
+//! The version that data of MakeHuman 1 are of (`docs/loaders/versions.md#versions-of-makehuman-1`).
 
 use std::collections::BTreeSet;
 
@@ -52,7 +52,8 @@ fn is_of_2020(paths: &Paths<'_>) -> bool {
     paths.first("targets/").is_some_and(|rel| paths.says(rel, "september 2020"))
 }
 
-/// Whether most of what is worn, or all targets, come compiled (formats/versions.md §1).
+/// Whether most of what is worn, or all targets, come compiled
+/// (`docs/loaders/versions.md#whose-data-a-folder-is`).
 pub(super) fn is_release(paths: &Paths<'_>) -> bool {
     let stems =
         |suffix: &'static str| -> BTreeSet<&str> { paths.all().filter_map(|path| path.strip_suffix(suffix)).collect() };

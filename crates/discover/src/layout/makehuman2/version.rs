@@ -1,4 +1,4 @@
-//! The version that data of MakeHuman 2 are of (formats/versions.md §2).
+//! The version that data of MakeHuman 2 are of (`docs/loaders/versions.md#versions-of-makehuman-2`).
 
 use super::super::super::paths::Paths;
 

@@ -1,4 +1,4 @@
-//! The version that data of MPFB are of (formats/versions.md §2).
+//! The version that data of MPFB are of (`docs/loaders/versions.md#versions-of-mpfb`).
 
 use super::super::super::paths::Paths;
 

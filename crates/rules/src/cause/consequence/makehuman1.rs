@@ -1,5 +1,7 @@
-//! What MakeHuman 1 does with a file that it cannot read or find (formats/makehuman1.md §2.3, §2.5, §6, §8, §10 to §12,
-//! §16, §20; makehuman1-observed.md 1, 2, 4; formats/additions.md 1.1).
+//! What MakeHuman 1 does with a file that it cannot read or find.
+//!
+//! From `docs/loaders/makehuman1/text-and-json.md#encodings`, `docs/loaders/makehuman1/libraries.md#why-a-library-is-empty`,
+//! `docs/loaders/makehuman1/program.md#files-that-the-start-needs`, and the faults of each format beside these.
 
 use super::table::At::{self, Scanned};
 use super::table::{Cell, LOST, LOST_WHOLE, Row, Table, UNREAD, anywhere, cell, cells, nothing, row};
@@ -41,7 +43,8 @@ pub(super) const NO_EXPRESSIONS: &str = "lists no expression at all: one file th
 
 const FROM_TEXTS: &str = "takes its targets from the texts";
 const MADE_AGAIN: &str = "makes it again";
-/// It is read while Python imports the program, before anything catches what is wrong (formats/additions.md 1.1).
+/// It is read while Python imports the program, before anything catches what is wrong
+/// (`docs/loaders/makehuman1/program.md#settings`).
 pub(super) const NO_PROGRAM: &str = "does not start: it reads the settings before anything else";
 const BESIDE: &str = "reads the text beside it, with a warning in the log";
 const NO_PICTURES: &str = "shows its sliders without pictures";

@@ -1,5 +1,8 @@
-//! What becomes of a value that does not fit its schema in MakeHuman 1 (formats/makehuman1.md §3, §4, §8, §17, §20;
-//! makehuman1-observed.md 1, 2, 3).
+//! What becomes of a value that does not fit its schema in MakeHuman 1.
+//!
+//! From `docs/loaders/makehuman1/modifiers.md#faults-of-sliders`, `docs/loaders/makehuman1/skeletons.md#faults-of-skeletons`,
+//! `docs/loaders/makehuman1/weights.md#faults-of-weights`, `docs/loaders/makehuman1/expressions.md#faults-of-expressions`,
+//! `docs/loaders/makehuman1/program.md#languages`.
 
 use super::makehuman1::{NO_EXPRESSIONS, NO_PROGRAM, STOPS_AT_START};
 use super::values::{ANY, NULL, Row, TEXT, row};
@@ -50,7 +53,8 @@ static ROWS: [Row; 29] = [
     row(Kind::ProgramSettings, "/type", ANY, Error, NO_PROGRAM),
 ];
 
-/// Planes may be lists, null or numbers (formats/makehuman1.md §4), and values of units texts and truths (§17).
+/// Planes may be lists, null or numbers (`docs/loaders/makehuman1/skeletons.md#bones`), and values of units texts and truths
+/// (`docs/loaders/makehuman1/expressions.md#faults-of-expressions`).
 pub(super) fn is_accepted(file: &FileFacts, fault: &SchemaFault) -> bool {
     match file.kind {
         Kind::Skeleton => fault.keyword.starts_with("/$defs/bone/properties/rotation_plane"),

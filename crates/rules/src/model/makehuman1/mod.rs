@@ -1,4 +1,5 @@
-//! Saved characters as MakeHuman 1 reads them (formats/makehuman1.md §19; makehuman1-observed.md 1.13, 2.2, 4.40 to 4.42).
+//! Saved characters as MakeHuman 1 reads them (`docs/loaders/makehuman1/models.md#model-keywords`,
+//! `docs/loaders/makehuman1/models.md#version-of-a-model`, `docs/loaders/makehuman1/models.md#faults-of-models`).
 
 pub(super) mod arity;
 pub(super) mod assets;

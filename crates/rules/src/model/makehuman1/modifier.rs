@@ -210,7 +210,8 @@ fn repeated(rule: &Rule, model: &SavedModel<'_>) -> Option<Finding> {
     Some(finding.evidence(evidence).help("remove the lines that do not count"))
 }
 
-/// The races, which the program makes add up to 1; one that is not set counts with a third (makehuman1-observed.md 4.42).
+/// The races, which the program makes add up to 1; one that is not set counts with a third
+/// (`docs/loaders/makehuman1/macros.md#races`).
 fn unbalanced(rule: &Rule, model: &SavedModel<'_>) -> Option<Finding> {
     let races: Vec<&str> = VARIABLES.iter().skip(VARIABLES.len() - 3).copied().collect();
     let race = |line: &Line| races.iter().find(|race| line.value(0).rsplit('/').next() == Some(**race)).copied();
