@@ -1,5 +1,5 @@
 //! The rows of what is worn as archives have them: a column of vertices, one of weights, one of offsets
-//! (formats/makehuman2.md §16, formats/makehuman1.md §10.5).
+//! (`docs/loaders/makehuman2/compiled-clothes.md#members`, formats/makehuman1.md §10.5).
 
 use std::ops::Range;
 

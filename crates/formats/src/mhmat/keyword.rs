@@ -1,5 +1,5 @@
-//! The keywords of materials: all that one of the applications reads (formats/makehuman2.md §17, makehuman1.md §12,
-//! mpfb.md §27.1).
+//! The keywords of materials: all that one of the applications reads (`docs/loaders/makehuman2/materials.md#lines`,
+//! makehuman1.md §12, mpfb.md §27.1).
 
 /// A keyword.
 #[derive(Debug, PartialEq, Eq)]

@@ -1,5 +1,5 @@
-//! What MakeHuman 2 and MakeHuman 1 read of a material (formats/makehuman2.md §17, makehuman2-worn-observed.md 2;
-//! makehuman1.md §12, makehuman1-observed.md 1, 2).
+//! What MakeHuman 2 and MakeHuman 1 read of a material (`docs/loaders/makehuman2/materials.md#lines`,
+//! `docs/loaders/makehuman2/materials.md#colours`; makehuman1.md §12, makehuman1-observed.md 1, 2).
 
 use mhlint_diag::Application;
 use mhlint_formats::mhmat::Line;
