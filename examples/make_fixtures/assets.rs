@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-/// A `.mhm` model with the given modifiers (formats/makehuman2.md §18).
+/// A `.mhm` model with the given modifiers (`docs/loaders/makehuman2/models.md#modifiers`).
 pub(crate) fn start_model(base: &str, modifiers: &[(&str, &str)]) -> String {
     let mut text = format!("# Start model of the base {base}, released as CC0\nversion v2.0.1\nname base\n");
     for (pattern, value) in modifiers {

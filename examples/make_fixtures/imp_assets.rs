@@ -1,7 +1,7 @@
 //! All files of the base `imp`, a base of the user layer only.
 //!
 //! Its macros, sliders and targets lie in `contarget/imp`: without a `macro.json` there, `MakeHuman` 2 would look for the
-//! targets in the system layer and stop (formats/makehuman2.md §1.2).
+//! targets in the system layer and stop (`docs/loaders/makehuman2/folders.md#overlays`).
 
 use serde_json::{Value, json};
 

@@ -16,7 +16,8 @@ pub(crate) fn by_hand(value: &Value) -> String {
     text
 }
 
-/// Python's `json.dump(…, indent=4, sort_keys=True)`, which writes no final line end (formats/makehuman2.md §2.1).
+/// Python's `json.dump(…, indent=4, sort_keys=True)`, which writes no final line end
+/// (`docs/loaders/makehuman2/text-and-json.md#json`).
 pub(crate) fn by_program(value: &Value) -> String {
     let text = serde_json::to_string_pretty(&sorted(value)).expect("invariant: a value in memory can be written");
     let lines: Vec<_> = text.lines().map(double_indent).collect();

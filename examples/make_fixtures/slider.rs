@@ -81,14 +81,15 @@ fn entry(detail: &Detail, side: Side) -> (String, Value) {
     value["incr"] = json!(incr);
     match side {
         Side::Both => {}
-        // `rsym` stands in the entry of the left side and names the right one's pattern (formats/makehuman2.md §4.1).
+        // `rsym` stands in the entry of the left side and names the right one's pattern
+        // (`docs/loaders/makehuman2/sliders.md#keys-of-a-slider`).
         Side::Left => value["rsym"] = json!(pattern(detail, Side::Right)),
         Side::Right => value["lsym"] = json!(pattern(detail, Side::Left)),
     }
     (key, value)
 }
 
-/// The name under which the program knows the slider (formats/makehuman2.md §4.2).
+/// The name under which the program knows the slider (`docs/loaders/makehuman2/sliders.md#pattern`).
 pub(crate) fn pattern(detail: &Detail, side: Side) -> String {
     match (files(detail, side), detail.ends) {
         ((_, Some(decr)), Some((_, high))) => format!("{decr}|{high}"),

@@ -1,6 +1,7 @@
 //! User targets for `figure`, and the two files that `MakeHuman` 2 generates for them.
 //!
-//! The rules of the generation are those of formats/makehuman2.md §5.2, for names that stand in one sub-folder.
+//! The rules of the generation are those of `docs/loaders/makehuman2/user-targets.md#names-and-keys`, for names that
+//! stand in one sub-folder.
 
 use serde_json::{Map, Value, json};
 

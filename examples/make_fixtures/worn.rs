@@ -1,4 +1,4 @@
-//! The text of an asset that is worn (formats/makehuman2.md §15).
+//! The text of an asset that is worn (`docs/loaders/makehuman2/clothes.md#keywords`).
 
 use std::fmt::Write;
 

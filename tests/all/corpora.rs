@@ -119,7 +119,7 @@ fn nothing_else_in_makehuman2_is_an_error_or_a_warning() {
         "modelling-measure",
         "modelling-measure",
         "pose-matrix",
-        // `url_mhcommunity` (formats/additions.md 1.6).
+        // `url_mhcommunity` (`docs/loaders/makehuman2/program.md#version-and-settings`).
         "program-file-content",
     ];
     assert_eq!(rules, known);

@@ -1,5 +1,5 @@
-//! Who wins when contarget lies over target: the table of formats/makehuman2.md §1.2, row by row, through
-//! the real binary.
+//! Who wins when contarget lies over target: the table of `docs/loaders/makehuman2/folders.md#overlays`, row by row,
+//! through the real binary.
 //!
 //! The base `imp` of the example repository is taken apart: mesh, rig and a full set of targets become the
 //! system's, and the user's folder holds `contarget/imp`. Probes tell the winners: each `macro.json` has a

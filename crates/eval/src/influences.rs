@@ -1,7 +1,7 @@
 //! Weights seen from the vertices: which bones move a vertex, and what is lost when only N of them may.
 //!
 //! Gets weights per bone, returns them per vertex. Source of the reduction: MakeHuman 2, glTF export
-//! (formats/makehuman2.md §10.2).
+//! (`docs/loaders/makehuman2/skeletons.md#references`).
 
 use super::error::EvalError;
 use super::lists::Lists;

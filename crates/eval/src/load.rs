@@ -1,7 +1,8 @@
 //! Vertex weights as MakeHuman holds them after loading, of either version.
 //!
-//! Gets (vertex, weight) lists per bone and the number of vertices; returns the lists normalised, with what was lost
-//! on the way. Source: formats/makehuman2.md §11, `docs/loaders/makehuman1/weights.md#loading-weights`. All arithmetic in
+//! Gets (vertex, weight) lists per bone and the number of vertices; returns the lists normalised, with what was lost on
+//! the way. Source: `docs/loaders/makehuman2/weights.md#loading-weights`,
+//! `docs/loaders/makehuman1/weights.md#loading-weights`. All arithmetic in
 //! `f32`, as there.
 
 use super::error::EvalError;

@@ -1,6 +1,6 @@
 //! Lengths along chains of vertices.
 //!
-//! Source: MakeHuman 2, measure (formats/makehuman2.md §4.6).
+//! Source: MakeHuman 2, measure (`docs/loaders/makehuman2/sliders.md#measures`).
 
 use super::error::EvalError;
 use super::mesh::point;

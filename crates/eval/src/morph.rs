@@ -1,7 +1,8 @@
 //! Targets added to a mesh.
 //!
 //! Gets positions, rows of (vertex, delta) and a factor; changes the positions. Adds in `f32` in the order given, as
-//! the application does. Source: MakeHuman 2, morph evaluation (formats/makehuman2.md §6.1, §24).
+//! the application does. Source: MakeHuman 2, morph evaluation (`docs/loaders/makehuman2/targets.md#rows`,
+//! `docs/loaders/makehuman2/targets.md#evaluation`).
 
 use super::error::EvalError;
 use super::vector::{Point, round_to_f32};

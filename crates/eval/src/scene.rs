@@ -1,7 +1,7 @@
 //! Everything of one base mesh that evaluation needs, as plain arrays, and a setting of its sliders.
 //!
 //! Filled by the caller from files that could be read; what could not is absent here. Source of the order of
-//! application: MakeHuman 2, morph evaluation (formats/makehuman2.md §24).
+//! application: MakeHuman 2, morph evaluation (`docs/loaders/makehuman2/targets.md#evaluation`).
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -1,7 +1,7 @@
 //! Posing: matrices of posed bones and linear blend skinning.
 //!
-//! Gets rest bones, a pose for some of them, weights and the morphed mesh; returns matrices and positions.
-//! Source: MakeHuman 2, pose mode (formats/makehuman2.md §11).
+//! Gets rest bones, a pose for some of them, weights and the morphed mesh; returns matrices and positions. Source:
+//! MakeHuman 2, pose mode (`docs/loaders/makehuman2/weights.md#skinning`).
 
 use super::error::EvalError;
 use super::skeleton::{Bone, RestBone};

@@ -1,7 +1,7 @@
 //! Settings by slider name, as models name sliders: from the command line, a `.mhm` or a JSON file.
 //!
 //! Values are not clamped, as in a `.mhm`; everything not named stands at its reset default
-//! (formats/makehuman2.md §18).
+//! (`docs/loaders/makehuman2/models.md#modifiers`).
 
 use std::path::Path;
 

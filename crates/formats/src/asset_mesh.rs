@@ -1,6 +1,6 @@
-//! The mesh of an asset (formats/makehuman2.md §8, §15.2): what is counted of it, a print to compare it by, and its faces.
-//! Where its vertices lie does not matter to applications, which fit them to the base mesh; it tells what shape the author
-//! drew.
+//! The mesh of an asset (`docs/loaders/makehuman2/base-mesh.md#obj-commands`, `docs/loaders/makehuman2/clothes.md#rows`):
+//! what is counted of it, a print to compare it by, and its faces. Where its vertices lie does not matter to applications,
+//! which fit them to the base mesh; it tells what shape the author drew.
 
 use std::fmt::Display;
 

@@ -1,4 +1,4 @@
-//! `base.json`: what a base mesh consists of and how its window is set up (formats/makehuman2.md §7).
+//! `base.json`: what a base mesh consists of and how its window is set up (`docs/loaders/makehuman2/base.md#keys`).
 
 use std::collections::BTreeSet;
 

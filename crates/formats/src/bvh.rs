@@ -1,4 +1,4 @@
-//! `.bvh`: a pose or a motion, line by line as MakeHuman 2 reads it (formats/makehuman2.md §14).
+//! `.bvh`: a pose or a motion, line by line as MakeHuman 2 reads it (`docs/loaders/makehuman2/poses.md#bvh`).
 //!
 //! Every line begins with the one keyword that is expected there, or with one of few; the loader stops at the first line
 //! that does not. A byte order mark is looked through: it has a finding of its own. What is behind the announced frames is

@@ -1,5 +1,6 @@
 //! The rows of what is worn as archives have them: a column of vertices, one of weights, one of offsets
-//! (formats/makehuman2.md §16, `docs/loaders/makehuman1/compiled-clothes.md#members-of-the-archive`).
+//! (`docs/loaders/makehuman2/compiled-clothes.md#members`,
+//! `docs/loaders/makehuman1/compiled-clothes.md#members-of-the-archive`).
 
 use std::ops::Range;
 

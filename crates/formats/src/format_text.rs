@@ -1,4 +1,5 @@
-//! Texts for Python's `str.format` with one value (formats/makehuman2.md §4.5): which of them are harmless.
+//! Texts for Python's `str.format` with one value (`docs/loaders/makehuman2/sliders.md#display-and-formulas`): which of
+//! them are harmless.
 //!
 //! `{0.__class__}` reads attributes, a width of ten digits exhausts the memory, everything that asks for a
 //! second value or a name raises an exception. Nothing is formatted here.

@@ -1,4 +1,5 @@
-//! `geometry.json`: vertex ranges of a base mesh, read by offline tools only (formats/makehuman2.md §9).
+//! `geometry.json`: vertex ranges of a base mesh, read by offline tools only
+//! (`docs/loaders/makehuman2/base.md#geometryjson`).
 
 use mhlint_json::{Document, Node};
 

@@ -1,6 +1,6 @@
 //! `macro.json`: components, macro definitions, and the table from combination names to target files.
 //!
-//! The loader checks nothing (formats/makehuman2.md §3.1); members of a wrong type are left out here
+//! The loader checks nothing (`docs/loaders/makehuman2/macros.md#structure`); members of a wrong type are left out here
 //! and reported by the schema.
 
 use std::collections::HashMap;

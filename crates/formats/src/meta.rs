@@ -1,4 +1,4 @@
-//! `.meta`: name, author and tags of a motion, line by line (formats/makehuman2.md §14).
+//! `.meta`: name, author and tags of a motion, line by line (`docs/loaders/makehuman2/poses.md#meta-files`).
 
 use super::fields::fields;
 use mhlint_source::lines;

@@ -1,5 +1,5 @@
 //! `base.mhbin`: a base mesh as `compile_meshes.py` packs it. MakeHuman 2 reads it in place of `base.obj`
-//! (formats/makehuman2.md §8, §16).
+//! (`docs/loaders/makehuman2/base-mesh.md#which-file-is-read`, `docs/loaders/makehuman2/compiled-clothes.md#members`).
 //!
 //! A zip of `.npy`. Vertices with several texture coordinates stand again behind the real ones; `overflow` says whose
 //! copies they are. Gets bytes and limits, returns the mesh as an OBJ would give it, or why it cannot be loaded.

@@ -1,5 +1,5 @@
 //! `.mhbin` of an asset: what MakeHuman 2 writes beside it when it is put on, and reads in its place from then on
-//! (formats/makehuman2.md §16).
+//! (`docs/loaders/makehuman2/compiled-clothes.md#members`).
 //!
 //! A zip of `.npy`. Gets bytes, limits and the size of the base mesh; returns what the text is compared with, or why it
 //! cannot be loaded. Keeps no rows.

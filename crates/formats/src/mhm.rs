@@ -1,4 +1,4 @@
-//! `.mhm`: a saved character as MakeHuman 2 reads it (formats/makehuman2.md §18).
+//! `.mhm`: a saved character as MakeHuman 2 reads it (`docs/loaders/makehuman2/models.md#keywords`).
 //!
 //! A line is a keyword and words, split at white space. A keyword that is not known is passed over, so the lines that
 //! could be meant for something are kept.

@@ -1,4 +1,4 @@
-//! `.mhpose`: a pose or an expression as values of pose units (formats/makehuman2.md §13).
+//! `.mhpose`: a pose or an expression as values of pose units (`docs/loaders/makehuman2/poses.md#mhpose`).
 
 use super::macro_json::text;
 use mhlint_json::{Document, Node};

@@ -1,4 +1,4 @@
-//! `.mhskel`: joints, planes and bones of a skeleton (formats/makehuman2.md §10).
+//! `.mhskel`: joints, planes and bones of a skeleton (`docs/loaders/makehuman2/skeletons.md#keys-of-a-skeleton`).
 //!
 //! Keeps what the loader would see and, beside it, which values have a shape that the schema rejects:
 //! what hangs on those must not be checked again.

@@ -1,4 +1,4 @@
-//! `.mhw`: weights of bones on vertices (formats/makehuman2.md §11).
+//! `.mhw`: weights of bones on vertices (`docs/loaders/makehuman2/weights.md#weights-file`).
 //!
 //! Read through the pull reader, pair by pair, without a tree: the files are large. Faults of single
 //! pairs are counted; a shape that is no weights file at all is left to the schema.

@@ -1,7 +1,8 @@
 //! Weights rewritten in the text of a `.mhw`: entries taken out, merged, normalised.
 //!
-//! Sums are formed as the loader forms them, float32 in the order of the file (formats/makehuman2.md §11), so that
-//! a normalised vertex loads to the very numbers it had before. Vertices that need nothing keep their bytes.
+//! Sums are formed as the loader forms them, float32 in the order of the file
+//! (`docs/loaders/makehuman2/weights.md#loading-weights`), so that a normalised vertex loads to the very numbers it had
+//! before. Vertices that need nothing keep their bytes.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;

@@ -1,5 +1,5 @@
 //! Facts on weights: faults of single pairs, and the sum of every vertex as the loader forms it
-//! (formats/makehuman2.md §11).
+//! (`docs/loaders/makehuman2/weights.md#loading-weights`).
 //!
 //! Gets the pairs of all bones and the vertex count of the mesh; costs what the pairs are, not the size of the mesh.
 

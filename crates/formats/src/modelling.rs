@@ -1,4 +1,5 @@
-//! `modelling.json`: the sliders (formats/makehuman2.md §4). Formulas are checked here, never evaluated.
+//! `modelling.json`: the sliders (`docs/loaders/makehuman2/sliders.md#keys-of-a-slider`). Formulas are checked here,
+//! never evaluated.
 
 use std::collections::BTreeSet;
 

@@ -1,8 +1,9 @@
 //! `compressedtargets.npz`: the archive that MakeHuman 2 makes of all targets of a folder.
 //!
-//! A zip of `.npy`, the key of a member being the path of its target without suffix. The application
-//! loads every member at start and asks the archive before the text file (formats/makehuman2.md §1.3,
-//! §6.2). Gets bytes and limits, returns the members with the hashes of their rows; keeps no rows.
+//! A zip of `.npy`, the key of a member being the path of its target without suffix. The application loads every member
+//! at start and asks the archive before the text file (`docs/loaders/makehuman2/targets.md#the-archive-at-the-start`,
+//! `docs/loaders/makehuman2/targets.md#the-archive`). Gets bytes and limits, returns the members with the hashes of
+//! their rows; keeps no rows.
 
 use std::collections::BTreeMap;
 use std::io::{BufReader, Cursor, Read, Take};

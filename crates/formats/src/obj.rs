@@ -1,4 +1,4 @@
-//! Wavefront OBJ as MakeHuman 2 reads it (formats/makehuman2.md §8).
+//! Wavefront OBJ as MakeHuman 2 reads it (`docs/loaders/makehuman2/base-mesh.md#obj-commands`).
 //!
 //! Knows `v`, `vt`, `f`, `g`, `o`; everything else is ignored. A new group name opens a group, a name
 //! that was open before does not switch back: the faces stay in the group opened last. Vertices used

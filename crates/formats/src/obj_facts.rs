@@ -1,4 +1,5 @@
-//! Facts on a mesh: what is counted when all its lines have been read (formats/makehuman2.md §8).
+//! Facts on a mesh: what is counted when all its lines have been read
+//! (`docs/loaders/makehuman2/base-mesh.md#obj-commands`).
 //!
 //! Gets the mesh and the lines of its faces, completes the facts; checks nothing.
 

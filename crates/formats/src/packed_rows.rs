@@ -1,4 +1,4 @@
-//! The rows of a target in an archive (formats/makehuman2.md §6.2).
+//! The rows of a target in an archive (`docs/loaders/makehuman2/targets.md#the-archive`).
 //!
 //! Gets the stream of a member, returns the number of rows and the hash of their content, or why the application could
 //! not use them.

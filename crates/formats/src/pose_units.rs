@@ -1,4 +1,5 @@
-//! `body-poses.json` and `face-poses.json`: what poses and expressions are made of (formats/makehuman2.md §12).
+//! `body-poses.json` and `face-poses.json`: what poses and expressions are made of
+//! (`docs/loaders/makehuman2/poses.md#pose-units`).
 
 use super::macro_json::text;
 use mhlint_json::{Document, Member, Node};

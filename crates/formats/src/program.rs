@@ -1,4 +1,5 @@
-//! Files of the program itself: `makehuman2_version.json` and `shaders/shader.json` (formats/makehuman2.md §21).
+//! Files of the program itself: `makehuman2_version.json` and `shaders/shader.json`
+//! (`docs/loaders/makehuman2/program.md#version-and-settings`).
 
 use super::macro_json::text;
 use mhlint_json::{Document, Node, Value};

@@ -1,4 +1,5 @@
-//! `selection_filter.json`: the tree of labels by which the assets of a category are chosen (formats/makehuman2.md §20).
+//! `selection_filter.json`: the tree of labels by which the assets of a category are chosen
+//! (`docs/loaders/makehuman2/libraries.md#filters`).
 //!
 //! Labels are in small letters, those of a path joined by `:`. The elements of a list also stand for themselves: a tag of
 //! that name gets their path.

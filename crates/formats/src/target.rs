@@ -1,8 +1,8 @@
 //! `.target`: rows of a vertex index and its displacement.
 //!
-//! MakeHuman 2 strips a line, ignores it if it begins with `#`, splits at white space and takes it as
-//! data if there are exactly four fields; everything else is dropped silently. Numbers go through
-//! `int()` and `float()`; a failure there stops the program at start (formats/makehuman2.md §6.1).
+//! MakeHuman 2 strips a line, ignores it if it begins with `#`, splits at white space and takes it as data if there are
+//! exactly four fields; everything else is dropped silently. Numbers go through `int()` and `float()`; a failure there
+//! stops the program at start (`docs/loaders/makehuman2/targets.md#rows`).
 
 use super::content_hash::ContentHash;
 use super::faulty_rows::row_name;

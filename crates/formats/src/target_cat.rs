@@ -1,4 +1,4 @@
-//! `target_cat.json`: the categories under which sliders are shown (formats/makehuman2.md §5.1).
+//! `target_cat.json`: the categories under which sliders are shown (`docs/loaders/makehuman2/sliders.md#categories`).
 
 use super::macro_json::text;
 use mhlint_json::{Document, Node};

@@ -1,4 +1,5 @@
-//! Vertices that a target names on several rows, of which the application applies the last (formats/makehuman2.md §6.1).
+//! Vertices that a target names on several rows, of which the application applies the last
+//! (`docs/loaders/makehuman2/targets.md#rows`).
 
 use super::content_hash::ContentHash;
 use super::target::Row;

@@ -1,5 +1,5 @@
 //! What one version of an application does with a fault, where the words for all of them name several
-//! (`docs/loaders/versions.md#where-loaders-differ`, formats/additions.md §4).
+//! (`docs/loaders/versions.md#where-loaders-differ`, `docs/loaders/makehuman2/program.md#newer-program`).
 
 use mhlint_diag::{Application, Application::Makehuman2, Finding};
 use mhlint_repo::View;

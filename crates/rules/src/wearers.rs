@@ -1,4 +1,5 @@
-//! Which characters wear an asset that cannot be put on: they are not loaded to the end (formats/makehuman2.md §18).
+//! Which characters wear an asset that cannot be put on: they are not loaded to the end
+//! (`docs/loaders/makehuman2/models.md#broken-assets`).
 
 use super::counted;
 use mhlint_diag::{Application, EXAMPLES, Finding, Level, Place};

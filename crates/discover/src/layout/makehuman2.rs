@@ -1,4 +1,5 @@
-//! MakeHuman 2: folders of assets with a folder for each base mesh in them (formats/makehuman2.md §1).
+//! MakeHuman 2: folders of assets with a folder for each base mesh in them
+//! (`docs/loaders/makehuman2/folders.md#lookup-order`).
 
 pub(crate) mod importer;
 pub(crate) mod opened;
@@ -42,7 +43,7 @@ pub(super) static LAYOUT: Layout = Layout {
     has_bases: true,
     only_base: None,
     joint: None,
-    // Weights are looked for there and nowhere below (§10).
+    // Weights are looked for there and nowhere below (`docs/loaders/makehuman2/skeletons.md#keys-of-a-skeleton`).
     flat: "rigs",
     role,
     is_system_of_two,
@@ -97,8 +98,8 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     }
 }
 
-/// A folder is that of a base mesh if the run knows one of its name, or something else for it lies in its place (§1.1): other
-/// programs have folders called `base` and `rigs`, too.
+/// A folder is that of a base mesh if the run knows one of its name, or something else for it lies in its place
+/// (`docs/loaders/makehuman2/folders.md#target-folders`): other programs have folders called `base` and `rigs`, too.
 fn weigh(listing: &Listing<'_>, root: &str, file: &str, sign: Sign) -> Option<Sign> {
     let rel = file.get(root.len()..).unwrap_or_default().trim_start_matches('/');
     let (folder, rest) = rel.split_once('/')?;
@@ -180,7 +181,7 @@ fn is_target_folder(folder: &str) -> bool {
 }
 
 /// Every `*.target` below a target folder is opened, whatever it and the folders above it are called, `.git` as well
-/// (§1.3).
+/// (`docs/loaders/makehuman2/targets.md#the-archive-at-the-start`).
 fn reads_hidden(path: &HiddenPath<'_>) -> bool {
     // A name for the base mesh stands between.
     let above = path.visible.split_last().map_or(path.visible, |(_, above)| above);
@@ -188,7 +189,8 @@ fn reads_hidden(path: &HiddenPath<'_>) -> bool {
     above.iter().any(|part| is_target_folder(part)) && is_target || is_scanned_though_hidden(path)
 }
 
-/// The asset scan takes files by their suffix, hidden or not; macOS leaves such beside each of its own (§19).
+/// The asset scan takes files by their suffix, hidden or not; macOS leaves such beside each of its own
+/// (`docs/loaders/makehuman2/libraries.md#scan`).
 fn is_scanned_though_hidden(path: &HiddenPath<'_>) -> bool {
     let Some(at) = path.visible.iter().rposition(|part| is_scanned_folder(part)) else { return false };
     let below = path.visible.get(at..).unwrap_or_default().join("/");
@@ -246,8 +248,8 @@ fn stands_alone(below: &[Candidate<'_>], is_base: Holds<'_>) -> bool {
     below.iter().any(is_programs) || usize::from(has_bases) + usize::from(has_macros) + usize::from(has_shaders) >= 2
 }
 
-/// Base meshes make a root the system, or both with `contarget/`, which is read in the user's folder only (§1.1). Capitals
-/// make no difference: which part is meant is clear.
+/// Base meshes make a root the system, or both with `contarget/`, which is read in the user's folder only
+/// (`docs/loaders/makehuman2/folders.md#target-folders`). Capitals make no difference: which part is meant is clear.
 fn role(below: &[Candidate<'_>]) -> Role {
     let is_override = |one: &Candidate<'_>| match one.rel.split('/').collect::<Vec<_>>().as_slice() {
         [folder, _, _, ..] => folder.eq_ignore_ascii_case("contarget"),

@@ -1,8 +1,8 @@
 //! Shares of one macro component at one slider value.
 //!
 //! Gets steps or barycentric numbers, returns at most three (value, weight) pairs, or why the component drops out of
-//! the product. Knows no names and no targets. Source: MakeHuman 2, macro calculation (formats/makehuman2.md §3.3,
-//! §3.4).
+//! the product. Knows no names and no targets. Source: MakeHuman 2, macro calculation
+//! (`docs/loaders/makehuman2/macros.md#evaluation`, `docs/loaders/makehuman2/macros.md#special-cases`).
 
 use std::fmt;
 

@@ -1,6 +1,6 @@
 //! What MakeHuman 2 adds to fitting: scales, weights taken from the body.
 //!
-//! Source: formats/makehuman2.md §15.2.
+//! Source: `docs/loaders/makehuman2/clothes.md#fitting`.
 
 use super::super::error::EvalError;
 use super::super::fit::{Reference, ScaleLine};

@@ -1,6 +1,6 @@
 //! Joint positions: the mean of a few vertices of the current mesh.
 //!
-//! Source: formats/makehuman2.md §10.1.
+//! Source: `docs/loaders/makehuman2/skeletons.md#rest-pose`.
 
 use super::super::error::EvalError;
 use super::super::mesh::point;

@@ -1,6 +1,6 @@
 //! A macro system as its file defines it, in plain names and numbers: what `MacroTable` is made from.
 //!
-//! Filled by the caller. Source: MakeHuman 2, `macro.json` (formats/makehuman2.md §3.1).
+//! Filled by the caller. Source: MakeHuman 2, `macro.json` (`docs/loaders/makehuman2/macros.md#structure`).
 
 /// Where the position of a registered slider is found in the settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

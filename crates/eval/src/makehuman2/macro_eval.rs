@@ -1,7 +1,7 @@
 //! One setting of the macro sliders: every combination with its factor and fate, and the factor of every target.
 //!
 //! Gets a `MacroTable` and the slider positions; fills a `MacroResult` that is meant to be reused. No names are
-//! touched. Source: MakeHuman 2, macro calculation (formats/makehuman2.md §3.3).
+//! touched. Source: MakeHuman 2, macro calculation (`docs/loaders/makehuman2/macros.md#evaluation`).
 
 use super::component::{ComponentState, DropReason};
 use super::macro_table::{Link, MacroError, MacroTable, MacrodefTable};

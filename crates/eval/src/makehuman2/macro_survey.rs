@@ -1,7 +1,8 @@
 //! What a macro system does over the range of its sliders: stretches in which a macrodef applies nothing, weights
 //! that do not add up to one, jumps, and what the cut-off of small factors throws away.
 //!
-//! Source: MakeHuman 2, macro calculation (formats/makehuman2.md §3.3, §3.4).
+//! Source: MakeHuman 2, macro calculation (`docs/loaders/makehuman2/macros.md#evaluation`,
+//! `docs/loaders/makehuman2/macros.md#special-cases`).
 
 use std::collections::{BTreeMap, BTreeSet};
 

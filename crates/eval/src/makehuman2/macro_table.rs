@@ -2,7 +2,7 @@
 //!
 //! Gets components, macrodefs and the sliders registered for patterns; returns a `MacroTable` that holds for every
 //! possible combination of every macrodef what its name leads to. `macro_eval` walks it. Source: MakeHuman 2, macro
-//! calculation (formats/makehuman2.md §3.2, §3.3).
+//! calculation (`docs/loaders/makehuman2/macros.md#loading`, `docs/loaders/makehuman2/macros.md#evaluation`).
 
 use std::collections::HashMap;
 use std::fmt;

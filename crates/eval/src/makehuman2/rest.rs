@@ -1,7 +1,8 @@
 //! Rest pose of a skeleton: bone order, plane normals, rest matrices.
 //!
 //! Gets joint positions and bones as indices; returns matrices. What the application would turn into NaN is NaN here:
-//! zero length bones, planes without area. Source: formats/makehuman2.md §10, §10.1.
+//! zero length bones, planes without area. Source: `docs/loaders/makehuman2/skeletons.md#faults-of-skeletons`,
+//! `docs/loaders/makehuman2/skeletons.md#rest-pose`.
 
 use super::super::error::EvalError;
 use super::super::skeleton::{Bone, PARALLEL_SINE, RestBone, direction};

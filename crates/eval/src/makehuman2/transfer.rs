@@ -2,7 +2,7 @@
 //!
 //! Gets the default skeleton's weights and hierarchy and, for each bone of the other skeleton, its references as
 //! numbers of default bones; returns the weights of the other skeleton. Source: export to a rig that is not the default
-//! (formats/makehuman2.md §10.2).
+//! (`docs/loaders/makehuman2/skeletons.md#references`).
 
 use std::collections::{BTreeMap, BTreeSet};
 

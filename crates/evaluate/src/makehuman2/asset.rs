@@ -1,4 +1,4 @@
-//! Assets of the `.mhclo` kind, fitted to a base mesh (formats/makehuman2.md §15.2).
+//! Assets of the `.mhclo` kind, fitted to a base mesh (`docs/loaders/makehuman2/clothes.md#fitting`).
 
 use std::path::{Path, PathBuf};
 

@@ -88,7 +88,8 @@ impl Evaluation {
     }
 }
 
-/// Weights of a bone that the skeleton lacks, or for a vertex that the mesh lacks (formats/makehuman2.md §11).
+/// Weights of a bone that the skeleton lacks, or for a vertex that the mesh lacks
+/// (`docs/loaders/makehuman2/weights.md#faults-of-weights`).
 fn weights_fault(base: &Base<'_>, scene: &Scene) -> Option<Error> {
     let (file, weights) = base.pose_rig()?.0.usable_weights()?;
     let names: BTreeSet<&String> = scene.skeleton.as_ref()?.names.iter().collect();

@@ -165,7 +165,7 @@ pub(crate) fn inline_weights(node: &Node) -> Result<WeightLists, Error> {
     Ok(lists)
 }
 
-/// What Python raises over a pair (formats/makehuman2.md §11).
+/// What Python raises over a pair (`docs/loaders/makehuman2/weights.md#faults-of-weights`).
 fn pair_fault(pair: &Node) -> Option<(&'static str, &'static str)> {
     match (pair.is_array(), pair.elements()) {
         (false, _) => Some(("TypeError", "an entry is not a pair")),

@@ -85,7 +85,7 @@ impl Evaluation {
     }
 }
 
-/// What Python raises (formats/makehuman2.md §3.4).
+/// What Python raises (`docs/loaders/makehuman2/macros.md#special-cases`).
 fn exception(fault: ComponentFault) -> &'static str {
     match fault {
         ComponentFault::EqualSteps => "ZeroDivisionError",

@@ -1,5 +1,5 @@
-//! Weights of the default skeleton handed to another one through the references of its bones (formats/makehuman2.md
-//! §10.2).
+//! Weights of the default skeleton handed to another one through the references of its bones
+//! (`docs/loaders/makehuman2/skeletons.md#references`).
 
 use std::collections::{BTreeMap, BTreeSet};
 

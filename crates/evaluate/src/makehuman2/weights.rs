@@ -100,8 +100,8 @@ pub(crate) fn number(names: &mut Vec<String>, name: &str) -> usize {
     })
 }
 
-/// Weights of the default skeleton moved to another one through its references (formats/makehuman2.md §10.2), and
-/// the default bones whose weights are lost.
+/// Weights of the default skeleton moved to another one through its references
+/// (`docs/loaders/makehuman2/skeletons.md#references`), and the default bones whose weights are lost.
 ///
 /// # Errors
 /// A default skeleton that the application refuses; more entries than are handed on.

@@ -1,4 +1,4 @@
-//! What a body of MakeHuman 2 wears, as it fits it (formats/makehuman2.md §15.2).
+//! What a body of MakeHuman 2 wears, as it fits it (`docs/loaders/makehuman2/clothes.md#fitting`).
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,5 @@
-//! Python expressions in assets: which of them may be evaluated without harm (formats/makehuman2.md §4.5).
+//! Python expressions in assets: which of them may be evaluated without harm
+//! (`docs/loaders/makehuman2/sliders.md#display-and-formulas`).
 //!
 //! MakeHuman 2 hands `display.formula` and `random.rules` to Python's `eval`. Here nothing is evaluated: a
 //! tokenizer and a recursive descent parser accept numbers, the one variable, arithmetic, comparison chains,

@@ -39,8 +39,9 @@ pub struct Value {
     pub span: Range<usize>,
 }
 
-/// What MakeHuman 2 takes from the text when it looks through the library (formats/makehuman2.md §15.1, §19): keywords
-/// without a colon, before the first row of several numbers; of several lines the last.
+/// What MakeHuman 2 takes from the text when it looks through the library
+/// (`docs/loaders/makehuman2/clothes.md#keywords`, `docs/loaders/makehuman2/libraries.md#scan`): keywords without a
+/// colon, before the first row of several numbers; of several lines the last.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Scanned {
     /// The first word of `name`.

@@ -1,4 +1,4 @@
-//! `.mhclo` and `.proxy`: an asset tied to the vertices of a base mesh (formats/makehuman2.md §15.1,
+//! `.mhclo` and `.proxy`: an asset tied to the vertices of a base mesh (`docs/loaders/makehuman2/clothes.md#keywords`,
 //! `docs/loaders/makehuman1/clothes.md#keywords`, mpfb.md §26.1).
 //!
 //! Words split at white space; a keyword may have a colon behind it. All lines are read, also behind one that some

@@ -1,4 +1,4 @@
-//! The keywords of materials: all that one of the applications reads (formats/makehuman2.md §17,
+//! The keywords of materials: all that one of the applications reads (`docs/loaders/makehuman2/materials.md#lines`,
 //! `docs/loaders/makehuman1/materials.md#material-keywords`, mpfb.md §27.1).
 
 /// A keyword.

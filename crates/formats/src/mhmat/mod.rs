@@ -1,4 +1,4 @@
-//! `.mhmat`: how a surface looks (formats/makehuman2.md §17,
+//! `.mhmat`: how a surface looks (`docs/loaders/makehuman2/materials.md#lines`,
 //! `docs/loaders/makehuman1/materials.md#lines-of-a-material`, mpfb.md §27).
 //!
 //! A line is a keyword and words, split at white space; what is behind the first word of a file name is lost. Comments

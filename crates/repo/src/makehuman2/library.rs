@@ -1,4 +1,4 @@
-//! What the lists of assets show, and by what it is known (formats/makehuman2.md §19).
+//! What the lists of assets show, and by what it is known (`docs/loaders/makehuman2/libraries.md#identity`).
 //!
 //! An asset is known by its name and its uuid, whatever its category; of several that are known by the same, all but one
 //! are lost. What the binary of an asset says of itself is looked at where there is no text.

@@ -1,5 +1,6 @@
-//! Which file is read as the base mesh, and which ones are not because of it (formats/makehuman2.md §8): an archive goes
-//! before any OBJ, that of the user before that of the system, and nobody compares dates.
+//! Which file is read as the base mesh, and which ones are not because of it
+//! (`docs/loaders/makehuman2/base-mesh.md#which-file-is-read`): an archive goes before any OBJ, that of the user before
+//! that of the system, and nobody compares dates.
 
 use super::OWN;
 use crate::{FileFacts, Layers};

@@ -1,4 +1,4 @@
-//! Saved characters: what they name, and who wears an asset (formats/makehuman2.md §18).
+//! Saved characters: what they name, and who wears an asset (`docs/loaders/makehuman2/models.md#assets-of-a-model`).
 
 use std::collections::BTreeMap;
 

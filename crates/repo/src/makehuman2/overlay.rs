@@ -1,5 +1,5 @@
 //! Contarget over target: each JSON falls back on its own, target files follow `macro.json` alone
-//! (formats/makehuman2.md §1.2).
+//! (`docs/loaders/makehuman2/folders.md#overlays`).
 
 use crate::{FileFacts, Layer};
 use mhlint_formats::Content;

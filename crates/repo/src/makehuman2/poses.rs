@@ -1,4 +1,5 @@
-//! Poses and expressions with the units that they are made of (formats/makehuman2.md §12, §13).
+//! Poses and expressions with the units that they are made of (`docs/loaders/makehuman2/poses.md#pose-units`,
+//! `docs/loaders/makehuman2/poses.md#mhpose`).
 
 use super::OWN;
 use crate::{BodyPose, FileFacts, Layers, PoseUnitsFile};

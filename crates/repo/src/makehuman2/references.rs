@@ -119,7 +119,7 @@ fn resolve_target<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &
     if !matches!(found, Resolution::Missing) {
         return (rel, found);
     }
-    // The archive is asked by the name as written (formats/makehuman2.md §6.2).
+    // The archive is asked by the name as written (`docs/loaders/makehuman2/targets.md#the-archive`).
     let archive = folder.archive().filter(|file| file.archive().is_some_and(|archive| archive.member(name).is_some()));
     let other = || base.other_targets.and_then(|other| other.target(name)).map(Resolution::OtherLayer);
     (rel, archive.map(Resolution::Found).or_else(other).unwrap_or(found))

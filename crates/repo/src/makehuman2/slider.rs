@@ -1,5 +1,5 @@
 //! Sliders bound to a base: their identity ("pattern") and where their files come from
-//! (formats/makehuman2.md §4.2).
+//! (`docs/loaders/makehuman2/sliders.md#pattern`).
 
 use crate::FileFacts;
 use mhlint_diag::{Grouped, grouped};

@@ -1,4 +1,4 @@
-//! Materials as MakeHuman 2 has them (formats/makehuman2.md §17).
+//! Materials as MakeHuman 2 has them (`docs/loaders/makehuman2/materials.md#alternative-materials`).
 
 use super::OWN;
 use crate::surface::Picture;

@@ -1,4 +1,5 @@
-//! Pictures that materials name, and where `MakeHuman` 2 looks for them (formats/makehuman2.md §17).
+//! Pictures that materials name, and where `MakeHuman` 2 looks for them
+//! (`docs/loaders/makehuman2/materials.md#texture-search`).
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,5 @@
-//! User targets as MakeHuman 2 scans them, and the keys it makes of their names (formats/makehuman2.md §5.2).
+//! User targets as MakeHuman 2 scans them, and the keys it makes of their names
+//! (`docs/loaders/makehuman2/user-targets.md#scan-of-the-folder`).
 
 use std::collections::BTreeSet;
 

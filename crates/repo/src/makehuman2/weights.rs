@@ -7,7 +7,8 @@ use super::rigs::name_of;
 use crate::{BodyWeights, FileFacts, Reference, ReferenceKind, Rig, WeightsUse};
 
 /// The weights of a base. Those that no skeleton names are never read; those of other skeletons than the one for poses
-/// are loaded with these, and no more: even exports take the others (formats/makehuman2.md §10.2).
+/// are loaded with these, and no more: even exports take the others
+/// (`docs/loaders/makehuman2/skeletons.md#references`).
 pub(super) fn weights<'v>(base: &'v Base<'_>) -> Vec<BodyWeights<'v>> {
     let can_tell = can_tell(base);
     let used: BTreeSet<&str> = base.rigs.iter().filter_map(named).map(|file| file.rel.as_str()).collect();

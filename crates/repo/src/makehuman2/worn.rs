@@ -1,4 +1,5 @@
-//! What bodies can wear: assets that the scan finds (formats/makehuman2.md §15.1, §19).
+//! What bodies can wear: assets that the scan finds (`docs/loaders/makehuman2/clothes.md#keywords`,
+//! `docs/loaders/makehuman2/libraries.md#scan`).
 
 use super::OWN;
 use crate::{Layers, Worn};

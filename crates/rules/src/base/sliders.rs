@@ -1,5 +1,5 @@
 //! What a system's base lacks so that its targets are of no use: `modelling.json`, `macro.json`, or all of its target
-//! folder (formats/makehuman2.md §1.2). Overrides have rules of their own.
+//! folder (`docs/loaders/makehuman2/folders.md#overlays`). Overrides have rules of their own.
 
 use std::collections::BTreeSet;
 
@@ -22,7 +22,7 @@ pub(super) struct Gap {
     pub(super) help: String,
 }
 
-/// Stands in the program's own data and nowhere else (formats/makehuman2.md §21).
+/// Stands in the program's own data and nowhere else (`docs/loaders/makehuman2/program.md#version-and-settings`).
 const VERSION_FILE: &str = "makehuman2_version.json";
 
 /// What is missing of the sliders of a base, if its data are the system's and nothing overrides them.

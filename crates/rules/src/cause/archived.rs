@@ -1,4 +1,5 @@
-//! Targets whose text MakeHuman 2 does not read, because an archive stands for it (formats/makehuman2.md §1.3, §6.2).
+//! Targets whose text MakeHuman 2 does not read, because an archive stands for it
+//! (`docs/loaders/makehuman2/targets.md#the-archive-at-the-start`, `docs/loaders/makehuman2/targets.md#the-archive`).
 //!
 //! What is wrong with such a text waits until the archive is deleted, which is the usual remedy for a stale one.
 

@@ -26,7 +26,7 @@ pub(crate) fn is_override(file: &FileFacts) -> bool {
 }
 
 /// Whether the file is an override that is taken for absent without a word to the user: no JSON, a byte order mark, or
-/// nothing in it (formats/makehuman2.md §1.2, §2.1).
+/// nothing in it (`docs/loaders/makehuman2/folders.md#overlays`, `docs/loaders/makehuman2/text-and-json.md#json`).
 ///
 /// `overlay-broken-override` speaks for such a file; other rules on its text keep quiet. Bytes that are no UTF-8 stop
 /// the application instead, and nesting beyond all measure does, too.

@@ -81,7 +81,8 @@ pub(super) fn in_use(view: &View<'_>, base: &Base<'_>) -> BTreeSet<String> {
     used
 }
 
-/// Icons that the sliders get which MakeHuman 2 makes from user targets (formats/makehuman2.md §5.2).
+/// Icons that the sliders get which MakeHuman 2 makes from user targets
+/// (`docs/loaders/makehuman2/user-targets.md#names-and-keys`).
 fn generated_icons<'a>(base: &'a Base<'_>) -> impl Iterator<Item = String> + 'a {
     let folders = base.user_targets.into_iter();
     folders.flat_map(|folder| {

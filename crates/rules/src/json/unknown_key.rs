@@ -26,7 +26,8 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
 /// Something slipped inside another thing of its kind.
 const NESTED: Case = &[(Makehuman2, Level::Warning, "silently ignores everything in it")];
 
-/// Whoever has no plane takes the vertical, which changes the rest pose (formats/makehuman2.md §10.1).
+/// Whoever has no plane takes the vertical, which changes the rest pose
+/// (`docs/loaders/makehuman2/skeletons.md#rest-pose`).
 const NO_PLANE: Case =
     &[(Makehuman2, Level::Warning, "ignores the key: the bones have no plane, so the vertical decides their roll")];
 

@@ -25,7 +25,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     )
 });
 
-/// A combination counts only above this weight (formats/makehuman2.md §3.3).
+/// A combination counts only above this weight (`docs/loaders/makehuman2/macros.md#evaluation`).
 const SMALLEST_WEIGHT: f64 = 0.01;
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

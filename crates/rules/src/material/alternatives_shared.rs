@@ -1,5 +1,5 @@
-//! Materials beside the folders of assets, which are offered for assets without materials of their own (formats/makehuman2.md
-//! §17).
+//! Materials beside the folders of assets, which are offered for assets without materials of their own
+//! (`docs/loaders/makehuman2/materials.md#alternative-materials`).
 
 use std::collections::BTreeSet;
 

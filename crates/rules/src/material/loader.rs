@@ -1,5 +1,6 @@
-//! What MakeHuman 2 and MakeHuman 1 read of a material (formats/makehuman2.md §17, makehuman2-worn-observed.md 2;
-//! `docs/loaders/makehuman1/materials.md#lines-of-a-material`, `docs/loaders/makehuman1/materials.md#faults-of-materials`).
+//! What MakeHuman 2 and MakeHuman 1 read of a material (`docs/loaders/makehuman2/materials.md#lines`,
+//! `docs/loaders/makehuman2/materials.md#colours`; `docs/loaders/makehuman1/materials.md#lines-of-a-material`,
+//! `docs/loaders/makehuman1/materials.md#faults-of-materials`).
 
 use mhlint_diag::Application;
 use mhlint_formats::mhmat::Line;

@@ -77,7 +77,7 @@ fn read<'f>(view: &View<'_>, file: &'f FileFacts) -> Option<ReadMesh<'f>> {
     of_asset(view, file).map(ReadMesh::of)
 }
 
-/// The mesh that MakeHuman 2 shows for a lamp, which nothing names (formats/additions.md 1.3).
+/// The mesh that MakeHuman 2 shows for a lamp, which nothing names (`docs/loaders/makehuman2/program.md#lamp-symbol`).
 fn lamp_symbol<'f>(view: &View<'_>, file: &'f FileFacts) -> Option<ReadMesh<'f>> {
     let is_read = (view.layout().single)(&file.rel) == Some(Single::LampSymbol) && view.layers().checks_system();
     let asset = file.asset_mesh().filter(|_| is_read && file.encoding.invalid_utf8_at.is_none());

@@ -124,7 +124,8 @@ fn of_endings(
 }
 
 /// Raises a finding where a left slider is looked up under the pattern that one of these would have: a pattern that is
-/// not there stops the randomizer (formats/makehuman2.md §4.3). A right one is left out without a word.
+/// not there stops the randomizer (`docs/loaders/makehuman2/sliders.md#faults-of-sliders`). A right one is left out
+/// without a word.
 fn weigh(base: &Base<'_>, sliders: &[&BoundSlider<'_>], finding: Finding) -> Finding {
     let mut lefts = base.sliders.iter().filter(|bound| bound.slider.rsym.is_none());
     let is_met = lefts.any(|bound| {

@@ -1,4 +1,4 @@
-//! Rules on overrides: contarget over target, user over system (formats/makehuman2.md §1.2).
+//! Rules on overrides: contarget over target, user over system (`docs/loaders/makehuman2/folders.md#overlays`).
 
 mod base_folder_missing;
 mod broken_override;

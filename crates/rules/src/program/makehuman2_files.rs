@@ -1,4 +1,4 @@
-//! Files without which MakeHuman 2 does not start (formats/makehuman2.md §7).
+//! Files without which MakeHuman 2 does not start (`docs/loaders/makehuman2/base.md#keys`).
 
 use super::super::Rule;
 use mhlint_diag::{Application::Makehuman2, Case, Finding, Level};
@@ -36,7 +36,7 @@ fn no_base(rule: &Rule, system: &Layer) -> Option<Finding> {
     is_gone.then(|| finding().help("restore the folder from the download of the program"))
 }
 
-/// The mesh that is shown for a lamp (formats/additions.md 1.3).
+/// The mesh that is shown for a lamp (`docs/loaders/makehuman2/program.md#lamp-symbol`).
 const LAMP: &str = "shaders/meshes/lampsymbol.obj";
 const NO_BASE: Case = &[(Makehuman2, Level::Error, "crashes with `TypeError` when it loads the base")];
 const NO_LAMP: Case = &[(Makehuman2, Level::Warning, "logs a line at start and shows no symbol for lamps")];

@@ -1,4 +1,5 @@
-//! What OpenGL is handed of the sides of a skybox: the bytes of the picture as Qt holds it (formats/additions.md 1.2).
+//! What OpenGL is handed of the sides of a skybox: the bytes of the picture as Qt holds it
+//! (`docs/loaders/makehuman2/program.md#sky-boxes`).
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! A skybox has six sides (formats/makehuman2.md §21; formats/additions.md 1.2).
+//! A skybox has six sides (`docs/loaders/makehuman2/program.md#sky-boxes`).
 
 use std::collections::BTreeMap;
 

@@ -1,5 +1,6 @@
 //! Keys of `makehuman2_version.json` that are taken without being asked for, each where something else is opened
-//! (formats/additions.md 1.6). Those without which nothing starts are told by the schema.
+//! (`docs/loaders/makehuman2/program.md#version-and-settings`). Those without which nothing starts are told by the
+//! schema.
 
 use super::super::{Rule, RuleCx, either, enumerated};
 use mhlint_diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place};

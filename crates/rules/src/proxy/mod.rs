@@ -1,4 +1,5 @@
-//! Assets that are worn: `.mhclo` and `.proxy` with what they name, as MakeHuman 2 loads them (formats/makehuman2.md §15).
+//! Assets that are worn: `.mhclo` and `.proxy` with what they name, as MakeHuman 2 loads them
+//! (`docs/loaders/makehuman2/clothes.md#keywords`).
 
 mod archives;
 mod blender;

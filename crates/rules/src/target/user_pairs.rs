@@ -1,4 +1,5 @@
-//! User targets that look like the two halves of a slider and are none to the scan (formats/makehuman2.md §5.2).
+//! User targets that look like the two halves of a slider and are none to the scan
+//! (`docs/loaders/makehuman2/user-targets.md#pairs`).
 
 use super::super::Rule;
 use mhlint_diag::{Application::Makehuman2, Case, Finding, Level, Place};

@@ -68,7 +68,8 @@ const SEAM: Case = &[(
     "moves this copy, which it adds where the UV map is cut, with its original: the row has no effect",
 )];
 
-/// First index whose triple no longer fits 32 bits: coordinate 3·index wraps (formats/makehuman2.md §6.1).
+/// First index whose triple no longer fits 32 bits: coordinate 3·index wraps
+/// (`docs/loaders/makehuman2/targets.md#rows`).
 const FIRST_WRAPPED: i64 = (1 << 32) / 3 + 1;
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

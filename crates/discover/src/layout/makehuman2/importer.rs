@@ -1,4 +1,5 @@
-//! Where MakeHuman 2 puts the files of an asset pack when it imports one (formats/makehuman2.md §23).
+//! Where MakeHuman 2 puts the files of an asset pack when it imports one
+//! (`docs/loaders/makehuman2/libraries.md#asset-packs`).
 
 use super::super::super::Kind;
 use super::super::super::kind::{extension, is_asset_anywhere};

@@ -1,4 +1,5 @@
-//! Which names the loaders of MakeHuman 2 look for (formats/makehuman2.md §1, §2, §19).
+//! Which names the loaders of MakeHuman 2 look for (`docs/loaders/makehuman2/folders.md#lookup-order`,
+//! `docs/loaders/makehuman2/text-and-json.md#json`, `docs/loaders/makehuman2/libraries.md#scan`).
 
 use super::super::super::kind::extension;
 use super::super::{Single, WORN};
@@ -107,7 +108,7 @@ pub struct MaterialUse<'p> {
 }
 
 /// What the application has a material of this path for: skins, one folder deep, the base mesh, and what is worn
-/// (formats/makehuman2.md §17); a topology wears the skin.
+/// (`docs/loaders/makehuman2/materials.md#alternative-materials`); a topology wears the skin.
 pub fn material_of(rel: &str) -> Option<MaterialUse<'_>> {
     match rel.split('/').collect::<Vec<_>>().as_slice() {
         ["skins" | "base", _, _] | ["skins", _, _, _] => Some(MaterialUse { folder: "skins", is_worn: false }),

@@ -1,5 +1,14 @@
-//! What MakeHuman 2 does with a file that it cannot read or find (formats/makehuman2.md §1, §2, §3.6, §4.3, §5.2, §7, §9, §10,
-//! §11, §12, §17, §19, §20, §21; formats/additions.md 1.2, 1.3, 4).
+//! What MakeHuman 2 does with a file that it cannot read or find.
+//!
+//! `docs/loaders/makehuman2/folders.md#overlays`, `docs/loaders/makehuman2/text-and-json.md#json`,
+//! `docs/loaders/makehuman2/macros.md#special-cases`, `docs/loaders/makehuman2/sliders.md#faults-of-sliders`,
+//! `docs/loaders/makehuman2/user-targets.md#scan-of-the-folder`, `docs/loaders/makehuman2/base.md#keys`,
+//! `docs/loaders/makehuman2/base.md#geometryjson`, `docs/loaders/makehuman2/base-mesh.md#which-file-is-read`,
+//! `docs/loaders/makehuman2/skeletons.md#faults-of-skeletons`, `docs/loaders/makehuman2/weights.md#faults-of-weights`,
+//! `docs/loaders/makehuman2/poses.md#pose-units`, `docs/loaders/makehuman2/materials.md#lines`,
+//! `docs/loaders/makehuman2/libraries.md#scan`, `docs/loaders/makehuman2/libraries.md#filters`,
+//! `docs/loaders/makehuman2/program.md#version-and-settings`, `docs/loaders/makehuman2/program.md#sky-boxes`,
+//! `docs/loaders/makehuman2/program.md#lamp-symbol`, `docs/loaders/makehuman2/program.md#newer-program`.
 
 use super::super::overlay::{SystemFolder, system_folder};
 use super::table::At::{self, Generated, Replaced, Scanned};
@@ -41,7 +50,7 @@ pub(crate) const NO_POSE_SKELETON: &str = "has no poses and no bone weights for 
 const TYPE_ERROR: &str = "crashes at start with `TypeError`";
 const NO_BASE: &str = "does not load the base mesh";
 /// What becomes of a `.mhskel` or `.mhpose` of which the scan of assets makes nothing; since 08f975c it does not stop there
-/// (formats/additions.md 4).
+/// (`docs/loaders/makehuman2/program.md#newer-program`).
 pub(crate) const NOT_SCANNED: &str = "up to 2026-08-05 crashes at start with `AttributeError` while scanning \
     the assets; since 2026-08-14 logs a line and does not list the file";
 const SCAN_SYNTAX: Cell = cell(Syntax, Error, NOT_SCANNED);
@@ -72,9 +81,9 @@ const NO_PICTURE: &[Cell] = &[
     exports if a material names it",
     ),
 ];
-/// The symbol of a lamp is loaded while OpenGL is made ready (formats/additions.md 1.3).
+/// The symbol of a lamp is loaded while OpenGL is made ready (`docs/loaders/makehuman2/program.md#lamp-symbol`).
 pub(crate) const NO_LAMP: &str = "crashes at every start with a segmentation fault";
-/// A side is handed to OpenGL as it is (formats/additions.md 1.2).
+/// A side is handed to OpenGL as it is (`docs/loaders/makehuman2/program.md#sky-boxes`).
 const NO_SKY: &str = "crashes with a segmentation fault when the skybox is shown, at every start if it is that of \
     `shader.json`";
 const NO_USER_ICON: &str = "crashes at start with `FileNotFoundError` if the picture is a broken link";

@@ -1,4 +1,6 @@
-//! What becomes of what a misspelt key was meant for: a table by format and key (formats/makehuman2.md §3.1, §4.1, §5.1, §7).
+//! What becomes of what a misspelt key was meant for: a table by format and key
+//! (`docs/loaders/makehuman2/macros.md#structure`, `docs/loaders/makehuman2/sliders.md#keys-of-a-slider`,
+//! `docs/loaders/makehuman2/sliders.md#categories`, `docs/loaders/makehuman2/base.md#keys`).
 
 use super::{Consequence, NO_POSE_SKELETON};
 use mhlint_diag::Level;

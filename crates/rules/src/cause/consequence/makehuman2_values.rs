@@ -1,5 +1,8 @@
-//! What becomes of a value that does not fit its schema, where it is not the usual exception: a table by schema
-//! place (formats/makehuman2.md §3.1, §4, §5.1, §7, §9, §10, §11, §19).
+//! What becomes of a value that does not fit its schema, where it is not the usual exception: a table by schema place
+//! (`docs/loaders/makehuman2/macros.md#structure`, `docs/loaders/makehuman2/sliders.md#keys-of-a-slider`,
+//! `docs/loaders/makehuman2/sliders.md#categories`, `docs/loaders/makehuman2/base.md#keys`,
+//! `docs/loaders/makehuman2/base.md#geometryjson`, `docs/loaders/makehuman2/skeletons.md#keys-of-a-skeleton`,
+//! `docs/loaders/makehuman2/weights.md#faults-of-weights`, `docs/loaders/makehuman2/libraries.md#scan`).
 
 use super::makehuman2::{NEVER_OPENED, NO_WEIGHTS_LOADED, NOT_READ, REFUSED_ASSET, is_opened_by_scripts};
 use super::values::{ANY, NULL, Row, TEXT, Test, row};
