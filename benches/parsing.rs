@@ -8,7 +8,7 @@ mod data;
 use data::Files;
 use divan::{Bencher, counter::BytesCount};
 use mhlint::Encoding;
-use mhlint::formats::{mhw, target};
+use mhlint_formats::{mhw, target};
 
 fn main() {
     divan::main();

@@ -38,6 +38,10 @@
 //! done. No input makes the library panic; where one of its own bugs does, the file, rule or base mesh is
 //! skipped and [`Outcome::is_whole`] tells.
 //!
+//! These modules are the door: what they name is kept, and what else the members of the workspace (`mhlint-formats`,
+//! `mhlint-rules` and the others) have in public is for one another. Rust has no word for that; whoever depends on a member
+//! itself follows its changes.
+//!
 //! One way through the house: source → discover → formats → repo → eval → evaluate → rules → engine → report → cli
 //! (`docs/architecture.md`).
 
@@ -48,8 +52,8 @@
 #[doc(hidden)]
 pub mod cli;
 
-pub use mhlint_config::{self as config, Config};
-pub use mhlint_diag::{self as diag, Application, Finding, Level, Outcome};
+pub use mhlint_config::Config;
+pub use mhlint_diag::{Application, Finding, Level, Outcome};
 #[doc(hidden)]
 pub use mhlint_engine::trial;
 pub use mhlint_engine::{
@@ -58,7 +62,55 @@ pub use mhlint_engine::{
 };
 pub use mhlint_rules::Unread;
 pub use mhlint_source::{Encoding, Limits, Tree};
-pub use {
-    mhlint_eval as eval, mhlint_evaluate as evaluate, mhlint_fix as fix, mhlint_formats as formats,
-    mhlint_report as report,
-};
+
+/// What a run is asked to do, and the settings of a repository (`mhlint.toml`).
+pub mod config {
+    pub use mhlint_config::{
+        Before, Compare, ConfigFile, Date, Error, FILE_NAME, Fault, Globs, Ignore, MOST_SAMPLES, PathBlock, PathGlob,
+        Selector, TEMPLATE, find, schema, template_for,
+    };
+}
+
+/// What a run found, and what it did not check: plain data.
+pub mod diag {
+    pub use mhlint_diag::{
+        ApplicationVerdict, AssetGroup, Baseline, BaselineUse, Break, Change, Compared, Confidence, Consumed, Consumer,
+        Edit, Edition, EditionFault, Element, Entry, Evidence, Excerpt, FailedStep, Fares, Figure, Fix, FixKind, Folder,
+        Grown, Grows, Identity, IdleGlob, IgnoreState, IgnoreUse, IgnoredFiles, Location, Measure, MeasureKind, Name,
+        NewParts, NotChecked, Note, OptionInfo, Parts, Phase, Place, PlaceKind, Related, Replaced, Rewrite, RootSummary,
+        RuleInfo, Scope, Sign, Speaks, Step, Subject, Summary, TakenOver, Timed, Timing, Towards, Unchecked, UnknownRule,
+        Untouched, Upkeep, Verdict, Version,
+    };
+}
+
+/// An outcome as text.
+pub mod report {
+    pub use mhlint_report::{Format, Paint, View, summary, write};
+}
+
+/// Changes to files: as text, and to disk.
+pub mod fix {
+    pub use mhlint_fix::{FileChange, Patch, Pending, Plan, WriteError, apply, unified, write_all};
+}
+
+/// What an application would show of a base mesh, computed from its files.
+pub mod evaluate {
+    pub use mhlint_evaluate::{
+        CaseReport, CaseRun, Comparison, Deviation, Error, Evaluation, Fitted, NamedWeights, OpenBase, Point, PosedBase,
+        Poses, RestSkeleton, Roots, Setting, SkeletonFile, SliderSetting, parse_setting, read_poses, read_positions,
+        read_settings, run_cases, with_positions,
+    };
+}
+
+/// The formulas on plain arrays: macros and sliders, morphs, skeletons, weights, skinning, fitting.
+pub mod eval {
+    pub use mhlint_eval::{
+        error, faces, fit, load, macros, makehuman1, makehuman2, mesh, morph, mpfb, scene, settings, skeleton, skin,
+        vector, weights,
+    };
+}
+
+/// The example of the guide compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/library.md")]
+struct Guide;

@@ -7,6 +7,7 @@ mod advice;
 mod architecture;
 mod baseline;
 mod bounded;
+mod citations;
 mod cli;
 mod compare;
 mod compared_cases;
