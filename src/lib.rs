@@ -75,11 +75,11 @@ pub mod config {
 pub mod diag {
     pub use mhlint_diag::{
         ApplicationVerdict, AssetGroup, Baseline, BaselineUse, Break, Change, Compared, Confidence, Consumed, Consumer,
-        Edit, Edition, EditionFault, Element, Entry, Evidence, Excerpt, FailedStep, Fares, Figure, Fix, FixKind, Folder,
-        Grown, Grows, Identity, IdleGlob, IgnoreState, IgnoreUse, IgnoredFiles, Location, Measure, MeasureKind, Name,
-        NewParts, NotChecked, Note, OptionInfo, Parts, Phase, Place, PlaceKind, Related, Replaced, Rewrite, RootSummary,
-        RuleInfo, Scope, Sign, Speaks, Step, Subject, Summary, TakenOver, Timed, Timing, Towards, Unchecked, UnknownRule,
-        Untouched, Upkeep, Verdict, Version,
+        Edit, Edition, EditionFault, Element, Entry, Evidence, Excerpt, FailedStep, Fares, Figure, Fix, FixKind,
+        Folder, Grown, Grows, Identity, IdleGlob, IgnoreState, IgnoreUse, IgnoredFiles, Location, Measure, MeasureKind,
+        Name, NewParts, NotChecked, Note, OptionInfo, Parts, Phase, Place, PlaceKind, Related, Replaced, Rewrite,
+        RootSummary, RuleInfo, Scope, Sign, Speaks, Step, Subject, Summary, TakenOver, Timed, Timing, Towards,
+        Unchecked, UnknownRule, Untouched, Upkeep, Verdict, Version,
     };
 }
 
@@ -96,9 +96,9 @@ pub mod fix {
 /// What an application would show of a base mesh, computed from its files.
 pub mod evaluate {
     pub use mhlint_evaluate::{
-        CaseReport, CaseRun, Comparison, Deviation, Error, Evaluation, Fitted, NamedWeights, OpenBase, Point, PosedBase,
-        Poses, RestSkeleton, Roots, Setting, SkeletonFile, SliderSetting, parse_setting, read_poses, read_positions,
-        read_settings, run_cases, with_positions,
+        CaseReport, CaseRun, Comparison, Deviation, Error, Evaluation, Fitted, NamedWeights, OpenBase, Point,
+        PosedBase, Poses, RestSkeleton, Roots, Setting, SkeletonFile, SliderSetting, parse_setting, read_poses,
+        read_positions, read_settings, run_cases, with_positions,
     };
 }
 

@@ -16,7 +16,8 @@ fn every_citation_leads_to_a_heading() {
     for file in sources() {
         let text = fs::read_to_string(&file).unwrap();
         for (at, _) in text.match_indices(PAGES) {
-            let cited: String = text[at..].chars().take_while(|c| c.is_alphanumeric() || "/-_.#".contains(*c)).collect();
+            let cited: String =
+                text[at..].chars().take_while(|c| c.is_alphanumeric() || "/-_.#".contains(*c)).collect();
             let cited = cited.trim_end_matches(['.', '#']);
             count += 1;
             if !leads_somewhere(cited) {
@@ -30,8 +31,13 @@ fn every_citation_leads_to_a_heading() {
 
 #[test]
 fn no_comment_cites_a_page_outside_of_the_repository() {
-    let outside = ["makehuman1", "makehuman2", "mpfb"].map(|name| [format!("{name}.md §"), format!("{name}-observed.md")]);
-    let outside: Vec<String> = outside.into_iter().flatten().chain(["formats/additions.md", "formats/versions.md"].map(str::to_owned)).collect();
+    let outside =
+        ["makehuman1", "makehuman2", "mpfb"].map(|name| [format!("{name}.md §"), format!("{name}-observed.md")]);
+    let outside: Vec<String> = outside
+        .into_iter()
+        .flatten()
+        .chain(["formats/additions.md", "formats/versions.md"].map(str::to_owned))
+        .collect();
     let mut wrong = Vec::new();
     for file in sources().into_iter().filter(|file| !file.ends_with("citations.rs")) {
         for (number, line) in fs::read_to_string(&file).unwrap().lines().enumerate() {

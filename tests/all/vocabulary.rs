@@ -90,7 +90,7 @@ fn texts() -> Vec<(String, String)> {
         let effects = rule.breaks.iter().map(|(application, effect)| format!("{application}: {effect}\n"));
         let options = rule.options.iter().map(|option| format!("{}\n", option.docs));
         let text: String = effects.chain(options).collect();
-        all.push((rule.id.to_owned(), format!("{}\n{}\n{text}", rule.summary, rule.docs)));
+        all.push((rule.id.to_owned(), format!("{}\n{}\n{text}", rule.summary, rule.documentation())));
     }
     for command in ["", "check", "config", "eval", "explain", "init", "rules", "schema", "completions", "man"] {
         let args: Vec<&str> = [command, "--help"].into_iter().filter(|word| !word.is_empty()).collect();

@@ -37,7 +37,7 @@ pub struct RuleInfo {
     pub counts: &'static str,
     /// Typed options with their defaults.
     pub options: &'static [OptionInfo],
-    /// What it means, why it matters, what to do: plain paragraphs for `mhlint explain`.
+    /// What it means, why it matters, what to do: paragraphs as they lie in a file beside the rule, lines wrapped.
     pub docs: &'static str,
 }
 
@@ -79,6 +79,15 @@ pub struct OptionInfo {
 }
 
 impl RuleInfo {
+    /// What the rule reports and why, in paragraphs of one line each; lists and tables keep their lines.
+    pub fn documentation(&self) -> String {
+        let is_kept = |line: &str| line.starts_with(['-', '|']);
+        let unwrapped = |paragraph: &str| {
+            if paragraph.lines().any(is_kept) { paragraph.to_owned() } else { paragraph.replace('\n', " ") }
+        };
+        self.docs.split("\n\n").map(unwrapped).collect::<Vec<_>>().join("\n\n")
+    }
+
     /// A rule with nothing but the obligatory parts; the rest by struct update.
     pub const fn new(id: &'static str, level: Level, summary: &'static str) -> Self {
         let (fix, cannot_be_ignored, told_apart) = (FixKind::None, false, false);

@@ -96,12 +96,13 @@ fn descriptor(rule: &RuleInfo) -> Value {
     let effects = rule.breaks.iter().map(|(application, effect)| (application.title(), *effect));
     let plain: Vec<String> = effects.clone().map(|(title, effect)| format!("{title}: {effect}.")).collect();
     let listed: Vec<String> = effects.map(|(title, effect)| format!("- **{title}:** {effect}")).collect();
-    let docs = [rule.docs, &plain.join("\n")].join("\n\n");
-    let markdown = [rule.docs, &listed.join("\n"), &format!("`mhlint explain {}` shows examples.", rule.id)];
+    let own = rule.documentation();
+    let docs = [&*own, &plain.join("\n")].join("\n\n");
+    let markdown = [&*own, &listed.join("\n"), &format!("`mhlint explain {}` shows examples.", rule.id)];
     json!({
         "id": rule.id,
         "shortDescription": { "text": text(rule.summary) },
-        "fullDescription": { "text": text(rule.docs.split("\n\n").next().filter(|d| !d.is_empty()).unwrap_or(rule.summary)) },
+        "fullDescription": { "text": text(own.split("\n\n").next().filter(|d| !d.is_empty()).unwrap_or(rule.summary)) },
         "help": { "text": text(docs.trim()), "markdown": braces(markdown.join("\n\n").trim()) },
         "defaultConfiguration": { "level": level(rule.level) },
         "properties": { "tags": [rule.family()], "problem.severity": severity(rule.level) },

@@ -19,7 +19,7 @@ pub(super) fn write_rules(rules: &[&RuleInfo], out: &mut dyn Write) -> Result<()
 }
 
 pub(super) fn write_rule(rule: &RuleInfo, out: &mut dyn Write) -> Result<(), Failure> {
-    writeln!(out, "## {}\n\n**{}**: {}\n\n{}\n", rule.id, rule.level, rule.summary, rule.docs)?;
+    writeln!(out, "## {}\n\n**{}**: {}\n\n{}\n", rule.id, rule.level, rule.summary, rule.documentation())?;
     for (application, effect) in rule.breaks {
         writeln!(out, "- **{application}:** {effect}")?;
     }

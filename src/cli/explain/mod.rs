@@ -60,7 +60,7 @@ fn write_rule(rule: &RuleInfo, page: Page, out: &mut dyn Write) -> Result<(), Fa
     let Page { paint, width } = page;
     writeln!(out, "{}", paint.level(rule.level, &format!("{}[{}]", rule.level, rule.id)))?;
     writeln!(out, "{}\n", paint.bold(&hang("", rule.summary, width)))?;
-    writeln!(out, "{}\n", paragraphs(rule.docs, "", width))?;
+    writeln!(out, "{}\n", paragraphs(&rule.documentation(), "", width))?;
     for (application, effect) in rule.breaks {
         writeln!(out, "{}", hang(&format!("{application}: "), effect, width))?;
     }

@@ -273,7 +273,7 @@ fn rules(findings: &[&Finding], infos: &[&RuleInfo]) -> Markup {
                 @for info in used {
                     details #{ "rule-" (info.id) } {
                         summary { h3 { code { (info.id) } " " span { (inline(info.summary)) } } }
-                        @for paragraph in info.docs.split("\n\n") { p { (inline(paragraph)) } }
+                        @for paragraph in info.documentation().split("\n\n") { p { (inline(paragraph)) } }
                         p .quiet { "With a bad and a good example: " code { "mhlint explain " (info.id) } }
                     }
                 }

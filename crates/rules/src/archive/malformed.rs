@@ -16,24 +16,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         (Makehuman1, "takes its targets from the texts; without these it finds none"),
         (Mpfb, "rejects the zip: nothing of it is imported"),
     ],
-    docs: "`compressedtargets.npz` is the archive of all targets of a folder: a zip of arrays. If it exists, MakeHuman 2 loads \
-        all of it at start.\n\n\
-        MakeHuman 2 leaves an archive of 0 bytes if it could not parse a target while writing it. Fixing the target does \
-        not help: the program crashes with `EOFError` at the empty archive. It also crashes if the file is not a zip, or an \
-        array in it is damaged.\n\n\
-        Delete the archive; MakeHuman 2 rebuilds it. It does not belong in version control.\n\n\
-        `base.mhbin` is a base mesh packed by `compile_meshes.py`. If it exists, MakeHuman 2 loads it instead of `base.obj`. \
-        A file that is not a zip crashes it with `ValueError`, one of 0 bytes with `EOFError` (`file-empty`), and members \
-        that do not fit together with `IndexError`. At a position that is not a copy of any vertex the surface tears (a \
-        warning). Delete the archive, or rebuild it.\n\n\
-        `.mhbin` beside an asset is what MakeHuman 2 packs of its text and mesh. The library opens all of them at start: one \
-        that is not a zip crashes it, and the next start comes up without any asset. Delete it if the text is beside \
-        it.\n\n\
-        `targets.npz` of MakeHuman 1 stands for all targets of its data, together with `images.list`. If one of the two \
-        cannot be read, or a path in it has two values of a category, the program takes the texts; without texts it finds no \
-        target, and fails at start. The same happens if the archive has other targets than its macros move. Members that \
-        do not fit together stop each update of the figure.\n\nA zip of assets given as PATH is tried whole: one that is not a zip, is cut off, or has members that are damaged, encrypted or \
-        packed in a rare way cannot be imported or unpacked. Pack it again.",
+    docs: include_str!("malformed.md").trim_ascii_end(),
     counts: "members",
     ..RuleInfo::new("archive-malformed", Level::Error, "an archive of targets, of a base mesh or of an asset that cannot be loaded, or a zip of assets that cannot be unpacked")
 });

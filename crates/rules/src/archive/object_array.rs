@@ -10,10 +10,11 @@ use mhlint_diag::{
 use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes at every start until the archive is deleted by hand"), (Makehuman1, "reads the text in its place; a program that unpickles the array runs whatever is in it")],
-    docs: "An array in an archive contains Python objects. To load them is to unpickle them, which can run any code. NumPy \
-        refuses that, and MakeHuman 2 crashes. mhlint reads only the header of such an array.\n\n\
-        Do not load the archive with other programs. Delete it; MakeHuman 2 rebuilds it from the texts.",
+    breaks: &[
+        (Makehuman2, "crashes at every start until the archive is deleted by hand"),
+        (Makehuman1, "reads the text in its place; a program that unpickles the array runs whatever is in it"),
+    ],
+    docs: include_str!("object_array.md").trim_ascii_end(),
     counts: "members",
     cannot_be_ignored: true,
     ..RuleInfo::new("archive-object-array", Level::Error, "an archive contains Python objects")

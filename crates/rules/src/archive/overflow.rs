@@ -9,11 +9,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "takes the number from the archive, where it has gone around")],
-    docs: "`targets.npz` of MakeHuman 1 has displacements in thousandths of a decimetre, in 16 bits, and vertices in 16 bits. A \
-        part of a displacement of 32.768 decimetres or more, or a vertex beyond 65535, does not fit and goes around without a \
-        message: 33 becomes -32.536.\n\n\
-        The rule fires where the archive has such a number. In the text it is fine.\n\n\
-        Make the displacement smaller, or do without the archive.",
+    docs: include_str!("overflow.md").trim_ascii_end(),
     counts: "targets",
     ..RuleInfo::new("archive-overflow", Level::Error, "a number of a target does not fit into the archive")
 });

@@ -15,14 +15,13 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         (Makehuman1, "gets none of the files: they are unpacked outside of its data folder, wherever that leads"),
         (Mpfb, "strips the way out and puts the files elsewhere in the data of the user, or rejects the zip"),
     ],
-    docs: "A member of a zip has a name with `..` in it, or one that begins with `/` or a drive (`C:`), or it is a symbolic link \
-        that leads out of the zip. A program that trusts such a name writes files anywhere on the computer of whoever \
-        unpacks it: over settings, into the folder of what starts with the system.\n\n\
-        mhlint does not unpack zips to disk and reads none of these members. Other programs may. This finding cannot be \
-        ignored.\n\n\
-        Do not unpack the zip unless you know where it comes from. If it is yours, pack it again from inside of its folder.",
+    docs: include_str!("path_escape.md").trim_ascii_end(),
     counts: "members",
-    ..RuleInfo::new("archive-path-escape", Level::Error, "a zip with members that lead out of the folder it is unpacked into")
+    ..RuleInfo::new(
+        "archive-path-escape",
+        Level::Error,
+        "a zip with members that lead out of the folder it is unpacked into",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

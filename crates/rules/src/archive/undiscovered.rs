@@ -11,12 +11,7 @@ use mhlint_repo::makehuman1::{TargetArchive, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "does not find the targets: an archive stands for all of them")],
-    docs: "If `targets.npz` and `images.list` are in the data of MakeHuman 1, its list of targets is made from these alone. A \
-        new `.target` is not found until the archive is made again, and one that was removed is still there. The same holds \
-        for the pictures of sliders, of which it has those in `images.list`.\n\n\
-        If the archive has no text at all beside it, as in a release of the program, nothing is compared.\n\n\
-        Make the archive again, or delete `targets.npz` and `images.list`: the program then reads \
-        the texts.",
+    docs: include_str!("undiscovered.md").trim_ascii_end(),
     counts: "targets",
     of_whole: true,
     ..RuleInfo::new("archive-undiscovered", Level::Warning, "an archive hides targets or pictures that lie beside it")

@@ -10,12 +10,11 @@ use mhlint_diag::{
 use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes at every start until the archive is deleted by hand"), (Makehuman1, "stops each update of the figure that uses the target")],
-    docs: "An array in an archive lacks a field, or has fields of another type than MakeHuman 2 reads: a target needs `index` and \
-        `vector`, for example. Archives from another program or version look like this.\n\n\
-        MakeHuman 2 crashes when it loads the archive: at every start for targets and base meshes, when it is put on for \
-        an asset.\n\n\
-        Delete the archive; MakeHuman 2 rebuilds it from the texts.",
+    breaks: &[
+        (Makehuman2, "crashes at every start until the archive is deleted by hand"),
+        (Makehuman1, "stops each update of the figure that uses the target"),
+    ],
+    docs: include_str!("wrong_dtype.md").trim_ascii_end(),
     counts: "members",
     ..RuleInfo::new("archive-wrong-dtype", Level::Error, "an array of an archive has another type than is read")
 });

@@ -10,11 +10,7 @@ const TOLERANCE: f64 = 1e-6;
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "starts with a mixture that the triangle slider cannot produce")],
-    docs: "The three values of a triangle slider are shares and must sum to 1.\n\nMakeHuman 2 does not correct \
-        presets: with 0.33 three times, one hundredth of the shape is missing. The next reset sets 0.33, 0.33 \
-        and 0.34 and so changes the character. Presets count only without a start model (`mhm`), because loading \
-        one resets them; with a start model nothing is reported.\n\nChange the presets so that they sum to 1, \
-        such as 0.33, 0.33 and 0.34.",
+    docs: include_str!("barycentric_presets.md").trim_ascii_end(),
     counts: "presets",
     ..RuleInfo::new("base-barycentric-presets", Level::Warning, "the presets of a triangle slider do not sum to 1")
 });

@@ -18,11 +18,7 @@ const PREFIX: &str = "joint-";
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "moves the wrong vertices, or none, when its scripts align joint cubes")],
-    docs: "`geometry.json` repeats which vertices of the OBJ belong to a part (`geometry-ranges`) and to a joint \
-        cube (`joint-ranges`, named like the group without `joint-`). A range here differs from its \
-        group.\n\nMakeHuman 2 itself never reads the file, but its scripts that align joint cubes move exactly \
-        these vertices of the base `hm08`. No program opens the file of any other base; all its faults are one \
-        finding.\n\nCorrect the name or the range, or remove the file.",
+    docs: include_str!("geometry_range.md").trim_ascii_end(),
     counts: "ranges",
     ..RuleInfo::new("base-geometry-range", Level::Info, "a range in `geometry.json` differs from the mesh")
 });

@@ -11,20 +11,7 @@ use mhlint_repo::{FileFacts, Layer, Reference, ReferenceKind, Resolution};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes when it loads the base")],
-    docs: "A base mesh needs `base/<base>/base.json` and `base.obj` (or `base.mhbin`) beside it. `base.json` \
-        names a start model (`mhm`) in the same folder and a skeleton (`pose-skeleton`) in \
-        `rigs/<base>/`.\n\nWithout `base.json`, without the mesh, or with a start model that does not exist, \
-        MakeHuman 2 crashes when it loads the base. With a skeleton that does not exist it shows a message \
-        whenever poses or rigs are opened, has no bone weights for assets, and crashes with `AttributeError` in \
-        the editors (up to 2026-08-05 also in the glTF export). Targets for a base that does not exist are never loaded (a \
-        warning).\n\nThe sliders come from `modelling.json` in `target/<base>/`, their macros from `macro.json` \
-        beside it. Without the first all targets are lost, without the second those of the macros; only a log \
-        line says so. Both are errors. A base whose sliders need no macros may do without `macro.json`. The \
-        finding is a warning where the folder may be a user's whose system data has the file, and an info where \
-        `base.json` only has `target-opposites` and there are no targets.\n\nWithout the key `mhm` the base \
-        loads, but silently applies no targets (a warning). Without `pose-skeleton` the skeletons in \
-        `rigs/<base>/` are not used for poses, as if the named one did not exist (an error).\n\nAdd the file or \
-        the key, or correct the name.",
+    docs: include_str!("missing_file.md").trim_ascii_end(),
     ..RuleInfo::new("base-missing-file", Level::Error, "a file that a base mesh needs does not exist")
 });
 

@@ -6,10 +6,7 @@ use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "evaluates the condition but moves the slider every time")],
-    docs: "A condition in `random.rules` keeps a slider from being moved only if its value is exactly `False`, \
-        as a comparison or `not` returns. A number is never `False`, not even 0, and neither is a string. With \
-        such a condition MakeHuman 2 moves the slider whatever the other slider is set to.\n\nWrite a \
-        comparison, such as `x < 0.5`.",
+    docs: include_str!("rule_without_effect.md").trim_ascii_end(),
     ..RuleInfo::new("base-rule-without-effect", Level::Warning, "a condition in `random.rules` is never `False`")
 });
 

@@ -38,7 +38,9 @@ pub(super) fn gap(view: &View<'_>, base: &Base<'_>) -> Option<Gap> {
         checked.file_ignoring_case(&rel).is_none() && !checked.has_unusable(&rel)
     };
     // The folder of all targets has the name that other programs have for it (`library-wrong-folder`).
-    if !checked.has_folder("target") && checked.file(&format!("{TARGETS_OF_OTHERS}/{}/modelling.json", base.name)).is_some() {
+    if !checked.has_folder("target")
+        && checked.file(&format!("{TARGETS_OF_OTHERS}/{}/modelling.json", base.name)).is_some()
+    {
         return None;
     }
     if is_missing("modelling.json") {

@@ -19,11 +19,7 @@ const INVISIBLE: &str =
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `KeyError` at start")],
-    docs: "`visible groups` lists the groups of the OBJ that are drawn and measured. `equipment` lists the kinds \
-        of assets that the base can wear.\n\nWithout `visible groups` MakeHuman 2 crashes at start. If none of \
-        the groups exists, the character is invisible and has height 0. Without `equipment` only clothes can be chosen, no hair, eyes, \
-        teeth or topologies. These are errors. A single unknown group is only not drawn. A string instead of a list draws every group whose name is part of it. Unknown \
-        equipment is ignored, and of kinds that are not listed no asset can be chosen.\n\nCorrect the name, or remove it.",
+    docs: include_str!("unknown_equipment.md").trim_ascii_end(),
     counts: "groups",
     ..RuleInfo::new(
         "base-unknown-equipment",

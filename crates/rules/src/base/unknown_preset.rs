@@ -14,13 +14,7 @@ use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "ignores names that do not exist: their settings have no effect")],
-    docs: "`modifier-presets` and `measure` name sliders by their pattern. `random.gender`, `random.ideal` and \
-        `random.rules` name them by their key. `random.groups` and `head-pattern` name groups of \
-        sliders.\n\nMakeHuman 2 ignores a name that does not exist, mostly without a message; a rule of the \
-        randomizer on an unknown slider always resets its own slider to 0. Errors are those that crash it: an \
-        `age` whose slider has no `display`, a random group with two `|`, and a category that is selected before \
-        one of its own groups. Groups of user targets are not checked, and `none` turns a measure \
-        off.\n\nCorrect the name, or remove it.",
+    docs: include_str!("unknown_preset.md").trim_ascii_end(),
     ..RuleInfo::new("base-unknown-preset", Level::Warning, "a name in `base.json` that does not exist")
 });
 

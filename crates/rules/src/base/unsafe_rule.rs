@@ -8,13 +8,7 @@ use mhlint_repo::makehuman2::{Base, View};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     cannot_be_ignored: true,
     breaks: &[(Makehuman2, "runs it as Python code with the rights of the user when it makes a random character")],
-    docs: "MakeHuman 2 passes the conditions in `random.rules` to Python's `eval`, with the other slider as `x`. \
-        That can run any program, read and delete files, or never end.\n\nSafe are numbers, `x`, arithmetic, \
-        comparisons, `and`, `or`, `not`, conditional expressions, `round`, `str`, quoted strings and `+` between \
-        them, and powers with a fixed small exponent. Everything else is reported. So is what Python rejects, \
-        because the random character view then crashes, and a division by `x`, which can be 0, unless a \
-        condition before it excludes that. This finding cannot be ignored.\n\nRewrite the condition as a \
-        comparison, such as `0.2 < x < 0.75`.",
+    docs: include_str!("unsafe_rule.md").trim_ascii_end(),
     ..RuleInfo::new("base-unsafe-rule", Level::Error, "`random.rules` contains more than harmless arithmetic")
 });
 

@@ -13,18 +13,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         Makehuman2,
         "cannot build binary assets, or builds them with wrong delete masks and crashes when they are put on",
     )],
-    docs: "`numverts` must be the number of vertices of the base mesh, the `v` lines of `base.obj`.\n\nMakeHuman \
-        2 itself never reads it, but its command line tools do. `compile_meshes.py` makes the mask of hidden \
-        vertices of every binary asset that long, and `adapt_morphs.py` counts by it. A mask that is too long \
-        cannot be combined with those of other assets: MakeHuman 2 crashes with `ValueError` as soon as two such \
-        assets are worn together. Nothing warns when the binaries are built.\n\nA number that is too large is a \
-        warning; with one that is too small, `compile_meshes.py` itself crashes, too. Without the key, \
-        `compile_meshes.py` rejects the base.\n\nIf the weights for poses agree with `numverts`, it is the mesh \
-        that has changed. With fewer vertices MakeHuman 2 crashes at start; with more, everything from the first \
-        added vertex on moves the wrong vertices. Nothing else is checked against such a mesh. If `base.mhbin` \
-        exists, it is the mesh; one packed from another base crashes MakeHuman 2 at start with `IndexError` \
-        (bone.py:268).\n\nWrite the number of vertices of the mesh and rebuild the binary assets, or export the \
-        mesh with the vertices that all other data is for.",
+    docs: include_str!("vertex_count.md").trim_ascii_end(),
     ..RuleInfo::new("base-vertex-count", Level::Error, "`numverts` differs from the base mesh, or is missing")
 });
 

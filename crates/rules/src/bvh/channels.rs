@@ -15,14 +15,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Mpfb, "ignores the numbers of these channels: the joints do not turn"),
     ],
     levels: &[(Mpfb, Level::Warning)],
-    docs: "A line `CHANNELS n …` lists another number of channels than `n`, lists none, or names one that does not exist. \
-        The names are `Xposition`, `Yposition`, `Zposition`, `Xrotation`, `Yrotation` and `Zrotation`, with exactly these \
-        capitals.\n\n\
-        MakeHuman 2 rejects a file with a wrong number, and one with a joint without channels. The numbers of a channel \
-        with another name are read and not used: the joint does not turn (warning).\n\n\
-        The order of the channels does not matter: MakeHuman 2 picks the angles by name and always applies them in the \
-        same order.\n\nTo MPFB neither the number behind `CHANNELS` nor capitals matter. It does not use the numbers of a \
-        channel with another name (warning).",
+    docs: include_str!("channels.md").trim_ascii_end(),
     ..RuleInfo::new("bvh-channels", Level::Error, "the channels of a BVH joint do not fit")
 });
 

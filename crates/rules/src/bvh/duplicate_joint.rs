@@ -16,11 +16,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "uses only the angles of the last joint of that name"),
         (Mpfb, "uses only the angles of the last joint of that name"),
     ],
-    docs: "Two joints of a BVH file have the same name. A name ends at the first space, so `upper arm` and `upper leg` are \
-        both `upper`.\n\n\
-        MakeHuman 2 keeps the angles of the last one; those of the others are lost. So does MPFB, to which all words of a \
-        line are the name: `upper arm` and `upper leg` are two.\n\n\
-        Give every joint the name of the bone that it turns.",
+    docs: include_str!("duplicate_joint.md").trim_ascii_end(),
     ..RuleInfo::new("bvh-duplicate-joint", Level::Warning, "two joints of a BVH file have the same name")
 });
 

@@ -11,14 +11,12 @@ use mhlint_formats::bvh::{Fault, FaultKind, Motion};
 use mhlint_repo::{Body, FileFacts};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `IndexError` when the pose is chosen"), (Makehuman1, "does not show the pose: `RuntimeError` when it reads the file"), (Mpfb, "lists the pose, and rejects the file with a message when it is chosen")],
-    docs: "The frames of a BVH file are not what `Frames:` and `CHANNELS` announce: there are fewer lines, a blank line \
-        between them, a line with too few numbers, or a word that is not a number. `Frames:` is a whole number above 0, \
-        `Frame Time:` a number with a decimal point.\n\n\
-        MakeHuman 2 crashes when the pose is chosen. Only the first such line is reported. More frames or numbers than \
-        announced are ignored (warning).\n\nMakeHuman 1 lists the pose and does not show it.\n\nMPFB takes blank lines, any number \
-        behind `Frames:` and more numbers than channels, but no frame with fewer and no word in one.\n\n\
-        Correct the number, or export the motion again.",
+    breaks: &[
+        (Makehuman2, "crashes with `IndexError` when the pose is chosen"),
+        (Makehuman1, "does not show the pose: `RuntimeError` when it reads the file"),
+        (Mpfb, "lists the pose, and rejects the file with a message when it is chosen"),
+    ],
+    docs: include_str!("frames.md").trim_ascii_end(),
     ..RuleInfo::new("bvh-frames", Level::Error, "the frames of a BVH file do not fit its header")
 });
 

@@ -11,17 +11,12 @@ use mhlint_formats::bvh::{Fault, FaultKind};
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "rejects the file or crashes when the pose is chosen"), (Makehuman1, "does not show the pose: it rejects the file"), (Mpfb, "lists the pose, and rejects the file with a message when it is chosen")],
-    docs: "A line of a BVH file is not what the format has in this place. Each of `HIERARCHY`, `ROOT name`, `{`, `OFFSET`, \
-        `CHANNELS`, `JOINT name`, `End Site`, `}`, `MOTION`, `Frames:` and `Frame Time:` has a line of its own, written \
-        exactly so.\n\n\
-        MakeHuman 2 rejects a file with another word in such a place. The rejected motion stays chosen, so playing or \
-        exporting it crashes with `TypeError` until another one is chosen. A blank line above the frames, or the end of \
-        the file, crashes with `IndexError`; a number that cannot be read with `ValueError`. The first such line ends the \
-        loading, so only that one is reported.\n\nMakeHuman 1 lists the pose and does not show it.\n\nMPFB loads the file with the importer of Blender, which \
-        takes blank lines and keywords in small letters. It needs `HIERARCHY` at the beginning, a name for each joint, three \
-        numbers behind `OFFSET`, and `MOTION`.\n\n\
-        Correct the line, or export the motion again.",
+    breaks: &[
+        (Makehuman2, "rejects the file or crashes when the pose is chosen"),
+        (Makehuman1, "does not show the pose: it rejects the file"),
+        (Mpfb, "lists the pose, and rejects the file with a message when it is chosen"),
+    ],
+    docs: include_str!("syntax.md").trim_ascii_end(),
     ..RuleInfo::new("bvh-syntax", Level::Error, "a line of a BVH file is not what is expected there")
 });
 

@@ -11,16 +11,7 @@ use mhlint_repo::{FileFacts, parent};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "fails while the add-on is imported: MPFB cannot be enabled")],
-    docs: "MPFB makes a property of Blender of each slider, a panel of each section and an icon of each picture when the \
-        add-on is imported. Blender refuses names that are too long, begin with a wrong character or exist already, and \
-        nothing catches that: one file of a user with a long name, and MPFB cannot be enabled any more.\n\n\
-        - `<section>_<name>` has at most 63 letters, with `l_` or `r_` for a side. So has `custom_<file>` of a target in \
-        `custom/`, where `.gz` counts as a part of the name.\n\
-        - A section of `target.json` has at most 36 letters, the folder of a user's target at most 39.\n\
-        - Neither begins with `_`, `-`, `.`, a blank or a letter outside of ASCII: `__MACOSX` and `.git` do.\n\
-        - Pictures of sliders have names of their own, whatever the folder. `l-x.png` and `r-x.png` are one name.\n\
-        - The path of an expression below `expressions/` has at most 58 letters.\n\n\
-        Rename the file or folder.",
+    docs: include_str!("breaks_start.md").trim_ascii_end(),
     ..RuleInfo::new("catalog-breaks-start", Level::Error, "a name that keeps the add-on from starting")
 });
 

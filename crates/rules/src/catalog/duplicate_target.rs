@@ -11,13 +11,7 @@ use mhlint_repo::{FileFacts, parent};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "finds only one of the targets by this name, whichever folder the disk lists first")],
-    docs: "Sliders of one section must differ in name and label: of two with one label MPFB shows the later one twice and the \
-        earlier one never, and of two with one name the later one moves both (errors). Names that differ only in signs other \
-        than letters and digits are one.\n\n\
-        A target in the slots of two sliders is moved by both (a warning).\n\n\
-        Saved characters and face units ask for a target by its name alone, capitals or not, in all folders below `targets`. \
-        Of several with one name MPFB takes the first that the disk lists (a warning, one for all of them).\n\n\
-        Rename one of them.",
+    docs: include_str!("duplicate_target.md").trim_ascii_end(),
     ..RuleInfo::new("catalog-duplicate-target", Level::Warning, "a name that two sliders or targets share")
 });
 

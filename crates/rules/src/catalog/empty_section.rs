@@ -7,8 +7,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "shows an empty panel")],
-    docs: "A section of `target.json` has no sliders. MPFB makes a panel for it all the same.\n\n\
-        Remove the section, or add sliders.",
+    docs: include_str!("empty_section.md").trim_ascii_end(),
     ..RuleInfo::new("catalog-empty-section", Level::Info, "a section of `target.json` without sliders")
 });
 

@@ -7,10 +7,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "asks for a target of the slider's own name and fails whenever it moves")],
-    docs: "The name of a slider is that of a pair, such as `nose-hump-decr-incr`, and both targets exist, but the slider has \
-        no `opposites`.\n\nMPFB then makes a slider from 0 to 1 that loads one target of the slider's own name, which does not \
-        exist: the slider fails with `OSError` at every move. A key with another spelling, such as `oposites`, counts as \
-        none.\n\nAdd `opposites` with both targets.",
+    docs: include_str!("missing_opposites.md").trim_ascii_end(),
     ..RuleInfo::new("catalog-missing-opposites", Level::Error, "a slider with two ends that has no `opposites`")
 });
 

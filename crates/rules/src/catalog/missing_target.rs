@@ -12,13 +12,7 @@ use mhlint_repo::{Reference, ReferenceKind, Resolution, parent};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "fails when the slider moves: the slider jumps back, and only the console shows why")],
-    docs: "A slider of `target.json` names a target that does not exist.\n\nA slider with `opposites` loads \
-        `<slot>.target.gz` from the folder named like its section. It looks in no other folder, not for a plain \
-        `.target`, and not in the user's data. Only the slots of the sides in use are needed. A slider without \
-        `opposites` loads `<name>.target.gz` or `<name>.target`, with `l-` and `r-` before the name if it has \
-        sides.\n\nMPFB checks none of this at start. The slider looks normal, but fails when it \
-        moves, and only the console shows it. The entries of `targets` do not name files to load: one that no \
-        slot has and that does not exist is a leftover (an info).\n\nCorrect the name, or add the target.",
+    docs: include_str!("missing_target.md").trim_ascii_end(),
     ..RuleInfo::new(
         "catalog-missing-target",
         Level::Error,

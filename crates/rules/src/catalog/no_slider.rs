@@ -8,12 +8,7 @@ use mhlint_repo::mpfb::{View, is_custom};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "shows no slider for it")],
-    docs: "MPFB makes sliders of a user's `*.target` and `*.target.gz` in `custom/` and in `targets/custom/`, and of \
-        `*.target` in other folders below `targets/`. Suffixes are compared exactly.\n\n\
-        There is no slider for `*.ptarget`, which is loaded by hand, for suffixes in capitals, and for packed targets in \
-        `targets/` outside of `custom`. A target in `targets/custom/` of a user is found twice: its section shows the slider \
-        twice. The targets of face units may lie anywhere: they are found by their names.\n\n\
-        Move the file to `custom/`, or correct its suffix.",
+    docs: include_str!("no_slider.md").trim_ascii_end(),
     ..RuleInfo::new("catalog-no-slider", Level::Warning, "a user's target without a slider of its own")
 });
 

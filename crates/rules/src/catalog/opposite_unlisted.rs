@@ -10,9 +10,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "does not mark the slider as changed when only this target is applied")],
-    docs: "`targets` of a slider should list what its slots name. MPFB loads targets by the slots alone; the list only \
-        decides whether the slider is marked as changed.\n\nAdd the target to the list. An entry that exists and that no slot \
-        has is reported as well.",
+    docs: include_str!("opposite_unlisted.md").trim_ascii_end(),
     ..RuleInfo::new("catalog-opposite-unlisted", Level::Info, "the slots and `targets` of a slider differ")
 });
 

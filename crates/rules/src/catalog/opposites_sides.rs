@@ -7,10 +7,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "asks for a target without a name and fails whenever the slider moves")],
-    docs: "`has_left_and_right` says which slots of `opposites` are used: `…-left` and `…-right` where it is true, \
-        `…-unsided` otherwise. Any value that Python takes for true counts, also the text `\"false\"`.\n\n\
-        Here only slots of the other kind name targets. MPFB shows the slider, or both of them, and fails with `OSError` \
-        at every move.\n\nCorrect `has_left_and_right`, or move the names to the other slots.",
+    docs: include_str!("opposites_sides.md").trim_ascii_end(),
     ..RuleInfo::new(
         "catalog-opposites-sides",
         Level::Error,

@@ -8,9 +8,7 @@ use mhlint_repo::mpfb::{View, pair};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "silently moves the left/right counterpart, or in the other direction")],
-    docs: "A slot of `opposites` holds the target of another slot: one on the left holds a name with `r-`, a positive one \
-        the negative end of the pair (`…-decr` in a slider `…-decr-incr`), or both ends are one target.\n\n\
-        MPFB loads what is written.\n\nExchange the names.",
+    docs: include_str!("side_prefix.md").trim_ascii_end(),
     ..RuleInfo::new("catalog-side-prefix", Level::Warning, "a slot holds the target of another side or end")
 });
 

@@ -11,12 +11,7 @@ use mhlint_repo::{FileFacts, Resolution, parent};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "shows no slider for it")],
-    docs: "A target lies in the folder of a section of `target.json`, no slot of the section names it, and the macro system \
-        never asks for it. MPFB shows no slider for it; saved characters still find it by its name.\n\n\
-        Targets of the macro system may lack their name in `macro.json`: then there is no value of a setting at which \
-        they apply.\n\n\
-        Targets in other folders are meant to be found by name, such as those of the face: they are an info.\n\n\
-        Add a slider, or remove the target.",
+    docs: include_str!("unlisted_target.md").trim_ascii_end(),
     counts: "targets",
     ..RuleInfo::new("catalog-unlisted-target", Level::Warning, "a target that no slider uses")
 });

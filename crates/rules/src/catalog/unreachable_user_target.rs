@@ -6,12 +6,7 @@ use mhlint_repo::mpfb::{UserTarget, View, identifiers};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "loads the target that it brings in its place when a saved character is loaded")],
-    docs: "Saved characters find a target by its name alone. MPFB looks through its own targets first, and takes one that \
-        begins with the name if none has it: a user's target `nose` is never found, because `nose-hump-decr` is (a warning).\n\n\
-        A target whose identifier (`<folder>_<name>`, with `_` for all other signs) is that of a slider of MPFB replaces the \
-        targets of that slider (a warning). Of two users' targets with one identifier only one has a slider (an error).\n\n\
-        MPFB does not know its own shape keys again if their name holds `basis`, begins with `$md` or is empty: each move of \
-        the slider adds another one, or the shape is lost (an error).\n\nRename the file.",
+    docs: include_str!("unreachable_user_target.md").trim_ascii_end(),
     ..RuleInfo::new("catalog-unreachable-user-target", Level::Warning, "a user's target that cannot be found again")
 });
 

@@ -8,10 +8,7 @@ use mhlint_repo::mpfb::{Catalog, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "never reads the key: the section is shown as any other")],
-    docs: "`unsorted` and `include_per_default` of a section are described in the documentation of MPFB, but it never reads \
-        them: targets in `unsorted` get no slider, and a section that is not included by default is shown all the same. \
-        Only values that say something are reported: a list with names, and false.\n\n\
-        Give the targets sliders, or remove the key.",
+    docs: include_str!("unused_key.md").trim_ascii_end(),
     ..RuleInfo::new("catalog-unused-key", Level::Info, "a key of a section that MPFB never reads")
 });
 

@@ -5,12 +5,7 @@ use crate::{Check, Rule, RuleCx};
 use mhlint_diag::{Evidence, Finding, Level, Place, RuleInfo, Upkeep};
 
 pub(crate) static RULE: Rule = Check::Upkeep(run).rule(RuleInfo {
-    docs: "The baseline contains findings that no longer occur: they are fixed. If they came back, the baseline \
-        would hide them.\n\nRun again with `--write-baseline`. It removes these entries and keeps those that \
-        this run could not check (with another PATH, `--only` and the like). If no entry at all occurs, the \
-        baseline probably belongs to another repository.\n\nIf there are errors, fix them first. A file that \
-        cannot be read hides the findings in it and in what it names, and all of them would be new once the file \
-        is restored.",
+    docs: include_str!("baseline_stale.md").trim_ascii_end(),
     counts: "findings",
     ..RuleInfo::new("baseline-stale", Level::Info, "baseline entries that no longer occur")
 });

@@ -5,9 +5,7 @@ use crate::{Check, Rule, RuleCx};
 use mhlint_diag::{Finding, IgnoreState, Level, RuleInfo, Upkeep};
 
 pub(crate) static RULE: Rule = Check::Upkeep(run).rule(RuleInfo {
-    docs: "The last day of an `[[ignore]]`, `until`, is over. The entry no longer applies, so the finding is \
-        reported again. Days are in UTC, and the entry still applies on the day itself.\n\nFix the finding and \
-        remove the entry, or set a later date.",
+    docs: include_str!("expired_ignore.md").trim_ascii_end(),
     ..RuleInfo::new("config-expired-ignore", Level::Warning, "an `[[ignore]]` whose last day is over")
 });
 

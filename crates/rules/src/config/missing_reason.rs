@@ -5,10 +5,7 @@ use crate::{Check, Rule, RuleCx};
 use mhlint_diag::{Finding, IgnoreState, Level, RuleInfo, Upkeep};
 
 pub(crate) static RULE: Rule = Check::Upkeep(run).rule(RuleInfo {
-    docs: "An `[[ignore]]` or ignore comment without a reason has no effect: the finding is still reported. \
-        Whoever reads it years later must be able to see whether it still holds.\n\nWrite the reason: `reason = \
-        \"…\"` in the `[[ignore]]` of mhlint.toml, or after the rule in the comment: `# mhlint: ignore RULE \
-        reason`.",
+    docs: include_str!("missing_reason.md").trim_ascii_end(),
     ..RuleInfo::new("config-missing-reason", Level::Warning, "an `[[ignore]]` or ignore comment without a reason")
 });
 

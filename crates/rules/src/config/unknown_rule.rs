@@ -5,10 +5,7 @@ use crate::{Check, Rule, RuleCx, did_you_mean};
 use mhlint_diag::{Finding, IgnoreState, Level, RuleInfo, Upkeep};
 
 pub(crate) static RULE: Rule = Check::Upkeep(run).rule(RuleInfo {
-    docs: "A setting of mhlint.toml, or a comment `# mhlint: ignore RULE reason`, names a rule that does not \
-        exist. It has no effect. Rule names never change, so the name is misspelt or belongs to a newer \
-        version.\n\nWrite the name of a rule; `mhlint rules` lists them. A glob such as `macro-*` must match at \
-        least one.",
+    docs: include_str!("unknown_rule.md").trim_ascii_end(),
     ..RuleInfo::new("config-unknown-rule", Level::Warning, "a setting or ignore for a rule that does not exist")
 });
 

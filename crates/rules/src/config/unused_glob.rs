@@ -4,12 +4,7 @@ use crate::{Check, Rule, RuleCx};
 use mhlint_diag::{Finding, Level, RuleInfo, Upkeep};
 
 pub(crate) static RULE: Rule = Check::Upkeep(run).rule(RuleInfo {
-    docs: "The `glob` of a `[[path]]`, or an entry of `exclude` in mhlint.toml, matches no file or folder. The \
-        settings of the `[[path]]` then have no effect: the files were moved, or the glob was never right. An \
-        `exclude` that matches nothing is an info, because a build may create the files.\n\nGlobs are relative \
-        to the folder of mhlint.toml, and `*` stays within one folder name.\n\nCorrect the glob, or remove it. \
-        It is reported only if the run checked everything that it could be for: not with `--base`, and not if \
-        PATH is narrower. Globs of hidden files and folders are not checked.",
+    docs: include_str!("unused_glob.md").trim_ascii_end(),
     ..RuleInfo::new("config-unused-glob", Level::Warning, "a path glob that matches no file")
 });
 

@@ -5,13 +5,7 @@ use crate::{Check, Rule, RuleCx};
 use mhlint_diag::{Finding, IgnoreState, Level, RuleInfo, Upkeep};
 
 pub(crate) static RULE: Rule = Check::Upkeep(run).rule(RuleInfo {
-    docs: "An `[[ignore]]` of mhlint.toml, or a comment `# mhlint: ignore RULE reason` in an asset, hides \
-        nothing: the finding is fixed, the file is gone, or the rule is off. If it stays, it silently hides the \
-        next finding of this rule.\n\nRemove it. It is reported only if the run checked everything that it is \
-        for: not with `--only`, `--skip` or `--base`, and not if PATH is narrower. If there are errors, fix them \
-        first: a file that cannot be read hides the findings in it.\n\nSome rules guard the user's safety and \
-        cannot be ignored, so an ignore for them has no effect either. Neither has a comment to mhlint in any \
-        other form.",
+    docs: include_str!("unused_ignore.md").trim_ascii_end(),
     ..RuleInfo::new("config-unused-ignore", Level::Warning, "an `[[ignore]]` or ignore comment that hides nothing")
 });
 

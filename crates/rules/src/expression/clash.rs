@@ -10,13 +10,7 @@ use mhlint_repo::mpfb::{View, identifier};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "makes a slider for only one of them")],
-    docs: "MPFB makes a slider of each expression, which is called like the path of the file below `expressions`, with `_` for \
-        everything but letters and digits of ASCII: `a-b.json`, `a_b.json` and `a/b.json` are one slider, that of the file that \
-        is found first.\n\n\
-        A saved character names an expression by its file and the folder that this lies in: of `a/set/x.json` and \
-        `b/set/x.json` it may get either (a warning).\n\n\
-        Of one path in several data roots the first root counts: MPFB's own before the user's.\n\n\
-        Rename one of the files.",
+    docs: include_str!("clash.md").trim_ascii_end(),
     ..RuleInfo::new("expression-clash", Level::Error, "two expressions with one slider")
 });
 

@@ -9,13 +9,7 @@ use mhlint_repo::mpfb::{NamedTarget, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "lists and stores the expression, but nothing moves for these units; only the console says so")],
-    docs: "A face unit of an expression moves the target of its name, such as `jawOpen.target.gz`, wherever below `targets` or \
-        `custom` that lies. MPFB itself comes without these targets; they are in an asset pack.\n\n\
-        Without the target MPFB lists and stores the expression, but the unit moves nothing.\n\n\
-        By the target of `cheekPuff` MPFB sees that the targets of face units are installed. Without it no expression moves \
-        anything, also where the targets of all its units exist.\n\n\
-        Where no unit has a target, the pack is not at hand: all expressions are one finding. Check them together with the \
-        pack, or add the targets.",
+    docs: include_str!("missing_targets.md").trim_ascii_end(),
     of_library: true,
     counts: "units",
     ..RuleInfo::new("expression-missing-targets", Level::Warning, "a face unit without a target")

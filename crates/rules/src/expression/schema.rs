@@ -14,14 +14,7 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
         Mpfb,
         "lists no expression at all, and a saved character that uses this one stops half-built when it is loaded",
     )],
-    docs: "An expression of MPFB (`expressions/**/*.json`) is an object: `face_units` holds face units with strengths from 0 \
-        to 1, `tags` is a list of words.\n\n\
-        If `face_units` is anything else, or `tags` is a number, MPFB lists no expression at all, this one or another. A \
-        saved character that uses the file stops half-built.\n\n\
-        Other faults cost less (a warning): a file that is not an object is skipped; units that are not among the 52 of ARKit, \
-        written exactly so, are skipped, and so are values that are not numbers. A strength is not limited when it is \
-        loaded: below 0 it does nothing, above 1 it takes the share of other expressions on the same face.\n\n\
-        Correct the unit or the value.",
+    docs: include_str!("schema.md").trim_ascii_end(),
     ..RuleInfo::new("expression-schema", Level::Error, "an expression with values that its loader does not take")
 });
 

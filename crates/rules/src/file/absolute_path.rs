@@ -14,10 +14,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         (Makehuman1, "does not find the file on other computers"),
         (Mpfb, "does not find the file on other computers"),
     ],
-    docs: "The name begins with `/`, `\\` or a drive letter, so it only fits one computer. On any other, the \
-        file is missing.\n\nWrite the path relative to its folder: targets and icons to the target folder, \
-        weights and skeletons to `rigs/<base>/`, models to `base/<base>/`, textures to the folder of their \
-        material.",
+    docs: include_str!("absolute_path.md").trim_ascii_end(),
     counts: "references",
     ..RuleInfo::new("file-absolute-path", Level::Error, "a reference with an absolute path or a drive letter")
 });

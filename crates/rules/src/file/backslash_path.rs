@@ -12,11 +12,11 @@ use mhlint_repo::{Reference, ReferenceKind, Resolution, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     fix: FixKind::Safe,
-    breaks: &[(Makehuman2, "finds the file only on Windows, and never in compressedtargets.npz"), (Makehuman1, "finds the file only on Windows")],
-    docs: "The path separates folders with `\\`. Windows accepts that, but on Linux and macOS the backslash is \
-        part of the name, and the file is not found. The keys of `compressedtargets.npz` use `/` \
-        everywhere.\n\nThe consequence is that of a missing file, such as a crash when the slider moves or a \
-        rejected skeleton. A file that does not exist with `/` either is not found on any system.\n\nMakeHuman 1 finds the mesh, material or weights of a `.mhclo` with either separator (info).\n\nWrite `/`.",
+    breaks: &[
+        (Makehuman2, "finds the file only on Windows, and never in compressedtargets.npz"),
+        (Makehuman1, "finds the file only on Windows"),
+    ],
+    docs: include_str!("backslash_path.md").trim_ascii_end(),
     counts: "references",
     ..RuleInfo::new("file-backslash-path", Level::Warning, "a backslash in the path of a file")
 });

@@ -19,13 +19,7 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         (Makehuman1, "rejects the file, or loses its first line"),
         (Mpfb, "rejects the file, or loses its first line"),
     ],
-    docs: "The file begins with a byte order mark: three invisible bytes (EF BB BF) that some editors write \
-        before the text. MakeHuman 2 does not remove them.\n\nPython's JSON reader rejects such a file, so it \
-        counts as missing. In a target the mark becomes part of the first word: if the first line has four \
-        words, even in a comment, MakeHuman 2 crashes at start. In other text formats the first word is not \
-        recognised and its line is lost; if that is a comment, nothing else happens, and the finding is an \
-        info.\n\nMPFB rejects a JSON with the mark and a target, \
-        even if the first line is a comment.\n\nSave the file as UTF-8 without a byte order mark.",
+    docs: include_str!("byte_order_mark.md").trim_ascii_end(),
     ..RuleInfo::new("file-byte-order-mark", Level::Error, "a byte order mark at the beginning of a text file")
 });
 

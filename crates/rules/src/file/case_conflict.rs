@@ -14,10 +14,7 @@ const ONE: &str = "finds only one of them on Windows and macOS, where they canno
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, ONE), (Makehuman1, ONE), (Mpfb, ONE)],
-    docs: "Linux keeps `Nose.target` and `nose.target` apart; Windows and macOS do not. If the repository is \
-        checked out or unpacked there, the later file replaces the earlier one, and what refers to the earlier \
-        one gets the wrong content.\n\nOnly names in the same folder are compared. Rename one of them, and \
-        update the references to it.",
+    docs: include_str!("case_conflict.md").trim_ascii_end(),
     ..RuleInfo::new("file-case-conflict", Level::Warning, "two names in one folder that differ only in case")
 });
 

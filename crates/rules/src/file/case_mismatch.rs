@@ -23,15 +23,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         (Makehuman1, "finds the file on Windows and macOS, but not on Linux"),
         (Mpfb, "finds the file on Windows and macOS, but not on Linux"),
     ],
-    docs: "The name is written with other capitals than the file has. On Windows and most Macs that makes no \
-        difference; on Linux the file is not found, and neither is its member in `compressedtargets.npz` on any \
-        system. The consequence is that of a missing file: a crash when the slider moves, a rejected skeleton, a \
-        button without a picture, a colour instead of a texture.\n\nThe same applies to base.json, base.obj (or \
-        base.mhbin), macro.json, modelling.json and target_cat.json, to the folders of a data root and to those \
-        of a base mesh in them: `Target` is not `target`.\n\nAccented letters can be written in two forms that \
-        look alike, as one letter or as a letter and a mark (Unicode normalisation). macOS finds both, other \
-        systems only the exact one.\n\nWrite the name exactly as the file is called, or rename the file. A \
-        folder whose name differs is reported once for each file that refers to it.",
+    docs: include_str!("case_mismatch.md").trim_ascii_end(),
     ..RuleInfo::new("file-case-mismatch", Level::Error, "a reference that differs from its file only in case")
 });
 

@@ -17,12 +17,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         (Makehuman1, "unpacks the file without a limit until memory runs out"),
         (Mpfb, "unpacks the file without a limit until memory or disk are full"),
     ],
-    docs: "A small packed file can unpack to gigabytes of zeros. Loaders unpack it without asking, and the \
-        computer runs out of memory.\n\nPacked assets shrink three to ten times. `mhlint` stops beyond 512 MiB, \
-        or beyond 200 times the packed size once 16 MiB are passed (all packed files of a folder together: 32 MiB, each in equal parts). For `.npz`, `.mhbin` and `.zip` it adds up \
-        the sizes stated in the archive; arrays in the first two shrink less, so their limit is 32 times the \
-        packed size once 64 KiB are passed. Of a zip that is a PATH the limit is 100 times its size, and nothing is read beyond it.\n\nThis finding cannot be ignored. Do not open the file; ask where \
-        it comes from.",
+    docs: include_str!("decompression_bomb.md").trim_ascii_end(),
     ..RuleInfo::new("file-decompression-bomb", Level::Error, "a packed file that unpacks to an unreasonable size")
 });
 

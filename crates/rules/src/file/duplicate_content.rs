@@ -11,12 +11,7 @@ use mhlint_repo::{FileFacts, ReferenceKind, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "loads the same content more than once"), (Mpfb, "loads the same content more than once")],
-    docs: "Several targets have the same displacements, or several pictures or meshes the same bytes. That does \
-        no harm, but takes space, and a change to one is easily forgotten in the others.\n\nTargets are compared \
-        by their numbers, not their comments. Targets that move nothing and files below 200 bytes are left out. \
-        If the two ends of one slider are equal, it moves the body the same way in both directions (a warning).\n\n\
-        Only files of the same base mesh and category are compared, because others cannot be shared.\n\nUse one \
-        of the files in all references, and remove the others.",
+    docs: include_str!("duplicate_content.md").trim_ascii_end(),
     counts: "files",
     ..RuleInfo::new("file-duplicate-content", Level::Info, "several files with the same content")
 });

@@ -19,13 +19,7 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         (Makehuman1, "loads nothing from it"),
         (Mpfb, "loads nothing from it"),
     ],
-    docs: "The file has no bytes, or only whitespace and comments. Often a download or an export was \
-        interrupted.\n\nAn empty `.mhskel`, `.mhpose` or `.mhbin` crashes MakeHuman 2 when it scans the assets, \
-        an empty `base.mhbin` when it loads the base, and an empty `compressedtargets.npz` at every start until \
-        it is deleted. An empty JSON counts as missing, even if it contains `{}`, `[]`, `\"\"`, `0`, `false` or \
-        `null`. (Overrides in `contarget/` are reported by `overlay-broken-override`.) A target without a row \
-        loads and moves nothing; if a macro uses it, `macro-empty-target` reports it instead.\n\nRestore the \
-        content, or remove the file and all references to it.",
+    docs: include_str!("empty.md").trim_ascii_end(),
     ..RuleInfo::new("file-empty", Level::Warning, "an empty file that needs content")
 });
 

@@ -13,10 +13,7 @@ use mhlint_source::GzipFault;
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "never reads packed targets"), (Mpfb, "fails with an exception when it unpacks the target")],
-    docs: "A `.gz` file ends with a checksum. If a broken download or a full disk cut it off, a transfer in text \
-        mode changed it, or something follows its end, its content is lost or no longer certain.\n\nMPFB fails \
-        with an exception. MakeHuman 2 reads only plain targets and never opens a packed one; in its data folder \
-        the finding is an info.\n\nPack the file again from its source.",
+    docs: include_str!("gzip_corrupt.md").trim_ascii_end(),
     ..RuleInfo::new(
         "file-gzip-corrupt",
         Level::Error,

@@ -16,10 +16,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         (Makehuman1, "cannot store anything in it"),
         (Mpfb, "finds nothing in it, or fails with an exception when it lists the folder"),
     ],
-    docs: "A file has the name of a folder that an application looks into, or a folder has the name of a file \
-        that it opens.\n\nMakeHuman 2 crashes at start where it lists or fills such a folder, and treats a JSON \
-        that is a folder as missing. If the user's `target/<base>` is a file, it rejects the base mesh (\"File \
-        exists instead of folder\").\n\nIn the data of a user of MakeHuman 1 that is `cache`.\n\nRemove or rename it.",
+    docs: include_str!("in_place_of_folder.md").trim_ascii_end(),
     ..RuleInfo::new(
         "file-in-place-of-folder",
         Level::Error,

@@ -22,11 +22,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         (Makehuman1, "reads the pointer instead of the content"),
         (Mpfb, "reads the pointer instead of the content"),
     ],
-    docs: "Git LFS keeps large files elsewhere and leaves a small text in their place, the pointer, until the \
-        content is fetched. Without it the asset is missing, although a file of its name exists.\n\nOne finding \
-        counts the pointers of a data root, folder by folder. It is an error if some of the files must be parsed \
-        (JSON, targets, meshes, weights, skeletons), and a warning for pictures and the rest. Nothing else is \
-        reported for these files.\n\nRun `git lfs pull`, or switch on LFS for the checkout of a CI job.",
+    docs: include_str!("lfs_pointer.md").trim_ascii_end(),
     counts: "files",
     ..RuleInfo::new("file-lfs-pointer", Level::Warning, "a Git LFS pointer instead of the content")
 });

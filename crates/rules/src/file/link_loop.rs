@@ -15,10 +15,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         (Mpfb, "passes over the link"),
     ],
     levels: &[(Makehuman1, Level::Info)],
-    docs: "A symbolic link points to a folder above it, or to a link that points back. A program that lists the \
-        folder finds the same files under longer and longer names until the system stops it.\n\nIn its target \
-        folders MakeHuman 2 follows no links to folders, so such a link has no effect there (an info). `mhlint` \
-        does not follow the loop either.\n\nRemove the link.",
+    docs: include_str!("link_loop.md").trim_ascii_end(),
     ..RuleInfo::new("file-link-loop", Level::Error, "a symbolic link that leads back to itself or a folder above it")
 });
 

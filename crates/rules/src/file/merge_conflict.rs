@@ -10,13 +10,7 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(Makehuman2, BOTH), (Makehuman1, BOTH), (Mpfb, BOTH)],
-    docs: "A merge in git was committed before it was resolved: both sides are in the file, between lines that begin with \
-        `<<<<<<<`, `=======` and `>>>>>>>`.\n\n\
-        No loader knows such lines. In materials and models they are skipped, and of both sides the last line wins \
-        (MakeHuman 1 and 2); among the vertex rows of an asset they stop it, and a mesh has the vertices of both sides. The \
-        finding has the level and the words of the worst that follows from it, in place of the findings on single lines; what \
-        else is wrong with the file is reported as well. In JSON it is `json-syntax`, in targets `target-field-count`.\n\n\
-        Keep one side, and remove the three lines.",
+    docs: include_str!("merge_conflict.md").trim_ascii_end(),
     ..RuleInfo::new("file-merge-conflict", Level::Warning, "a file with both sides of a merge in it")
 });
 

@@ -15,13 +15,12 @@ use mhlint_repo::{FileFacts, View};
 use mhlint_source::Guess;
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `UnicodeDecodeError`"), (Makehuman1, "cannot read the file"), (Mpfb, "fails with `UnicodeDecodeError` where it reads the file")],
-    docs: "MakeHuman 2 reads JSON, targets, meshes and BVH as strict UTF-8. One letter in Latin-1 or a Windows \
-        code page, even in a comment, or a file saved as UTF-16 crashes it with `UnicodeDecodeError`: at start \
-        for everything that is loaded or scanned then, otherwise when the asset is used.\n\nThe loaders of \
-        clothes, materials and models drop invalid bytes. But the asset scan at start reads `.mhclo`, `.proxy`, \
-        `.mhm` and `.meta` strictly and crashes as well. Only materials and files that the scan does not reach \
-        merely lose the letters, which changes nothing in a comment of a material (info).\n\nMakeHuman 1 drops such bytes in `.mhclo` and `.proxy`. It rejects meshes, poses and materials with them; a skin or a `.meta` that is not UTF-8 empties the whole list of skins or poses.\n\nOpen the file in an editor, and save it as UTF-8 without a byte order mark.",
+    breaks: &[
+        (Makehuman2, "crashes with `UnicodeDecodeError`"),
+        (Makehuman1, "cannot read the file"),
+        (Mpfb, "fails with `UnicodeDecodeError` where it reads the file"),
+    ],
+    docs: include_str!("not_utf8.md").trim_ascii_end(),
     ..RuleInfo::new("file-not-utf8", Level::Error, "a text file that is not UTF-8")
 });
 

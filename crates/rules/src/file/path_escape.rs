@@ -15,10 +15,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         (Makehuman2, "opens a file outside the data folder, or finds none on another computer"),
         (Makehuman1, "opens a file outside the data folder, or finds none on another computer"),
     ],
-    docs: "A name with `..`, or a symbolic link, leads outside the data folder. On the author's computer that \
-        may work; on any other it finds nothing, or a file that was never meant.\n\n`mhlint` neither follows nor \
-        reads what is outside. A link or `..` that stays inside the data folder is fine. This finding cannot be \
-        ignored.\n\nCopy the file into the data folder.",
+    docs: include_str!("path_escape.md").trim_ascii_end(),
     counts: "references",
     ..RuleInfo::new("file-path-escape", Level::Error, "a reference or link that leaves the data root")
 });

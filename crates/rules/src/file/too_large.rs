@@ -24,10 +24,7 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         },
         OptionInfo { name: "other", default: 256.0, docs: "largest file of any other kind in MB" },
     ],
-    docs: "The file is much larger than usual for its kind. Often a picture was saved without compression, a \
-        mesh was exported with subdivision, or something was added to the repository by accident. All users \
-        download and load it.\n\nThe limits are options of this rule, one for each kind, in MB. A file of more \
-        than 512 MiB is not read, so nothing else is reported for it.",
+    docs: include_str!("too_large.md").trim_ascii_end(),
     ..RuleInfo::new("file-too-large", Level::Warning, "a file that is unusually large for its kind")
 });
 

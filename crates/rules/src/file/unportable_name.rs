@@ -13,12 +13,7 @@ const LOST: &str = "does not find the file on a system that cannot hold its name
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, LOST), (Makehuman1, LOST), (Mpfb, LOST)],
-    docs: "Windows reserves the names `CON`, `PRN`, `AUX`, `NUL`, `COM1` to `COM9` and `LPT1` to `LPT9`, with \
-        any extension, and the characters `< > : \" | ? * \\`. It removes a dot or space at the end.\n\nControl \
-        characters and names that are not valid Unicode cannot be written in JSON or in an asset's text. A name \
-        with separate accent marks looks like the name with whole letters, but is a different one: macOS writes \
-        the first and keyboards the second, so references to the file may not find it.\n\nRename the file with \
-        plain letters, and update the references to it.",
+    docs: include_str!("unportable_name.md").trim_ascii_end(),
     ..RuleInfo::new("file-unportable-name", Level::Warning, "a name that not every system supports")
 });
 

@@ -10,11 +10,12 @@ use mhlint_repo::View;
 use mhlint_source::{ReadFault, WalkFaultKind};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "cannot open it either, so its content is missing or the program crashes at start"), (Makehuman1, "cannot open it either: the asset, or with a dead link its whole library, is missing"), (Mpfb, "cannot open it either, and fails where it needs it")],
-    docs: "The file exists but cannot be read: a link points to nothing, the permissions forbid it, the disk \
-        reports an error, or it is a pipe or a device.\n\nMakeHuman 2 treats an unreadable JSON as missing, and \
-        crashes at start if it cannot open a target or the base mesh.\n\nIn MakeHuman 1 a dead link with the extension of a library (`.mhclo`, `.mhmat` in `skins`, `.bvh`) empties the whole list of that library.\n\nFix the link or the permissions, or \
-        replace the file.",
+    breaks: &[
+        (Makehuman2, "cannot open it either, so its content is missing or the program crashes at start"),
+        (Makehuman1, "cannot open it either: the asset, or with a dead link its whole library, is missing"),
+        (Mpfb, "cannot open it either, and fails where it needs it"),
+    ],
+    docs: include_str!("unreadable.md").trim_ascii_end(),
     ..RuleInfo::new("file-unreadable", Level::Error, "a file or folder that cannot be opened or read")
 });
 

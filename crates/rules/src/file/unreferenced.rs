@@ -11,12 +11,7 @@ use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "never opens it")],
-    docs: "Nothing in the repository refers to the file, and no loader opens a file with its name. It does no \
-        harm, but is often the sign of a mistake: an icon whose slider has a different name, a target packed as \
-        `.target.gz` (MakeHuman 2 reads only plain targets), an extension in capitals, a backup copy.\n\nThe \
-        rule checks the icons of targets and the folders `target`, `contarget`, `rigs` and `base` of each base \
-        mesh. Notes, licences and programs are left out. Targets and weights have their own rules.\n\nRename the file, \
-        refer to it, or remove it.",
+    docs: include_str!("unreferenced.md").trim_ascii_end(),
     counts: "files",
     of_whole: true,
     ..RuleInfo::new("file-unreferenced", Level::Info, "a file that nothing refers to and no loader opens")

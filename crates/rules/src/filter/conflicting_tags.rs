@@ -9,13 +9,12 @@ use mhlint_repo::makehuman2::{Asset, Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "shows the asset under none of these labels")],
-    docs: "An asset has tags that lead to two labels of one tree: `slot:top:vest` and `slot:bottom:skirt`.\n\n\
-        A filter such as `slot:top` shows an asset only if all its labels that begin with `slot:` fit. This asset is shown \
-        neither under `slot:top` nor under `slot:bottom`. A label that lies below the other one does no harm.\n\n\
-        Tags come from the asset; `selection_filter.json` translates them, and adds labels for parts of names \
-        (`GuessName`).\n\n\
-        Remove one of the tags, or translate one of them with null.",
-    ..RuleInfo::new("filter-conflicting-tags", Level::Warning, "tags of an asset lead to labels that exclude one another")
+    docs: include_str!("conflicting_tags.md").trim_ascii_end(),
+    ..RuleInfo::new(
+        "filter-conflicting-tags",
+        Level::Warning,
+        "tags of an asset lead to labels that exclude one another",
+    )
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

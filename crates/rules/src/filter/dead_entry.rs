@@ -6,14 +6,11 @@ use mhlint_formats::selection_filter::SelectionFilter;
 use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "gives assets a label that no filter has: they disappear from the filters that showed them")],
-    docs: "`Translate` or `GuessName` of a `selection_filter.json` leads to a path of labels that is not in its tree, or the \
-        rule of a `Shortcut` asks for one.\n\n\
-        Such a path can never be chosen. An asset that gets it is not shown by other filters of the same first label \
-        either. A button for it shows nothing, or nothing of this part of its rule.\n\n\
-        Paths are written in small letters, with all labels from the top, joined by `:`. `=path` replaces a tag, `path` \
-        alone is put before it.\n\n\
-        Correct the path, or add the label to the tree.",
+    breaks: &[(
+        Makehuman2,
+        "gives assets a label that no filter has: they disappear from the filters that showed them",
+    )],
+    docs: include_str!("dead_entry.md").trim_ascii_end(),
     ..RuleInfo::new("filter-dead-entry", Level::Warning, "a selection filter leads to a label that is not in its tree")
 });
 

@@ -7,12 +7,7 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "reads the key as a label, and crashes at start with `TypeError`")],
-    docs: "In a `selection_filter.json` the keys `Translate`, `GuessName` and `Shortcut` are special, with exactly these \
-        capitals. Every other key is a label.\n\n\
-        MakeHuman 2 takes `shortcut` for a label and its lists for labels below it, and crashes at start. `translate` and \
-        `guessname` become labels that no asset has, and what is in them is not used (a warning).\n\n\
-        Other values of a wrong type are reported by `json-schema`.\n\n\
-        Write the key with its capitals.",
+    docs: include_str!("syntax.md").trim_ascii_end(),
     ..RuleInfo::new("filter-syntax", Level::Error, "a special key of a selection filter in another spelling")
 });
 

@@ -11,13 +11,7 @@ use mhlint_repo::{FileFacts, parent};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "fails with an exception when the layer is put on")],
-    docs: "An ink layer of MPFB (`ink_layers/**/*.json`) needs `image_name`, a picture beside the file, and `focus`, the UV \
-        layer that the picture is laid out for. `focus` may be empty or null: that of the base mesh.\n\n\
-        The UV layer is `uv_layers/<focus>.json.gz` of the user or of MPFB, with `_` for blanks; capitals count. It is looked \
-        for where the data of both are at hand.\n\n\
-        If a key, the picture or the UV layer is missing, MPFB fails with an exception when the layer is put on, also by \
-        makeup and by saved characters.\n\n\
-        Correct the name, or add the file.",
+    docs: include_str!("layer.md").trim_ascii_end(),
     ..RuleInfo::new("ink-layer", Level::Error, "an ink layer without its picture or its UV layer")
 });
 

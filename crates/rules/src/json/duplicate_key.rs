@@ -16,10 +16,7 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         (Makehuman1, "silently keeps only the last value"),
         (Mpfb, "silently keeps only the last value"),
     ],
-    docs: "JSON allows the same key twice in one object, but Python keeps only the last value. Whatever stood \
-        under the key before is lost: a slider, a bone, a macro component.\n\nMostly an entry was copied and its \
-        key not changed. Give one of the two another key, or remove the wrong one. If both values are equal \
-        nothing is lost, and the finding is an info: one for all objects of a file that repeat the key.",
+    docs: include_str!("duplicate_key.md").trim_ascii_end(),
     ..RuleInfo::new("json-duplicate-key", Level::Warning, "a key that appears more than once in an object")
 });
 

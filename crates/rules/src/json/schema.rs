@@ -20,11 +20,7 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         (Makehuman1, "fails where it uses the value"),
         (Mpfb, "crashes when it uses the value"),
     ],
-    docs: "Each format has a JSON Schema that says which keys an object needs and what their values are. `mhlint \
-        schema NAME` prints it, and editors can use it for completion and checks.\n\nMakeHuman 2 checks almost \
-        nothing when it reads a JSON. A string instead of a number, or a missing key, crashes it wherever the \
-        value is used first, often at start. In a few places it silently skips the entry instead; that is a \
-        warning.\n\nWrite the value as the schema requires.",
+    docs: include_str!("schema.md").trim_ascii_end(),
     counts: "values",
     ..RuleInfo::new("json-schema", Level::Error, "a value that does not match the schema of its format")
 });

@@ -19,15 +19,7 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         (Makehuman1, "does not put on the asset that uses these weights"),
         (Mpfb, "fails with an exception where it reads the file"),
     ],
-    docs: "The file is not valid JSON. JSON is strict: keys and strings in double quotes, a comma between two \
-        members and none after the last, no comments, no text after the end.\n\nPython, in which all \
-        applications are written, is just as strict, except that it reads `NaN`, `Infinity` and `-Infinity` as \
-        numbers. JSON does not have these, and other tools reject them. Such a file loads, so that is a \
-        warning.\n\nWhat a fault costs depends on the file. MakeHuman 2 treats a broken macro.json, \
-        modelling.json or target_cat.json as missing, with only a line in its log. It does not load a base whose \
-        base.json is broken. A broken skeleton or pose crashes it at start, because it reads all assets then. \
-        Broken overrides in `contarget/` are reported by `overlay-broken-override`.\n\nFix the text at the place \
-        shown; the cause may be just before it.",
+    docs: include_str!("syntax.md").trim_ascii_end(),
     ..RuleInfo::new("json-syntax", Level::Error, "a file that is not valid JSON")
 });
 

@@ -16,10 +16,7 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         (Makehuman2, "crashes with `RecursionError` if the nesting exceeds Python's limit of about 1000 levels"),
         (Mpfb, "fails with `RecursionError` if the nesting exceeds Python's limit of about 1000 levels"),
     ],
-    docs: "The file is nested deeper than 990 levels. No MakeHuman format needs more than ten: the file is \
-        damaged, or made to crash its readers.\n\n`mhlint` stops reading there, so nothing else is reported for \
-        the file. Python's reader gives up at about 1000 levels with an exception that crashes MakeHuman \
-        2.\n\nReplace the file.",
+    docs: include_str!("too_deep.md").trim_ascii_end(),
     ..RuleInfo::new("json-too-deep", Level::Error, "a JSON that is nested too deeply")
 });
 

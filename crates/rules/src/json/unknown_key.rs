@@ -12,13 +12,7 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "silently ignores the key")],
-    docs: "No application reads this key. Every loader takes the keys it knows and ignores the others, so a \
-        misspelt key has no effect: the slider has no partner, the bone no parent.\n\nIn the files of the \
-        sliders and of the base, a key that is nearly a known one is a warning. So is a misspelt \
-        `rotation_plane` of a bone, which then rolls differently. If the known key is required, the finding on \
-        the missing key names the misspelt one instead.\n\nA common mistake is `sym`: sliders on the left side \
-        have `rsym`, which names the right partner, and sliders on the right side have `lsym`.\n\nCorrect the \
-        key, or remove it. Notes can go under `comment` or `description`.",
+    docs: include_str!("unknown_key.md").trim_ascii_end(),
     counts: "keys",
     ..RuleInfo::new("json-unknown-key", Level::Info, "a key that no application reads")
 });

@@ -11,31 +11,36 @@ use mhlint_repo::parent;
 
 pub(crate) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "lists both under one name, so that they cannot be told apart")],
-    docs: "Two models, or two poses, of a base have the same name in different files. MakeHuman 2 lists both under this name.\n\n\
-        It happens when a model was saved under another file name, or a motion was copied with its `.meta`. What is worn has \
-        `proxy-duplicate-name`, and what is even known by the same `library-identity-clash`.\n\n\
-        Change the line `name` of one of them.",
+    docs: include_str!("library-duplicate-name.md").trim_ascii_end(),
     ..RuleInfo::new("library-duplicate-name", Level::Warning, "two models or poses with the same name")
 });
 
-pub(crate) static OF_WORN: Rule = Check::Libraries(run_worn, |view, _, out| makehuman1::same_names(&OF_WORN, view, out)).rule(RuleInfo {
-    breaks: &[(Makehuman2, "lists both under one name; a model whose uuid matches neither may wear the wrong one"), (Makehuman1, "lists both under one name")],
-    docs: "Two assets of one category have the same name and different uuids. MakeHuman 2 lists both under this name.\n\n\
-        A model finds its asset by name and uuid; if the uuid fits none, by the name alone, and then it wears either of \
-        them.\n\n\
-        Give each asset a name of its own.",
-    ..RuleInfo::new("proxy-duplicate-name", Level::Warning, "two assets of one category with the same name")
-});
+pub(crate) static OF_WORN: Rule =
+    Check::Libraries(run_worn, |view, _, out| makehuman1::same_names(&OF_WORN, view, out)).rule(RuleInfo {
+        breaks: &[
+            (Makehuman2, "lists both under one name; a model whose uuid matches neither may wear the wrong one"),
+            (Makehuman1, "lists both under one name"),
+        ],
+        docs: include_str!("proxy-duplicate-name.md").trim_ascii_end(),
+        ..RuleInfo::new("proxy-duplicate-name", Level::Warning, "two assets of one category with the same name")
+    });
 
-pub(crate) static OF_UUID: Rule = Check::LibrariesOfAll(run_uuid, run_uuid_makehuman1, |view, _, out| shelves::same_uuids(&OF_UUID, view, out)).rule(RuleInfo {
-    breaks: &[(Makehuman2, "keeps the user's tags by uuid, so those of one asset change the other"), (Makehuman1, "lists both, but cannot wear them together, and models may wear the other one"), (Mpfb, "gives one of them the materials that were saved for the other, and models may wear the other one")],
-    levels: &[(Makehuman1, Level::Error)],
-    docs: "Two assets have the same uuid and different names, mostly because one was made from the other.\n\n\
-        MakeHuman 2 knows them by name and uuid together and lists both. Tags that a user gives to one are those of both, and \
-        a model that was saved with one does not find it once its name changes.\n\nMakeHuman 1 finds the asset of a model by its uuid alone: of two in one library with the same one it wears either (an error). A copy, or an asset in two libraries, is a warning.\n\nMPFB saves colours and other materials by the uuid alone.\n\n\
-        Give the newer asset a uuid of its own.",
-    ..RuleInfo::new("proxy-duplicate-uuid", Level::Warning, "two assets with the same uuid")
-});
+pub(crate) static OF_UUID: Rule =
+    Check::LibrariesOfAll(run_uuid, run_uuid_makehuman1, |view, _, out| shelves::same_uuids(&OF_UUID, view, out)).rule(
+        RuleInfo {
+            breaks: &[
+                (Makehuman2, "keeps the user's tags by uuid, so those of one asset change the other"),
+                (Makehuman1, "lists both, but cannot wear them together, and models may wear the other one"),
+                (
+                    Mpfb,
+                    "gives one of them the materials that were saved for the other, and models may wear the other one",
+                ),
+            ],
+            levels: &[(Makehuman1, Level::Error)],
+            docs: include_str!("proxy-duplicate-uuid.md").trim_ascii_end(),
+            ..RuleInfo::new("proxy-duplicate-uuid", Level::Warning, "two assets with the same uuid")
+        },
+    );
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let key = |asset: &Asset<'_>| {

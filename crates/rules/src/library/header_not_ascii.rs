@@ -8,11 +8,7 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `UnicodeEncodeError` each time the asset is put on")],
-    docs: "Name, uuid, author, description, licence, material or weights file of an asset (`.mhclo`, `.proxy`) has a letter that is not ASCII, such as \
-        `ö` or `é`. An author in a comment (`# author Jörg`) counts, too.\n\n\
-        When the asset is put on, MakeHuman 2 writes a binary of it beside the text, in which these values must be ASCII. It \
-        crashes instead, so the asset cannot be used. Tags may have any letters.\n\n\
-        Write the value with plain letters: `Joerg`; rename a file first.",
+    docs: include_str!("header_not_ascii.md").trim_ascii_end(),
     ..RuleInfo::new("library-header-not-ascii", Level::Error, "a value of an asset that is not ASCII")
 });
 

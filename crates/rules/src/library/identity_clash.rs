@@ -11,17 +11,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
         Makehuman2,
         "lists only one of them, whichever the file system returns first; the others cannot be chosen",
     )],
-    docs: "MakeHuman 2 knows an asset by its name and uuid together, whatever its category. Of several with the same it lists \
-        one; the others are lost without a message. Which one it is depends on the order in which the file system lists \
-        the folders.\n\n\
-        That happens to a copy that was made to start a new asset, or to a backup. Poses and expressions are known by \
-        their name, models by name and file name, motions and skins by their file name: a pose and an expression of one \
-        name are one asset.\n\n\
-        Of copies with equal content one is listed and the others are ignored (a warning). Of assets in no data folder one may \
-        be an older state, so it is a warning there, and none for copies. An asset of the user that takes the place of one of the \
-        system is meant to do so (`overlay-shadowed-asset`); skeletons have `skeleton-name-clash`. Packs that are each named \
-        as PATH are held against one another.\n\n\
-        Give the asset a name and a uuid of its own, or remove the copy.",
+    docs: include_str!("identity_clash.md").trim_ascii_end(),
     ..RuleInfo::new("library-identity-clash", Level::Error, "two assets with the same name and uuid")
 });
 

@@ -12,9 +12,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         (Makehuman1, "does not search the folder: its assets are not listed"),
         (Mpfb, "does not search the folder: its assets are not listed"),
     ],
-    docs: "A folder in a library is a symbolic link. MakeHuman 1 and MPFB do not follow links to folders when they list a \
-        library, so that the assets in it are missing. Links to files are fine.\n\n\
-        Copy the folder, or link its files.",
+    docs: include_str!("linked_folder.md").trim_ascii_end(),
     of_library: true,
     ..RuleInfo::new("library-linked-folder", Level::Error, "a folder of assets that is a link")
 });

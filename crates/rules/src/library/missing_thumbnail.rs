@@ -13,17 +13,18 @@ use mhlint_discover::{extension, listed_in};
 use mhlint_repo::makehuman2::{Asset, View};
 use mhlint_repo::{FileFacts, Resolution, parent};
 
-pub(crate) static RULE: Rule = Check::LibrariesOfAll(run, of_makehuman1, |view, _, out| shelves::without_pictures(&RULE, view, out)).rule(RuleInfo {
-    breaks: &[
-        (Makehuman2, "shows the default picture in the list"),
-        (Makehuman1, "shows the default picture in the list"), (Mpfb, "shows the default picture in the list")],
-    docs: "An asset has no picture: a PNG with the name of its file and the suffix `.thumb` beside it. MakeHuman 2 shows a \
-        general picture instead, and so does MakeHuman 1, which takes a `.png` beside a skin as well.\n\n\
-        If there is a `.thumb` beside it that belongs to no asset, the picture was meant for it and has the wrong name (a \
-        warning): another stem, or `.Thumb`.\n\n\
-        Add a picture of at most 128 by 128 pixels.",
-    ..RuleInfo::new("library-missing-thumbnail", Level::Info, "an asset without a picture for the list")
-});
+pub(crate) static RULE: Rule =
+    Check::LibrariesOfAll(run, of_makehuman1, |view, _, out| shelves::without_pictures(&RULE, view, out)).rule(
+        RuleInfo {
+            breaks: &[
+                (Makehuman2, "shows the default picture in the list"),
+                (Makehuman1, "shows the default picture in the list"),
+                (Mpfb, "shows the default picture in the list"),
+            ],
+            docs: include_str!("missing_thumbnail.md").trim_ascii_end(),
+            ..RuleInfo::new("library-missing-thumbnail", Level::Info, "an asset without a picture for the list")
+        },
+    );
 
 const MISNAMED: Case = &[(Makehuman2, Level::Warning, "does not find the picture and shows a general one in the list")];
 

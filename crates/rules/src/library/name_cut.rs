@@ -14,11 +14,7 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         Makehuman2,
         "lists the asset by the first word at the first start and by the whole name from the second on: saved models lose it",
     ), (Makehuman1, "saves models that lose the asset: a line of a model is split at spaces")],
-    docs: "`name` or `uuid` of an asset (`.mhclo`, `.proxy`) has several words.\n\n\
-        When MakeHuman 2 lists the text, it takes the first word only. Once the asset was put on it lists the binary, which \
-        has all of them. A model that was saved with the one does not find the asset by the other, and the line of a \
-        model has no room for blanks: the model loses the asset or its material.\n\nMakeHuman 1 lists all words. In a saved model it takes the second word for the uuid, so that the model loses the asset.\n\n\
-        Write the name as one word: `nice_vest`.",
+    docs: include_str!("name_cut.md").trim_ascii_end(),
     ..RuleInfo::new("library-name-cut", Level::Warning, "a name or uuid of an asset with several words")
 });
 

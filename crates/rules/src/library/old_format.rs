@@ -17,19 +17,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         (Makehuman1, "uses nothing of this format"),
         (Mpfb, "uses nothing of this format"),
     ],
-    docs: "The files of a folder have a format of an older version of MakeHuman, which no program of today reads:\n\n\
-        - clothes, hair and topologies (`.mhclo`, `.proxy`) up to alpha 7, with their keywords behind `#` (`# obj_file \
-        hat.obj`, `# verts 0`) and the vertex numbers of a base mesh of 15340 or 18528 vertices; two such lines tell, where no \
-        line has a keyword of its own;\n\
-        - costumes of alpha 7 and 8: lines `# clothing`;\n\
-        - expressions up to 1.0 (`.mhm` with `version 1.0.0` and lines `expression UNIT VALUE`), and poses (`.mhp`);\n\
-        - rigs (`.json` with `settings`, or with `merge`) and lists of vertex groups of alpha 8 and 1.0;\n\
-        - models of the alphas (`version 1.0.0` without `v`, or `version alpha_8`);\n\
-        - targets whose header says `# basemesh alpha_7`. Their vertex numbers all exist in the base mesh of today, so \
-        they load, and move other vertices. Nothing but the header can tell: one without it may be as old.\n\n\
-        Another suffix or another folder does not help, nor do keywords without `#`: the vertices are those of another \
-        mesh. Export the asset again from its mesh, for `hm08`, or keep old files outside of the data.\n\n\
-        Whatever else would be reported of such a file (a missing mesh, a wrong folder) is not.",
+    docs: include_str!("old_format.md").trim_ascii_end(),
     counts: "files",
     of_pieces: true,
     ..RuleInfo::new("library-old-format", Level::Error, "assets in a format of an older version")

@@ -9,12 +9,7 @@ use mhlint_repo::{Surface, Wearer};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "lists nothing of this library")],
-    docs: "MakeHuman 1 reads a few lines of every file of a library to list it. If it stumbles over one of them the whole list \
-        stays empty, and models lose everything of this library. It stumbles over a line `uuid` without a value above \
-        `verts`, and over a line `name` without a value in a skin.\n\n\
-        Links to nothing have `file-unreadable`, skins and `.meta` files that are not UTF-8 `file-not-utf8`, extensions in \
-        capitals `proxy-extension-case`.\n\n\
-        Write the value, or remove the line.",
+    docs: include_str!("scan_crash.md").trim_ascii_end(),
     ..RuleInfo::new("library-scan-crash", Level::Error, "a file that keeps its whole library from being listed")
 });
 

@@ -25,16 +25,7 @@ pub(crate) static RULE: Rule = Check::LibrariesOfAll(run, of_makehuman1, |view, 
         (Makehuman1, UNREAD),
         (Mpfb, "takes suffixes as they are written, and does not find it"),
     ],
-    docs: "MakeHuman 2 looks for assets in the folder of the base mesh (`clothes/<base>/`) and in the folders directly in it. It \
-        takes suffixes as they are written: `.mhclo`, not `.MHCLO`.\n\n\
-        An asset in a deeper folder, with a suffix in capitals or with another suffix behind its own (`vest.mhclo.txt`, which \
-        Windows shows as `vest.mhclo`) is not listed on any system, and models that wear it lose it.\n\n\
-        MakeHuman 1 looks in folders of any depth, but does not list a file with another suffix behind its own, \
-        either, nor one that ends in something else (`smile.mhupb` beside its picture). Targets of a user in `custom` end in \
-        `.target`; packed ones have no slider.\n\n\
-        MPFB looks in folders of any depth, too. What ends in capitals, or in another suffix behind its own, it neither lists nor \
-        finds by its name: `hat.MHCLO`, `smile.JSON`, `hat.mhclo.txt`.\n\n\
-        Move the folder of the asset up, or rename the file.",
+    docs: include_str!("too_deep.md").trim_ascii_end(),
     ..RuleInfo::new("library-too-deep", Level::Error, "an asset that the list does not find")
 });
 

@@ -11,14 +11,8 @@ use mhlint_formats::picture::PictureFault;
 use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[
-        (Makehuman2, "shows an empty picture in the list"),
-        (Makehuman1, "shows an empty picture in the list"),
-    ],
-    docs: "A `.thumb` beside an asset is not a picture, such as a text or a download that was cut off. It has to be a PNG.\n\n\
-        MakeHuman 2 and MakeHuman 1 show the default picture for an asset without a `.thumb`, and an empty one for a \
-        broken file.\n\n\
-        Save a PNG of at most 128 by 128 pixels under this name, or remove the file.",
+    breaks: &[(Makehuman2, "shows an empty picture in the list"), (Makehuman1, "shows an empty picture in the list")],
+    docs: include_str!("unreadable_thumbnail.md").trim_ascii_end(),
     ..RuleInfo::new("library-unreadable-thumbnail", Level::Warning, "a picture of an asset that is not one")
 });
 

@@ -30,17 +30,7 @@ pub(crate) static RULE: Rule = Check::LibrariesOfAll(
 )
 .rule(RuleInfo {
     breaks: &[(Makehuman2, "does not list it"), (Makehuman1, "does not list it"), (Mpfb, "does not find it")],
-    docs: "MakeHuman 2 looks for each kind of asset in folders of its own: `.mhclo` in `clothes`, `hair`, `eyes`, `eyebrows`, \
-        `eyelashes`, `teeth` and `tongue`, `.proxy` in `proxy`, `.mhskel` in `rigs`, `.mhpose` in `poses` and \
-        `expressions`, `.bvh` in `poses`, `.mhm` in `models`. In each of them is a folder for each base mesh.\n\n\
-        An asset in the folder of another kind, or without the folder of the base mesh, is not listed, and models that wear \
-        it lose it.\n\nIn MakeHuman 1 topologies (`.proxy`) are in `proxymeshes`, and there is no folder of a base mesh. \
-        Targets of a user are in `custom`, and translations in `languages` of the program: those of a user are listed and never read.\n\n\
-        MPFB finds targets in `targets` and `custom` alone, expressions in `expressions`, and assets in the folders of their \
-        kinds, such as `clothes`: `.proxy` in `proxymeshes`, `.mhclo` in all others. Saved characters and other presets are in `config`, which lies beside the folder of data \
-        and not in it.\n\n\
-        In a pack further folders, such as `docs` or `old`, may be there on purpose: assets in them are one info, and those \
-        of a pack inside the pack are checked as such.\n\nMove the asset.",
+    docs: include_str!("wrong_folder.md").trim_ascii_end(),
     of_library: true,
     ..RuleInfo::new("library-wrong-folder", Level::Error, "an asset in a folder where its kind is not looked for")
 });

@@ -9,11 +9,7 @@ use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "applies the target of a different value to this combination")],
-    docs: "`t` spells a different value of a component than `name`, and an unused file in the same folder spells \
-        the right one. The entry was probably copied and not finished. Combinations may share a target, so `t` \
-        need not spell all values of the name; a `t` that only leaves values out is not reported.\n\nMakeHuman 2 \
-        applies the file that `t` names: the combination has the shape of another value.\n\nName the file that \
-        fits in `t`.",
+    docs: include_str!("alias_suspect.md").trim_ascii_end(),
     counts: "combinations",
     ..RuleInfo::new(
         "macro-alias-suspect",

@@ -9,11 +9,7 @@ use std::collections::BTreeSet;
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "applies the target of an ambiguous name to every combination with that name")],
-    docs: "The name of a combination is its values joined by `-`. A value that contains a dash makes the names \
-        hard to read, and two combinations can have the same name: `a` + `b-c` and `a-b` + `c`.\n\nMakeHuman 2 \
-        only compares whole names. While every listed name has one meaning, nothing goes wrong (an info). The \
-        target of a name with two meanings is applied to both combinations (a warning).\n\nUse another character \
-        inside values.",
+    docs: include_str!("ambiguous_value.md").trim_ascii_end(),
     counts: "names",
     ..RuleInfo::new(
         "macro-ambiguous-value",

@@ -13,11 +13,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         "takes the weights by position, so that values get the weights of other corners; crashes with `TypeError` if \
          `sum` names a plain slider",
     )],
-    docs: "`sum` of a component and `barycentric` of its triangle slider do not list the same corners in the same \
-        order. `sum` assigns the corners to the values of the component.\n\nMakeHuman 2 finds the slider by the \
-        name of an entry in `sum`, but takes the weight by the position of the entry. In another order, the \
-        values silently get the weights of other corners (a warning). An entry that leads to a plain slider has \
-        no weights, and MakeHuman 2 crashes (an error).\n\nList the corners in the same order in both files.",
+    docs: include_str!("barycentric_mismatch.md").trim_ascii_end(),
     ..RuleInfo::new(
         "macro-barycentric-mismatch",
         Level::Error,

@@ -8,10 +8,7 @@ use mhlint_repo::makehuman2::{Base, View};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     fix: FixKind::Unsafe,
     breaks: &[(Makehuman2, "uses the last entry; the target of an earlier one is never applied")],
-    docs: "A macrodef lists the same combination more than once. The entries of all macrodefs form one table from \
-        names to files.\n\nMakeHuman 2 silently uses the last entry of a name. If the entries name different \
-        files, the earlier file is loaded but never used (an error). If the entries are equal, nothing goes \
-        wrong (an info).\n\nKeep one of the entries.",
+    docs: include_str!("duplicate_combination.md").trim_ascii_end(),
     ..RuleInfo::new("macro-duplicate-combination", Level::Error, "a macrodef lists a combination more than once")
 });
 

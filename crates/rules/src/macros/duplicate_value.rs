@@ -11,10 +11,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         Makehuman2,
         "uses the same combinations at both slider positions, so that one of the two shapes can never be reached",
     )],
-    docs: "A component has the same value twice. Combinations are told apart only by the names of their \
-        values.\n\nMakeHuman 2 does not check this. Two slider positions with the same value use the same \
-        targets, and a shape that was meant for one of them can never be reached. Nothing crashes, so this is a \
-        warning.\n\nGive each value its own name; several names may still use the same file.",
+    docs: include_str!("duplicate_value.md").trim_ascii_end(),
     ..RuleInfo::new("macro-duplicate-value", Level::Warning, "a component has a value twice")
 });
 

@@ -12,11 +12,7 @@ use std::collections::BTreeMap;
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     fix: FixKind::Unsafe,
     breaks: &[(Makehuman2, "loads and applies a target that moves nothing")],
-    docs: "A combination uses a target without rows, or with zeros only. It does the same as `null`, which shows \
-        that the combination is meant to change nothing.\n\nMakeHuman 2 loads and applies the file without a \
-        message. If a shape is expected here, this is the wrong file. A slider that uses the same file does \
-        nothing either, and needs the file (a warning).\n\nWrite `null` and remove the file, or save the \
-        intended shape in it. The fix leaves a file of 0 bytes alone: mostly an export failed.",
+    docs: include_str!("empty_target.md").trim_ascii_end(),
     counts: "combinations",
     ..RuleInfo::new("macro-empty-target", Level::Info, "a combination uses a target that moves nothing")
 });

@@ -13,11 +13,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         "uses the folder of the previous macrodef, or crashes at start in the first one; a missing target crashes \
          it with `AttributeError` as soon as the sliders reach its combination",
     )],
-    docs: "A macrodef has no `folder`, or one without its targets. `folder` is the folder of the targets, below \
-        the target folder of the base mesh.\n\nWithout `folder`, MakeHuman 2 uses the folder of the previous \
-        macrodef; in the first macrodef, it crashes at start with `UnboundLocalError`. If all targets happen to \
-        be in the previous folder, it works (an info). If the folder does not exist, every target of the \
-        macrodef is missing.\n\nWrite the name of the folder.",
+    docs: include_str!("folder_missing.md").trim_ascii_end(),
     ..RuleInfo::new("macro-folder-missing", Level::Error, "`folder` of a macrodef is missing, or does not exist")
 });
 

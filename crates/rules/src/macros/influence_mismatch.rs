@@ -16,11 +16,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         Makehuman2,
         "evaluates all macrodefs whatever the list holds; only readers and other programs are misled",
     )],
-    docs: "`macro_influence` of a macro slider should list the macrodefs that read the slider, counted from 0, \
-        but lists others.\n\nMakeHuman 2 always evaluates all macrodefs and only checks whether the list is \
-        empty. A wrong list is therefore harmless, but it misleads readers and other programs (an info). A macro \
-        slider that no component of `macro.json` reads moves nothing (a warning).\n\nList the macrodefs whose \
-        components read the pattern of the slider.",
+    docs: include_str!("influence_mismatch.md").trim_ascii_end(),
     ..RuleInfo::new(
         "macro-influence-mismatch",
         Level::Info,

@@ -10,11 +10,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         "ignores the index; with no valid index left, opening the slider hides all macro shapes until another \
          macro slider moves",
     )],
-    docs: "`macro_influence` lists an index without a macrodef. It should list the macrodefs that a macro slider \
-        takes part in, counted from 0.\n\nMakeHuman 2 ignores such an index. It selects nothing with the other \
-        indices either: it only checks whether any is left. A wrong index beside others is therefore harmless \
-        (an info). If none is left, opening the slider hides all macro shapes until another macro slider moves \
-        (a warning). A negative index is kept, and means nothing.\n\nCorrect the index.",
+    docs: include_str!("influence_range.md").trim_ascii_end(),
     ..RuleInfo::new("macro-influence-range", Level::Warning, "`macro_influence` lists an index without a macrodef")
 });
 

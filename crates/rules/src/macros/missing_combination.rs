@@ -15,17 +15,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         Makehuman2,
         "applies nothing for a combination that is not listed: the shape snaps back at that corner of the sliders",
     )],
-    docs: "A macrodef does not list every combination of the values of its components. A missing combination \
-        changes nothing, exactly as `null` does.\n\nMakeHuman 2 does not report it. Where a combination is \
-        missing among others that are listed, the shape snaps back when the sliders come near (a \
-        warning).\n\nSome combinations are usually left out on purpose (an info, so that you can compare them \
-        with what you meant): all those of a value that has no entry (`male` in a macro for breasts, `none` in a \
-        macro for height), a neutral state (the values at the default positions of their sliders), and those \
-        whose siblings are all `null`. A table that leaves out more of the other combinations than it lists is \
-        also taken as intended. A combination for which the folder has an unused file is always a warning, which \
-        names the file.\n\nIn the patterns, `*` is any value, and the number after a pattern is how many \
-        combinations it covers; patterns may overlap. Products of more than about a million combinations are \
-        only counted.\n\nAdd the entries; write `null` for a combination that should change nothing.",
+    docs: include_str!("missing_combination.md").trim_ascii_end(),
     counts: "combinations",
     ..RuleInfo::new(
         "macro-missing-combination",

@@ -13,10 +13,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         "logs a line and crashes with `AttributeError` as soon as the sliders reach the combination, or at start \
          if the default character uses it",
     )],
-    docs: "A combination names a target that does not exist. `t` is a file in the `folder` of the macrodef, \
-        without `.target`, in the target folder of the `macro.json` in use.\n\nMakeHuman 2 does not skip a \
-        missing file: it keeps an empty placeholder and crashes as soon as the combination has \
-        weight.\n\nCorrect the name, add the file, or write `null` where nothing should change.",
+    docs: include_str!("missing_target.md").trim_ascii_end(),
     counts: "combinations",
     ..RuleInfo::new("macro-missing-target", Level::Error, "a combination names a target that does not exist")
 });

@@ -12,12 +12,7 @@ use std::collections::BTreeMap;
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "uses the file of the last macrodef for both, and applies it twice")],
-    docs: "Two macrodefs list or generate the same name. The entries of all macrodefs form one table from names \
-        to files, and every macrodef looks up the names it generates in it.\n\nIf both macrodefs list the name \
-        with different files, MakeHuman 2 uses the file of the last one for both and applies it twice (an \
-        error). If both name the same file, or one of them only generates the name, that file is applied twice, \
-        so the morph is doubled (a warning). Values with the same name in several components, such as `none`, \
-        easily lead to this.\n\nRename a value in one of the components.",
+    docs: include_str!("name_collision.md").trim_ascii_end(),
     counts: "names",
     ..RuleInfo::new("macro-name-collision", Level::Error, "two macrodefs list or generate the same name")
 });

@@ -10,9 +10,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         Makehuman2,
         "generates names such as `female-female`, which no entry has, and applies none of its targets",
     )],
-    docs: "`comp` names a component more than once. The names of a macrodef have one value for each entry of \
-        `comp`.\n\nMakeHuman 2 then generates names that repeat the value of the component. None of them is \
-        listed, so the macrodef applies nothing.\n\nRemove the repetition, or name the intended component.",
+    docs: include_str!("repeated_component.md").trim_ascii_end(),
     ..RuleInfo::new("macro-repeated-component", Level::Error, "a component occurs more than once in `comp`")
 });
 

@@ -9,11 +9,7 @@ use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `KeyError` without either; ignores `sum` if it has both")],
-    docs: "A component has both `steps` and `sum`, or neither. `steps` divides one plain slider; `sum` names the \
-        three corners of a triangle slider.\n\nIf both are present, MakeHuman 2 ignores `sum` and takes \
-        `pattern` as the pattern of one slider (a warning). If no slider has that pattern, it drops the \
-        component, and its macrodefs never apply (an error). With neither, it crashes at start with `KeyError` \
-        (an error).\n\nKeep the one that fits the slider.",
+    docs: include_str!("steps_and_sum.md").trim_ascii_end(),
     ..RuleInfo::new("macro-steps-and-sum", Level::Error, "a component has both `steps` and `sum`, or neither")
 });
 

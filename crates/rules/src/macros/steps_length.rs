@@ -7,11 +7,7 @@ use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `IndexError` when the slider reaches a step without a value")],
-    docs: "`steps` and `values` of a component differ in length. Each value needs a slider position of its own: \
-        the entry of `steps` at the same place.\n\nMakeHuman 2 does not compare the lengths. With fewer values \
-        than steps, it crashes as soon as the slider reaches the interval without a value (an error). With more \
-        values than steps, the surplus values and their targets are never used (a warning). With fewer than two \
-        steps, it applies none of the targets of the macrodef (an error).\n\nGive every value exactly one step.",
+    docs: include_str!("steps_length.md").trim_ascii_end(),
     ..RuleInfo::new("macro-steps-length", Level::Error, "`steps` and `values` of a component differ in length")
 });
 

@@ -13,13 +13,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         "crashes with `ZeroDivisionError` when the slider is at or below two equal first steps; with other steps \
          out of order, it uses the wrong values",
     )],
-    docs: "`steps` of a component do not increase strictly. Each step is the slider position at which a value has \
-        its full weight; between two steps, their values are mixed.\n\nMakeHuman 2 uses the first interval whose \
-        upper step is not below the slider, and divides by its width. If the first two steps are equal, it \
-        crashes with `ZeroDivisionError` (an error). Equal steps further on make the shape jump there, and steps \
-        that decrease leave intervals that are never used; both load without a message (a warning). If no step \
-        after the first is above 0, as in `[1, 0]`, all macros of the component are dead unless the slider is at \
-        exactly 0 (an error).\n\nSort the steps together with their values, without equal steps.",
+    docs: include_str!("steps_order.md").trim_ascii_end(),
     ..RuleInfo::new("macro-steps-order", Level::Error, "`steps` of a component do not increase strictly")
 });
 

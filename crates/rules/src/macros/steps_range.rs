@@ -13,12 +13,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         "applies the first value with more than its full weight below the first step, and drops the macrodef above \
          the last",
     )],
-    docs: "`steps` of a component do not run from 0 to 1, as its slider does.\n\nBelow the first step, MakeHuman \
-        2 extrapolates: with steps `[0.6, 1]` and the slider at 0.5, the first value has the weight 1.25. Above \
-        the last step, the component has no value, so that the names of the combinations are too short and all \
-        targets of the macrodef disappear. Values with steps below 0 or above 1 never have their full \
-        weight.\n\nWith fewer than two steps, nothing of the macrodef ever applies (an error, as is a last step \
-        of 0 or below).\n\nSet the first step to 0 and the last step to 1.",
+    docs: include_str!("steps_range.md").trim_ascii_end(),
     ..RuleInfo::new("macro-steps-range", Level::Warning, "`steps` of a component do not run from 0 to 1")
 });
 

@@ -13,12 +13,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         "crashes with `IndexError` if `sum` is shorter than `values`, and with `TypeError` at a fourth value; \
          never reads corners without a value",
     )],
-    docs: "`sum` of a component does not have three entries, or not as many as `values`. A triangle slider has \
-        three corners, and `sum` names them in the order of `values`.\n\nFor each value, MakeHuman 2 reads the \
-        entry of `sum` at the same place, and then the weight at that place. It crashes with `IndexError` if the \
-        entry is missing and with `TypeError` at a fourth value (errors). With two values, the third corner is \
-        never read, and the shape fades out towards it; surplus entries of `sum` are never read either \
-        (warnings).\n\nGive `values` and `sum` three entries each.",
+    docs: include_str!("sum_arity.md").trim_ascii_end(),
     ..RuleInfo::new(
         "macro-sum-arity",
         Level::Error,

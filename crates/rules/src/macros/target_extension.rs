@@ -19,11 +19,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         "adds `.target`, does not find the file and crashes with `AttributeError` as soon as the sliders reach the \
          combination",
     )],
-    docs: "`t` ends in `.target` or `.gz`, or is empty.\n\nMakeHuman 2 adds `.target` to every `t`: for \
-        `x.target` it looks for `x.target.target`. It never reads packed targets (`.target.gz`), and an empty \
-        `t` leads to a file named `.target`. A file that is not found crashes it with `AttributeError` as soon \
-        as the sliders reach its combination.\n\nRemove the suffix. Replace an empty `t` with the name of the file, or \
-        with `null`.",
+    docs: include_str!("target_extension.md").trim_ascii_end(),
     counts: "entries",
     ..RuleInfo::new("macro-target-extension", Level::Error, "`t` ends in `.target` or `.gz`, or is empty")
 });

@@ -11,13 +11,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         Makehuman2,
         "drops every combination between the steps, so that the shape of the macrodef disappears there",
     )],
-    docs: "A macrodef blends so many values at once that no combination has enough weight. Between two steps of a \
-        slider, two values are active; inside a triangle, three. The components multiply: seven sliders between \
-        their steps make 128 combinations with the weight 1/128 each.\n\nMakeHuman 2 applies a combination only \
-        if its weight is above 0.01, and does not give the lost weight to the others. If no combination is above \
-        that limit when every slider is equally far from its active values, the shape of the macrodef disappears \
-        between the steps. (More than three values of a triangle slider crash MakeHuman 2; see \
-        `macro-sum-arity`.)\n\nSplit the macrodef into several with fewer components each.",
+    docs: include_str!("too_many_active.md").trim_ascii_end(),
     ..RuleInfo::new(
         "macro-too-many-active",
         Level::Warning,

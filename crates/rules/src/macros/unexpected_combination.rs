@@ -18,11 +18,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         Makehuman2,
         "never uses such entries: their targets are loaded and never applied, and the intended combinations have none",
     )],
-    docs: "A macrodef lists a name that its components cannot generate. A name has one value of each component, \
-        in the order of `comp`, joined by `-`.\n\nMakeHuman 2 looks up only the names that it generates. It \
-        never finds an entry with a misspelt value, with too many or too few parts, or with its values in \
-        another order. A name that only another macrodef generates works, because all macrodefs share one table, \
-        but it belongs in the other macrodef (an info).\n\nWrite the name that the help suggests.",
+    docs: include_str!("unexpected_combination.md").trim_ascii_end(),
     counts: "names",
     ..RuleInfo::new(
         "macro-unexpected-combination",

@@ -13,10 +13,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         Makehuman2,
         "skips the component; the names of the macrodef are then too short, and none of its targets is applied",
     )],
-    docs: "`comp` names a component that is not defined. It lists the components of a macrodef by their keys in \
-        `components`.\n\nMakeHuman 2 silently skips an unknown name. The names that it generates then lack that \
-        part: usually none of them is listed, sometimes the wrong target is applied.\n\nCorrect the name, or \
-        define the component.",
+    docs: include_str!("unknown_component.md").trim_ascii_end(),
     ..RuleInfo::new("macro-unknown-component", Level::Error, "`comp` names a component that is not defined")
 });
 

@@ -12,12 +12,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         Makehuman2,
         "drops the component; the names of its macrodefs are then too short, and none of their targets is applied",
     )],
-    docs: "No slider has the pattern of a component. `pattern` is the `macro` of an entry of `modelling.json`. \
-        With `sum`, `pattern` followed by each entry of `sum` is one of the texts in `barycentric` of a triangle \
-        slider.\n\nMakeHuman 2 silently drops a component whose pattern no slider has. The names of all its \
-        combinations then lack that part and match nothing: the macrodef is dead. If only one corner of a \
-        triangle is unknown, the targets of that corner are lost.\n\nWrite the pattern exactly as in \
-        `modelling.json`.",
+    docs: include_str!("unknown_pattern.md").trim_ascii_end(),
     counts: "patterns",
     ..RuleInfo::new("macro-unknown-pattern", Level::Error, "no slider has the pattern of a component")
 });

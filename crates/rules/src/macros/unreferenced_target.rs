@@ -13,10 +13,7 @@ use std::collections::BTreeSet;
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "loads the file at start but never applies it")],
-    docs: "A target in the folder of a macrodef is unused. It has an effect only if an entry names it in `t`, or \
-        a slider uses it.\n\nMakeHuman 2 loads the file at start but never applies it. Often a similar \
-        combination should name it: its entry was forgotten, or copied without changing `t`.\n\nName the file in \
-        `t` of its combination, or remove it.",
+    docs: include_str!("unreferenced_target.md").trim_ascii_end(),
     counts: "combinations",
     ..RuleInfo::new("macro-unreferenced-target", Level::Warning, "a target in a macro folder is unused")
 });

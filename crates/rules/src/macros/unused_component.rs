@@ -12,10 +12,7 @@ use std::collections::BTreeSet;
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "never evaluates the component")],
-    docs: "No macrodef lists the component in `comp`. Perhaps a macrodef was removed and its component was \
-        forgotten, or a `comp` lacks it.\n\nMakeHuman 2 ignores such a component. If there is no macrodef at all \
-        but sliders drive macros, all those sliders do nothing (an error).\n\nRemove the component, or add it to \
-        the `comp` where it belongs.",
+    docs: include_str!("unused_component.md").trim_ascii_end(),
     ..RuleInfo::new("macro-unused-component", Level::Info, "a component is not used by any macrodef")
 });
 

@@ -12,17 +12,7 @@ use mhlint_source::is_below;
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "does not offer the materials")],
-    docs: "MakeHuman 2 offers for an asset all materials in the folder of its mesh and below. Some of them are lost:\n\n\
-        - A material with a space in its file name is offered, but a saved model cannot name it: loaded again, the asset \
-        wears its standard material, the body the default skin.\n\
-        - A material whose extension is not `.mhmat` in small letters is not offered.\n\
-        - If `obj_file` names a mesh in a sub-folder, materials next to the asset are not offered. Its own one still \
-        loads.\n\
-        - An asset directly in the folder of the base mesh, such as `clothes/<base>/`, is offered the materials of all \
-        assets there, and a chosen one is lost when the model is loaded.\n\
-        - Materials in `eyes/<base>/materials/` and the like are offered for assets that have none in their own folder. If \
-        all have some, they are offered for nothing.\n\n\
-        Rename the material, or keep each asset in a folder of its own, with its mesh and its materials.",
+    docs: include_str!("alternatives_lost.md").trim_ascii_end(),
     ..RuleInfo::new("material-alternatives-lost", Level::Warning, "materials that are not offered, or lost in models")
 });
 

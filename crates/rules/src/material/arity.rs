@@ -12,17 +12,12 @@ use mhlint_formats::mhmat::{Line, Value};
 use mhlint_repo::{Surface, View, Wearer};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `IndexError` when the material is used"), (Makehuman1, "does not put the asset on, or show the skin"), (Mpfb, "fails with an exception when it reads the material")],
-    docs: "A keyword of a material has no value, or a colour has fewer than three numbers.\n\n\
-        Without a value MakeHuman 2 crashes when it reads the material: when the asset is put on, when the material or the \
-        skin is chosen, or when a model that has it is loaded. Then the assets that the model names after it, and \
-        all its sliders, are lost.\n\n\
-        A colour with too few numbers crashes where it is needed: `diffuseColor` on screen and in glTF if there is no \
-        diffuse texture, `ambientColor` on screen with the shader phong if there is no `aomapTexture`, `glassColor` in \
-        glTF if there is `transmission` and no diffuse texture. The OBJ export needs all three numbers of \
-        `diffuseColor`, `specularColor` and `emissiveColor`. Elsewhere it is only an info, like a fourth number, which is \
-        ignored.\n\nMakeHuman 1 stops reading the material at such a line, also at a colour with too few numbers: an asset cannot be put on, a skin cannot be chosen, and with a fault in the default skin it does not start.\n\nIn MPFB files and numbers need a value, and `shaderParam` has exactly two words behind it, also if MPFB has no use for the parameter.\n\n\
-        Write the value, or remove the line.",
+    breaks: &[
+        (Makehuman2, "crashes with `IndexError` when the material is used"),
+        (Makehuman1, "does not put the asset on, or show the skin"),
+        (Mpfb, "fails with an exception when it reads the material"),
+    ],
+    docs: include_str!("arity.md").trim_ascii_end(),
     ..RuleInfo::new("material-arity", Level::Error, "a keyword of a material with too few values")
 });
 

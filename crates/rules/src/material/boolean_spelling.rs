@@ -12,11 +12,7 @@ use mhlint_repo::{Surface, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "takes it for false"), (Makehuman1, "takes it for false")],
-    docs: "A keyword such as `transparent` or `backfaceCull` has a word that MakeHuman 2 does not take for true, and that \
-        does not say false: `1`, `on`, `y`.\n\n\
-        MakeHuman 2 knows `true`, `yes` and `enabled`, in any capitals. Every other word is false, without a message. \
-        MPFB takes `1` and `t` for true, but not `yes`: `true` is the same in all applications.\n\n\
-        Write `True` or `False`.",
+    docs: include_str!("boolean_spelling.md").trim_ascii_end(),
     ..RuleInfo::new("material-boolean-spelling", Level::Warning, "a word for true that an application takes for false")
 });
 

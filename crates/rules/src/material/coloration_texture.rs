@@ -9,12 +9,7 @@ use mhlint_repo::View;
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `TypeError` when the material is used")],
-    docs: "`colorationMethod` 1 or 2 gives the diffuse texture other colours, but the picture is not stored as MakeHuman 2 \
-        expects it. It can do so with colours of 8 bits, with or without transparency. A picture in shades of grey, with a \
-        palette, or with 16 bits a channel has another number of bits a pixel.\n\n\
-        MakeHuman 2 crashes when the asset is put on. It is then worn but not drawn, and every move of a slider \
-        crashes again until a new figure is loaded.\n\n\
-        Save the picture as RGB or RGBA with 8 bits per channel, or write `colorationMethod 0`.",
+    docs: include_str!("coloration_texture.md").trim_ascii_end(),
     ..RuleInfo::new("material-coloration-texture", Level::Error, "a texture that cannot be given other colours")
 });
 

@@ -13,10 +13,7 @@ use mhlint_repo::{Surface, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "silently uses the last line"), (Makehuman1, "silently uses the last line")],
-    docs: "A keyword of a material stands on several lines with different values.\n\n\
-        MakeHuman 2 uses the last one; of textures the last one whose picture exists. `tag` may be repeated, and \
-        `shaderParam` with different names. Lines that say the same are not reported.\n\n\
-        Keep the line that you want.",
+    docs: include_str!("duplicate_keyword.md").trim_ascii_end(),
     ..RuleInfo::new("material-duplicate-keyword", Level::Warning, "a keyword of a material with different values")
 });
 

@@ -11,11 +11,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         Makehuman2,
         "leaves the texture out of a glTF with embedded textures, where all textures after it are then mixed up",
     )],
-    docs: "A material names a picture whose extension is not `.png`, `.jpg` or `.jpeg` in small letters.\n\n\
-        MakeHuman 2 shows it. The glTF export can embed textures, but only with these extensions. If the diffuse \
-        texture has another one, nothing is exported: \"No diffuse material found.\" Any other texture is left out, and \
-        those after it in the file take the wrong places.\n\n\
-        Save the picture as PNG or JPEG, or write its extension in small letters, here and in the material.",
+    docs: include_str!("embedding.md").trim_ascii_end(),
     ..RuleInfo::new("material-embedding", Level::Warning, "a texture that the glTF export cannot embed")
 });
 

@@ -8,10 +8,7 @@ use mhlint_repo::{Surface, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "ignores the line")],
-    docs: "A material has settings of other applications that MakeHuman 2 has no use for, with values that change \
-        something there: an `opacity` below 1, `wireframe True`, a map of heights. MakeHuman 2 draws the surface without \
-        them.\n\nSettings that have the values of every other surface are not reported: materials for several \
-        applications have many.\n\nNothing has to be done if the material is for other applications as well.",
+    docs: include_str!("ignored_key.md").trim_ascii_end(),
     ..RuleInfo::new("material-ignored-key", Level::Info, "settings of a material that are never read")
 });
 

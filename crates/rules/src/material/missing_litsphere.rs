@@ -10,13 +10,11 @@ use mhlint_diag::{
 use mhlint_repo::{Picture, Resolution, Surface, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently draws the surface with the shader `phong`"), (Makehuman1, "logs an error and draws the surface with a placeholder")],
-    docs: "A material asks for the shader `litsphere`, but has no picture for it: `shaderParam litsphereTexture` is missing, \
-        or the picture that it names does not exist.\n\n\
-        MakeHuman 2 looks for the name without its folders in `shaders/litspheres/` of the user and of the system. \
-        Without a picture it draws the surface with the shader `phong`. If the picture does not exist and the material has no \
-        `name`, it crashes with `TypeError` instead (error).\n\nMakeHuman 1 looks for the picture as for any other, mostly in `litspheres/` of its data.\n\n\
-        Use a picture of that folder, or put this one there.",
+    breaks: &[
+        (Makehuman2, "silently draws the surface with the shader `phong`"),
+        (Makehuman1, "logs an error and draws the surface with a placeholder"),
+    ],
+    docs: include_str!("missing_litsphere.md").trim_ascii_end(),
     of_whole: true,
     ..RuleInfo::new("material-missing-litsphere", Level::Warning, "a litsphere without its picture")
 });

@@ -11,11 +11,11 @@ use mhlint_diag::{
 use mhlint_repo::{FileFacts, Surface, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently draws the surface like phong, without its settings"), (Makehuman1, "logs an error and draws the surface without a shader")],
-    docs: "A material asks for a shader that MakeHuman 2 does not have for materials. It has `phong`, `litsphere`, `pbr` \
-        and `toon`, in small letters; of a path such as `shaders/glsl/litsphere` it takes the last part.\n\n\
-        With another name the surface is drawn like phong, but without the settings that phong gets. The name is kept \
-        when the material is saved.\n\nA shader of MakeHuman 1 is a path without its ending, such as `shaders/glsl/litsphere`. Without one of its files the surface is drawn without a shader.\n\nWrite one of the four names for MakeHuman 2, and the whole path for MakeHuman 1.",
+    breaks: &[
+        (Makehuman2, "silently draws the surface like phong, without its settings"),
+        (Makehuman1, "logs an error and draws the surface without a shader"),
+    ],
+    docs: include_str!("missing_shader.md").trim_ascii_end(),
     of_whole: true,
     ..RuleInfo::new("material-missing-shader", Level::Warning, "a material asks for a shader that does not exist")
 });

@@ -12,22 +12,12 @@ use mhlint_diag::{
 use mhlint_repo::{Layer, Reference, ReferenceKind, Resolution, View, parent};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "ignores the line and shows the material without this texture"), (Makehuman1, "logs an error and shows a placeholder instead of the picture"), (Mpfb, "makes the material without this picture, with a message in the log")],
-    docs: "A material names a picture that does not exist, in `diffuseTexture`, `normalmapTexture`, \
-        `aomapTexture`, `metallicRoughnessTexture` or `emissiveTexture`. MakeHuman 2 does not know other keywords, \
-        such as `specularmapTexture`. A name is one word: it ends at the first space.\n\n\
-        MakeHuman 2 silently drops a keyword whose picture it does not find: the surface shows the colour of the \
-        material instead, and exports have no texture either. If a keyword has several lines, the last one with a \
-        picture wins.\n\n\
-        It looks for a picture in the folder of the material; if that ends in `materials`, in the folder above it; \
-        then next to the material without the first folder of the name; and finally in the folder of all assets of \
-        this kind, such as `clothes/<base>/`, of the system and of the user (`skins/<base>/` for the material of a \
-        body).\n\n\
-        Materials of skins, of base meshes and below the folders of assets are checked. The folder \
-        `clothes/<base>/materials/` is for assets without their own material. A topology uses the skin instead of \
-        its own material.\n\nMakeHuman 1 looks for a picture in the folder of the material, then below the data of the user and of the system, and shows a placeholder if it finds none.\n\nMPFB looks in the folder of the material alone; all that is behind the keyword is the name, with spaces and comments. A skin without its picture cannot be used as a layered one (an error).\n\n\
-        Correct the name, add the picture, or remove the line. A folder that does not exist is one finding for all \
-        pictures in it.",
+    breaks: &[
+        (Makehuman2, "ignores the line and shows the material without this texture"),
+        (Makehuman1, "logs an error and shows a placeholder instead of the picture"),
+        (Mpfb, "makes the material without this picture, with a message in the log"),
+    ],
+    docs: include_str!("missing_texture.md").trim_ascii_end(),
     ..RuleInfo::new("material-missing-texture", Level::Warning, "a material names a texture that does not exist")
 });
 

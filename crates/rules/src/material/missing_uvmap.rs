@@ -6,11 +6,12 @@ use mhlint_repo::{ReferenceKind, Resolution, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "fails with `FileNotFoundError` when the material is used")],
-    docs: "A material names a map of texture coordinates in `uvMap` that does not exist. MakeHuman 1 looks for it in the \
-        folder of the material, then below the data of the user and of the system. `uvs/default.mhuv` stands for no map.\n\n\
-        Without it the asset is put on only in part, and a skin is not shown.\n\n\
-        Correct the name, add the file, or remove the line.",
-    ..RuleInfo::new("material-missing-uvmap", Level::Error, "a material names a map of texture coordinates that does not exist")
+    docs: include_str!("missing_uvmap.md").trim_ascii_end(),
+    ..RuleInfo::new(
+        "material-missing-uvmap",
+        Level::Error,
+        "a material names a map of texture coordinates that does not exist",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -6,12 +6,7 @@ use mhlint_repo::{Surface, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "draws the surface without letting anything behind it show through")],
-    docs: "A material has an `opacity` below 1 and is not `transparent`.\n\n\
-        MakeHuman 1 draws it like any other surface: what is behind it is hidden, or shows only where it happened to be \
-        drawn before.\n\n\
-        Older exporters wrote `opacity 0` into every material. With `transparent True` such a surface would vanish, so that \
-        it is an info: remove the line.\n\n\
-        For other values write `transparent True`, or remove `opacity`.",
+    docs: include_str!("opacity.md").trim_ascii_end(),
     ..RuleInfo::new("material-opacity", Level::Warning, "a material with an opacity below 1 that is not transparent")
 });
 

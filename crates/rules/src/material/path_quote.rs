@@ -14,12 +14,11 @@ use mhlint_repo::{Reference, ReferenceKind, Resolution, Surface, View};
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "reads the quotes as part of the name, and ignores the line"),
-        (Makehuman1, "reads the quotes as part of the name and shows a placeholder"), (Mpfb, "fails with an exception when it makes the material")],
+        (Makehuman1, "reads the quotes as part of the name and shows a placeholder"),
+        (Mpfb, "fails with an exception when it makes the material"),
+    ],
     levels: &[(Mpfb, Level::Error)],
-    docs: "A material names a picture in quotes. The quotes are a part of the name, and no file has such a name. \
-        A name ends at the first space, in quotes as well.\n\n\
-        MakeHuman 2 does not find the picture and shows the colour of the material instead.\n\nMPFB writes the name into a text of its own that is no longer valid with a quote or a control character anywhere in it (an error).\n\n\
-        Remove the quotes. If the name has a space, rename the picture.",
+    docs: include_str!("path_quote.md").trim_ascii_end(),
     ..RuleInfo::new("material-path-quote", Level::Warning, "a name of a picture in quotes")
 });
 

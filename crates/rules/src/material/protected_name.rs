@@ -9,11 +9,7 @@ use mhlint_repo::{Surface, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "does not put the asset on, or show the skin")],
-    docs: "A `shaderParam` or `shaderDefine` of a material has a name that MakeHuman 1 sets itself: colours, textures and \
-        intensities of the material as parameters (`diffuse`, `normalmapTexture`), and what follows from them as defines \
-        (`DIFFUSE`, `NORMALMAP`).\n\n\
-        MakeHuman 1 stops reading the material there: an asset cannot be put on, a skin cannot be chosen.\n\n\
-        Use the keyword of the material, such as `diffuseTexture x.png`, or remove the line.",
+    docs: include_str!("protected_name.md").trim_ascii_end(),
     ..RuleInfo::new("material-protected-name", Level::Error, "a name of a shader that the program keeps for itself")
 });
 

@@ -13,12 +13,7 @@ use mhlint_repo::{Surface, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "uses another number"), (Makehuman1, "uses another number")],
-    docs: "A number of a material lies outside of what its keyword can have: 0 to 1 for factors, 0 to 2 for \
-        `aomapIntensity`, 1 to 2.5 for `ior`, 0 to 2 for `colorationMethod`.\n\n\
-        MakeHuman 2 takes the nearest number of the range, and the largest for `nan`. A `colorationMethod` above 2 is 0; \
-        a negative one does nothing. The numbers of colours, red, green and blue from 0 to 1, are not limited: the \
-        surface is drawn and exported with what is written.\n\nMakeHuman 1 limits all colours and numbers to 0 to 1, the `sss` scales to 0 and more.\n\n\
-        Write a number of the range; divide colours from 0 to 255 by 255.",
+    docs: include_str!("range.md").trim_ascii_end(),
     ..RuleInfo::new("material-range", Level::Warning, "a number of a material outside its range")
 });
 

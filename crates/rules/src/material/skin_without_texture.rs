@@ -6,8 +6,6 @@ use mhlint_diag::{Application::Mpfb, Level, RuleInfo};
 
 pub(crate) static RULE: Rule = Check::Mpfb(|view, _, out| blender::bare_skins(&RULE, view, out)).rule(RuleInfo {
     breaks: &[(Mpfb, "fails with `ValueError` when an ink layer is put on the skin")],
-    docs: "A skin has no `diffuseTexture`, and there are ink layers.\n\n\
-        MPFB recognises its own skins by the texture. Without one every ink layer fails with `ValueError` on this skin.\n\n\
-        Add a `diffuseTexture`, or use the skin without ink layers.",
+    docs: include_str!("skin_without_texture.md").trim_ascii_end(),
     ..RuleInfo::new("material-skin-without-texture", Level::Error, "a skin without a texture beside ink layers")
 });

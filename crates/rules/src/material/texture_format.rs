@@ -11,10 +11,7 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "shows it, but exports it with the wrong format: other programs may not load it")],
-    docs: "A texture has the extension of another format than its content: a JPEG that was renamed to `.png`, say.\n\n\
-        MakeHuman 2 shows such a picture, since it looks at the content. The glTF export goes by the extension: with \
-        embedded textures a JPEG is announced as PNG, which other programs refuse.\n\n\
-        Rename the picture, and the name in the materials, or export it in the format of its name.",
+    docs: include_str!("texture_format.md").trim_ascii_end(),
     ..RuleInfo::new("material-texture-format", Level::Warning, "a texture whose extension is that of another format")
 });
 

@@ -13,11 +13,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         (Makehuman2, "shows the texture without the colour, on screen and in glTF; the OBJ export writes both"),
         (Makehuman1, "hands both to the shader, which may tint the texture with the colour"),
     ],
-    docs: "A material has a `diffuseTexture` and a `diffuseColor` that is not white.\n\n\
-        MakeHuman 2 uses the texture alone on screen and in glTF, and writes both into an OBJ, whose readers mostly \
-        multiply them. MakeHuman 1 hands both to shaders that ask for the colour, such as `phong`.\n\n\
-        So the same material looks different from program to program. Write `diffuseColor 1.0 1.0 1.0` to keep the look of \
-        MakeHuman 2; if the tint is wanted, put it into the picture.",
+    docs: include_str!("tinted_texture.md").trim_ascii_end(),
     ..RuleInfo::new("material-tinted-texture", Level::Info, "a texture beside a diffuse colour that is not white")
 });
 

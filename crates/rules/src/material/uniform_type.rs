@@ -10,12 +10,7 @@ use mhlint_repo::{Surface, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "stops drawing each frame at this surface: everything after it is missing")],
-    docs: "A `shaderParam` has a value that its shader cannot take: several numbers or a word for a single number, such as \
-        `AdditiveShading` of `litsphere`, or a number for a picture, such as `litsphereTexture`.\n\n\
-        MakeHuman 1 puts the asset on, and then fails in each frame as soon as it comes to this surface. \
-        What would be drawn after it is missing for as long as the asset is worn.\n\n\
-        Parameters are looked up in the sources of the shader. One that is only there under `#if`, or is used only there, is not checked.\n\n\
-        Write as many numbers as the shader declares, or the name of a picture.",
+    docs: include_str!("uniform_type.md").trim_ascii_end(),
     ..RuleInfo::new("material-uniform-type", Level::Error, "a parameter of a shader of another kind")
 });
 

@@ -12,10 +12,7 @@ const EFFECT: &str = "defines the names without effect";
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman1, EFFECT)],
-    docs: "A `shaderDefine` of a material has a name for which no source of its shader asks with `#ifdef` or `#ifndef`. \
-        MakeHuman 1 looks for these words at the beginning of a line alone; `#if defined(X)` is not one of them.\n\n\
-        The name is defined when the shader is compiled, and nothing changes.\n\n\
-        Correct the name, or remove the line.",
+    docs: include_str!("unknown_define.md").trim_ascii_end(),
     ..RuleInfo::new("material-unknown-define", Level::Info, "a define that the shader does not use")
 });
 

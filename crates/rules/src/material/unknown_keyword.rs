@@ -15,14 +15,12 @@ use mhlint_repo::{Surface, View};
 use mhlint_source::Guess;
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently ignores the line"), (Makehuman1, "silently ignores the line"), (Mpfb, "ignores the line, with a message in the log")],
-    docs: "A line of a material begins with a word that MakeHuman 2 does not know: a keyword with a slip of the pen or \
-        other capitals, or the name that another application has for it, such as `roughness` for `roughnessFactor` and \
-        `bumpmapTexture` for `normalmapTexture`.\n\n\
-        MakeHuman 2 ignores such lines without a message: the colour, number or texture has its default. If the file has \
-        its own keyword as well, the other application's one is not reported. A word that is like no keyword is an \
-        info. If no line begins with a keyword, the file is something else.\n\nMPFB knows its keywords in whatever capitals, and only at the beginning of a line: an indented line is ignored. Keywords of MakeHuman that it has no use for are not reported.\n\n\
-        Write the keyword, or put `#` and a space in front of a comment.",
+    breaks: &[
+        (Makehuman2, "silently ignores the line"),
+        (Makehuman1, "silently ignores the line"),
+        (Mpfb, "ignores the line, with a message in the log"),
+    ],
+    docs: include_str!("unknown_keyword.md").trim_ascii_end(),
     ..RuleInfo::new("material-unknown-keyword", Level::Warning, "a keyword of a material that is not known")
 });
 

@@ -12,10 +12,7 @@ const EFFECT: &str = "ignores the values";
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman1, EFFECT)],
-    docs: "A `shaderParam` of a material has a name that no source of its shader declares with `uniform`.\n\n\
-        MakeHuman 1 keeps the value, writes it when the material is saved, and draws the surface without it. \
-        `displacementmapIntensity`, too, is used by none of the shaders that come with the program.\n\n\
-        Correct the name, or remove the line.",
+    docs: include_str!("unknown_uniform.md").trim_ascii_end(),
     ..RuleInfo::new("material-unknown-uniform", Level::Info, "a parameter that the shader does not have")
 });
 

@@ -14,15 +14,12 @@ use mhlint_discover::Single;
 use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows the surface without this picture, and copies the broken file into exports"), (Makehuman1, "logs an error and shows a placeholder instead of the picture"), (Mpfb, "loads it as a broken picture, without a message")],
-    docs: "A material names a file that is not a picture: a text or a web page that was saved under its name, a picture \
-        whose download was interrupted, a header that says no size or more than the file holds, or a format that only \
-        programs for artists read, such as Photoshop's.\n\n\
-        A missing picture is replaced by the colour of the material. One that cannot be read is not: the file exists, \
-        so MakeHuman 2 takes it, gets an empty picture, and copies or embeds the file in every export.\n\n\
-        Only the header and the end of the file are read. Empty files are reported by `file-empty`, pointers of Git \
-        LFS by `file-lfs-pointer`.\n\n\
-        Export the picture again as PNG, or restore it.",
+    breaks: &[
+        (Makehuman2, "shows the surface without this picture, and copies the broken file into exports"),
+        (Makehuman1, "logs an error and shows a placeholder instead of the picture"),
+        (Mpfb, "loads it as a broken picture, without a message"),
+    ],
+    docs: include_str!("unreadable_texture.md").trim_ascii_end(),
     ..RuleInfo::new("material-unreadable-texture", Level::Warning, "a texture that is not a picture")
 });
 

@@ -6,8 +6,7 @@ use mhlint_repo::View;
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "multiplies the texture by 0: nothing glows, on screen and in exports")],
-    docs: "A material has an `emissiveTexture`, but no `emissiveFactor`. The factor is 0 where it is not set, so the \
-        surface does not glow.\n\nAdd `emissiveFactor 1.0`, or remove the texture.",
+    docs: include_str!("unused_texture.md").trim_ascii_end(),
     ..RuleInfo::new("material-unused-texture", Level::Warning, "a texture without effect")
 });
 

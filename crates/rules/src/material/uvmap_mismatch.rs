@@ -7,12 +7,7 @@ use mhlint_repo::{Body, FileFacts, Reference, ReferenceKind, Surface, View, Wear
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "fails with `NameError` when the material is used")],
-    docs: "A map of texture coordinates, named in `uvMap` of a material, cannot be used for the mesh: it has another number of \
-        faces, faces with different numbers of corners, a corner without a texture coordinate (`f 1/1 2/2 3/3`), or a \
-        number beyond the lines `vt`.\n\n\
-        MakeHuman 1 takes the faces of the map one after the other for those of the mesh; numbers of vertices in it do \
-        not matter. With `uvs/default.mhuv` the coordinates stay those of the mesh; topologies always keep their own.\n\n\
-        Export the map from the mesh itself, without adding or removing a face, or remove the line `uvMap`.",
+    docs: include_str!("uvmap_mismatch.md").trim_ascii_end(),
     ..RuleInfo::new("material-uvmap-mismatch", Level::Error, "a map of texture coordinates does not fit the mesh")
 });
 

@@ -13,13 +13,12 @@ use mhlint_formats::python_int;
 use mhlint_repo::{Surface, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `ValueError` when the material is used"), (Makehuman1, "does not put the asset on, or show the skin"), (Mpfb, "fails with an exception when it reads the material")],
-    docs: "A value of a material is not a number where one is needed: with a decimal comma, a per cent sign, commas \
-        between the numbers of a colour, as `#ff8000`, or a word.\n\n\
-        MakeHuman 2 crashes when it reads the material: when the asset is put on, when the material or the skin is \
-        chosen, or when a model that has it is loaded. Then the assets that the model names after it, and all its \
-        sliders, are lost. `colorationMethod` is 0 where it is not a whole number (warning).\n\nMakeHuman 1 stops reading the material there: an asset cannot be put on, a skin cannot be chosen, and with a fault in the default skin it does not start. Several values of a `shaderParam` must all be numbers.\n\nMPFB fails at a number with anything behind it. It takes a colour only if it is three words of digits and points, and silently ignores any other (a warning).\n\n\
-        Write numbers with a decimal point and spaces between them; a colour has red, green and blue between 0 and 1.",
+    breaks: &[
+        (Makehuman2, "crashes with `ValueError` when the material is used"),
+        (Makehuman1, "does not put the asset on, or show the skin"),
+        (Mpfb, "fails with an exception when it reads the material"),
+    ],
+    docs: include_str!("value_type.md").trim_ascii_end(),
     ..RuleInfo::new("material-type", Level::Error, "a value of a material that is not a number")
 });
 

@@ -8,12 +8,7 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "creates a triangle without area; if another corner was meant, the surface has a hole")],
-    docs: "A face uses the same vertex twice.\n\n\
-        MakeHuman 2 cuts each face into triangles from its first corner and says nothing if one of them has no \
-        area: that triangle is invisible but is exported like the others. A face with four corners of which two \
-        are the same vertex is a triangle, so the surface up to the intended corner is missing. In a group that is \
-        not shown, this is reported as info.\n\n\
-        Write the intended corner, or make the face a triangle.",
+    docs: include_str!("degenerate_face.md").trim_ascii_end(),
     counts: "faces",
     ..RuleInfo::new("mesh-degenerate-face", Level::Warning, "a face uses a vertex twice")
 });

@@ -13,9 +13,7 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         (Makehuman2, "draws the face twice, in the same place, and exports both"),
         (Makehuman1, "draws the face twice, in the same place, and exports both"),
     ],
-    docs: "Two faces of the mesh of an asset have the same vertices. Both are drawn in one place: they flicker, \
-        and what is transparent is darker than meant.\n\n\
-        Mostly a mesh was joined with a copy of itself. Remove one of each two equal faces, and keep all vertices.",
+    docs: include_str!("duplicate_face.md").trim_ascii_end(),
     counts: "faces",
     ..RuleInfo::new("mesh-duplicate-face", Level::Warning, "two faces with the same vertices")
 });

@@ -13,14 +13,11 @@ use mhlint_repo::{FileFacts, View};
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "crashes with `IndexError` while loading the base mesh"),
-        (Makehuman1, "does not put the asset on: its mesh cannot be loaded"), (Mpfb, "drops the face, without a message")],
+        (Makehuman1, "does not put the asset on: its mesh cannot be loaded"),
+        (Mpfb, "drops the face, without a message"),
+    ],
     levels: &[(Mpfb, Level::Warning)],
-    docs: "A face uses the number of a vertex or texture coordinate that does not exist. The numbers start at \
-        1.\n\n\
-        MakeHuman 2 crashes on numbers beyond the last one. It also crashes on 0 and on negative numbers, although \
-        the OBJ format allows negative numbers for counting backwards. MakeHuman 1 loads no such mesh: the asset cannot be put on, and with such a base mesh \
-        it does not start.\n\nMPFB drops such a face of an asset without a message (a warning).\n\n\
-        Usually lines are missing in the file. Export the mesh again, with absolute numbers.",
+    docs: include_str!("face_out_of_range.md").trim_ascii_end(),
     counts: "faces",
     ..RuleInfo::new(
         "mesh-face-out-of-range",

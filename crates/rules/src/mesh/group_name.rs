@@ -9,10 +9,7 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `UnicodeEncodeError` while loading the base mesh")],
-    docs: "The name of a face group contains a letter beyond ASCII.\n\n\
-        MakeHuman 2 stores group names as ASCII text and crashes on any other letter. Groups without faces are \
-        dropped before that and do no harm. The same happens when an asset with such a mesh is put on.\n\n\
-        Rename the group, here and in `visible groups` of `base.json`.",
+    docs: include_str!("group_name.md").trim_ascii_end(),
     ..RuleInfo::new("mesh-group-name", Level::Error, "a group name is not ASCII")
 });
 

@@ -13,15 +13,12 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "lights the asset from its inner side, and exports it inside out"),
         (Makehuman1, "shows the inner side of the asset, lit from the wrong side"),
-        (Mpfb, "puts the asset on with its faces looking inwards: backface culling hides it, and exports are inside out"),
+        (
+            Mpfb,
+            "puts the asset on with its faces looking inwards: backface culling hides it, and exports are inside out",
+        ),
     ],
-    docs: "All faces of the asset look inwards.\n\n\
-        The order of its corners says where a face looks: seen from the front they go anticlockwise. Here what the faces \
-        enclose is negative, and they look against the skin that they lie on. MakeHuman 1 and 2 load the mesh and take its \
-        back for its front: light comes from the wrong side, and with `backfaceCull` one sees only what is inside. \
-        Blender lights both sides, but hides and exports faces by the way they look.\n\n\
-        Usually the mesh was mirrored, or its axes exchanged, by an exporter. In Blender: select all faces in edit mode, \
-        Mesh > Normals > Recalculate Outside, and export again.",
+    docs: include_str!("inside_out.md").trim_ascii_end(),
     ..RuleInfo::new("mesh-inside-out", Level::Warning, "all faces of an asset look inwards")
 });
 

@@ -6,11 +6,7 @@ use mhlint_repo::makehuman1::{HIDDEN, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "draws joints and helpers together with the body, and does not find joints by their names")],
-    docs: "No group of the base mesh has a name that begins with `joint-`, or none with `helper-`. Mostly the mesh was \
-        exported without its groups (lines `g name`).\n\n\
-        MakeHuman 1 hides these groups by their names, and joints that a skeleton does not list are the centres of \
-        the groups `joint-…`. It loads a mesh without them and shows everything.\n\n\
-        Restore the mesh, or export it with its groups (in Blender: `Object Groups` or `Material Groups`).",
+    docs: include_str!("missing_groups.md").trim_ascii_end(),
     ..RuleInfo::new("mesh-missing-groups", Level::Warning, "the base mesh has no groups of joints or helpers")
 });
 

@@ -10,11 +10,7 @@ use mhlint_repo::{Body, FileFacts, Worn};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "does not pose one of the two when both are worn")],
-    docs: "The meshes of two assets that can be worn at once have the same name: that of the last object in the OBJ \
-        (`o name`), or the name of the file if there is none.\n\n\
-        MakeHuman 1 binds meshes to the skeleton by this name. Of two with one name the first does not follow poses any \
-        more.\n\n\
-        Give the object another name in the line `o` of one of the files, or in Blender before the export.",
+    docs: include_str!("name_clash.md").trim_ascii_end(),
     ..RuleInfo::new("mesh-name-clash", Level::Warning, "two meshes with one name")
 });
 

@@ -7,9 +7,7 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "does not put the asset on: its mesh cannot be loaded")],
-    docs: "A face of a mesh has more than four corners. MakeHuman 1 loads triangles and quads alone: it does not put an \
-        asset on whose mesh has other faces, and does not start with such a base mesh.\n\n\
-        Cut the face into triangles or quads. No vertex may be added or removed by that.",
+    docs: include_str!("ngon.md").trim_ascii_end(),
     counts: "faces",
     ..RuleInfo::new("mesh-ngon", Level::Error, "a face with more than four corners")
 });

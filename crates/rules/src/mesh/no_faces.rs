@@ -19,16 +19,7 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         (Mpfb, "loads the vertices alone: nothing of the mesh is seen"),
     ],
     levels: &[(Mpfb, Level::Warning)],
-    docs: "A mesh without a line `f …` has vertices but no surface.\n\n\
-        MakeHuman 2 loads it without a message, shows nothing, and computes every height as 0. The glTF export \
-        crashes with `ValueError` because there is nothing to write. A file that also has no line `v …`, such as a \
-        web page saved in place of the mesh, crashes MakeHuman 2 at start. For faces in groups that are not shown, \
-        see `base-unknown-equipment`.\n\n\
-        An asset with such a mesh is put on and shows nothing, and the glTF export crashes. If the file has no vertices \
-        either, MakeHuman 2 crashes when the asset is put on.\n\n\
-        MakeHuman 1 does not put such an asset on, and does not start with such a base mesh.\n\n\
-        MPFB loads the vertices alone (a warning); a file without vertices fails with `IndexError`.\n\n\
-        Export the mesh again, with its faces.",
+    docs: include_str!("no_faces.md").trim_ascii_end(),
     ..RuleInfo::new("mesh-no-faces", Level::Error, "a mesh has no faces")
 });
 

@@ -11,12 +11,11 @@ use mhlint_discover::Kind;
 use mhlint_repo::{FileFacts, Reference, ReferenceKind, View, Worn, parent};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "paints the whole asset with a single point of each texture, on screen and in exports"), (Makehuman1, "paints the whole asset with a single point of each texture")],
-    docs: "No face of the mesh of an asset has texture coordinates: its faces are written `v` or `v//n` instead of `v/t`. A \
-        material of the asset has a texture, or it is a topology, which wears the skin.\n\n\
-        MakeHuman 2 loads the mesh and uses the same point of a texture for all of it. Base meshes are not reported: \
-        without a skin they do without.\n\n\
-        Unwrap the mesh, and export it with texture coordinates and in the same order of vertices.",
+    breaks: &[
+        (Makehuman2, "paints the whole asset with a single point of each texture, on screen and in exports"),
+        (Makehuman1, "paints the whole asset with a single point of each texture"),
+    ],
+    docs: include_str!("no_uv.md").trim_ascii_end(),
     ..RuleInfo::new("mesh-no-uv", Level::Warning, "the mesh of an asset has no texture coordinates")
 });
 

@@ -17,12 +17,7 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         (Mpfb, "loses what is computed from the vertex: joints, and what is fitted to the body there"),
     ],
     levels: &[(Makehuman1, Level::Info), (Mpfb, Level::Warning)],
-    docs: "The position of a vertex is `nan` or infinite.\n\n\
-        Python reads `nan` and `inf` as numbers, so MakeHuman 2 loads the mesh. Everything computed from the \
-        vertex is lost: the normals around it, joints and fitted assets that use it, and the height of the \
-        body. MakeHuman 1 does the same.\n\n\
-        The vertices of an asset are fitted to the body, wherever the OBJ has them: this is reported as info.\n\n\
-        Give the vertex a finite position.",
+    docs: include_str!("non_finite.md").trim_ascii_end(),
     counts: "vertices",
     ..RuleInfo::new("mesh-non-finite", Level::Error, "the position of a vertex is NaN or infinite")
 });

@@ -12,14 +12,16 @@ use mhlint_repo::{Body, Worn};
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "shows the faces as they are; smooth shading mixes sides that have nothing to do with one another"),
-        (Makehuman1, "shows the faces as they are; smooth shading mixes sides that have nothing to do with one another"),
+        (
+            Makehuman2,
+            "shows the faces as they are; smooth shading mixes sides that have nothing to do with one another",
+        ),
+        (
+            Makehuman1,
+            "shows the faces as they are; smooth shading mixes sides that have nothing to do with one another",
+        ),
     ],
-    docs: "More than two faces of an asset share an edge.\n\n\
-        Both applications load and export it. A surface has two sides at each edge; where three faces or more meet, no \
-        program can tell inside from outside: subdivision, cloth simulation and 3D printing of the exported figure go wrong \
-        there, and the normals at the edge are a mean of unrelated faces. Often a surface was doubled and joined.\n\n\
-        In Blender: Select > All by Trait > Non Manifold shows the edges.",
+    docs: include_str!("not_manifold.md").trim_ascii_end(),
     counts: "edges",
     ..RuleInfo::new("mesh-not-manifold", Level::Info, "an edge with more than two faces")
 });

@@ -14,10 +14,7 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         (Makehuman1, "shows one colour of each texture on these faces"),
     ],
     levels: &[(Makehuman1, Level::Warning)],
-    docs: "Some faces of a group have texture coordinates and others do not.\n\n\
-        MakeHuman 2 keeps the texture coordinates of a group in a list beside its faces. All faces of a group must \
-        have them, or none; in a mixed group it reads beyond the end of the list and crashes: when it loads the base mesh, or when the asset is put on.\n\n\
-        Unwrap the remaining faces, or move them into a group of their own.",
+    docs: include_str!("partial_uv.md").trim_ascii_end(),
     counts: "faces",
     ..RuleInfo::new("mesh-partial-uv", Level::Error, "a group has faces with and without texture coordinates")
 });

@@ -9,9 +9,7 @@ use mhlint_repo::{Body, Worn};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "does not put the asset on: its mesh cannot be loaded")],
-    docs: "A vertex of the mesh of an asset belongs to more faces, or has more neighbours, than MakeHuman 1 keeps for one. \
-        These are 16, or twice the number behind `max_pole` in the asset. It does not put an asset on whose mesh has more.\n\n\
-        Write half of the larger number, rounded up, behind `max_pole`.",
+    docs: include_str!("pole.md").trim_ascii_end(),
     ..RuleInfo::new("mesh-pole", Level::Error, "a vertex with more faces than are kept")
 });
 

@@ -8,16 +8,7 @@ use mhlint_repo::{Body, FileFacts};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "puts the faces after the second `g` into the group that was started last")],
-    docs: "A second line `g name` continues a group that was started before. MakeHuman 2 only understands the \
-        start of a group.\n\n\
-        After the second `g` with the same name, MakeHuman 2 puts the faces into the group that was started last. \
-        Among hidden helpers this is hardly noticeable. Faces of a group in `visible groups` of `base.json` \
-        disappear if they end up in a group that is not shown: an error.\n\n\
-        An archive (`base.mhbin`) packed from this OBJ has the faces in the same wrong groups. If the archive has \
-        them elsewhere, this is reported as info: nothing goes wrong until it is rebuilt.\n\n\
-        If both groups are hidden, leave it as it is. Otherwise give the later faces a group name of their own, \
-        and list it in `visible groups` if they should be shown. Do not reorder the faces of a mesh that others \
-        already use.",
+    docs: include_str!("reopened_group.md").trim_ascii_end(),
     counts: "faces",
     ..RuleInfo::new("mesh-reopened-group", Level::Warning, "a face group appears more than once")
 });

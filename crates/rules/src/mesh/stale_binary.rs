@@ -12,29 +12,17 @@ use mhlint_formats::obj::Mesh;
 use mhlint_repo::makehuman2::{Base, Lies, UnreadMesh, View};
 use mhlint_repo::{FileFacts, Landmarks};
 
-pub(crate) static RULE: Rule = Check::EachBase(run, |view, _, out| packed_mesh::findings(&RULE, view, out), |_, _, _| {}).rule(RuleInfo {
-    breaks: &[
-        (Makehuman2, "loads the mesh from the archive and ignores the OBJ, whichever is newer"),
-        (Makehuman1, "loads the mesh from the archive, unless the OBJ is newer"),
-    ],
-    docs: "`base.mhbin` differs from the `base.obj` it should have been packed from.\n\n\
-        MakeHuman 2 looks for the user's base.mhbin, then that of the system data, and only then for a base.obj; a base.mhbin \
-        beside a chosen OBJ is loaded instead. It does not compare dates: a newly exported OBJ silently has no \
-        effect until the archive is deleted or rebuilt.\n\n\
-        There is one finding per archive, listing what differs: the number of vertices, moved vertices and the \
-        farthest of them, faces, groups, texture coordinates. The order of faces does not count, nor does a \
-        distance below 0.001 cm (0.0001). All other rules check the mesh in the archive; a fault of an ignored OBJ \
-        is reported as info.\n\n\
-        A user's OBJ is also ignored if the system data has an archive. A user's archive over the OBJ of the system data may be \
-        intended and is reported as info. If the archive has another number of vertices than everything else \
-        expects, see `base-vertex-count`.\n\n\
-        MakeHuman 1 reads the `.npz` beside an OBJ in its place if it is not older. After a download or a checkout all files are of \
-        one age, so the archive wins. Of the meshes of assets only the number of vertices and the faces count.\n\n\
-        Delete the archive, or rebuild it: MakeHuman 2 does so with `compile_meshes.py`.",
-    counts: "vertices",
-    grows: Grows::more(MeasureKind::Distance),
-    ..RuleInfo::new("mesh-stale-binary", Level::Warning, "a packed base mesh differs from its OBJ")
-});
+pub(crate) static RULE: Rule =
+    Check::EachBase(run, |view, _, out| packed_mesh::findings(&RULE, view, out), |_, _, _| {}).rule(RuleInfo {
+        breaks: &[
+            (Makehuman2, "loads the mesh from the archive and ignores the OBJ, whichever is newer"),
+            (Makehuman1, "loads the mesh from the archive, unless the OBJ is newer"),
+        ],
+        docs: include_str!("stale_binary.md").trim_ascii_end(),
+        counts: "vertices",
+        grows: Grows::more(MeasureKind::Distance),
+        ..RuleInfo::new("mesh-stale-binary", Level::Warning, "a packed base mesh differs from its OBJ")
+    });
 
 const ABOVE: Case =
     &[(Makehuman2, Level::Warning, "loads base.mhbin of the system data and ignores the user's base.obj")];

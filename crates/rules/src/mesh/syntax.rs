@@ -11,16 +11,13 @@ use mhlint_formats::obj::BadLine;
 use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `ValueError` or `IndexError` while loading the base mesh"), (Makehuman1, "does not put the asset on: its mesh cannot be loaded"), (Mpfb, "takes other numbers for those that it cannot read: the figure is displaced")],
+    breaks: &[
+        (Makehuman2, "crashes with `ValueError` or `IndexError` while loading the base mesh"),
+        (Makehuman1, "does not put the asset on: its mesh cannot be loaded"),
+        (Mpfb, "takes other numbers for those that it cannot read: the figure is displaced"),
+    ],
     levels: &[(Mpfb, Level::Warning)],
-    docs: "A line `v x y z`, `vt u v` or `f a b c …` cannot be read. A face corner is `vertex`, `vertex/uv`, \
-        `vertex//normal` or `vertex/uv/normal` in whole numbers, and a face that is drawn has at least three \
-        corners. Fewer corners are harmless in hidden groups. Lines other than these and `g name` are ignored.\n\n\
-        MakeHuman 2 reads the numbers without checking them and crashes on the first one that is missing or not a \
-        number: at start for a base mesh and for the symbol of a lamp (`shaders/meshes/lampsymbol.obj`), and when an asset is put \
-        on for its mesh. A line cannot be continued with \
-        `\\`.\n\nMakeHuman 1 loads no mesh with such a line: the asset cannot be put on, and with such a base mesh the program does not start. It also needs a name behind `g` and `o`.\n\nBlender reads on: of `0,5` it takes `0`. Places in the mesh of an asset are not used by MPFB (an info), but faces that Blender cannot read are lost.\n\n\
-        Export the mesh again, or fix the line.",
+    docs: include_str!("syntax.md").trim_ascii_end(),
     counts: "lines",
     ..RuleInfo::new("mesh-syntax", Level::Error, "a line of a mesh cannot be read")
 });

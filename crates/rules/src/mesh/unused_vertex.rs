@@ -12,13 +12,11 @@ use mhlint_repo::{FileFacts, View};
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "keeps and counts such vertices but never shows them"),
-        (Makehuman1, "does not put the asset on: it loads no mesh with loose vertices"), (Mpfb, "drops the vertex: where the rows of the asset count it, all later ones belong to other vertices")],
+        (Makehuman1, "does not put the asset on: it loads no mesh with loose vertices"),
+        (Mpfb, "drops the vertex: where the rows of the asset count it, all later ones belong to other vertices"),
+    ],
     levels: &[(Makehuman1, Level::Error), (Mpfb, Level::Warning)],
-    docs: "A vertex belongs to no face.\n\n\
-        MakeHuman 2 keeps such vertices; they can be moved, weighted and used by joints and clothes like any \
-        others. Programs that drop them on import number all later vertices differently, so that targets, weights \
-        and clothes no longer fit.\n\nMakeHuman 1 loads no mesh with such a vertex (an error): the asset cannot be put on, and with such a base mesh it does not start.\n\nMPFB drops such vertices of an asset. If the rows of the asset count them, every later row belongs to the vertex before it, and the shape is scrambled without a message (a warning). If there is a row for each other vertex, nothing changes (an info).\n\n\
-        Keep them if something refers to them. Do not add new ones: removing one later renumbers the mesh.",
+    docs: include_str!("unused_vertex.md").trim_ascii_end(),
     counts: "vertices",
     ..RuleInfo::new("mesh-unused-vertex", Level::Info, "no face uses a vertex")
 });

@@ -11,17 +11,7 @@ use mhlint_repo::{FileFacts, makehuman1};
 
 pub(crate) static RULE: Rule = Check::EachBase(run, of_makehuman1, |_, _, _| ()).rule(RuleInfo {
     breaks: &[(Makehuman2, MOVES), (Makehuman1, MOVES)],
-    docs: "The vertices of the base mesh have other numbers than the skeleton knows. Targets, weights and \
-        skeletons identify a vertex by its number in `base.obj`, and a program that exports objects or groups in \
-        another order, or adds or drops a vertex, renumbers them.\n\n\
-        MakeHuman 2 and 1 load the mesh without a message and then move the wrong vertices.\n\n\
-        The joint cubes show it: more than half of the joints of the skeleton for poses (MakeHuman 1: of the default rig) have \
-        other vertices than a cube of the mesh, or no vertex in the group `joint-…` with their name, or more than half of the cubes are torn apart. Nothing else is checked \
-        against such a mesh. For MPFB it is `metadata-base-mesh`.\n\n\
-        In MakeHuman 1 the base skeleton and its weights may both name vertices that the mesh does not have: then it is cut off, \
-        and the program fails with `IndexError` while it loads the mesh (an error). In MakeHuman 2 that is `base-vertex-count`.\n\n\
-        Export the mesh with its vertex order kept (in Blender: `Keep Vertex Order`), or take the old base.obj and \
-        move its vertices.",
+    docs: include_str!("vertex_order.md").trim_ascii_end(),
     ..RuleInfo::new("mesh-vertex-order", Level::Warning, "the vertices of a base mesh are in another order")
 });
 

@@ -9,17 +9,7 @@ use mhlint_repo::mpfb::misplaced::Misplaced;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "takes other vertices for joints, targets and groups: the whole figure is displaced")],
-    docs: "`base.obj` of MPFB and the tables in `mesh_metadata/` belong together. If the mesh has fewer vertices than \
-        the mirror table and the vertex groups name, vertices were removed: all numbers behind them are those of other \
-        vertices. Joints, targets, weights and clothes are displaced, without a message. Other rules leave the vertices \
-        of such a mesh out. Loose vertices behind all others do no harm.\n\n\
-        Without texture coordinates (`vt`) MPFB fails with `IndexError` when an ink layer is put on (an error, where there are ink layers).\n\n\
-        If the tables of faces agree with one another, but not with the mesh, the mesh was exported with other numbers of \
-        vertices or in another order of faces. A mesh of the size of the body that is not about 17 units (1.7 m) high, or \
-        does not stand upright along y, makes a giant, a dwarf, or a body that lies, while the movements of sliders stay as \
-        they are. If left and right are exchanged, or vertices have other numbers than in `hm08.mirror` or `basemesh_vertex_groups.json`, sliders, bones and \
-        assets take hold of other places. What is measured on the mesh is then left out.\n\n\
-        Restore the base mesh.",
+    docs: include_str!("base_mesh.md").trim_ascii_end(),
     ..RuleInfo::new("metadata-base-mesh", Level::Warning, "a base mesh that its tables are not for")
 });
 

@@ -11,21 +11,16 @@ use mhlint_discover::Kind;
 use mhlint_repo::makehuman2::{Base, View};
 use mhlint_repo::mpfb;
 
-pub(crate) static RULE: Rule = Check::EachBase(run, |view, _, out| makehuman1::arity::faults(&RULE, view, out), of_mpfb).rule(RuleInfo {
-    breaks: &[
-        (Makehuman2, "crashes with `IndexError` when the model is loaded"),
-        (Makehuman1, "fails with `IndexError` at the line, and loads the model without it"),
-        (Mpfb, "fails with `IndexError` when the model is imported"),
-    ],
-    docs: "A line of a model (`.mhm`) has too few words: `version`, `uuid`, `skinMaterial` and `skeleton` need a value, \
-        `clothes`, `hair` and the other categories name and uuid of an asset, `material` name, uuid and file.\n\n\
-        MakeHuman 2 crashes at the line. The figure that was shown before is gone: it has neither assets nor \
-        modifiers. The start model of a base crashes it at start.\n\n\
-        MakeHuman 1 loses the line alone. There `camera` needs six numbers, and `subdivide`, `clothesHideFaces`, `pose` and \
-        `expression` a value; without a uuid an asset is not found, which is another fault.\n\n\
-        Models that were saved while they wore an asset without uuid have such lines. Complete the line, or remove it.",
-    ..RuleInfo::new("model-arity", Level::Error, "a line of a model has too few words")
-});
+pub(crate) static RULE: Rule =
+    Check::EachBase(run, |view, _, out| makehuman1::arity::faults(&RULE, view, out), of_mpfb).rule(RuleInfo {
+        breaks: &[
+            (Makehuman2, "crashes with `IndexError` when the model is loaded"),
+            (Makehuman1, "fails with `IndexError` at the line, and loads the model without it"),
+            (Mpfb, "fails with `IndexError` when the model is imported"),
+        ],
+        docs: include_str!("arity.md").trim_ascii_end(),
+        ..RuleInfo::new("model-arity", Level::Error, "a line of a model has too few words")
+    });
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(own(view, base).filter_map(|saved| {

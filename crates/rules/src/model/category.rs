@@ -10,21 +10,18 @@ use mhlint_diag::{
 use mhlint_formats::mhm::{CATEGORIES, WornLine};
 use mhlint_repo::makehuman2::{Asset, Base, SavedModel, View};
 
-pub(crate) static RULE: Rule = Check::EachBase(run, |view, cx, out| makehuman1::keyword::faults(&RULE, view, cx, out), |_, _, _| {}).rule(RuleInfo {
+pub(crate) static RULE: Rule = Check::EachBase(
+    run,
+    |view, cx, out| makehuman1::keyword::faults(&RULE, view, cx, out),
+    |_, _, _| {},
+)
+.rule(RuleInfo {
     breaks: &[
         (Makehuman2, "ignores the line: the asset is missing"),
         (Makehuman1, "ignores the line, with a warning in the log"),
     ],
     levels: &[(Makehuman1, Level::Warning)],
-    docs: "The first word of a line that puts an asset on is the category: `clothes`, `hair`, `eyes`, `eyebrows`, `eyelashes`, \
-        `teeth`, `tongue` or `proxy`.\n\n\
-        MakeHuman 2 ignores a line with another word, so the asset is missing. If the word is one of these but not the \
-        folder of the asset, the asset is worn as something else: hair as clothes is exported to glTF with another way of \
-        blending (a warning). Several lines `hair` are all worn (a warning). A keyword with its value written against it, such as `nameAda`, is not a keyword \
-        either.\n\n\
-        MakeHuman 1 ignores every line whose first word it does not know, with a warning in the log (a warning); capitals \
-        count.\n\n\
-        Write the name of the folder that the asset is in.",
+    docs: include_str!("category.md").trim_ascii_end(),
     ..RuleInfo::new("model-category", Level::Error, "a model puts an asset on under an unknown or another category")
 });
 

@@ -12,22 +12,17 @@ use mhlint_formats::mhm::MaterialLine;
 use mhlint_repo::makehuman2::{Base, SavedModel, View};
 use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
 
-pub(crate) static RULE: Rule = Check::EachBase(run, |view, cx, out| makehuman1::material::faults(&RULE, view, cx, out), |_, _, _| {}).rule(RuleInfo {
-    breaks: &[
-        (Makehuman2, "silently shows the asset with its default material"),
-        (Makehuman1, "logs an error, and shows the asset with its own material"),
-    ],
-    docs: "A line `material` of a model (`.mhm`) chooses another material for an asset: name and uuid of the asset, exactly as \
-        in the line that puts it on, and a `.mhmat`.\n\n\
-        The file is looked for in the folder of the asset; if it is missing, the first part of the path is left out and \
-        the rest looked for in the folder of the category (`eyes/materials/blue.mhmat`). A blank in the name of the file \
-        makes two words of it.\n\n\
-        If the asset or the file is not found, MakeHuman 2 silently shows the usual material.\n\n\
-        In MakeHuman 1 the line follows the one that puts the asset on, and the uuid alone counts. The file is looked for in \
-        the folder of the asset, then in the data of the user and of the system.\n\n\
-        Write name and uuid as in the other line, and correct the path.",
-    ..RuleInfo::new("model-material", Level::Warning, "a material line of a model without effect")
-});
+pub(crate) static RULE: Rule =
+    Check::EachBase(run, |view, cx, out| makehuman1::material::faults(&RULE, view, cx, out), |_, _, _| {}).rule(
+        RuleInfo {
+            breaks: &[
+                (Makehuman2, "silently shows the asset with its default material"),
+                (Makehuman1, "logs an error, and shows the asset with its own material"),
+            ],
+            docs: include_str!("material.md").trim_ascii_end(),
+            ..RuleInfo::new("model-material", Level::Warning, "a material line of a model without effect")
+        },
+    );
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for saved in own(view, base) {

@@ -20,22 +20,14 @@ pub(crate) static RULE: Rule = Check::EachBase(
     run,
     |view, cx, out| makehuman1::modifier::faults(&RULE, view, cx, out),
     |view, cx, out| mpfb_modifier::faults(&RULE, view, cx, out),
-).rule(RuleInfo {
+)
+.rule(RuleInfo {
     breaks: &[
         (Makehuman2, "crashes with `ValueError` when the model is loaded"),
         (Makehuman1, "fails with `ValueError` at the line, and loads the model without it"),
         (Mpfb, "fails with `ValueError` when the model is imported"),
     ],
-    docs: "A line `modifier` of a model (`.mhm`) needs exactly the pattern of a slider and a number.\n\n\
-        With other words MakeHuman 2 crashes: no modifier is applied. Patterns with a blank, as of a user target with a \
-        blank in its name, are saved in this form. NaN stops the shape half way.\n\n\
-        A pattern that no slider has is listed as missing and not applied (a warning). Values are not limited: outside \
-        0 to 1 (-1 to 1 for a slider with two sides) a shape is exaggerated, and a macro vanishes above 1 (a \
-        warning). A negative value of a slider with one side is ignored. Of several lines with one pattern the last counts (a \
-        warning).\n\n\
-        MakeHuman 1 loses such a line alone. Unknown names are lost, NaN and values above the limit become the limit, and \
-        races that do not add up to 1 are changed (warnings).\n\n\
-        Write the pattern as the slider has it, and a value between 0 and 1.",
+    docs: include_str!("modifier.md").trim_ascii_end(),
     ..RuleInfo::new("model-modifier", Level::Error, "a modifier that is not the pattern of a slider and a value")
 });
 

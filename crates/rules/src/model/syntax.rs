@@ -17,13 +17,7 @@ pub(crate) static RULE: Rule = Check::EachBase(run, |_, _, _| {}, of_mpfb).rule(
         (Mpfb, "imports the default character without a name, without a message"),
     ],
     levels: &[(Mpfb, Level::Warning)],
-    docs: "No line of a model (`.mhm`) begins with a keyword of models, such as `name`, `modifier`, `clothes` or \
-        `skinMaterial`. The file is something else, such as a web page that was saved in place of a download, or a \
-        character of another program.\n\n\
-        MakeHuman 2 passes over all its lines and shows the default figure without clothes.\n\n\
-        MPFB knows a keyword at the first column alone, and in its own capitals: of other lines it sees nothing. It knows a \
-        rig by a part of the name of the skeleton, such as `game`; any other name means `default`.\n\n\
-        Restore the model, or remove the file.",
+    docs: include_str!("syntax.md").trim_ascii_end(),
     ..RuleInfo::new("model-syntax", Level::Error, "a model without any line of models")
 });
 

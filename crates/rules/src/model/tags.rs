@@ -11,10 +11,7 @@ use mhlint_repo::makehuman2::{Base, View};
 pub(crate) static RULE: Rule =
     Check::EachBase(run, |view, _, out| makehuman1::tags::faults(&RULE, view, out), |_, _, _| {}).rule(RuleInfo {
         breaks: &[(Makehuman2, "reads the whole line as one tag"), (Makehuman1, "reads the whole line as one tag")],
-        docs: "The tags of a model (`.mhm`) are separated by semicolons: `tags adult;casual`.\n\n\
-        With commas MakeHuman 2 takes all of them for one tag, by which nobody finds the model.\n\n\
-        So does MakeHuman 1, which keeps 25 letters of each tag.\n\n\
-        Write semicolons.",
+        docs: include_str!("tags.md").trim_ascii_end(),
         ..RuleInfo::new("model-tags", Level::Warning, "tags of a model that are separated by commas")
     });
 

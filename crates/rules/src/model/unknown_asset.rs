@@ -16,20 +16,19 @@ pub(crate) static RULE: Rule = Check::EachBase(
     run,
     |view, cx, out| makehuman1::assets::faults(&RULE, view, cx, out),
     |view, cx, out| mpfb_asset::faults(&RULE, view, cx, out),
-).rule(RuleInfo {
+)
+.rule(RuleInfo {
     breaks: &[
         (Makehuman2, "silently loads the model without it"),
         (Makehuman1, "loads the model without it, with a line in the log"),
         (Mpfb, "imports the model without it"),
     ],
-    docs: "A model (`.mhm`) wears an asset, has a skin or a skeleton that does not exist.\n\n\
-        MakeHuman 2 looks for an asset by name and uuid, then by its name alone, whatever the category. The uuid alone is \
-        not enough: once an asset was renamed, models lose it. A skin is looked for in `skins/<base>/`, a skeleton \
-        directly in `rigs/<base>/`, not in folders below.\n\n\
-        Whatever is missing is left out; only a hidden log line says so.\n\n\
-        MakeHuman 1 knows an asset by its uuid alone, in the library of the word in front.\n\n\
-        Correct the line, or add what it names.",
-    ..RuleInfo::new("model-unknown-asset", Level::Warning, "a model names an asset, skin or skeleton that does not exist")
+    docs: include_str!("unknown_asset.md").trim_ascii_end(),
+    ..RuleInfo::new(
+        "model-unknown-asset",
+        Level::Warning,
+        "a model names an asset, skin or skeleton that does not exist",
+    )
 });
 
 /// A line of a model that puts an asset on.

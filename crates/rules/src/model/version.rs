@@ -6,12 +6,7 @@ use mhlint_repo::makehuman1::{SavedModel, Version, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "fails at the version, and leaves the default human: no clothes, no name, no tags")],
-    docs: "A model (`.mhm`) needs a line `version` with a version that MakeHuman 1 reads: `v1.3.0`, or one that begins with \
-        `v1.2`, `v1.1` or `v1.0`. Without one, without the `v`, or with any other, loading ends there: the human was reset \
-        before, and stays so.\n\n\
-        A model of version 1.0 is read without its skeleton, and in one of version 1.1 the tags are the name (warnings). \
-        A blank line ends the loading of both. A model that a newer program saved is read by none before it.\n\n\
-        Write the version of the program that saved the model.",
+    docs: include_str!("version.md").trim_ascii_end(),
     ..RuleInfo::new("model-version", Level::Error, "a model with a version that MakeHuman 1 does not read")
 });
 

@@ -12,12 +12,7 @@ const THREE: usize = 3;
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `IndexError` at start")],
-    docs: "A triangle slider does not have exactly three patterns or three colours. `barycentric` has one pattern \
-        for each corner; `barycentric_diffuse` gives each corner a skin colour of three numbers.\n\nWith any \
-        other number of patterns, MakeHuman 2 crashes at start. If a colour does not have three numbers, for \
-        example a fourth one for transparency, every move of the triangle crashes it with `ValueError`. A \
-        missing colour is left out of the mix, and surplus ones are never used (warnings).\n\nWrite exactly \
-        three of each.",
+    docs: include_str!("barycentric_arity.md").trim_ascii_end(),
     ..RuleInfo::new(
         "modelling-barycentric-arity",
         Level::Error,

@@ -9,10 +9,7 @@ use mhlint_repo::makehuman2::{Base, View, user_scan};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `ValueError` when it loads a model that was saved with the slider moved")],
-    docs: "The file or folder name of a user target, or a pattern of `modelling.json`, contains a space.\n\nA \
-        saved model names a slider by its pattern, which contains the path of its target, and MakeHuman 2 splits \
-        the line at spaces. The slider works and the model can be saved, but it can never be loaded again. This \
-        is an error, because the user's work is lost.\n\nUse `-` or `_` instead.",
+    docs: include_str!("blank_in_name.md").trim_ascii_end(),
     counts: "targets",
     ..RuleInfo::new("modelling-blank-in-name", Level::Error, "the name of a user target contains a space")
 });

@@ -7,10 +7,7 @@ use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `AttributeError` when the slider moves in the increasing direction")],
-    docs: "A slider has `decr`, its decreasing direction, but no `incr`, its increasing one.\n\nMakeHuman 2 still shows \
-        both directions. The increasing one has no target, so moving the slider there crashes with `AttributeError`. \
-        The slider also has no pattern: it is never saved, and no model can set it.\n\nAdd `incr`, or rename \
-        `decr` to `incr` to get a slider with one direction.",
+    docs: include_str!("decr_only.md").trim_ascii_end(),
     ..RuleInfo::new("modelling-decr-only", Level::Error, "a slider has `decr` but no `incr`")
 });
 

@@ -7,11 +7,7 @@ use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "saves and loads only the last of the sliders; the values of the others are lost")],
-    docs: "Two entries have the same pattern. The pattern is the name of a slider in saved models, presets, \
-        symmetry and macros: the texts of `barycentric`, or `macro`, or `<decr>|<ending>` for a pair of targets, \
-        or `incr`.\n\nMakeHuman 2 shows a slider for each entry, but knows only the last by the pattern. The \
-        value of another one is silently lost when the model is saved.\n\nRemove one of the entries, or give it \
-        its own targets.",
+    docs: include_str!("duplicate_pattern.md").trim_ascii_end(),
     ..RuleInfo::new("modelling-duplicate-pattern", Level::Error, "two entries have the same pattern")
 });
 

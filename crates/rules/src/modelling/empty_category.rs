@@ -11,13 +11,7 @@ use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "shows an entry without sliders in the tree")],
-    docs: "No slider has the group of an item in `target_cat.json`, or a category has no items. An item shows the \
-        sliders whose `group` equals its `group|cat`.\n\nMakeHuman 2 shows an entry that leads nowhere (an \
-        info). It always replaces a category named `User` with the one it generates from user targets, so the \
-        items of your own `User` disappear (a warning). A generated `target_cat.json` without that category \
-        crashes it at start with `KeyError` (an error).\n\nAn item that was meant for a misspelt slider is \
-        reported at the slider, and one whose slider was removed is reported with the unused targets.\n\nRemove \
-        the item, or give a slider its group.",
+    docs: include_str!("empty_category.md").trim_ascii_end(),
     ..RuleInfo::new("modelling-empty-category", Level::Info, "a category item has no slider")
 });
 

@@ -10,11 +10,7 @@ use mhlint_repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "hides all macro shapes when the slider is opened, until another macro slider moves")],
-    docs: "A macro slider has no `macro_influence`, or an empty one. It lists the macrodefs that the slider takes \
-        part in, counted from 0.\n\nMakeHuman 2 always evaluates all macrodefs; it only checks whether the list \
-        is empty. It treats a macro slider without the list, or with an empty one, as an ordinary slider: \
-        opening it shows the mesh without macros, so the character falls back to the neutral base.\n\nList the \
-        macrodefs that use the slider.",
+    docs: include_str!("macro_without_influence.md").trim_ascii_end(),
     ..RuleInfo::new("modelling-macro-without-influence", Level::Warning, "a macro slider has no `macro_influence`")
 });
 

@@ -12,15 +12,7 @@ use mhlint_repo::makehuman2::{Base, BoundSlider, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `IndexError` when it shows the length")],
-    docs: "`measure` does not fit the base mesh. It lists vertices of the mesh, counted from 0; the length of the \
-        line through them is shown beside the slider.\n\nMakeHuman 2 crashes whenever it computes the length \
-        with a vertex that does not exist, or with a number that has a decimal point, such as `100.0`. A \
-        negative number is counted from the end of the mesh, and a number just beyond the vertices of the file \
-        means a UV-seam duplicate that MakeHuman 2 makes: no crash, but a wrong length (warnings). A line with \
-        fewer than two vertices is shown as `0 cm` (a warning).\n\nMakeHuman 2 does not close the line. A \
-        circumference (`circ` or `girth` in the name of the slider or its target) that does not end where it \
-        began lacks a piece, so the length is too small (a warning, with the gap on the unmorphed mesh).\n\nList \
-        vertices of the base mesh, and repeat the first one at the end of a circumference.",
+    docs: include_str!("measure.md").trim_ascii_end(),
     counts: "entries",
     grows: Grows::more(MeasureKind::Gap),
     ..RuleInfo::new("modelling-measure", Level::Error, "`measure` does not fit the base mesh")

@@ -8,10 +8,7 @@ use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "shows a button of zero size, which cannot be clicked")],
-    docs: "`icon` names a picture that does not exist. It is looked for in the folder `icons` of the target \
-        folder in use.\n\nMakeHuman 2 does not check whether it exists: the slider then has a button without \
-        size, which cannot be clicked. An entry without `icon` has a neutral picture, so no key is better than a \
-        wrong one.\n\nCorrect the name, add the picture, or remove the key.",
+    docs: include_str!("missing_icon.md").trim_ascii_end(),
     counts: "icons",
     ..RuleInfo::new("modelling-missing-icon", Level::Warning, "`icon` names a picture that does not exist")
 });

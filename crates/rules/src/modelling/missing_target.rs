@@ -15,13 +15,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         Makehuman2,
         "crashes with `AttributeError` when the slider moves, or at start if the start model sets it",
     )],
-    docs: "`incr` or `decr` names a target that does not exist. Both are paths below the target folder, with `/` \
-        and without `.target`.\n\nMakeHuman 2 writes a line to its log and keeps an empty placeholder. The \
-        slider looks normal, but crashes MakeHuman 2 as soon as it moves, or at start if the start model moves \
-        it.\n\nThe `macro.json` in use decides which target folder is read. Entries with the key `user`, \
-        whatever its value, are read from the user's target folder. That key is for the file that MakeHuman 2 \
-        writes for user targets; a slider of the system data that has it loses its target. A target that is only in \
-        `compressedtargets.npz` counts as existing.\n\nCorrect the path, add the target, or remove the entry.",
+    docs: include_str!("missing_target.md").trim_ascii_end(),
     ..RuleInfo::new("modelling-missing-target", Level::Error, "`incr` or `decr` names a target that does not exist")
 });
 

@@ -13,12 +13,7 @@ use mhlint_repo::{Reference, ReferenceKind};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "shows a slider that does nothing and is never saved")],
-    docs: "An entry has none of `incr`, `decr`, `macro` and `barycentric`, or has targets beside a macro.\n\nWith \
-        none of the keys, MakeHuman 2 shows a slider without a pattern: it moves nothing, is never saved, and no \
-        model can set it. If a misspelt key was meant to give a component its slider, the macrodefs of that \
-        component never apply (an error). Beside `macro` or `barycentric`, `incr` and `decr` have no effect: \
-        their targets are loaded but never applied.\n\nAdd one of the keys, or remove the entry; give the \
-        targets beside a macro their own entry.",
+    docs: include_str!("no_effect.md").trim_ascii_end(),
     ..RuleInfo::new(
         "modelling-no-effect",
         Level::Warning,

@@ -7,12 +7,7 @@ use mhlint_repo::makehuman2::{Base, BoundSlider, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "mirrors the slider only one way, or to the wrong side")],
-    docs: "The left/right counterpart of a slider does not point back. A left slider names its counterpart with \
-        `rsym`, a right slider with `lsym`; if an entry has both, only `rsym` is read.\n\nIf the counterpart \
-        does not point back, changes are mirrored in one direction only. If the sides are swapped, \"make \
-        symmetric\" copies the wrong way. A counterpart that is a macro or a corner of a triangle has no targets \
-        to mirror: with symmetry on, MakeHuman 2 crashes with `AttributeError` as soon as the slider moves (an \
-        error).\n\nLet both sliders name each other: `rsym` in the left one, `lsym` in the right one.",
+    docs: include_str!("one_sided_symmetry.md").trim_ascii_end(),
     ..RuleInfo::new("modelling-one-sided-symmetry", Level::Warning, "a left/right counterpart does not point back")
 });
 

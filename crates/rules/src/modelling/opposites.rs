@@ -9,13 +9,7 @@ use mhlint_repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "shows a slider that can only increase; the other target cannot be reached")],
-    docs: "An entry has `decr` and `incr`, but `target-opposites` of `base.json` has no pair of endings for them. \
-        A slider has two directions only if the two file names end in such a pair, each after a `-`.\n\nMakeHuman 2 \
-        silently drops the decreasing direction, and the pattern of the slider is `incr` alone: presets, symmetry and \
-        saved models that use `<decr>|<ending>` do not find it. If it is the left counterpart of another slider, \
-        the random character view looks for it under that pattern and crashes with `KeyError` (an error).\n\nAdd \
-        the pair, or correct the names. If `target-opposites` is missing, or none of its pairs matches, no slider \
-        has two directions, and `base.json` has one finding for all of them.",
+    docs: include_str!("opposites.md").trim_ascii_end(),
     counts: "sliders",
     ..RuleInfo::new("modelling-opposites", Level::Warning, "`target-opposites` does not cover a pair of targets")
 });

@@ -11,10 +11,7 @@ const SLOTS: std::ops::RangeInclusive<f64> = 1.0..=5.0;
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "does not show the text")],
-    docs: "`display.slot` is not a line of the status area, or two sliders use the same line. The status area has \
-        the lines 1 to 5.\n\nMakeHuman 2 ignores a text for any other line. If two sliders use one line, only \
-        the last is shown. A number with a decimal point, such as `2.0`, crashes it at start with `TypeError` \
-        (an error).\n\nChoose a free line from 1 to 5.",
+    docs: include_str!("text_slot.md").trim_ascii_end(),
     ..RuleInfo::new("modelling-text-slot", Level::Warning, "`display.slot` is outside 1 to 5, or used twice")
 });
 

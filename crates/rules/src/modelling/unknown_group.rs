@@ -11,11 +11,7 @@ use mhlint_repo::makehuman2::{Base, BoundSlider, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "never shows such sliders; only saved models can set them")],
-    docs: "No item of `target_cat.json` shows the slider. It is shown under the item whose `group|cat` equals its \
-        `group`, letter by letter.\n\nMakeHuman 2 silently hides a slider whose group no item has, or that has \
-        no group. Without any `target_cat.json` it shows no slider (an error, as when the file cannot be read). \
-        A group with two `|` also crashes the random character view with `ValueError`, even if the slider is \
-        shown (an error).\n\nCorrect the group, or add an item for it.",
+    docs: include_str!("unknown_group.md").trim_ascii_end(),
     counts: "sliders",
     ..RuleInfo::new("modelling-unknown-group", Level::Warning, "`group` of a slider is not in `target_cat.json`")
 });

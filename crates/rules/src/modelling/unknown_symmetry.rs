@@ -7,11 +7,7 @@ use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "skips the slider when it makes a character symmetric or random")],
-    docs: "`rsym` of a left slider, or `lsym` of a right one, names an unknown pattern. It must be the pattern of \
-        the counterpart, not its key: its `incr`, or `<decr>|<ending of incr>` for a slider with two \
-        sides.\n\nMakeHuman 2 reports it only on the console. \"Make symmetric\" skips the slider. With an \
-        unknown `rsym`, the slider is never randomised (a warning); with an unknown `lsym`, the random character \
-        view crashes with `KeyError` (an error).\n\nWrite the pattern of the counterpart.",
+    docs: include_str!("unknown_symmetry.md").trim_ascii_end(),
     ..RuleInfo::new("modelling-unknown-symmetry", Level::Error, "`lsym` or `rsym` names an unknown pattern")
 });
 

@@ -8,15 +8,7 @@ use mhlint_repo::makehuman2::{Base, BoundSlider, View};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     cannot_be_ignored: true,
     breaks: &[(Makehuman2, "runs it as Python code with all the user's rights as soon as its window opens")],
-    docs: "`display.formula` or `display.text` is more than harmless arithmetic. MakeHuman 2 passes the formula \
-        to Python's `eval` and the result to the text with `str.format`, at every start and whenever a slider \
-        moves. That can run any program, read and delete files, or never end.\n\nSafe are numbers, `val` (the \
-        slider, 0 to 1), arithmetic, comparisons, `and`, `or`, `not`, conditional expressions, `round`, `str`, \
-        quoted strings and `+` between them, and powers with a fixed small exponent. In `text`, `{}` and `{0}` \
-        are safe, with or without a format.\n\nEverything else is reported: names, attributes, elements, other \
-        calls. So is what Python rejects, because MakeHuman 2 then crashes before its window is open, and a \
-        division by `val`, which crashes it when the slider is at 0. This finding cannot be ignored.\n\nRewrite \
-        the formula with what is safe.",
+    docs: include_str!("unsafe_formula.md").trim_ascii_end(),
     ..RuleInfo::new("modelling-unsafe-formula", Level::Error, "`display.formula` is more than harmless arithmetic")
 });
 

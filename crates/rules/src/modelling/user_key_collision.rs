@@ -6,12 +6,7 @@ use mhlint_repo::makehuman2::{Base, View, user_scan};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "makes one slider of them; the order of files in the folder decides which target is lost")],
-    docs: "Two user targets get the same key. MakeHuman 2 makes a slider for every user target, with the folder \
-        and the file name as its key: the first letter of each in upper case, all others in lower case, and \
-        spaces instead of `-`. A pair `-incr`/`-decr` is one slider, without that ending.\n\nNames that differ \
-        only in case, or in `-` and a space, get the same key. One slider replaces the other, depending on the \
-        order of files in the folder. A single target also collides with a pair of the same name, and a folder \
-        `user` with the targets beside it.\n\nRename one of the files.",
+    docs: include_str!("user_key_collision.md").trim_ascii_end(),
     counts: "targets",
     ..RuleInfo::new("modelling-user-key-collision", Level::Error, "two user targets get the same key")
 });

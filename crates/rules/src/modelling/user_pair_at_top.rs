@@ -9,9 +9,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         Makehuman2,
         "crashes with `UnboundLocalError` whenever it scans the user targets, for example at start",
     )],
-    docs: "Two user targets named `…-incr` and `…-decr` are directly in `target/<base>/`.\n\nMakeHuman 2 makes \
-        one slider of such a pair, but crashes if it is not in a subfolder. A single target outside a subfolder \
-        works, and so does a pair in a subfolder.\n\nMove both files into a subfolder.",
+    docs: include_str!("user_pair_at_top.md").trim_ascii_end(),
     ..RuleInfo::new("modelling-user-pair-at-top", Level::Error, "a pair of user targets is not in a subfolder")
 });
 

@@ -7,10 +7,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, LOST_FILE)],
-    docs: "`modifierType` names the class that makes a modifier: `MacroModifier` or `EthnicModifier` beside `macrovar`, \
-        `UniversalModifier` beside `target`. Left out, MakeHuman 1 takes the one that fits the key.\n\n\
-        Another class, or one for the other key, stops the file: its modifiers from there on and all its tabs are missing.\n\n\
-        Correct the name, or remove the key.",
+    docs: include_str!("class.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-unknown-type", Level::Error, "a class that cannot make the modifier")
 });
 

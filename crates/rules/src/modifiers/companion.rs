@@ -7,10 +7,7 @@ use mhlint_repo::makehuman1::{SETS, View, has_most_of_program};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "logs a warning for each modifier and shows no descriptions")],
-    docs: "MakeHuman 1 opens `modifiers/modeling_modifiers.json`, `modeling_modifiers_desc.json` and \
-        `modeling_sliders.json`, and the same for `bodyshapes` and `measurement`; no other file of the folder is opened.\n\n\
-        Without the modifiers or the sliders of a set it fails with `FileNotFoundError`, and the tabs of the set are missing. \
-        Without the descriptions there are warnings in the log.\n\nRestore the file, or correct its name.",
+    docs: include_str!("companion.md").trim_ascii_end(),
     of_library: true,
     ..RuleInfo::new("modifiers-missing-companion", Level::Warning, "a file of a set of modifiers is missing")
 });

@@ -6,9 +6,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "resets the slider to the end of its range")],
-    docs: "`defaultValue` is the value of a reset: from -1 to 1 for a modifier with two sides, from 0 to 1 for any other. What \
-        lies outside becomes the nearest end, NaN the highest value.\n\nCorrect the number, or remove the key: the usual \
-        value is 0.",
+    docs: include_str!("default_value.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-default-value", Level::Warning, "a default outside the range of the slider")
 });
 

@@ -8,15 +8,13 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "logs a warning: the description is never shown")],
-    docs: "`*_modifiers_desc.json` has the descriptions of modifiers by their full names. One for a modifier that does not \
-        exist is never shown.\n\nCorrect the name, or remove the entry.",
+    docs: include_str!("modifiers-unknown-in-description.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-unknown-in-description", Level::Info, "a description for a modifier that does not exist")
 });
 
 pub(crate) static OF_TYPE: Rule = Check::Makehuman1(of_type).rule(RuleInfo {
     breaks: &[(Makehuman1, LOST_TABS)],
-    docs: "A description is a text, which may be empty. Null, a number or a list stops MakeHuman 1 when it makes the slider: \
-        the rest of its tab and all tabs behind it in the file are missing.\n\nWrite a text.",
+    docs: include_str!("modifiers-description-type.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-description-type", Level::Error, "a description that is not a text")
 });
 

@@ -10,11 +10,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, LOST_FILE)],
-    docs: "The full name of a modifier is `group/target-min|max`, with `-` for each `/` in it. A second one of the same name \
-        stops MakeHuman 1 at its file: the modifiers behind it and all tabs of the file are missing.\n\n\
-        Targets of a user in `custom` have the name of their path, with `-` for `/`: `custom/a/b.target` and \
-        `custom/a-b.target` are both `custom/a-b`, and no slider for any of them is shown.\n\n\
-        Remove or rename one of them.",
+    docs: include_str!("duplicate.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-duplicate", Level::Error, "two modifiers with one name")
 });
 

@@ -6,8 +6,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "moves the same targets on both sides of the slider")],
-    docs: "With `min` and `max` alike a modifier has the same targets for negative and for positive values. Mostly one of the \
-        two was not changed after copying.\n\nCorrect one of them.",
+    docs: include_str!("equal_tails.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-equal-tails", Level::Warning, "a modifier with the same targets on both sides")
 });
 

@@ -9,8 +9,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "shows the sliders of both in one box")],
-    docs: "MakeHuman 1 shows the sliders of a tab in boxes, by their names with capitals at the beginning of each word. Names \
-        that differ in capitals alone are one box.\n\nRename one of them, or put the sliders together.",
+    docs: include_str!("merged_boxes.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-merged-boxes", Level::Warning, "two boxes that become one")
 });
 

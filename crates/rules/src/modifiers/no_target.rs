@@ -12,14 +12,7 @@ use mhlint_repo::makehuman1::{KnownModifier, View, category};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "shows a slider that moves nothing, or nothing on one side")],
-    docs: "A modifier of MakeHuman 1 moves the targets of a group: `group-target-min` for negative values and \
-        `group-target-max` for positive ones, or `group-target`. The words of a target's path make its group, \
-        `targets/head/head-age-incr.target` is in `head-head-age-incr`; capitals count, and a name of a modifier is split at \
-        `-` alone. With `macrovar` the modifier moves those targets of its `group` that depend on the variable.\n\n\
-        Without targets the slider is there and moves nothing. If its sliders file knows the modifier by another name, the \
-        rest of the tab and all tabs behind it are missing. Without any target for its variable a macro stops the whole \
-        file.\n\n\
-        Correct `group`, `target`, `min` or `max`, or the name of the file.",
+    docs: include_str!("no_target.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-no-target", Level::Warning, "a modifier without targets")
 });
 

@@ -9,8 +9,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "loses the value of this slider when it loads a model of version 1.0")],
-    docs: "`mh_1-0_modifier_mapping.csv` says what modifiers of models of version 1.0 are called today. Where the new name \
-        does not exist, the value of the model is lost with a warning in the log.\n\nCorrect the name.",
+    docs: include_str!("renamed.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-renamed", Level::Warning, "an older name that leads to no modifier")
 });
 

@@ -5,10 +5,11 @@ use mhlint_diag::{Application::Makehuman1, Evidence, Finding, Level, Place, Rule
 use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "fails with `KeyError` when the tab is opened, and at each change of the human from then on")],
-    docs: "For each slider of `measurement_sliders.json` the program has a ruler under the full name of the modifier, such as \
-        `measure/measure-neck-circ-decr|incr`. There are twenty of them, and no file can add one.\n\n\
-        Move a slider for anything else to `modeling_sliders.json` or `bodyshapes_sliders.json`.",
+    breaks: &[(
+        Makehuman1,
+        "fails with `KeyError` when the tab is opened, and at each change of the human from then on",
+    )],
+    docs: include_str!("ruler.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-missing-ruler", Level::Error, "a measure for which the program has no ruler")
 });
 

@@ -8,9 +8,7 @@ use mhlint_repo::makehuman1::{KnownModifier, View, category};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "logs an error; of two groups for one variable the first keeps it")],
-    docs: "MakeHuman 1 notes for each macro variable the group that sets it, and brings the other groups up to date when it \
-        changes. A second group that sets the same variable is not noted: what depends on it is not brought up to date.\n\n\
-        Put the modifiers of one variable into one group.",
+    docs: include_str!("second_group.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-second-group", Level::Warning, "two groups that set one macro variable")
 });
 

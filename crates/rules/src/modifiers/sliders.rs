@@ -12,10 +12,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, LOST_TABS)],
-    docs: "`mod` of a slider is the full name of a modifier, `group/target-min|max`, of its own file or one that is loaded \
-        before: MakeHuman 1 loads `modeling`, then `bodyshapes`, then `measurement`.\n\n\
-        One unknown name costs the rest of its tab and all tabs behind it in the file. The modifiers themselves exist, and \
-        models set them.\n\nCorrect the name.",
+    docs: include_str!("sliders.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-unknown-in-slider", Level::Error, "a slider for a modifier that does not exist")
 });
 

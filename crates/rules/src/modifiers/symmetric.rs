@@ -9,11 +9,7 @@ use mhlint_repo::makehuman1::{KnownModifier, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "fails with `KeyError` when symmetry is used")],
-    docs: "A modifier with the word `l` or `r` in its name, between `-`, belongs to one side; its left or right counterpart has \
-        the same name with the words exchanged. MakeHuman 1 asks for the counterpart when symmetry is used, and fails if it is \
-        missing.\n\n\
-        This is so for the user's own targets in `custom`, too: `l-grow.target` needs `r-grow.target`.\n\n\
-        Add the counterpart, or rename the modifier.",
+    docs: include_str!("symmetric.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-missing-symmetric", Level::Error, "a modifier without its left or right counterpart")
 });
 

@@ -10,9 +10,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "fails with `KeyError`: the tabs of the plugin that comes later are missing")],
-    docs: "The tabs of Modelling have their names from `*_sliders.json`, and plugins have some of their own: `Custom` for the \
-        targets of the user, `Random`. Of two with one name the later one stops its plugin: with a tab `Custom` the user's own \
-        targets have no sliders.\n\nRename the tab.",
+    docs: include_str!("tab_clash.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-tab-clash", Level::Error, "two tabs with one name")
 });
 

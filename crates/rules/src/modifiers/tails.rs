@@ -8,10 +8,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, LOST_TABS)],
-    docs: "`min` and `max` of a modifier belong together. MakeHuman 1 reads neither of them if the other is missing, null or \
-        empty, and `mid` only beside both. The modifier is then `group/target` and looks for the target `group-target`.\n\n\
-        A slider that means the modifier with both sides stops its file: the rest of its tab and all tabs behind it are missing.\n\n\
-        Add the missing key, or remove this one.",
+    docs: include_str!("tails.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-unpaired-tails", Level::Error, "a modifier with one side of two")
 });
 

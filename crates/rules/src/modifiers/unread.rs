@@ -8,10 +8,7 @@ use mhlint_repo::makehuman1::{SETS, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "never opens the file: it has neither these modifiers nor their sliders")],
-    docs: "MakeHuman 1 opens three lists of modifiers by their names, with their descriptions and sliders: `modeling`, \
-        `bodyshapes` and `measurement` in `modifiers` of its own data. Other files there, and all in a user's folder, are \
-        never read.\n\n\
-        Move what is in them to one of the three, or give a user's target a slider by moving it to `custom`.",
+    docs: include_str!("unread.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-unread", Level::Error, "a list of modifiers that the program does not open")
 });
 

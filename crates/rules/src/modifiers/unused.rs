@@ -9,15 +9,13 @@ use mhlint_repo::makehuman1::{KnownModifier, View};
 
 pub(crate) static UNDESCRIBED: Rule = Check::Makehuman1(undescribed).rule(RuleInfo {
     breaks: &[(Makehuman1, "logs a warning and shows no description")],
-    docs: "Each modifier has an entry in `*_modifiers_desc.json`, which may be an empty text. Without one MakeHuman 1 logs a \
-        warning at each start.\n\nAdd an entry: `\"\"` for no description.",
+    docs: include_str!("modifiers-undescribed.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-undescribed", Level::Info, "a modifier without a description")
 });
 
 pub(crate) static WITHOUT_SLIDER: Rule = Check::Makehuman1(without_slider).rule(RuleInfo {
     breaks: &[(Makehuman1, "shows no slider for it: only models set it")],
-    docs: "No slider of `*_sliders.json` sets the modifier, so that only models can.\n\nAdd a slider, or remove the \
-        modifier.",
+    docs: include_str!("modifiers-without-slider.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-without-slider", Level::Info, "a modifier that no slider sets")
 });
 

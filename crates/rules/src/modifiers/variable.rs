@@ -6,11 +6,7 @@ use mhlint_repo::makehuman1::{VARIABLES, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "shows none of the tabs behind its slider, and fails each time the modifier is used")],
-    docs: "`macrovar` is one of `Gender`, `Age`, `Muscle`, `Weight`, `Height`, `BreastSize`, `BreastFirmness`, \
-        `BodyProportions`, `African`, `Asian` and `Caucasian`; capitals count.\n\n\
-        In other capitals it stops MakeHuman 1 at start: only the splash picture stays on the screen. Any other name is taken \
-        for a variable, its slider costs the tabs behind it, and every use of the modifier fails.\n\n\
-        Correct the name.",
+    docs: include_str!("variable.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-unknown-macro-variable", Level::Error, "a macro variable that does not exist")
 });
 

@@ -9,12 +9,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, LOST_TABS)],
-    docs: "`cam` of a slider turns the camera while the slider is in use: `frontView`, `backView`, `leftView`, `rightView`, \
-        `topView`, `bottomView`, `globalCamera`, `faceCamera` and those of hands, feet, arms and legs, such as \
-        `leftHandFrontCamera`. With an unknown one the rest of the tab and all tabs behind it in the file are missing.\n\n\
-        `enabledCondition` is `hasGenitals`, for sliders that are not always shown. Anything else fails at start, and at each \
-        change of the human; the sliders behind it are not brought up to date.\n\n\
-        Correct the name, or remove the key.",
+    docs: include_str!("view.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-unknown-view", Level::Error, "a camera or condition that the program does not have")
 });
 

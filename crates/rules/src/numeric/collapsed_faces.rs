@@ -16,15 +16,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         (Makehuman1, "shows these faces black or not at all: a face without area has no normal"),
         (Mpfb, "shows these faces black or not at all: a face without area has no normal"),
     ],
-    docs: "At some slider setting visible faces have (almost) no area, or a considerable part of the skin turns \
-        inside out.\n\n\
-        A face has collapsed if its area falls to a ten-thousandth of its area on the default character. In \
-        MakeHuman's own base no face does at any setting; two faces of its smallest babies fall below a \
-        thousandth.\n\n\
-        A few faces that turn over are normal: lips, eyelids and sagging breasts do so at extremes, up to 2.6 % of \
-        the area. They are reported from 5 % of the visible area.\n\n\
-        The finding is reported at the target that moves the largest of these faces most. Reduce this target, or \
-        those that add up with it at this setting.",
+    docs: include_str!("collapsed_faces.md").trim_ascii_end(),
     counts: "faces",
     grows: Grows::more(MeasureKind::Share),
     ..RuleInfo::new(

@@ -11,16 +11,7 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "silently applies none of the targets of the macrodef in this part of the slider")],
-    docs: "A macrodef applies nothing while a slider is at certain values, whatever its other sliders are, \
-        although it applies something elsewhere on that slider.\n\n\
-        A single value whose combinations are all `null` or not listed is usually intended (a neutral value, or \
-        `male` in a macro for breasts): the shape fades out towards that position. It is reported as info, with \
-        the position and the number of combinations that are `null` or not listed, so that you can compare it with \
-        what you meant.\n\n\
-        Two neighbouring values without any combination make a whole part of the slider dead. This is a warning, \
-        unless all of it is written as `null`.\n\n\
-        List the combinations, or write `null` where no shape is meant. A last step below 1 also makes part of a \
-        slider dead; see `macro-steps-range`.",
+    docs: include_str!("dead_range.md").trim_ascii_end(),
     ..RuleInfo::new("numeric-dead-range", Level::Warning, "a macrodef applies nothing in a part of a slider")
 });
 

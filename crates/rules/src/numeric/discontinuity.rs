@@ -8,12 +8,7 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "snaps from one shape to another at this position of the slider")],
-    docs: "The shape jumps where a slider passes a step: the weight of a target changes by more than 0.02 between \
-        0.000001 below and above the step, with the other sliders at their defaults.\n\n\
-        MakeHuman 2 blends between two steps, so the shape normally follows the slider smoothly. Its own cut-offs \
-        at the steps cause jumps of up to 0.01, which nobody sees.\n\n\
-        Usually two steps are so close that there is nothing between them. Move them apart. For equal steps see \
-        `macro-steps-order`.",
+    docs: include_str!("discontinuity.md").trim_ascii_end(),
     grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new("numeric-discontinuity", Level::Warning, "the shape jumps where a slider passes a step")
 });

@@ -17,13 +17,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         (Makehuman1, "tears such vertices out of the figure, together with their faces, joints and clothes"),
         (Mpfb, "tears such vertices out of the figure, together with their faces, joints and clothes"),
     ],
-    docs: "At some slider setting a vertex lies outside the box around the default character by more than 0.6 \
-        times the diagonal of that box. The tallest character of MakeHuman's own base stays within 0.41 \
-        diagonals. A helper that is not drawn and grows steadily, such as a tail, is not reported.\n\n\
-        Usually targets that are sound by themselves add up at an extreme setting. The finding is reported at the \
-        target that moves the vertex most. A single displacement larger than the whole mesh, or out of proportion \
-        to its target, is `target-oversized-delta` instead.\n\n\
-        Check the target for a missing decimal point or a wrong unit.",
+    docs: include_str!("exploded_vertex.md").trim_ascii_end(),
     counts: "vertices",
     grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new(

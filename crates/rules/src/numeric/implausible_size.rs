@@ -14,12 +14,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "shows a body of this size without a message; targets, clothes and poses do not fit it"),
         (Makehuman1, "shows a body of this size without a message; targets, clothes and poses do not fit it"),
     ],
-    docs: "The body is implausibly small or large: the visible groups of a mesh with a pose skeleton are at most \
-        20 cm, or at least 6 m, in their largest dimension. Everything in between is taken as intended.\n\n\
-        Numbers in `base.obj` are decimetres: a figure of 1.70 m is 17 high. Programs that count in metres or \
-        centimetres write a mesh that is ten times too small or too large, and existing targets move its vertices \
-        ten times too far, or hardly at all.\n\n\
-        Export the mesh in decimetres (scale 0.1 or 10).",
+    docs: include_str!("implausible_size.md").trim_ascii_end(),
     grows: Grows::more(MeasureKind::Factor),
     ..RuleInfo::new("numeric-implausible-size", Level::Warning, "a body measures a few centimetres or many metres")
 });

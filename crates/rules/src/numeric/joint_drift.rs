@@ -16,15 +16,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         (Makehuman2, "rotates the limb around a point outside it as soon as the figure is posed"),
         (Makehuman1, "rotates the limb around a point outside it as soon as the figure is posed"),
     ],
-    docs: "At some slider setting a joint moves away from the skin around it.\n\n\
-        A joint is compared with the sixteen vertices of visible skin nearest to it on the default character. Its \
-        reach is its distance from the middle of that skin plus the radius of that skin. The distance may grow by \
-        three times this reach; in MakeHuman's own base toes and spine come to 2.2 at extremes of age and \
-        weight. A joint that a helper is nearer to than the skin, such as that of a tail, is not reported where it stays \
-        in that helper.\n\n\
-        Usually a target moves a joint cube but not the skin, or the skin but not the cube. The finding is \
-        reported at the target that moves the joint most at that setting. Move the joint cube and the skin \
-        together.",
+    docs: include_str!("joint_drift.md").trim_ascii_end(),
     counts: "joints",
     grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new("numeric-joint-drift", Level::Warning, "a joint leaves its limb at some slider setting")

@@ -12,15 +12,11 @@ use mhlint_eval::survey::Trouble;
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "in pose mode all skin of the bone disappears"), (Makehuman1, "draws a torn mesh at this setting")],
-    docs: "At some slider setting a vertex or the matrix of a bone is not a number, although all files contain \
-        numbers and the default character is fine.\n\n\
-        For a bone, the three joints of its rotation plane come to lie on one straight line or at one point. The plane then has \
-        no normal, and MakeHuman 2 divides by zero and goes on (sine of the angle below 1e-7, which is zero in its \
-        32-bit floats). For a vertex, displacements add up to more than a 32-bit float can hold.\n\n\
-        The finding is reported at the target that moves the joints or the vertex most at that setting. Fix its \
-        rows there. Planes whose joints are on one straight line on the default character and displacements that are NaN or infinite have \
-        rules of their own.",
+    breaks: &[
+        (Makehuman2, "in pose mode all skin of the bone disappears"),
+        (Makehuman1, "draws a torn mesh at this setting"),
+    ],
+    docs: include_str!("non_finite.md").trim_ascii_end(),
     grows: Grows::less(MeasureKind::Sine),
     ..RuleInfo::new("numeric-non-finite", Level::Error, "a vertex or matrix is NaN or infinite at some slider setting")
 });

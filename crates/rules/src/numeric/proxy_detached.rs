@@ -10,13 +10,7 @@ use mhlint_repo::{Body, Worn};
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "draws a part of the asset away from the body, or inside it, at such settings")],
-    docs: "At some slider setting vertices of an asset leave the skin that they lie on.\n\n\
-        A vertex of the fitted asset is compared with the sixteen vertices of visible skin nearest to it on the default \
-        character. Its reach is its distance from the middle of that skin plus the radius of that skin. Its distance from \
-        the nearest of them may grow by three times this reach, and by 3 % of the diagonal of the body's box. Of each asset up to 64 vertices are looked at: evenly spread, and those tied to \
-        vertices that lie farthest apart.\n\n\
-        Usually a row names vertices of another part of the body, or of a helper that the sliders move otherwise. The \
-        setting beside the finding shows it. Tie the vertices to the skin that they lie on.",
+    docs: include_str!("proxy_detached.md").trim_ascii_end(),
     counts: "vertices",
     grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new("numeric-proxy-detached", Level::Warning, "an asset leaves the body at some slider setting")

@@ -16,14 +16,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         (Makehuman2, "deforms the figure as soon as pose mode is entered, before any pose is loaded"),
         (Makehuman1, "deforms the figure in every pose"),
     ],
-    docs: "With every bone at rest, skinning must leave each vertex where it is. Here a vertex of the default \
-        character moves by more than 0.001 cm (0.0001), or is not a number afterwards. What the cut-off of small \
-        weights takes from a vertex does not count here; it has a rule of its own.\n\n\
-        The rest matrices are wrong. Usually a bone lies along the world's z axis and its rotation plane has the \
-        same direction, so that it has no sideways axis. Or the mesh is so far from the origin, or in such small \
-        units, that 32-bit floats are not precise enough.\n\n\
-        Check the rotation planes of the bones that move the vertex. Bones without length and planes whose joints \
-        are on one straight line are reported separately.",
+    docs: include_str!("rest_skinning.md").trim_ascii_end(),
     grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new("numeric-rest-skinning", Level::Error, "skinning in the rest pose changes the mesh")
 });

@@ -11,13 +11,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         Makehuman2,
         "applies that much less of the shape between the steps; no other combination makes up for it",
     )],
-    docs: "A macrodef loses much of its weight because MakeHuman 2 drops small factors.\n\n\
-        MakeHuman 2 multiplies the weights of all components of a macrodef and drops every combination whose \
-        product is 0.01 or less. It does not give the dropped weight to the others, so that part of the shape is \
-        missing between the steps. At worst, with each component between two steps, two components lose 2 %, three \
-        4 %, four 8 %, five 17 % and six 36 %.\n\n\
-        There is one finding per `macro.json`: the macrodef that loses most, at the worst setting found. Nothing \
-        needs to be done; splitting a macrodef with many components reduces the loss.",
+    docs: include_str!("threshold_loss.md").trim_ascii_end(),
     options: &[OptionInfo { name: "percent", default: 5.0, docs: "how much weight may be lost, in per cent" }],
     counts: "macrodefs",
     grows: Grows::more(MeasureKind::Share),

@@ -12,14 +12,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         Makehuman2,
         "applies the shapes of the macrodef too weakly or too strongly; it does not normalise the weights",
     )],
-    docs: "The weights of a component do not add up to 1. A deviation of up to 0.0025 comes from MakeHuman 2's own \
-        cut-offs and is not reported.\n\n\
-        MakeHuman 2 blends between the values of a component, multiplies the weights of all components, and \
-        normalises nothing. If a component uses only two corners of a triangle slider, the weight of the third \
-        corner is lost: after a reset (0.33, 0.33 and 0.34) two corners hold two thirds, and with the slider in \
-        the third corner the macrodef applies nothing.\n\n\
-        Give the component a value for each corner; the combinations of the third one may be `null`. Steps that do \
-        not run from 0 to 1 and lists of unequal length also cause wrong sums; they have rules of their own.",
+    docs: include_str!("weights_sum.md").trim_ascii_end(),
     grows: Grows::from_one(MeasureKind::Weight),
     ..RuleInfo::new("numeric-weights-sum", Level::Warning, "the weights of a component do not add up to 1")
 });

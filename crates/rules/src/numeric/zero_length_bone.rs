@@ -19,13 +19,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         ),
         (Makehuman1, "fails with `LinAlgError` when the pose changes, if a bone lies below this one"),
     ],
-    docs: "At some slider setting the head and the tail of a bone meet at one point: they are closer than 0.001 cm \
-        (0.0001). The bones of MakeHuman's own base keep at least 0.26 cm at every setting.\n\n\
-        Joints are the mean positions of their vertices on the morphed mesh, and MakeHuman 2 recomputes them after \
-        every change. A target that moves one joint cube onto another removes the bone between them. The finding \
-        is reported at that target.\n\n\
-        Move the joint cubes together with the limb. For a bone without length on the default character see \
-        `skeleton-zero-length-bone`.",
+    docs: include_str!("zero_length_bone.md").trim_ascii_end(),
     grows: Grows::less(MeasureKind::Length),
     ..RuleInfo::new("numeric-zero-length-bone", Level::Error, "a bone has no length at some slider setting")
 });

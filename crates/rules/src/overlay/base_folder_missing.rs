@@ -8,10 +8,7 @@ use mhlint_repo::View;
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "never reads it or the targets beside it: it only looks in the folder of the base mesh")],
-    docs: "`contarget` and `target` have one folder for each base mesh. It contains macro.json, modelling.json, \
-        target_cat.json and the folders of targets.\n\nIf these are in `contarget` or `target` itself, MakeHuman \
-        2 finds none of them, and the base has no sliders.\n\nMove everything into a folder with the name of the \
-        base mesh.",
+    docs: include_str!("base_folder_missing.md").trim_ascii_end(),
     of_library: true,
     ..RuleInfo::new(
         "overlay-base-folder-missing",

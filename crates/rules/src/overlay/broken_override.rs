@@ -14,13 +14,7 @@ use mhlint_repo::makehuman2::{Base, View};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     fix: FixKind::Safe,
     breaks: &[(Makehuman2, "ignores the override with only a log line, and uses the file of the system data")],
-    docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace those of the system data. \
-        For each of them, MakeHuman 2 takes the first that it can read and that is not empty. A syntax error, a \
-        byte order mark or an empty object is only a line in the log: it uses the file of the system data as if the \
-        override did not exist.\n\nThe target files do not follow. If macro.json is rejected, all targets are \
-        loaded from the folder of the system data again, which does not have those of the override. A base that exists \
-        only in user space crashes MakeHuman 2 at start, because that folder does not exist.\n\nFix the file at \
-        the place shown, or remove it. Bytes that are not UTF-8 crash MakeHuman 2 instead; see `file-not-utf8`.",
+    docs: include_str!("broken_override.md").trim_ascii_end(),
     ..RuleInfo::new("overlay-broken-override", Level::Error, "an override in contarget that MakeHuman 2 ignores")
 });
 

@@ -10,13 +10,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         Makehuman2,
         "writes an empty archive at the first start, and crashes with `EOFError` at every later start",
     )],
-    docs: "The folder that the targets of a base come from contains no target. It is `contarget/<base>` if a \
-        macro.json there is accepted, otherwise `target/<base>` of the system data.\n\nMakeHuman 2 packs all targets \
-        of the folder into `compressedtargets.npz` if that does not exist. It creates the file first and then \
-        fills it. Without any `.target` in the folder or below, a file of 0 bytes remains, and MakeHuman 2 \
-        crashes with `EOFError` (target.py:648) from the second start on, until somebody deletes it. Without any \
-        modelling.json it skips this step.\n\nA folder is reported only if nothing refers to targets in it; \
-        otherwise the names that lead to nothing are reported.\n\nAdd any `.target` file to the folder.",
+    docs: include_str!("empty_target_folder.md").trim_ascii_end(),
     ..RuleInfo::new(
         "overlay-empty-target-folder",
         Level::Error,

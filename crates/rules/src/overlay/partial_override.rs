@@ -10,14 +10,7 @@ use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "combines the override with system files that were not made for it")],
-    docs: "The files of a base in `contarget/<base>/` belong together. But MakeHuman 2 chooses each JSON \
-        separately, and takes targets and icons from the folder whose macro.json it uses.\n\nWithout macro.json, \
-        the override's sliders load the targets of the system data, and targets beside them are never read. If the system \
-        does not have the base, MakeHuman 2 crashes at start, because it tries to write an archive into a folder \
-        that does not exist. Such a base needs a macro.json even without macros: `{\"components\": {}, \
-        \"macrodef\": []}`.\n\nWithout modelling.json, the sliders of the system data look for their targets in contarget. \
-        Targets in contarget without any of the three files are never read. If all names resolve in spite of the \
-        gap, nothing is wrong today, and the finding is an info.\n\nAdd the missing files.",
+    docs: include_str!("partial_override.md").trim_ascii_end(),
     ..RuleInfo::new("overlay-partial-override", Level::Warning, "an override without the other files it needs")
 });
 

@@ -7,12 +7,7 @@ use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "reads the files in contarget instead of those in the system data")],
-    docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace the files in the system data of \
-        the same names completely; nothing is merged. With macro.json the targets change as well: none in the \
-        system data can be reached. That is what overrides are for; the finding lists what is no longer reachable. \
-        An override with gaps has a finding for the gap instead.\n\nMakeHuman 2 never reads a macro.json in the \
-        user's `target/<base>/`. Move it to `contarget/<base>/` together with the targets it names. It also \
-        never reads a `contarget` folder in the system data.",
+    docs: include_str!("shadowed.md").trim_ascii_end(),
     ..RuleInfo::new("overlay-shadowed", Level::Info, "a file that is replaced or never read")
 });
 

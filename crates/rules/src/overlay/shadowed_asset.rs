@@ -18,18 +18,7 @@ pub(crate) static RULE: Rule = Check::LibrariesOfAll(run, shared, of_mpfb).rule(
         (Makehuman1, "takes the user's file wherever it is named, also in materials of the system"),
         (Mpfb, "takes the user's file in place of its own"),
     ],
-    docs: "An asset of the user has the name and uuid of one of the system. MakeHuman 2 lists the user's. Its material and mesh \
-        are looked for beside it, so the folder has to be complete.\n\n\
-        A material or mesh of the user in a folder that only the system has an asset in is never used (a warning): MakeHuman \
-        2 takes what lies beside the system's asset. Materials in `eyes/<base>/materials` are an exception, and those that a \
-        model names.\n\n\
-        MakeHuman 1 looks for a name such as `litspheres/x.png` in the data of the user first, whoever names it: a file of \
-        the user in `litspheres`, `textures`, `shaders` or `uvs` replaces that of the system with the same path.\n\n\
-        MPFB lists an asset of the user in place of one of the system with the same label: the name of the file in small letters, with spaces for `_`. It looks for UV layers in the data of the user first: one of the name of a shipped one replaces it for all ink layers. \
-        Once `config/enhanced_settings.default.json` exists, MPFB reads it in place of the shipped settings, also when \
-        these change with a new version. So it is with the poses that it copies to the folder of the user.\n\n\
-        Nothing has to be done if the asset is meant to be replaced. Otherwise give it a name and a uuid of its own, or copy \
-        the whole asset.",
+    docs: include_str!("shadowed_asset.md").trim_ascii_end(),
     of_library: true,
     ..RuleInfo::new("overlay-shadowed-asset", Level::Info, "an asset of the user replaces one of the system")
 });

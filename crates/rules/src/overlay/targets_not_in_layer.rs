@@ -14,13 +14,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         "cannot load the targets and crashes with `AttributeError`: at start if the default character uses one, \
             otherwise as soon as a slider uses one",
     )],
-    docs: "MakeHuman 2 loads all targets of a base, for macros and sliders, from one folder: `contarget/<base>` \
-        if a macro.json there is in use, otherwise `target/<base>` of the system data. Single files do not fall back \
-        to the other folder. But sliders and macros can still come from the other layer, because each JSON is \
-        chosen separately; then they name targets that are not in the folder in use.\n\nSo an override of \
-        macro.json needs every target that a slider or combination in use names. Copy the missing ones beside \
-        it, remove them from the JSON, or give up the override of macro.json. An override of modelling.json \
-        alone uses the targets of the system data: with targets of its own it needs a macro.json beside it.",
+    docs: include_str!("targets_not_in_layer.md").trim_ascii_end(),
     counts: "targets",
     ..RuleInfo::new(
         "overlay-targets-not-in-layer",

@@ -10,11 +10,7 @@ use mhlint_repo::makehuman2::{Base, View, user_scan};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "shows the user's slider instead of the other one, which disappears")],
-    docs: "MakeHuman 2 merges the generated modelling.json of the user's targets over the sliders of the base, \
-        key by key; the user's entry wins. Its keys are made from folder and file: `head/size.target` becomes \
-        `Head Size`. A slider of the base with that key disappears, and models saved with it lose the value. A \
-        target that the file does not name yet counts as well: the next scan makes its key.\n\nRename the user's \
-        target or its folder; MakeHuman 2 rewrites the file.",
+    docs: include_str!("user_key_clash.md").trim_ascii_end(),
     counts: "sliders",
     ..RuleInfo::new("overlay-user-key-clash", Level::Warning, "a user target that replaces a slider with the same key")
 });

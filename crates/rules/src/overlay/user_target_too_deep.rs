@@ -9,10 +9,7 @@ use mhlint_repo::{FileFacts, Reference};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "packs the targets into its archive, but shows no slider for them")],
-    docs: "MakeHuman 2 makes sliders from the user's targets in `target/<base>/` and in the folders directly \
-        below it, but not deeper. Files further down are still read and packed at every start, and a malformed \
-        one still crashes it, but they get no slider. Neither do targets in the folder `icons`, which is for \
-        pictures.\n\nMove the files up: one folder below `target/<base>/` is one group of sliders.",
+    docs: include_str!("user_target_too_deep.md").trim_ascii_end(),
     counts: "targets",
     ..RuleInfo::new("overlay-user-target-too-deep", Level::Warning, "user targets too deep to become sliders")
 });

@@ -12,14 +12,13 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "finds no asset for it: the filter and the randomizer pass over the entry")],
-    docs: "A key of `packs/<pack>.json` is the name of no file, without its suffix, in the data of the user or of MPFB. By \
-        these names the filter of the library and the randomizer know which assets are of the pack.\n\n\
-        Often an asset was renamed, or is not in the pack any more.\n\n\
-        The other way round, an asset in a zip that no list in it names is hidden when the pack is chosen in the filter. \
-        This is reported of `.mhclo` and `.proxy` alone.\n\n\
-        Correct the name, or remove or add the entry.",
+    docs: include_str!("manifest.md").trim_ascii_end(),
     counts: "entries",
-    ..RuleInfo::new("pack-manifest", Level::Warning, "the list of a pack names an asset that does not exist, or misses one")
+    ..RuleInfo::new(
+        "pack-manifest",
+        Level::Warning,
+        "the list of a pack names an asset that does not exist, or misses one",
+    )
 });
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -9,11 +9,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "fails with `AttributeError` when the assets of the pack are asked for")],
-    docs: "`packs/<pack>.json` in the data of a user of MPFB is an object whose keys are assets: the names of their files \
-        without suffix. The values are never read.\n\n\
-        Anything else stops the pack filter and the randomizer with `AttributeError`. A file in a folder below `packs`, or with \
-        its suffix in capitals, is not read. A copy such as `<pack>.json.bak` counts as another pack (a warning).\n\n\
-        Write an object, or move the file.",
+    docs: include_str!("metadata.md").trim_ascii_end(),
     ..RuleInfo::new("pack-metadata", Level::Error, "a list of a pack that its loader does not take or find")
 });
 

@@ -10,13 +10,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "drops all targets that need the setting at this end of the slider")],
-    docs: "The first part of a setting must begin below 0 and the last one end above 1. MPFB compares strictly: with \
-        `lowest` 0 the value 0 itself is outside of the part, so the setting has no share there, and all targets \
-        that need it are dropped (`parts-gap` has the list). A setting with an empty list of parts never has a \
-        share.\n\nParts in per cent (0 to 101) leave nearly the whole slider uncovered. If 0.5 of gender or age is \
-        not covered, new characters have no shape at all (an error). An end without a name is not reported: there \
-        is no shape to lose.\n\nWrite a `lowest` below 0 or a `highest` above 1. The closer it is, the nearer the \
-        end comes to the full shape (`parts-end-share`).",
+    docs: include_str!("coverage.md").trim_ascii_end(),
     ..RuleInfo::new("parts-coverage", Level::Error, "an end of a setting is not covered by any part")
 });
 

@@ -11,11 +11,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "jumps from one shape to another at this value of the slider")],
-    docs: "A part ends with one name, and the next one begins with another. Where they meet the first name has its \
-        full share on one side and none on the other, so the shape jumps when the slider passes the place. An empty \
-        name counts as a name of its own: it stands for no shape.\n\nA name that no target has is reported by \
-        `parts-missing-target`, and parts that overlap by `parts-overlap`.\n\nWrite the same name for `high` of the \
-        one part and `low` of the next.",
+    docs: include_str!("discontinuity.md").trim_ascii_end(),
     ..RuleInfo::new("parts-discontinuity", Level::Warning, "neighbouring parts have different names where they meet")
 });
 

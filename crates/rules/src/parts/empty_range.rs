@@ -10,10 +10,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "never uses the part")],
-    docs: "`lowest` of a part is not below `highest`, or one of them is not a finite number. No value is in the part, \
-        so its names have no share. MPFB does not report it.\n\nWhere no other part covers the values, all targets \
-        that need the setting are dropped there (`parts-gap` has the list); if 0.5 of gender or age is among \
-        them, new characters have no shape at all (an error).\n\nOften the two numbers are exchanged.",
+    docs: include_str!("empty_range.md").trim_ascii_end(),
     ..RuleInfo::new("parts-empty-range", Level::Error, "a part that no value is in")
 });
 

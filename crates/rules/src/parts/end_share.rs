@@ -10,12 +10,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "never shows the shape in full: a share of its neighbour stays at the end of the slider")],
-    docs: "A part must stick out of the slider, because its own ends are outside of it (`parts-coverage`). The more it \
-        does, the less of its name the end of the slider reaches: a part from -0.01 to 0.1875 has 94.9 % of its first \
-        name at 0, and 5.1 % of the second one. Without a second name the rest is missing.\n\nThat is so in the data \
-        of MPFB, and targets are made for it. Change it only together with the targets.\n\nOne finding stands for \
-        all ends and names the one that reaches least. Shares are rounded to four decimals, as MPFB does: with \
-        `lowest` -0.00001 the end reaches 100 %.",
+    docs: include_str!("end_share.md").trim_ascii_end(),
     counts: "ends of sliders",
     ..RuleInfo::new("parts-end-share", Level::Info, "the end of a slider does not reach its shape in full")
 });

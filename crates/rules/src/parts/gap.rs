@@ -10,15 +10,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "drops all targets that need the setting at these values")],
-    docs: "The parts of a setting leave out values between 0 and 1. MPFB compares strictly: the values `lowest` and \
-        `highest` themselves are outside of a part, so two parts that meet at 0.5 leave out 0.5.\n\nAt such a value \
-        the setting has no share, and all targets that need it are dropped: all of them for gender and age, all but \
-        the race targets for muscle and weight, and the breast, height or proportions targets for the others. The \
-        shape jumps there. If 0.5 of gender or age is left out, a new character has no shape at all (an error).\n\n\
-        Sliders store 32-bit numbers, and the finding counts those in the gap. A gap without any is not reported, \
-        nor one between two empty names, where there is no shape to lose. With one empty name see \
-        `parts-discontinuity`.\n\nEnd the one part and begin the next at \
-        one number that is not a 32-bit number, such as 0.4999.",
+    docs: include_str!("gap.md").trim_ascii_end(),
     counts: "slider values",
     ..RuleInfo::new("parts-gap", Level::Warning, "values between two parts that neither covers")
 });

@@ -9,11 +9,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "crashes with `KeyError` whenever a character is made: none can be made")],
-    docs: "MPFB looks up eight settings in `macrotargets`: `gender`, `age`, `muscle`, `weight`, `proportions`, \
-        `height`, `cupsize` and `firmness`. Each needs `parts`, and each part `lowest`, `highest`, `low` and `high`. \
-        If one of these keys is missing, MPFB starts, but every attempt to make a character fails, and so do the \
-        sliders of the phenotype.\n\nOther settings and other keys are ignored. An empty `low` or `high` (`\"\"`) is \
-        allowed and stands for no shape.\n\nAdd the key.",
+    docs: include_str!("missing_setting.md").trim_ascii_end(),
     counts: "keys",
     ..RuleInfo::new("parts-missing-setting", Level::Error, "a macro setting, or a key of a part, is missing")
 });

@@ -15,14 +15,7 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
         Mpfb,
         "fails where a setting comes near them: the whole macro shape disappears, and no such character can be made",
     )],
-    docs: "MPFB composes the names of its macro targets from the names in `macro.json`, in five fixed loops (race, \
-        universal, height, breast, proportions). It does not check whether the files exist. If one is missing, a \
-        character whose settings need it cannot be made; a slider that comes near sets all macro targets to 0 and \
-        then fails, so the whole macro shape is gone.\n\nOnly packed files (`.target.gz`) of MPFB's own data count, \
-        and capitals matter. Deliberately left out are breast and proportions targets of `baby`, and \
-        `averagecup-averagefirmness`. An empty file is an empty target, and is needed as well.\n\nOne finding stands \
-        for all of them, with a count for each loop; `*` in an example stands for any name. A new name in \
-        `macro.json` needs targets in every loop that uses its setting.\n\nCorrect the name, or add the targets.",
+    docs: include_str!("missing_target.md").trim_ascii_end(),
     counts: "targets",
     ..RuleInfo::new("parts-missing-target", Level::Error, "a target that the macro settings need does not exist")
 });

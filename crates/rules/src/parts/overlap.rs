@@ -11,10 +11,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "adds the targets of both parts up at these values")],
-    docs: "Two parts of a setting cover the same values. MPFB uses every part that a value is in: different names of \
-        both get their shares, so that together they can come to more than 1 and the shape is exaggerated. A name \
-        that both parts have gets the share of the later one.\n\nParts of `age` that overlap from 0.5 to 0.6 add \
-        the child to every new character and make it smaller.\n\nEnd the one part where the next one begins.",
+    docs: include_str!("overlap.md").trim_ascii_end(),
     ..RuleInfo::new("parts-overlap", Level::Warning, "values that are in two parts of a setting")
 });
 

@@ -9,10 +9,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "silently shows the opposite shape, also of all saved characters")],
-    docs: "The names of a setting stand in the other order: `male` at 0 and `female` at 1, or `old` before `young`.\n\n\
-        MPFB takes the names as they are written. Its sliders, saved characters and models from MakeHuman mean the usual \
-        order: 0 is female, a baby, the least muscle. With the names exchanged each of them has the opposite shape.\n\n\
-        Exchange the names.",
+    docs: include_str!("reversed.md").trim_ascii_end(),
     ..RuleInfo::new("parts-reversed", Level::Warning, "the names of a setting run against its slider")
 });
 

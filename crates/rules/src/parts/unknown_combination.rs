@@ -8,11 +8,7 @@ use mhlint_repo::mpfb::loops::{Axis, LOOPS};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "ignores `combinations` and makes its own five")],
-    docs: "`combinations` seems to say which settings are combined to the names of targets, but MPFB does not read it. \
-        It always combines race, gender and age; gender, age, muscle and weight; and these four with proportions, \
-        with height, and with cup size and firmness. A combination that is added has no effect, and neither has one \
-        that is removed.\n\nThe order of the settings and the keys do not matter, and neither does a file without \
-        `combinations`.\n\nWrite the five combinations, or remove them.",
+    docs: include_str!("unknown_combination.md").trim_ascii_end(),
     counts: "combinations",
     ..RuleInfo::new("parts-unknown-combination", Level::Info, "`combinations` differ from those that MPFB makes")
 });

@@ -9,12 +9,7 @@ use mhlint_repo::mpfb::{POSE_ENDINGS, RigFile, RigPart, View, rig_of_pose};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "never offers the poses")],
-    docs: "MPFB offers a pose for the rig whose name the folder has: `poses/<rig>_fk`, `_ik` if a bone of the rig ends in \
-        `_ik`, and `_partial` for poses of some bones. Both default rigs share `default`. Capitals count. What \
-        `skeleton_type` says does not matter.\n\n\
-        A pose in a folder without such an ending, in other capitals, or in `poses` itself is never offered, without a \
-        message. A name that is nearly that of a rig of MPFB is reported if no rig of the user has it.\n\n\
-        Rename the folder.",
+    docs: include_str!("folder.md").trim_ascii_end(),
     ..RuleInfo::new("pose-folder", Level::Error, "poses of MPFB in a folder that no rig reads")
 });
 

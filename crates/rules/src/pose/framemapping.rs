@@ -8,11 +8,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "fails with `RuntimeError` when the expressions are opened: it lists them and shows none")],
-    docs: "MakeHuman 1 makes expressions of the frames of `poseunits/face-poseunits.bvh`. `framemapping` in \
-        `face-poseunits.json` gives each frame its name, the first being the rest pose.\n\n\
-        If there are more or fewer names than frames, no expression can be shown. A name that stands there twice means the \
-        first of its frames (a warning): the other one cannot be set.\n\n\
-        Add the missing name, or remove the one that is too many.",
+    docs: include_str!("framemapping.md").trim_ascii_end(),
     ..RuleInfo::new("pose-framemapping", Level::Error, "the face units of MakeHuman 1 have other names than frames")
 });
 

@@ -7,10 +7,7 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "ignores the key: the pose has no license in the editor, and none after it is saved there")],
-    docs: "A pose or expression (`.mhpose`) has a key `licence`. MakeHuman 2 reads `license` alone; its own editor writes the \
-        other spelling.\n\n\
-        Nothing is wrong on screen, but the license is lost as soon as the pose is edited and saved.\n\n\
-        Write `license`.",
+    docs: include_str!("licence_spelling.md").trim_ascii_end(),
     fix: FixKind::Safe,
     ..RuleInfo::new("pose-licence-spelling", Level::Info, "`licence` in a pose is not read")
 });

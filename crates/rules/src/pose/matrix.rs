@@ -8,15 +8,7 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes at start when it loads the base")],
-    docs: "A bone of a unit in `body-poses.json` or `face-poses.json` has another number of values than nine, or one that \
-        is not a number. The nine numbers are a rotation matrix, row by row; three lists of three numbers are the \
-        same.\n\n\
-        MakeHuman 2 reads all units when it loads the base, and crashes at start.\n\n\
-        A matrix that is not a rotation is a warning: it has rows of another length than 1, or at another angle than 90 degrees \
-        to each other, or is a mirror image. MakeHuman 2 makes a quaternion of it, which can only turn: the bone gets another \
-        direction than the matrix has. `off by 0.098` is the largest number in M\u{00b7}M\u{1d40} \u{2212} 1, which has only \
-        zeros for a rotation; above 0.01 it is reported.\n\n\
-        Restore the matrix, or remove the bone from the unit.",
+    docs: include_str!("matrix.md").trim_ascii_end(),
     ..RuleInfo::new("pose-matrix", Level::Error, "the matrix of a pose unit is not nine numbers, or not a rotation")
 });
 

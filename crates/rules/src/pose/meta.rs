@@ -11,12 +11,7 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "ignores the line"), (Makehuman1, "ignores the line")],
-    docs: "A `.meta` beside a `.bvh` of the same name gives the motion a name, an author and tags, each on a line that begins \
-        with `name`, `author` or `tag`.\n\n\
-        MakeHuman 2 does not know the words with a colon or in capitals, so the motion has the name of its file and no \
-        tags. Of the name it keeps only ASCII letters, in small letters: a name without any is empty in the list. A \
-        `.meta` without its `.bvh` is never read.\n\nMakeHuman 1 does not know the words with a colon, either; capitals make no difference to it, and it keeps all letters.\n\n\
-        Write `name My Pose` without a colon, with plain letters, in a file that is called as the `.bvh`.",
+    docs: include_str!("meta.md").trim_ascii_end(),
     ..RuleInfo::new("pose-meta", Level::Warning, "a `.meta` of which a line is not read")
 });
 

@@ -12,13 +12,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "shows a message in place of each of these poses"),
         (Makehuman1, "fails when the expressions are opened: it lists them and shows none"),
     ],
-    docs: "A base has poses (`.mhpose`) in `poses/<base>/` but no `base/<base>/body-poses.json`, or expressions in \
-        `expressions/<base>/` but no `face-poses.json`. These files say what the units of the poses turn.\n\n\
-        Without `body-poses.json` MakeHuman 2 shows a message whenever one of the poses is chosen, and no pose. Without \
-        `face-poses.json` expressions silently do nothing (a warning). Motions (`.bvh`) need neither.\n\n\
-        MakeHuman 1 makes expressions of the frames of `poseunits/face-poseunits.bvh`, which have their names in \
-        `face-poseunits.json` beside it. Without either no expression can be shown.\n\n\
-        Add the file, or remove the poses.",
+    docs: include_str!("missing_units.md").trim_ascii_end(),
     of_whole: true,
     ..RuleInfo::new("pose-missing-units", Level::Error, "the units that poses are made of do not exist")
 });

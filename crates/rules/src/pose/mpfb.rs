@@ -12,17 +12,7 @@ use mhlint_repo::mpfb::{View, rig_of_pose};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "lists the pose, and fails with an exception when it is loaded")],
-    docs: "A pose of MPFB (`poses/<rig>_fk/<name>.json`, also `_ik` and `_partial`) needs `skeleton_type`, a string, and the \
-        objects `bone_rotations` and `bone_translations`. A rotation has three numbers, or four for a quaternion; \
-        `bone_rotation_modes` may say which mode a bone has: `QUATERNION` and `AXIS_ANGLE` take four numbers, `XYZ` and its \
-        permutations three. A translation has three.\n\n\
-        Anything else stops MPFB when the pose is loaded: the bones before it are posed, the others are not.\n\n\
-        If `skeleton_type` contains `default`, MPFB measures `spine05`, `spine01` and the bones `shoulder01`, and fails \
-        on a rig that does not have them.\n\n\
-        NaN, infinity and a quaternion of zeros are taken as they are: the bone has no place any more (a warning).\n\n\
-        MPFB copies its own poses into the user's folder once. A broken one is copied as it is, and a copy is never \
-        refreshed.\n\n\
-        Save the pose again, or correct the value.",
+    docs: include_str!("mpfb.md").trim_ascii_end(),
     ..RuleInfo::new("pose-mpfb", Level::Error, "a pose of MPFB that its loader does not take")
 });
 

@@ -14,11 +14,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "crashes with `KeyError` when the pose is shown"),
         (Makehuman1, "fails with `KeyError` when the expression is chosen"),
     ],
-    docs: "A pose or expression (`.mhpose`) has no `unit_poses`: the units that it sets, with their values.\n\n\
-        MakeHuman 2 lists the pose and crashes when it is shown. If `unit_poses` is empty, the pose is the rest pose (an \
-        info).\n\n\
-        MakeHuman 1 lists an expression without units, with an empty `unit_poses` as well, and fails when it is chosen.\n\n\
-        Add `unit_poses`, or correct its spelling.",
+    docs: include_str!("no_units.md").trim_ascii_end(),
     ..RuleInfo::new("pose-no-units", Level::Error, "a pose has no `unit_poses`")
 });
 

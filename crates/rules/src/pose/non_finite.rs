@@ -15,10 +15,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman1, "shows a torn mesh in this pose"),
     ],
     levels: &[(Makehuman1, Level::Warning)],
-    docs: "A frame of a BVH file, a value of a pose or a matrix of a pose unit has NaN or infinity as a number.\n\n\
-        MakeHuman 2 calculates with it. The bone and all below it lose their places, and with them the vertices that \
-        they move. The glTF export with animation crashes.\n\n\
-        Export the motion again, or replace the number.",
+    docs: include_str!("non_finite.md").trim_ascii_end(),
     ..RuleInfo::new("pose-non-finite", Level::Error, "a pose has NaN or infinity")
 });
 

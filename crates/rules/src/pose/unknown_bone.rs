@@ -14,17 +14,13 @@ use mhlint_formats::unfit::NamedAt;
 use mhlint_repo::{Body, FileFacts, StoredBones};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently ignores the joint: its bone stays in the rest pose"), (Makehuman1, "does not show the pose: it was made for another rig"), (Mpfb, "silently passes over the bone: it stays as it is")],
+    breaks: &[
+        (Makehuman2, "silently ignores the joint: its bone stays in the rest pose"),
+        (Makehuman1, "does not show the pose: it was made for another rig"),
+        (Mpfb, "silently passes over the bone: it stays as it is"),
+    ],
     levels: &[(Makehuman1, Level::Error)],
-    docs: "A joint of a BVH file is not a bone of the skeleton that poses the base: the one that `base.json` names in \
-        `pose-skeleton`. A name ends at the first space.\n\n\
-        MakeHuman 2 ignores such joints without a message. If none of them is a bone, the motion shows the rest pose: it \
-        was made for another rig.\n\n\
-        A bone of a unit in `body-poses.json` or `face-poses.json` that the skeleton does not have crashes MakeHuman 2 as \
-        soon as any pose or expression is shown (an error).\n\nMakeHuman 1 refuses a pose without the joint `upperleg02.L` (an error); other unknown joints do no harm there.\n\n\
-        In a stored pose of MPFB the bones are those of the rig that its folder names; others are passed over. \
-        A BVH file in `poses/` is for the default rigs; a joint that none of them has moves nothing.\n\n\
-        Correct the name, or export the motion for the rig of this base.",
+    docs: include_str!("unknown_bone.md").trim_ascii_end(),
     ..RuleInfo::new("pose-unknown-bone", Level::Warning, "a pose names a bone that the skeleton does not have")
 });
 

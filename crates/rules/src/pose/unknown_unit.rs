@@ -14,14 +14,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman1, "fails with `ValueError` when the expression is chosen"),
     ],
     levels: &[(Makehuman1, Level::Error)],
-    docs: "A pose sets a unit that `body-poses.json` of its base does not have, or an expression one that `face-poses.json` \
-        does not have. The folder decides which of both is asked: `poses/` or `expressions/`.\n\n\
-        MakeHuman 2 ignores such units without a message. Names of units in expressions of older versions are converted, \
-        except `TongueUp`, `TongueDown`, `TonguePointUp` and `TonguePointDown`, which are lost.\n\n\
-        The same rule reports units whose `rsym` or `lsym` does not exist: mirroring does nothing for them.\n\n\
-        MakeHuman 1 lists an expression with a unit that `poseunits/face-poseunits.json` does not name, and fails when it is \
-        chosen (an error).\n\n\
-        Correct the name, or move the file to the other folder.",
+    docs: include_str!("unknown_unit.md").trim_ascii_end(),
     ..RuleInfo::new("pose-unknown-unit", Level::Warning, "a pose sets a unit that does not exist")
 });
 

@@ -17,12 +17,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "turns the bones of the unit further than it is made for"),
         (Makehuman1, "turns the bones of the unit further than it is made for"),
     ],
-    docs: "A pose sets a unit to a value outside -1 to 1, or to a negative value although the unit has no `reverse`. A value \
-        of 1 is the whole unit; often per cent were written.\n\n\
-        MakeHuman 2 does not limit the values: 60 turns the bones sixty times as far. A negative value of a unit without \
-        `reverse`, and a positive one of a unit without `bones`, does nothing.\n\n\
-        MakeHuman 1 does not limit the values, either; a negative one turns the bones the other way there.\n\n\
-        Write a value from -1 to 1, or from 0 to 1 for a unit with one side.",
+    docs: include_str!("value_range.md").trim_ascii_end(),
     ..RuleInfo::new("pose-value-range", Level::Warning, "a pose sets a unit to a value that it does not have")
 });
 

@@ -9,12 +9,7 @@ use mhlint_repo::{FileFacts, parent};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "does not list the character, and fails when it is loaded by its path")],
-    docs: "MPFB lists saved characters by their names: `human.<name>.json` in the folder `config`, in small letters.\n\n\
-        Presets of other kinds begin with `importer_presets.`, `makeup.`, `randomization.`, `eye_settings.` or \
-        `enhanced_settings.`.\n\n\
-        A file with a `phenotype`, which only a saved character has, and another name (`joe.json`, `Human.joe.json`, \
-        `human.joe.JSON`) is not listed. MPFB fails with an exception when it is loaded by its path.\n\n\
-        Rename the file. The character is called like the file.",
+    docs: include_str!("not_listed.md").trim_ascii_end(),
     ..RuleInfo::new("preset-not-listed", Level::Error, "a saved character under a name that MPFB does not list")
 });
 

@@ -13,17 +13,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "fails with an exception when the character is loaded, which leaves it half-built")],
-    docs: "A saved character of MPFB (`config/human.<name>.json`) needs `phenotype`, `skin_mhmat` and `skin_material_type`.\n\n\
-        `phenotype` is null, or has `race` and no other keys than the eight settings; all values are numbers. `targets` is a \
-        list of objects with `target` and `value`. MPFB builds the character step by step, and fails with an exception at \
-        the first key or value that it does not take: what comes later is missing. A rig that does not exist and a \
-        makeup file that does not exist stop it as well. `clothes` as a string is read letter by letter: all clothes are \
-        missing.\n\n\
-        What else does not exist is left out, with a message in the log (a warning): targets, assets, the skin, \
-        expressions. A target is found by its name in whatever capitals; the beginning of a name is enough, but if several \
-        begin so, the disk decides. A value outside 0 to 1 is limited.\n\n\
-        Names are checked where both the data of MPFB and the user's are at hand.\n\n\
-        Correct the key, the value or the name, or save the character again.",
+    docs: include_str!("schema.md").trim_ascii_end(),
     ..RuleInfo::new("preset-schema", Level::Error, "a saved character with what its loader does not take or find")
 });
 

@@ -14,17 +14,7 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         (Makehuman2, "crashes with `KeyError` where it uses the key"),
         (Mpfb, "fails with an exception where it uses the value"),
     ],
-    docs: "`support_urls` in `makehuman2_version.json` names, for each entry of a menu, a key of the same file with an \
-        address. `standardmesh` names a base mesh.\n\n\
-        Without the key MakeHuman 2 crashes. A base mesh that does not exist is never chosen (a warning).\n\n\
-        The download panel needs `url_assetlist`, `url_assetpacklist` and `url_assetpacks`, a download `url_fileserver`, and \
-        `makehuman.py --version` needs `url_mhcommunity` (a warning). Of a file without `suffix`, which is of an older version, \
-        none is asked for.\n\n\
-        Of MPFB the rule looks at presets of the importer and of the randomizer, makeup, settings of eyes and skins and node \
-        trees: values that their loaders do not take, misspelt keys, ink layers that do not exist, and a second link to one \
-        input of a node. A preset of the randomizer needs every key, and settings for every section of `target.json` that has \
-        sliders.\n\n\
-        Add the key, or correct the name. Missing keys and wrong types are reported by `json-schema`.",
+    docs: include_str!("file_content.md").trim_ascii_end(),
     ..RuleInfo::new("program-file-content", Level::Error, "a file of the program names something that does not exist")
 });
 

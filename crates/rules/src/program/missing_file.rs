@@ -14,16 +14,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         (Makehuman1, "misses the file at start"),
         (Mpfb, "fails where it needs the file"),
     ],
-    docs: "The data folder of MakeHuman 2 itself needs `makehuman2_version.json` and `shaders/shader.json`. Without the first \
-        the program exits at start with code 20, without the second with code 21. Where there are shaders, \
-        `shaders/meshes/lampsymbol.obj` belongs to them (a warning).\n\n\
-        The rule asks for them only where the folder holds other parts of the program: shaders, or one of the two. Where there \
-        are these, or macros in `target/`, and no `base/`, all base meshes are gone.\n\nOf the data of MakeHuman 1 the rule asks for the base mesh, the base skeleton, the default skin, its litspheres, the default eyes, the first scene and the shaders, each only where other files of its folder are there, or most of the rest of the program is.\n\n\
-        MPFB opens files of its own data by their names: `target.json` and `macro.json`, `base.obj`, the files of \
-        `mesh_metadata`, settings and node trees, and the folders `rigs/standard`, `rigs/rigify`, `targets/_images` and `textures`, with ten pictures of the skin. Without the catalogue, the \
-        macros, the vertex groups or the icons the add-on cannot be enabled; without the others it fails where it needs them. \
-        Capitals count.\n\n\
-        Restore the file from the program.",
+    docs: include_str!("missing_file.md").trim_ascii_end(),
     of_library: true,
     ..RuleInfo::new("program-missing-file", Level::Error, "a file of the program does not exist")
 });

@@ -55,12 +55,8 @@ const NO_MATERIAL: Case = &[(Mpfb, Level::Error, "fails when it makes a material
 const NO_RIG: Case = &[(Mpfb, Level::Error, "offers the rig, and fails with `OSError` when it is chosen")];
 
 /// Folders that must exist: of the icons of sliders any may be missing.
-const FOLDERS: [(&str, Case); 4] = [
-    ("targets/_images", NO_START),
-    ("textures", NO_SKIN_MAP),
-    ("rigs/standard", NO_RIG),
-    ("rigs/rigify", NO_RIG),
-];
+const FOLDERS: [(&str, Case); 4] =
+    [("targets/_images", NO_START), ("textures", NO_SKIN_MAP), ("rigs/standard", NO_RIG), ("rigs/rigify", NO_RIG)];
 
 /// Whether the user has a copy of the settings of skins, which is read in place of the shipped one.
 pub(super) fn has_own_skin_settings(view: &View<'_>) -> bool {

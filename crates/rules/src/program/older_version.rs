@@ -14,10 +14,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         (Makehuman1, "works with data of its own version; newer programs miss what came later"),
         (Mpfb, "works with data of its own version; newer programs miss what came later"),
     ],
-    docs: "The data of a program are older than the rules: their base mesh, and what came to them and what went, tell the \
-        version. What came later is not asked for. Data of MakeHuman 1 before 1.1 have formats that no newer program reads as a \
-        whole; their files are checked one by one.\n\n\
-        `--app makehuman1@1.3`, or `apps` in `mhlint.toml`, sets the version where it was taken for another one.",
+    docs: include_str!("older_version.md").trim_ascii_end(),
     of_library: true,
     of_pieces: true,
     ..RuleInfo::new("program-older-version", Level::Info, "data of an older version of a program")

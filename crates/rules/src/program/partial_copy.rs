@@ -13,13 +13,7 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         (Makehuman1, "does not work with this folder alone; the files in it were checked singly"),
         (Mpfb, "does not work with this folder alone; the files in it were checked singly"),
     ],
-    docs: "A folder with indexes of a program (`modifiers/`, `target.json`, `modelling.json`), without the base mesh and without \
-        more than half of the targets that the indexes name, is a copy of some files: ports to engines and add-ons have such. \
-        Its files are checked one by one, and what an index names is not asked for.\n\n\
-        A folder that lacks the base mesh alone, or the targets alone, is a damaged one: then everything that is missing is \
-        reported. A copy of MPFB or MakeHuman 1 \
-        lacks at least three of the folders without which the program does not work, and one of MakeHuman 2 has nothing but `target/`.\n\n\
-        If it is to be whole, copy the data of the program again.",
+    docs: include_str!("partial_copy.md").trim_ascii_end(),
     counts: "targets",
     of_library: true,
     of_pieces: true,

@@ -12,14 +12,7 @@ use mhlint_repo::{FileFacts, Layer};
 
 pub(crate) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "leaves out the missing sides of the background")],
-    docs: "A skybox is a folder in `shaders/skybox/` with six pictures: `posx`, `negx`, `posy`, `negy`, `posz` and `negz`, as \
-        `.png` or `.jpg`. `skyboxname` in `shaders/shader.json` names the one that is shown at start; the others are chosen in \
-        the window of the scene. The user's folder is used before the system's, as a whole.\n\n\
-        MakeHuman 2 leaves out the sides that are missing. Of each side it takes as many bytes as 2048 by 2048 pixels of 4 \
-        bytes have, without asking how many there are. A side that is smaller, in shades of grey, with a table of colours, or \
-        not a picture at all crashes the program with a segmentation fault (an error): at every start if it belongs to the skybox \
-        of `shader.json`. A larger one is cut off (an info).\n\n\
-        Add the pictures in this size and in full colour, or name another folder.",
+    docs: include_str!("skybox.md").trim_ascii_end(),
     ..RuleInfo::new("program-skybox", Level::Warning, "a side of a skybox is missing or cannot be shown")
 });
 

@@ -13,15 +13,7 @@ use mhlint_repo::{Body, FileFacts, ReferenceKind};
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `KeyError` in every pose; the glTF export crashes up to 2026-08-05 for a model with a skeleton, newer ones leave out the weights"), (Makehuman1, "drops the weights of these bones: vertices that have no others go to the root bone"), (Mpfb, "silently drops the weights of the bone: the asset keeps those that it takes from the body")],
     levels: &[(Makehuman1, Level::Warning), (Mpfb, Level::Warning)],
-    docs: "The bone weights of an asset (`vertexboneweights_file`) name a bone that the skeleton for poses does not \
-        have.\n\n\
-        MakeHuman 2 puts the asset on. Posing the figure then crashes with `KeyError`. So does, up to 2026-08-05, every glTF \
-        export of a model with a skeleton; newer programs export the asset without weights, silently. A bone with an \
-        empty list does no harm.\n\n\
-        The skeleton is the one that `pose-skeleton` of `base.json` names, whatever skeleton the model has.\n\n\
-        MPFB reads the weights beside the asset that have its name. Reported is a bone that no rig has which is at hand, nor the \
-        sub-rig of the asset; and weights that come to 1 only with bones of different rigs.\n\n\
-        Rename the bone, or export the weights for the skeleton of the base.",
+    docs: include_str!("custom_weights.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-custom-weights", Level::Error, "bone weights of an asset name an unknown bone")
 });
 

@@ -16,12 +16,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         (Makehuman1, "moves and bends the vertex with fewer vertices of the body than the row was meant to name"),
         (Mpfb, "moves and bends the vertex with fewer vertices of the body than the row was meant to name"),
     ],
-    docs: "A row ties a vertex of the asset to a triangle of the base mesh: three vertices with a weight each. Here two or \
-        all three are the same vertex, or the three lie on a line.\n\n\
-        The applications load the row. The vertex follows that one vertex, or stays on that line, while its neighbours \
-        follow the skin: it can sink into the body or stand off when sliders move or a bone bends. Usually the row was \
-        edited, or the exporter found no triangle.\n\n\
-        A row with one number, and one in which a single weight is not 0, is meant so.",
+    docs: include_str!("degenerate_triple.md").trim_ascii_end(),
     counts: "rows",
     ..RuleInfo::new("proxy-degenerate-triple", Level::Warning, "three vertices of a row that make no triangle")
 });

@@ -10,15 +10,12 @@ use mhlint_formats::mhclo::{Entry, FaultKind};
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, STOPS_WITH_VALUE), (Makehuman1, "does not put the asset on: `ValueError` when it reads the file"), (Mpfb, "fails with `ValueError` when the asset is loaded")],
-    docs: "Below `delete_verts` stand vertices of the base mesh that the asset hides: numbers, and ranges such as \
-        `12 - 18` with spaces around the dash. Both ends are included.\n\n\
-        MakeHuman 2 crashes on anything else: `12-18`, commas, `12.0`, a comment behind numbers. A comment in a line of \
-        its own is fine. It crashes with `UnboundLocalError` if the list begins with a dash.\n\n\
-        Numbers in the line of `delete_verts` itself are ignored. A dash at the end \
-        of a line is forgotten: of the range only both ends are hidden, and of the last one the first vertex. Of a range from a higher to a \
-        lower number only the first one is hidden (warnings).\n\nMakeHuman 1 reads the list in the same way, and does not put an asset on whose list it cannot read.\n\nMPFB counts negative numbers from the end (a warning). Where it does not see the list at all, see `proxy-delete-list-lost`.\n\n\
-        Write ranges in one line, the lower number first.",
+    breaks: &[
+        (Makehuman2, STOPS_WITH_VALUE),
+        (Makehuman1, "does not put the asset on: `ValueError` when it reads the file"),
+        (Mpfb, "fails with `ValueError` when the asset is loaded"),
+    ],
+    docs: include_str!("delete_range.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-delete-range", Level::Error, "a list of vertices to hide that cannot be read")
 });
 

@@ -15,10 +15,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman1, "reads the weights and does not use them"),
     ],
     levels: &[(Makehuman1, Level::Info)],
-    docs: "The asset has a `weights` section, as very old versions of MakeHuman wrote it.\n\n\
-        MakeHuman 2 refuses the whole asset; MakeHuman 1 reads the section and takes the weights from the body. It also knows keywords such as `subsurf`, and ignores them with a warning in its log. Bone weights are in a file of their own, named with \
-        `vertexboneweights_file`; without one they are taken from the body.\n\n\
-        Remove all `weights` sections, or export the asset again.",
+    docs: include_str!("deprecated_keyword.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-deprecated-keyword", Level::Error, "an asset with a section that is no longer read")
 });
 

@@ -7,10 +7,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "lists the asset and cannot open it")],
-    docs: "The extension of an asset has capitals, such as `hat.MHCLO`.\n\n\
-        MakeHuman 1 lists such a file, and then opens another name, with the extension in small letters. Beside a file \
-        that is called so the whole library is empty.\n\n\
-        Rename the file.",
+    docs: include_str!("extension_case.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-extension-case", Level::Error, "an asset whose extension has capitals")
 });
 

@@ -17,13 +17,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         (Makehuman1, "draws a spike, or a dent, at the vertex"),
         (Mpfb, "draws a spike, or a dent, at the vertex"),
     ],
-    docs: "Where its row puts it, a vertex of the asset stands away from its neighbours.\n\n\
-        The applications never look at the coordinates in the OBJ: a vertex goes where its row says. The OBJ still tells \
-        the shape that was meant. Fitted and drawn asset are compared by the affine map that brings them nearest to one \
-        another; a vertex is reported when it is away from where its neighbours and the drawing put it by more than 2 % \
-        of the height of the body (3.4 cm; MakeHuman's own assets come to 2.6), five times as far as most others, and \
-        half the length of its edges. A vertex that only the OBJ displaces is not reported.\n\n\
-        Usually a number in the row is wrong: a vertex, or the offset. Export the asset again, or correct the line.",
+    docs: include_str!("fit_drift.md").trim_ascii_end(),
     counts: "vertices",
     grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new("proxy-fit-drift", Level::Warning, "a fitted vertex that leaves its neighbours")

@@ -18,11 +18,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Mpfb, "shows nothing of the body under the asset, if the delete groups are imported"),
     ],
     levels: &[(Makehuman1, Level::Info), (Mpfb, Level::Info)],
-    docs: "The vertices below `delete_verts` hide all faces of the body that are shown, or nearly all.\n\n\
-        A face is hidden if all its vertices are in the list. If none is left, MakeHuman 2 crashes in the exports to \
-        glTF and OBJ. If more than 19 of 20 are hidden, this is reported as info: a suit may be meant so.\n\n\
-        Topologies are left out, as they stand for the body.\n\n\
-        Hide only what lies under the asset.",
+    docs: include_str!("hides_body.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-hides-body", Level::Error, "an asset hides the whole body")
 });
 

@@ -11,13 +11,16 @@ use mhlint_formats::mhclo::{Entry, Section};
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "does not put the asset on: it reads the line as a vertex row"), (Mpfb, "takes the line for the end of the rows, and fails with `KeyError` when it fits the asset")],
-    docs: "A line with a word that is not a keyword is below `verts`. MakeHuman 1 reads every such line as a vertex row, so \
-        that the asset cannot be put on. Above `verts` it ignores unknown words.\n\n\
-        Keywords may stand anywhere, but the library looks no further than `verts`: a `tag` below it does not count \
-        before the asset was put on, and a `uuid` below it in the data of the program is not found (warnings).\n\nMPFB takes any other line for the end of the rows and throws it away: a keyword other than `material` and `vertexboneweights_file`, an empty line, a comment without a space after its `#`. All rows behind it are lost, and the asset cannot be put on. `# a comment` is fine.\n\n\
-        Move the line above `verts`, or correct its keyword.",
-    ..RuleInfo::new("proxy-keyword-after-verts", Level::Error, "a line below the vertex rows that does not belong there")
+    breaks: &[
+        (Makehuman1, "does not put the asset on: it reads the line as a vertex row"),
+        (Mpfb, "takes the line for the end of the rows, and fails with `KeyError` when it fits the asset"),
+    ],
+    docs: include_str!("keyword_after_verts.md").trim_ascii_end(),
+    ..RuleInfo::new(
+        "proxy-keyword-after-verts",
+        Level::Error,
+        "a line below the vertex rows that does not belong there",
+    )
 });
 
 const TAG: Case =

@@ -8,15 +8,7 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "reads the line in one place and ignores it in another")],
-    docs: "MakeHuman 2 reads an asset in two ways: the library looks through the head of the text, and putting the \
-        asset on reads all of it and writes an `.mhbin`, which the library reads from then on. They differ:\n\n\
-        - `name:` and `uuid:` with a colon are unknown to the library. Until the asset is put on, it has no name or \
-        identity there.\n\
-        - The library takes every line of the head that has `tag` anywhere in it for a tag, such as `tags` or \
-        a description of something vintage. After the first use the tag is gone.\n\
-        - The library finds the author only in a comment with a space after the `#`: `# author Ann`. A value that \
-        begins with `author` is taken for the author as well.\n\n\
-        Write the keywords without a colon and as they are called, and describe the asset in other words.",
+    docs: include_str!("keyword_spelling.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-keyword-spelling", Level::Warning, "a line that only one reader of an asset understands")
 });
 

@@ -7,11 +7,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "lists only one of them; the other cannot be chosen")],
-    docs: "Two assets of one list have the same label: the name of the file in small letters, with spaces for `_`. \
-        `my_shirt.mhclo` and `My Shirt.mhclo` are one, and so are two files of one name in different folders.\n\n\
-        MPFB lists the one that it finds last, and hides the other without a message. Of copies with equal content nothing \
-        is lost (a warning). Packs that are each named as PATH are held against one another.\n\n\
-        Rename one of the files.",
+    docs: include_str!("label_clash.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-label-clash", Level::Error, "two assets of one list with the same label")
 });
 

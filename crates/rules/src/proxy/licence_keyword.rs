@@ -8,10 +8,7 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "does not put the asset on: `AttributeError` when it reads such a line")],
-    docs: "`author`, `license` or `homepage` stands at the beginning of a line of an asset.\n\n\
-        MakeHuman 1 reads these words in comments alone, such as `# author Ann`. As keywords, `author` and `license` also \
-        with a colon, they make it fail: the asset is listed and cannot be put on. MakeHuman 2 reads both forms.\n\n\
-        Put `# ` in front of the line.",
+    docs: include_str!("licence_keyword.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-licence-keyword", Level::Error, "author or licence of an asset outside of a comment")
 });
 

@@ -10,13 +10,7 @@ use mhlint_repo::{Body, Worn};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "exports the asset as `CC0` from the second start on, and cuts the name of the author")],
-    docs: "A comment of an asset names an author, a licence, a homepage or a copyright with letters that are not ASCII, \
-        such as `# author Jürgen` or `# license CC-BY © 2020`.\n\n\
-        In the data of a user MakeHuman 1 compiles an asset when it is put on. It counts these texts in letters and reads \
-        them back in bytes: the author is cut, and the licence becomes `CC0`. Exports carry the wrong licence from the \
-        second start on.\n\n\
-        `# License:` and the like in capitals are not read at all, neither there nor in the data of the program.\n\n\
-        Write these comments with letters a to z: `Juergen`, `(c)`.",
+    docs: include_str!("licence_lost.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-licence-lost", Level::Warning, "author or licence of an asset is not ASCII")
 });
 

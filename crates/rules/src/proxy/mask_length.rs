@@ -6,15 +6,11 @@ use mhlint_diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `ValueError` when the asset is put on, or with another one that hides vertices")],
-    docs: "The `.mhbin` of an asset has a mask (`deleteVerts`) or rows of another length than the base mesh and its own \
-        mesh need.\n\n\
-        A mask that is too short crashes when the asset is put on. One that is too long hides nothing sensible; it \
-        crashes as soon as it meets the mask of another asset, in the OBJ export, and in the glTF export if it hides the \
-        whole figure. Fewer rows than \
-        vertices crash after the asset was added, so that every move of a slider crashes again.\n\n\
-        Usually it was made for another base mesh, or by `compile_meshes.py` with a wrong `numverts` in `base.json`.\n\n\
-        Delete the archive if the text is beside it: MakeHuman 2 writes it again.",
+    breaks: &[(
+        Makehuman2,
+        "crashes with `ValueError` when the asset is put on, or with another one that hides vertices",
+    )],
+    docs: include_str!("mask_length.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-mask-length", Level::Error, "the mask or the rows of a packed asset have another length")
 });
 

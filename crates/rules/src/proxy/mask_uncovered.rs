@@ -15,14 +15,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         (Makehuman2, "shows a hole in the figure where it wears the asset"),
         (Makehuman1, "shows a hole in the figure where it wears the asset"),
     ],
-    docs: "`delete_verts` hides faces of the body that no part of the asset covers.\n\n\
-        A face of the body is hidden if all its vertices are in the list. It is covered if the asset crosses the line that \
-        leaves its middle at a right angle, from 3 % of the body's height below the skin to half of it in front, or if the \
-        asset is within 3 % of that height (5 cm; at the cuffs of MakeHuman's own suits it comes to 4). Faces that look \
-        down are left out, and a single face is not a hole. Topologies are left out, as they stand for the body.\n\n\
-        Usually the list was made for another version of the asset, for another base mesh, or was turned around: it names \
-        what is to be seen.\n\n\
-        List only vertices that lie under the asset.",
+    docs: include_str!("mask_uncovered.md").trim_ascii_end(),
     counts: "faces",
     ..RuleInfo::new("proxy-mask-uncovered", Level::Warning, "`delete_verts` hides skin that the asset does not cover")
 });

@@ -13,11 +13,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "lists the asset with what it has: no license in exports, no tags to filter by"),
         (Makehuman1, "lists the asset with what it has; one without license counts as CC0 of the MakeHuman team"),
     ],
-    docs: "An asset does not say who made it, under which license, what it is, or how it is layered: the comments `# author` \
-        and `# license`, or the lines `description`, `tag` and `z_depth`, are missing.\n\n\
-        It works all the same. Lists cannot filter it without tags, exports carry no license of it, or in MakeHuman 1 one \
-        that its author did not choose, and without `z_depth` it is layered like everything else without (50).\n\n\
-        Add the lines above `verts`, author and license as comments.",
+    docs: include_str!("metadata.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-metadata", Level::Info, "an asset without author, license, description, tag or z_depth")
 });
 

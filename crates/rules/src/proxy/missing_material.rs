@@ -12,13 +12,11 @@ use mhlint_repo::{Body, Reference, ReferenceKind, Resolution};
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "silently shows the asset in plain white"),
-        (Makehuman1, "draws the asset with the default white material"), (Mpfb, "fails with `FileNotFoundError` when it puts the asset on with a material")],
+        (Makehuman1, "draws the asset with the default white material"),
+        (Mpfb, "fails with `FileNotFoundError` when it puts the asset on with a material"),
+    ],
     levels: &[(Mpfb, Level::Error)],
-    docs: "An asset names a material that does not exist, or none at all.\n\n\
-        MakeHuman 2 looks for `material` in the folder of the asset; `../materials/x.mhmat` is a file beside it. If it \
-        is not found, the asset is white, without a message. The name is one word: it ends at the first space.\n\n\
-        Topologies wear the skin of the body and need no material.\n\nMPFB looks there, too. If the file does not exist, the asset cannot be put on (an error); if none is named, it has no material at all.\n\n\
-        Correct the name, or add the file.",
+    docs: include_str!("missing_material.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-missing-material", Level::Warning, "the material of an asset does not exist")
 });
 

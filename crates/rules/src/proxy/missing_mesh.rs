@@ -9,15 +9,12 @@ use mhlint_diag::{
 use mhlint_repo::{Body, Reference, ReferenceKind, Resolution};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "refuses the asset with a message: it cannot be put on"), (Makehuman1, "does not put the asset on"), (Mpfb, "fails with `OSError` when the asset is loaded")],
-    docs: "The mesh of an asset is not where `obj_file` says, or the line is missing.\n\n\
-        MakeHuman 2 looks for `obj_file` in the folder of the asset. It is one word: a name with a space ends there. If \
-        the file does not exist, a message appears and the asset is not put on; models go on without it, but as part \
-        of the start model MakeHuman 2 exits with code 21. Without the line it crashes with `AttributeError`.\n\n\
-        An `.mhbin` beside the asset that is not older has the mesh in it; then the text cannot be loaded any more \
-        (info).\n\nMakeHuman 1 lists the asset, and does not put it on. The `.npz` of a mesh does for the OBJ; one of version 1.0 has \
-        room for 8 faces at a vertex, and newer versions ask for 16 unless the `.mhpxy` is of 1.0 as well.\n\nMPFB lists the asset, and fails when it is loaded.\n\n\
-        Correct the name, or restore the file.",
+    breaks: &[
+        (Makehuman2, "refuses the asset with a message: it cannot be put on"),
+        (Makehuman1, "does not put the asset on"),
+        (Mpfb, "fails with `OSError` when the asset is loaded"),
+    ],
+    docs: include_str!("missing_mesh.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-missing-mesh", Level::Error, "the mesh of an asset does not exist")
 });
 

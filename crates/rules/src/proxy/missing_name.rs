@@ -15,13 +15,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Mpfb, "lists the asset under the name of its file"),
     ],
     levels: &[(Makehuman1, Level::Info), (Mpfb, Level::Info)],
-    docs: "An asset has no `name`.\n\n\
-        MakeHuman 2 lists it under an empty name at the first start, and as `generic` from the second start on. Models \
-        that were saved with the one do not find the other: the asset is missing in them without a message.\n\n\
-        The library reads the file up to the first vertex row with several numbers, so a `name` below the rows does \
-        not count.\n\n\
-        MakeHuman 1 takes the name of the file.\n\nSo does MPFB.\n\n\
-        Add a line `name`, with a single word, above `verts`.",
+    docs: include_str!("missing_name.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-missing-name", Level::Error, "an asset has no name")
 });
 

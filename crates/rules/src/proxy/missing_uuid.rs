@@ -10,14 +10,13 @@ use mhlint_diag::{
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `IndexError` when a model saved with the asset is loaded"), (Makehuman1, "fails with `TypeError` when the asset is put on beside another one, and saved models lose it"), (Mpfb, "does not save which material the asset has; models that know it by its uuid lose it")],
+    breaks: &[
+        (Makehuman2, "crashes with `IndexError` when a model saved with the asset is loaded"),
+        (Makehuman1, "fails with `TypeError` when the asset is put on beside another one, and saved models lose it"),
+        (Mpfb, "does not save which material the asset has; models that know it by its uuid lose it"),
+    ],
     levels: &[(Mpfb, Level::Warning)],
-    docs: "An asset has no `uuid`.\n\n\
-        MakeHuman 2 writes the name and uuid of each asset into a saved model. Without a uuid the line has a word too \
-        few, and loading the model crashes with `IndexError`.\n\n\
-        The library reads the file up to the first vertex row with several numbers, so a `uuid` below the rows does \
-        not count.\n\nMakeHuman 1 cannot sort assets of one `z_depth` without it: putting two of them on fails with `TypeError`. A saved model looks for the name as uuid and loses the asset. A topology needs none.\n\nMPFB saves colours and other materials of an asset by its uuid (a warning).\n\n\
-        Add a line `uuid` with a new identifier above `verts`.",
+    docs: include_str!("missing_uuid.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-missing-uuid", Level::Error, "an asset has no uuid")
 });
 

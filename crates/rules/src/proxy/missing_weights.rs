@@ -9,12 +9,13 @@ use mhlint_diag::{
 use mhlint_repo::{Body, ReferenceKind, Resolution, parent};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "puts the asset on without bone weights: in a pose it collapses to the origin"), (Makehuman1, "does not put the asset on"), (Mpfb, "never reads this file: it takes the weights of the body, or a file beside the asset")],
+    breaks: &[
+        (Makehuman2, "puts the asset on without bone weights: in a pose it collapses to the origin"),
+        (Makehuman1, "does not put the asset on"),
+        (Mpfb, "never reads this file: it takes the weights of the body, or a file beside the asset"),
+    ],
     levels: &[(Makehuman1, Level::Error), (Mpfb, Level::Info)],
-    docs: "The file that `vertexboneweights_file` names does not exist.\n\n\
-        MakeHuman 2 looks for it in the folder of the mesh. If it is missing, the asset has no bone weights at all: \
-        nothing is taken from the body in its place, and in a pose all vertices collapse to the origin.\n\nMakeHuman 1 looks for it in the folder of the asset, and does not put the asset on without it.\n\nMPFB never reads the name (an info).\n\n\
-        Correct the name, restore the file, or remove the line: then the weights are taken from the body.",
+    docs: include_str!("missing_weights.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-missing-weights", Level::Warning, "the bone weights of an asset do not exist")
 });
 

@@ -10,12 +10,13 @@ use mhlint_formats::mhclo::RowFacts;
 use mhlint_repo::{Body, FileFacts};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "loses the vertex; the glTF export of the whole figure crashes with `ValueError`"), (Makehuman1, "loses the vertex: it is nowhere"), (Mpfb, "loses the vertex: it is nowhere")],
+    breaks: &[
+        (Makehuman2, "loses the vertex; the glTF export of the whole figure crashes with `ValueError`"),
+        (Makehuman1, "loses the vertex: it is nowhere"),
+        (Mpfb, "loses the vertex: it is nowhere"),
+    ],
     levels: &[(Makehuman1, Level::Warning), (Mpfb, Level::Warning)],
-    docs: "A weight or an offset of a vertex row is `nan` or infinite.\n\n\
-        Python reads `nan` and `inf` as numbers, so the asset can be put on, but the vertex is nowhere. The glTF export \
-        of a figure that wears the asset crashes with `ValueError`.\n\n\
-        Export the asset again, or give the row finite numbers.",
+    docs: include_str!("non_finite.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-non-finite", Level::Error, "a number of a vertex row is NaN or infinite")
 });
 

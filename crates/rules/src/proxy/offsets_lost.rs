@@ -7,11 +7,7 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "puts the asset on without its offsets from the second start on")],
-    docs: "All rows of an asset hang on one vertex alone (`v a b 1 0 0`), and have offsets.\n\n\
-        In the data of a user MakeHuman 1 writes an archive (`.mhpxy`) when such an asset is put on, and reads that one \
-        from the next start on. For rows like these it keeps the vertex and not the offset: the asset then lies on the \
-        vertices themselves.\n\n\
-        Export the asset with three vertices a row. A single row that has parts of two vertices keeps the offsets of all.",
+    docs: include_str!("offsets_lost.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-offsets-lost", Level::Warning, "offsets that the archive of an asset does not keep")
 });
 

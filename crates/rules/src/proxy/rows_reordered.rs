@@ -15,15 +15,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         (Makehuman1, "draws the asset crumpled: its faces join vertices that do not belong together"),
         (Mpfb, "puts the asset on crumpled: its faces join vertices that do not belong together"),
     ],
-    docs: "Fitted, the asset has another shape than its OBJ.\n\n\
-        The first row belongs to the first vertex of the OBJ, and so on. If vertices are renumbered with their faces (a mesh \
-        edited after the rows were made, or exported by another program) and the rows are not, every vertex goes to the \
-        place of another one.\n\n\
-        Reported is an asset whose fitted edges are 1.25 times as long as in the OBJ, in proportion to its size, while no \
-        affine map brings the two shapes together (MakeHuman's own assets come to 1.03). Where another numbering gives the \
-        shape of the OBJ, the help says which: rows reversed or one off, vertices counted from 1.\n\n\
-        An OBJ of another size, with other axes, or displaced as a whole does not matter.\n\n\
-        Export the OBJ and the `.mhclo` together.",
+    docs: include_str!("rows_reordered.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-rows-reordered", Level::Warning, "rows in another order than the vertices of the OBJ")
 });
 

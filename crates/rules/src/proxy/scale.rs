@@ -11,21 +11,13 @@ use mhlint_formats::mhclo::Scale;
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "does not scale the offsets: the asset is too far from small figures and cuts into large ones"), (Makehuman1, "scales the offsets along the axis by another number than written"), (Mpfb, "scales the offsets along the axis by another number than written")],
+    breaks: &[
+        (Makehuman2, "does not scale the offsets: the asset is too far from small figures and cuts into large ones"),
+        (Makehuman1, "scales the offsets along the axis by another number than written"),
+        (Mpfb, "scales the offsets along the axis by another number than written"),
+    ],
     levels: &[(Mpfb, Level::Warning)],
-    docs: "`x_scale`, `y_scale` and `z_scale` name two vertices of the base mesh and the distance that they had along \
-        the axis when the asset was made. MakeHuman 2 divides their distance on the figure by that number, and scales \
-        the offsets of all rows with it.\n\n\
-        - All three are needed. If one is missing, or its distance is below 0.01, nothing is scaled.\n\
-        - If both vertices have the same place along the axis, because one was named twice or two lines were exchanged, \
-        the factor is 0 and all offsets along that axis vanish.\n\
-        - If they are more than five times nearer or farther on the base mesh than the line says, the line was made for \
-        other vertices or in another unit.\n\
-        - A line with too few words crashes with `IndexError`, one with a word in it with `ValueError`, both when the \
-        asset is put on. A vertex beyond the mesh crashes with `IndexError`, a distance of `nan` in the glTF export.\n\
-        - A negative vertex counts from the end.\n\n\
-        Topologies are never scaled. Assets whose rows have no offsets need no scale.\n\nMakeHuman 1 needs all three lines or none: with one or two it does not put the asset on. It divides by the distance as it is written, also by 0 or a negative one.\n\nMPFB fails if `x_scale` stands alone, if a distance is 0, or if a vertex does not exist. Without `x_scale` it ignores the other two lines.\n\n\
-        Export the asset again, or correct the lines.",
+    docs: include_str!("scale.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-scale", Level::Warning, "a scale that is not applied as written")
 });
 

@@ -12,15 +12,13 @@ use mhlint_formats::mhclo::{Entry, FaultKind};
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "reads the numbers as something else and crashes when the asset is put on"), (Makehuman1, "reads the numbers as something else and does not put the asset on"), (Mpfb, "ignores the list: the body shows through the asset")],
+    breaks: &[
+        (Makehuman2, "reads the numbers as something else and crashes when the asset is put on"),
+        (Makehuman1, "reads the numbers as something else and does not put the asset on"),
+        (Mpfb, "ignores the list: the body shows through the asset"),
+    ],
     levels: &[(Mpfb, Level::Warning)],
-    docs: "`verts` opens the vertex rows of an asset, `delete_verts` the list of body vertices that it hides. One of \
-        the two is misspelt, missing or in the wrong place. Capitals count: `Verts` is not `verts`.\n\n\
-        Without `verts` MakeHuman 2 has no rows and crashes with `IndexError`. Without `delete_verts` it reads \
-        the list as vertex rows and crashes at the first dash, or because there are more rows than vertices. Below \
-        `delete_verts` every line must consist of numbers until `verts`: a keyword there, such as `name`, crashes \
-        with `ValueError`.\n\nMakeHuman 1 does not put such an asset on. It knows its keywords wherever they stand, also below `delete_verts`.\n\nMPFB ignores a line whose keyword it does not know with all numbers below it: without `verts` the asset cannot be loaded (an error), without `delete_verts` nothing is hidden (a warning). `verts` needs a number behind it.\n\n\
-        Write the keyword in a line of its own above its numbers, and put `delete_verts` at the end of the file.",
+    docs: include_str!("section_keyword.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-section-keyword", Level::Error, "a section keyword is misspelt, missing or misplaced")
 });
 

@@ -10,14 +10,13 @@ use mhlint_formats::mhclo::{Fault, FaultKind};
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "drops such rows, and ties every later vertex to the row of another one"), (Makehuman1, "does not put the asset on: the first word of the row is not a vertex"), (Mpfb, "takes the row for the end of the list, and fails with `KeyError` when it fits the asset")],
+    breaks: &[
+        (Makehuman2, "drops such rows, and ties every later vertex to the row of another one"),
+        (Makehuman1, "does not put the asset on: the first word of the row is not a vertex"),
+        (Mpfb, "takes the row for the end of the list, and fails with `KeyError` when it fits the asset"),
+    ],
     levels: &[(Makehuman1, Level::Error), (Mpfb, Level::Error)],
-    docs: "A vertex row does not begin with a plain number. MakeHuman 2 accepts only digits there: no sign, no \
-        decimal point, no underscore, no letter.\n\n\
-        It takes such a line for an unknown keyword and drops it without a message. Every later row then belongs to \
-        the vertex before, and the shape of the asset is scrambled. If no row is left, it crashes with `IndexError` when the \
-        asset is put on (an error).\n\nMakeHuman 1 reads every line below `verts` as a row: it does not put the asset on if the first word is not a number, or is negative.\n\nMPFB takes such a line for the end of the rows: it and all later ones are lost, and the asset cannot be put on.\n\n\
-        Write the number of the base vertex in digits only.",
+    docs: include_str!("shifted_rows.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-shifted-rows", Level::Warning, "a vertex row is taken for something else")
 });
 

@@ -11,11 +11,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         Makehuman1,
         "fails with `TypeError` at every slider while the asset is worn without another pose, and shows the whole pose of the file",
     )],
-    docs: "An asset asks for a pose with `special_pose`, such as `special_pose foot heels.bvh` of shoes with heels.\n\n\
-        MakeHuman 1 shows the whole figure in this pose as long as no other one is chosen, and then every slider raises \
-        `TypeError`. If the file is not in `special_poses/foot` it logs an error. Without a file, or without a kind, the \
-        asset cannot be put on (an error). Other kinds than `foot` have no effect.\n\n\
-        Remove the line.",
+    docs: include_str!("special_pose.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-special-pose", Level::Warning, "an asset with a pose of its own")
 });
 

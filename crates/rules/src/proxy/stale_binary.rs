@@ -16,16 +16,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "loads the archive unless the text is newer; until then the text has no effect"),
         (Makehuman1, "loads the archive unless the text is newer; until then the text has no effect"),
     ],
-    docs: "The `.mhbin` of an asset differs from the text beside it.\n\n\
-        MakeHuman 2 writes the archive when the asset is put on, and loads it in place of the text from then on, as \
-        long as the text is not newer. After a download or a checkout all files are of one age, so the archive wins. \
-        The date of the mesh is never looked at: a newly exported OBJ has no effect.\n\n\
-        There is one finding per archive, which lists what differs. Texture coordinates are not compared. If an asset was \
-        copied with its archive, the archive still has the old name and uuid, and one of the two assets is not listed: an \
-        error.\n\n\
-        MakeHuman 1 does the same with `.mhpxy`. One that was copied from another asset names a mesh that is not in its folder, \
-        and the asset cannot be put on: an error. Which vertices stand beside one that has all the weight does not matter.\n\n\
-        Delete the archive; the program writes it again. It does not belong in version control.",
+    docs: include_str!("stale_binary.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-stale-binary", Level::Warning, "a packed asset differs from its text")
 });
 

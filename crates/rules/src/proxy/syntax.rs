@@ -11,16 +11,12 @@ use mhlint_formats::{python_float, python_int};
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes when the asset is put on"), (Makehuman1, "does not put the asset on"), (Mpfb, "fails with an exception when the asset is loaded")],
-    docs: "A line of an asset lacks numbers, or has something else in their place.\n\n\
-        A vertex row below `verts` is one number (a vertex of the base mesh), or three of these with three weights, \
-        or both with three offsets: 1, 6 or 9 words. Further words are ignored. Numbers have a decimal point, no \
-        comma, unit or comment. `z_depth` and `version` are whole numbers.\n\n\
-        MakeHuman 2 crashes at the first such line when the asset is put on. A model that wears the asset stops \
-        loading there: what it names after it is missing, and none of its sliders is set. If it is the start model, \
-        MakeHuman 2 crashes at start.\n\n\
-        A comment line with `author` in it needs a second word: `# author Ann`.\n\nMakeHuman 1 lists the asset and does not put it on. It also needs a value behind `material`, `z_depth` and the scales.\n\nIn MPFB a vertex row has one number, or nine and more: a row of six words cannot be read. `name`, `uuid`, `material`, `obj_file`, `tag` and `z_depth` need a value.\n\n\
-        Correct the line, or export the asset again.",
+    breaks: &[
+        (Makehuman2, "crashes when the asset is put on"),
+        (Makehuman1, "does not put the asset on"),
+        (Mpfb, "fails with an exception when the asset is loaded"),
+    ],
+    docs: include_str!("syntax.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-syntax", Level::Error, "a line of an asset cannot be read")
 });
 

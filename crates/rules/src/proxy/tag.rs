@@ -7,10 +7,7 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "shows other tags than written, so that filters miss the asset")],
-    docs: "MakeHuman 2 keeps one tag a line, in small letters and without letters beyond ASCII. `körper` becomes \
-        `krper`. A `|` splits a tag in two; a `;` does not, so that `vest; blue` is one tag with a \
-        semicolon in it.\n\n\
-        Write each tag in a line `tag` of its own, with letters a to z.",
+    docs: include_str!("tag.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-tag", Level::Warning, "a tag that is not kept as it is written")
 });
 

@@ -7,10 +7,7 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "draws the body as well: both meshes show, one in the other")],
-    docs: "A topology (`proxy/<base>/`) replaces the skin of the body and wears its material.\n\n\
-        Without `delete_verts` MakeHuman 2 draws the body as well, so that both meshes show. The `material` of a topology \
-        is never used. Without texture coordinates the textures of the skin cannot be put on it.\n\n\
-        Add `delete_verts` with the vertices of the skin; remove `material`; unwrap the mesh as the base mesh is.",
+    docs: include_str!("topology.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-topology", Level::Warning, "a topology that cannot stand for the skin")
 });
 

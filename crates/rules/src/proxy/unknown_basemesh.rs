@@ -12,10 +12,7 @@ const EFFECT: &str = "ignores the line and puts the asset on";
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, EFFECT), (Makehuman1, EFFECT)],
-    docs: "`basemesh` of an asset names another base mesh than the one whose assets it lies with. That is a folder in \
-        MakeHuman 2, and always `hm08` in MakeHuman 1.\n\n\
-        Neither of them compares the two. If the rows of the asset were made for the other mesh, it does not fit.\n\n\
-        Correct the line if the asset fits; otherwise move the asset, or export it again for this base mesh.",
+    docs: include_str!("unknown_basemesh.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-unknown-basemesh", Level::Info, "an asset that names another base mesh")
 });
 

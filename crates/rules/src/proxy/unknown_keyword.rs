@@ -10,12 +10,7 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "ignores the line"), (Makehuman1, "ignores the line")],
-    docs: "A keyword looks like one that MakeHuman 2 knows, but is spelt in another way. Capitals count.\n\n\
-        MakeHuman 2 ignores the line without a message. A misspelt `material` leaves the asset white, a misspelt \
-        `z_depth` puts it in another order. Keywords of other applications, such as `max_pole`, are not \
-        reported.\n\n\
-        Misspelt `name`, `uuid`, `obj_file`, `verts` and `delete_verts` have rules of their own.\n\nMakeHuman 1 logs a warning and ignores the line, also one whose keyword has a colon behind it.\n\n\
-        Correct the keyword.",
+    docs: include_str!("unknown_keyword.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-unknown-keyword", Level::Warning, "a misspelt keyword")
 });
 

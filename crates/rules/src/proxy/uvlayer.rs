@@ -6,11 +6,11 @@ use mhlint_diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "logs a `NameError` each time the asset is loaded from the data of a user, and never uses the layer")],
-    docs: "An asset names a map of texture coordinates with `uvLayer`.\n\n\
-        MakeHuman 1 keeps the name and never uses it. In the data of a user it compiles an asset when it is put on; with \
-        this line that fails each time, so that the asset is loaded from its text each time.\n\n\
-        Remove the line; name a map in `uvMap` of the material if it is needed.",
+    breaks: &[(
+        Makehuman1,
+        "logs a `NameError` each time the asset is loaded from the data of a user, and never uses the layer",
+    )],
+    docs: include_str!("uvlayer.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-uvlayer", Level::Warning, "an asset with a layer of texture coordinates")
 });
 

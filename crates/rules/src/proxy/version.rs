@@ -13,10 +13,7 @@ const EFFECT: &str = "reads the rows as those of version 110";
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, EFFECT), (Makehuman1, EFFECT)],
-    docs: "`version` of an asset has another number than 110.\n\n\
-        MakeHuman 2 and MakeHuman 1 read all assets in the same way, whatever the number is. Rows with four vertices, as \
-        version 120 was to have them, cannot be read (`proxy-syntax`).\n\n\
-        Write `version 110`, or remove the line.",
+    docs: include_str!("version.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-version", Level::Info, "an asset with a version that nothing reads")
 });
 

@@ -10,14 +10,12 @@ use mhlint_formats::mhclo::FaultKind;
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, STOPS_WITH_INDEX), (Makehuman1, "does not put the asset on: rows and vertices differ in number"), (Mpfb, "fails with `KeyError` when it fits the asset")],
-    docs: "The number of vertex rows of an asset differs from the number of vertices of its mesh. The rows are in the \
-        order of the vertices.\n\n\
-        With more rows than vertices, or none, MakeHuman 2 crashes with `IndexError` when the asset is put on. With \
-        fewer rows, the last vertices stay where the OBJ has them, follow no slider, and hang on the root bone \
-        (warning).\n\nMakeHuman 1 does not put the asset on, whichever are more. With a single row all vertices are at one point (a warning).\n\nMPFB drops vertices that no face uses, so rows are counted against the others. With fewer rows it cannot put the asset on. With more it fails as soon as the character has a rig.\n\n\
-        Usually the mesh was exported again without the asset, or by a program that joins, splits or sorts vertices. \
-        Export the asset again from this mesh, or restore the mesh.",
+    breaks: &[
+        (Makehuman2, STOPS_WITH_INDEX),
+        (Makehuman1, "does not put the asset on: rows and vertices differ in number"),
+        (Mpfb, "fails with `KeyError` when it fits the asset"),
+    ],
+    docs: include_str!("vertex_count.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-vertex-count", Level::Error, "rows and vertices of an asset differ in number")
 });
 

@@ -13,15 +13,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         Makehuman2,
         "crashes with `IndexError` when the asset is put on, and again whenever a slider moves and in the glTF export",
     ), (Makehuman1, "does not put the asset on: `IndexError` when it is fitted"), (Mpfb, "fails with `IndexError` on a character with a rig; without one the vertex stays where the OBJ has it")],
-    docs: "An asset names a vertex that the base mesh does not have. Vertices are counted from 0.\n\n\
-        A row with such a vertex is the worst: MakeHuman 2 crashes only after the asset was added to what is worn. From \
-        then on every move of a slider crashes again, and so does the glTF export, until a new character is loaded. \
-        Negative numbers and those beyond 32 bits crash with `OverflowError` before that.\n\n\
-        A row with the number of a UV-seam duplicate loads, but the vertex flies to another place (warning).\n\n\
-        Below `delete_verts` a number beyond the last vertex crashes with `IndexError`, UV-seam duplicates included. \
-        Negative numbers count from the end (warning).\n\nMakeHuman 1 does not put the asset on; it has no UV-seam duplicates.\n\nMPFB counts a negative number behind the first one from the end (a warning), and ignores vertices to hide that do not exist (an info).\n\n\
-        Usually the asset was made for another base mesh: `basemesh` is not compared. Use the asset with its own base, \
-        or export it again for this one.",
+    docs: include_str!("vertex_out_of_range.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-vertex-out-of-range", Level::Error, "an asset uses a vertex that the base mesh does not have")
 });
 

@@ -8,12 +8,7 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "puts the asset on; each pose then fails with `ValueError`")],
-    docs: "The weights of an asset end before its last vertex: none of the last vertices is listed for any bone, not even \
-        with 0.\n\n\
-        MakeHuman 1 makes a table from the listed vertices alone. If it is shorter than the mesh, no pose can be shown while \
-        the asset is worn; without any entry the asset cannot be put on. A vertex before the last listed one that is missing \
-        goes to the root bone (`weights-unweighted-vertex`).\n\n\
-        Paint the vertices, or remove `vertexboneweights_file` to take the weights of the body.",
+    docs: include_str!("weight_table_short.md").trim_ascii_end(),
     counts: "vertices",
     ..RuleInfo::new("proxy-weight-table-short", Level::Error, "weights of an asset that end before its last vertex")
 });

@@ -12,15 +12,10 @@ use mhlint_repo::Body;
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "pulls the vertex towards the origin of the world, away from the body"),
-        (Makehuman1, "pulls the vertex towards the origin of the world, away from the body"), (Mpfb, "pulls the vertex towards the origin of the world, away from the body")],
-    docs: "The three weights of a vertex row do not sum to 1.\n\n\
-        MakeHuman 2 uses them as they are. A sum of 0.9 moves the vertex by a tenth of its distance from the origin, \
-        which lies between the feet: hardly noticeable at a shoe, but 15 cm (1.5) at the head. A sum of 0 puts it at \
-        the origin. Single weights may be negative or above 1.\n\n\
-        Sums that are off by less than 0.0005 move a vertex by less than a millimetre even at the head. They come from numbers \
-        with three or four decimals: an info for MakeHuman 1, whose own assets have none that are off by more than 0.00002, and \
-        nothing for the others. Off by less than 0.002, at most a few millimetres, they are an info for MakeHuman 2.\n\nMPFB divides by the sum when it takes the weights of bones from the body: a sum of 0 stops it (an error).\n\n\
-        Export the asset again, or correct the weights.",
+        (Makehuman1, "pulls the vertex towards the origin of the world, away from the body"),
+        (Mpfb, "pulls the vertex towards the origin of the world, away from the body"),
+    ],
+    docs: include_str!("weights_sum.md").trim_ascii_end(),
     grows: Grows::from_one(MeasureKind::Weight),
     ..RuleInfo::new("proxy-weights-sum", Level::Warning, "the weights of a vertex row do not sum to 1")
 });

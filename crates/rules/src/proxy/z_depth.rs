@@ -11,13 +11,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         Makehuman2,
         "treats the asset as the topology in the glTF export and gives it the material of the skin",
     )],
-    docs: "`z_depth` says what is drawn, and hides, above what: higher numbers lie farther outside. Clothes have 50 if \
-        there is no line, topologies always 1.\n\n\
-        A number of 0 or less puts an asset below the topology: the glTF export then takes it for the topology and \
-        exports it with the material of the skin. A number beyond 32 bits crashes with `OverflowError`.\n\n\
-        MakeHuman 2 gives hair its own `z_depth` when it is put on from the text, and 255 from its `.mhbin`, which is \
-        from the second start on. Clothes above the hair, such as a hat, are below it from then on.\n\n\
-        Use numbers from 2 up; give what lies above hair 256 or more.",
+    docs: include_str!("z_depth.md").trim_ascii_end(),
     ..RuleInfo::new("proxy-z-depth", Level::Warning, "a z_depth that is out of range or changes")
 });
 

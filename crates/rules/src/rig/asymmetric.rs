@@ -11,10 +11,7 @@ use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "builds the bones as they are written; poses that are mirrored do not fit")],
-    docs: "A left bone is unlike its right one: it is connected and the other is not, or its head or tail, mirrored, is more than \
-        5 mm away from that of the other on the base mesh, which is exactly symmetric. Bones are paired by their names.\n\n\
-        MPFB builds both as they are written. A pose that is mirrored looks different on both sides.\n\n\
-        Give both the same keys, and joints or vertices that mirror each other.",
+    docs: include_str!("asymmetric.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-asymmetric", Level::Info, "a left bone is unlike its right one")
 });

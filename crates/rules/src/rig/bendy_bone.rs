@@ -9,9 +9,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "silently takes the nearest number of segments, 1 or 32")],
-    docs: "`segments` of a bendy bone is a number from 1 to 32; Blender takes the nearest one for any other. \
-        `custom_handle_start` and `custom_handle_end` name bones of the rig; one that does not exist gives no handle.\n\n\
-        Neither has a message. Write a number from 1 to 32, and the name of a bone.",
+    docs: include_str!("bendy_bone.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-bendy-bone", Level::Warning, "a bendy bone has too many segments or an unknown handle")
 });

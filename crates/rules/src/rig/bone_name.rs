@@ -9,11 +9,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
-    docs: "The name of a bone is empty, or longer than 63 bytes in UTF-8: Blender gives it another one, and MPFB, which \
-        looks for the one in the file, raises an exception.\n\n\
-        A bone with the name of a vertex group of the base mesh (`body`, `helper-hair`) is loaded; all vertices of that group \
-        then move with the bone, without any weights (a warning).\n\n\
-        Rename the bone, here, in its children and in the weights.",
+    docs: include_str!("bone_name.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-bone-name", Level::Error, "a bone has a name that Blender changes, or that of a vertex group")
 });

@@ -9,12 +9,7 @@ use mhlint_repo::{FileFacts, Layer, parent};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "does not list the rig")],
-    docs: "MPFB lists the JSON files directly in the `rigs/` of a user that have a name of letters, digits and `_` alone, and \
-        the key `identifying_bones`. All others are passed over without a message: `my-rig.json`, `rig.mine.json`, one in a \
-        folder below, one without the key.\n\n\
-        A file there that is a list, a number or a text raises an exception: then no rig of a user is listed at all. A file \
-        without bones, such as notes or weights, is none of them and is not reported.\n\n\
-        Rename the file, or add `identifying_bones` with names of bones that no other rig has.",
+    docs: include_str!("custom_scan.md").trim_ascii_end(),
     ..RuleInfo::new("rig-custom-scan", Level::Error, "a rig of a user that is not listed")
 });
 

@@ -10,11 +10,11 @@ use mhlint_formats::rig::Rig;
 use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
-    breaks: &[(Mpfb, "silently leaves out the last link of the circle: the rig hangs together otherwise than it is written")],
-    docs: "Parents lead in a circle: a bone hangs on one that hangs on it, or on itself.\n\n\
-        Blender refuses the link that closes the circle, that of the bone which stands last in the file. This bone becomes a \
-        root, and the others hang below it.\n\n\
-        Correct the parent of one of them.",
+    breaks: &[(
+        Mpfb,
+        "silently leaves out the last link of the circle: the rig hangs together otherwise than it is written",
+    )],
+    docs: include_str!("cycle.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-cycle", Level::Warning, "parents of bones lead in a circle")
 });

@@ -12,12 +12,7 @@ use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "uses the place that the strategy finds; only where it finds none the end lies elsewhere")],
-    docs: "`default_position` of an end is far from where its strategy finds it on the base mesh.\n\n\
-        MPFB uses default positions only where a strategy finds nothing, as on a figure without joints. The end then lies \
-        somewhere else than on others. Usually the rig was recorded on another figure.\n\n\
-        Rigs are recorded with the feet or the hips at the origin: what all ends have in common is taken off first. The base \
-        mesh is not the figure with the usual settings, either: up to 0.1 m nothing is reported.\n\n\
-        Save the rig again in MPFB, which computes these positions again.",
+    docs: include_str!("default_position_drift.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-default-position-drift", Level::Info, "a default position is far from where the end is found")
 });

@@ -11,10 +11,7 @@ use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "silently moves the head of the bone to the tail of its parent")],
-    docs: "A bone has `use_connect`, and its `head` is not where its parent ends.\n\n\
-        Blender moves the head there: the bone is longer or shorter than it was drawn, and keeps the roll that it had \
-        before.\n\n\
-        Give `head` the strategy that the parent has for its `tail`, or write `false` for `use_connect`.",
+    docs: include_str!("disconnected.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-disconnected", Level::Warning, "a connected bone does not begin where its parent ends")
 });

@@ -7,11 +7,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "fails with an exception when any rig is added, whether it uses the joint or not")],
-    docs: "A vertex group of `mesh_metadata/basemesh_vertex_groups.json` with `joint` in its name has no vertex: its list is \
-        empty, its range ends before it begins, or all of it is beyond the mesh.\n\n\
-        MPFB computes the middle of all joints before it adds a rig, and divides by zero: no rig can be added, not even \
-        one without that joint.\n\n\
-        Write the first and the last vertex of the joint, or remove the group.",
+    docs: include_str!("empty_joint_group.md").trim_ascii_end(),
     counts: "groups",
     ..RuleInfo::new("rig-empty-joint-group", Level::Error, "a joint of the base mesh has no vertex")
 });

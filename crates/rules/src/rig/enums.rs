@@ -8,11 +8,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
-    docs: "`inherit_scale`, `rotation_mode`, the type of a constraint, its spaces and modes, and the handles of a bendy bone \
-        are words out of a fixed list, in capitals.\n\n\
-        MPFB sets them in Blender as they stand: any other word raises an exception when the rig is added. An unknown \
-        `roll_strategy` is passed over, and the bone keeps the number of `roll` (a warning).\n\n\
-        Write one of the known words.",
+    docs: include_str!("enums.md").trim_ascii_end(),
     ..RuleInfo::new("rig-enum", Level::Error, "a word in a rig that Blender does not know")
 });
 

@@ -10,12 +10,7 @@ use mhlint_repo::mpfb::{RigFile, RigPart, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "adds the rig, and does not recognise it: refitting it fails, also after a slider moves")],
-    docs: "`identifying_bones` of a rig of a user is a list of bones. A rig that has all of them is recognised as this one.\n\n\
-        If the rig lacks one of them, or if the list is empty, or a text (which is taken letter by letter), MPFB adds the rig and \
-        cannot tell later what it is. Fitting it to the body again, which sliders do on their own, fails with an exception, and \
-        a character with it cannot be saved.\n\n\
-        If the rig has the bones by which MPFB recognises one of its own, it is taken for that (a warning).\n\n\
-        Name bones of this rig that no other rig has.",
+    docs: include_str!("identifying_bones.md").trim_ascii_end(),
     ..RuleInfo::new("rig-identifying-bones", Level::Error, "a rig of a user that is not recognised")
 });
 

@@ -7,10 +7,7 @@ use mhlint_repo::mpfb::{RigPart, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "silently sets the mode of all bones of the rig to XYZ")],
-    docs: "A bone of a standard rig, or of one of a user, has a `rotation_mode`.\n\n\
-        MPFB sets it, and then sets XYZ for all bones of such a rig. The mode is kept in the rigs of `rigs/rigify/` and in \
-        sub-rigs.\n\n\
-        Remove the key. XYZ itself is not reported.",
+    docs: include_str!("ignored_rotation_mode.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-ignored-rotation-mode", Level::Warning, "a rotation mode that is overwritten")
 });

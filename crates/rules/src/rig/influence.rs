@@ -7,9 +7,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "silently takes the nearest of 0 and 1")],
-    docs: "`influence` of a constraint is a number from 0 (it does nothing) to 1 (it counts in full). Blender takes the nearest \
-        of both for any other, without a message: 50, meant as 50 %, counts in full.\n\n\
-        Write a number from 0 to 1.",
+    docs: include_str!("influence.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-influence", Level::Warning, "the influence of a constraint is not between 0 and 1")
 });

@@ -8,12 +8,7 @@ use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
-    docs: "Below version 110 the `layers` of a bone put it into collections: entry 0 into `Bones`, entry 1 into `Layer 2`, and \
-        so on. An entry at 32 or beyond raises an exception when the rig is added. A list of another length than 32 is read \
-        all the same (an info).\n\n\
-        At version 110 nothing reads `layers`, nor `fk_layers`, `tweak_layers` and `secondary_layers` of Rigify: bones are in \
-        `collections` (a warning; an info where only entry 0 is set).\n\n\
-        Write `collections`, or the version that the layers are for.",
+    docs: include_str!("layers.md").trim_ascii_end(),
     counts: "keys",
     ..RuleInfo::new("rig-layers", Level::Error, "layers that do not exist, or that nothing reads")
 });

@@ -12,12 +12,7 @@ use mhlint_repo::mpfb::{RigFile, RigPart, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
-    docs: "A bone needs `head`, `tail`, `roll`, `parent`, `use_connect`, `use_inherit_rotation`, `use_local_location`, \
-        `inherit_scale` and `rigify` (`{}` where there is nothing to say). A constraint needs `type` and `name`.\n\n\
-        MPFB raises an exception when the rig is added if one of them is missing, or of another type: `null` for an angle, a \
-        list for `head`, 2 for a switch. A rig in `rigs/rigify/` needs `rigify_ui`, too: without it there are neither weights \
-        nor parenting. A text for `extra_bones` is read letter by letter, without a message (a warning).\n\n\
-        Add the key, or write a value of its type.",
+    docs: include_str!("missing_key.md").trim_ascii_end(),
     ..RuleInfo::new("rig-missing-key", Level::Error, "a key of a rig is missing or of another type")
 });
 

@@ -9,12 +9,7 @@ use mhlint_repo::mpfb::{RigFile, RigPart, View, lost_rigs};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "makes the rig without weights and without a message: the body does not move with it")],
-    docs: "Beside `rig.NAME.json` MPFB looks for `weights.NAME.json`, beside a rig `NAME.json` of a user for \
-        `weights.NAME.json`; capitals count. `default_no_toes` takes the weights of `default` if it has none, `human` and \
-        `human_toes` take those of each other.\n\n\
-        Without any of them the rig is made all the same, and no vertex moves with it. Rigs that lack the same file are one \
-        finding.\n\n\
-        Add the weights.",
+    docs: include_str!("missing_weights.md").trim_ascii_end(),
     counts: "rigs",
     of_whole: true,
     ..RuleInfo::new("rig-missing-weights", Level::Error, "the weights of a rig are missing")

@@ -9,9 +9,7 @@ use mhlint_repo::mpfb::{RigPart, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "builds the bone like any other; tools that mirror by name leave it out")],
-    docs: "A bone of one side has no counterpart on the other, by its name: `hand.L` and `hand.R`, `hand_l` and `hand_r`, \
-        `mixamorig:LeftHand`, `LThumb`.\n\n\
-        Usually the counterpart is misspelt or was forgotten. Correct its name, or add it.",
+    docs: include_str!("name_asymmetry.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-name-asymmetry", Level::Info, "a bone has no left/right counterpart")
 });

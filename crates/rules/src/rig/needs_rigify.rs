@@ -7,11 +7,7 @@ use mhlint_repo::mpfb::{RigPart, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "fails with an exception when the rig is added, unless the Rigify add-on is enabled")],
-    docs: "A rig that is not one of `rigs/rigify/` has `rigify_ui`, a `rigify_type` or references to collections for \
-        Rigify.\n\n\
-        The Rigify add-on comes with Blender and is off at first. While it is off, MPFB raises an exception when such a rig is \
-        added, or an asset with such a sub-rig.\n\n\
-        Save the rig without these keys, or tell people that they need Rigify.",
+    docs: include_str!("needs_rigify.md").trim_ascii_end(),
     ..RuleInfo::new("rig-needs-rigify", Level::Warning, "a rig that cannot be made while Rigify is off")
 });
 

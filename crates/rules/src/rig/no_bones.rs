@@ -6,9 +6,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "silently makes an empty armature")],
-    docs: "A rig has no bone.\n\n\
-        MPFB makes an armature without bones and says nothing.\n\n\
-        Export the rig again.",
+    docs: include_str!("no_bones.md").trim_ascii_end(),
     ..RuleInfo::new("rig-no-bones", Level::Warning, "a rig has no bone")
 });
 

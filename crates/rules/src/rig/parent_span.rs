@@ -11,12 +11,7 @@ use mhlint_repo::mpfb::{RigFile, RigPart, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
-    docs: "A constraint of a sub-rig (`.mpfbskel`) can be bound to a bone of the rig that the body has, whatever that is: \
-        `target` is an object with the strategy JOINTS, and `joint_head` and `joint_tail` are the joints where that bone begins \
-        and ends.\n\n\
-        If several bones lie between the joints, MPFB raises an exception. If a joint does not exist, the constraint keeps the \
-        `subtarget` as it is written (a warning). In a rig of the body such a target raises an exception, too.\n\n\
-        Name the joints of one bone.",
+    docs: include_str!("parent_span.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-parent-span", Level::Error, "a sub-rig names more than one bone of the rig of the body")
 });

@@ -13,10 +13,7 @@ use mhlint_repo::mpfb::{RigFile, RigPart, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "puts the ends on the neighbours of the vertices that were meant")],
-    docs: "The vertices at which bones end, those of one strategy or of all, are off by one: with the vertices before them, left and right bones mirror each other, and \
-        bones in the middle lie in the middle, and as they are written they do not.\n\n\
-        Vertices are counted from 0. A program that counts from 1, as OBJ files do, writes numbers that are one too large.\n\n\
-        Subtract 1 from these vertices.",
+    docs: include_str!("renumbered.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-renumbered", Level::Warning, "vertices of a rig are counted from 1")
 });

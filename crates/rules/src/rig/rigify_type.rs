@@ -8,11 +8,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
-    docs: "`rigify_parameters` are set as parameters of Rigify. One of another type, or with a word that Rigify does not know, \
-        raises an exception when the rig is added.\n\n\
-        An unknown `rigify_type` is stored, and fails when Rigify generates the rig; an unknown parameter is left out with a \
-        line in the log (warnings). The parameters that mhlint knows are those of the rigs that MPFB brings.\n\n\
-        Correct the value, or export the rig again.",
+    docs: include_str!("rigify_type.md").trim_ascii_end(),
     ..RuleInfo::new("rig-rigify-type", Level::Error, "a type or parameter that Rigify does not take")
 });
 

@@ -11,11 +11,7 @@ use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "takes the number as radians: the bone is turned about itself otherwise than it was meant")],
-    docs: "`roll` turns a bone about itself, in radians. A number beyond a whole turn (6.28) is usually one in degrees; Blender \
-        takes it as it is. NaN makes the axes of the bone numbers that are none.\n\n\
-        `roll_strategy` ALIGN_Z_REFERENCE_Z turns the bone towards `roll_reference_z`. If that is missing, no list of three \
-        numbers, or of no length, the roll stays what it is, without a message.\n\n\
-        Write the roll in radians, and three numbers for the reference.",
+    docs: include_str!("roll.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-roll", Level::Warning, "a roll that is not in radians, or not aligned to anything")
 });

@@ -10,13 +10,7 @@ use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
-    docs: "`head` and `tail` of a bone have a `strategy`: CUBE with `cube_name`, VERTEX with `vertex_index`, MEAN with \
-        `vertex_indices`, or XYZ with three `vertex_indices`, which give x, y and z.\n\n\
-        MPFB raises an exception when the rig is added if the field of the strategy is missing or of another type, or if \
-        `offset` is not a list of three numbers. A strategy that it does not know, an empty list, or fewer than three vertices for XYZ \
-        give no place: the end is put at `default_position`, which follows no morph (a warning), and without one the rig \
-        cannot be made.\n\n\
-        Correct the strategy, or add what it needs.",
+    docs: include_str!("strategy.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-strategy", Level::Error, "an end of a bone has a strategy that gives no place")
 });

@@ -8,9 +8,7 @@ use mhlint_repo::{FileFacts, parent};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "adds the sub-rig, which moves nothing")],
-    docs: "An asset has a sub-rig (`.mpfbskel`), and no weights beside it have the group `mhmask-subrig`.\n\n\
-        MPFB lets the sub-rig move the vertices of that group alone. It is empty then, and the sub-rig moves nothing.\n\n\
-        Add the group to the weights of the asset (`.mhw`), with the vertices that the sub-rig is to move.",
+    docs: include_str!("subrig_unweighted.md").trim_ascii_end(),
     ..RuleInfo::new("rig-subrig-unweighted", Level::Warning, "a sub-rig whose asset has no weights for it")
 });
 

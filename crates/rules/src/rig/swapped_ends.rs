@@ -10,9 +10,7 @@ use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "builds the bone as it is written: it turns about the wrong end")],
-    docs: "A bone ends where its parent ends, begins beyond that, and no bone below it begins where it ends.\n\n\
-        MPFB builds it so. The bone points towards its parent and turns about its far end.\n\n\
-        Swap `head` and `tail`.",
+    docs: include_str!("swapped_ends.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-swapped-ends", Level::Warning, "head and tail of a bone are swapped")
 });

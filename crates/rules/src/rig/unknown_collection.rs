@@ -10,12 +10,7 @@ use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
-    docs: "`collections` of a bone name collections that `collections` of the rig declares. MPFB raises an exception when the \
-        rig is added if one is not declared, or if its name is longer than 63 bytes, which Blender cuts. So does one in the \
-        panel of Rigify (`rigify_ui`).\n\n\
-        A text instead of a list is taken letter by letter.\n\n\
-        A collection in a `*_coll_refs` of Rigify that is not declared becomes an empty reference (a warning).\n\n\
-        Declare the collection, or correct its name.",
+    docs: include_str!("unknown_collection.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-unknown-collection", Level::Error, "a bone collection that the rig does not declare")
 });

@@ -11,12 +11,7 @@ use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
-    docs: "An end with the strategy CUBE lies in the middle of a joint: a vertex group of the base mesh whose name has `joint` \
-        in it. Capitals count.\n\n\
-        If there is no such joint, MPFB puts the end at `default_position`, which follows no morph (a warning). Rigs that were \
-        recorded with the hips at the origin then stand 0.82 m too low there. Without `default_position` the rig cannot be \
-        made.\n\n\
-        Correct the name of the joint.",
+    docs: include_str!("unknown_cube.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-unknown-cube", Level::Error, "a bone ends at a joint that the base mesh does not have")
 });

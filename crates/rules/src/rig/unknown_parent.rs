@@ -9,10 +9,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "silently makes a root of the bone: it and all below it stay behind when the body moves")],
-    docs: "`parent` of a bone names a bone that the rig does not have.\n\n\
-        MPFB makes the bone without a parent and says nothing. The branch is loose: it does not follow the rest of the \
-        rig.\n\n\
-        Correct the name; an empty text stands for a root.",
+    docs: include_str!("unknown_parent.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-unknown-parent", Level::Warning, "a bone hangs on a bone that does not exist")
 });

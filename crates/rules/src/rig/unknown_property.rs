@@ -8,13 +8,12 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
-    docs: "Each key of a constraint but `type`, `name`, `target` and `targets` is set as a property of Blender's constraint of \
-        that type, and each key of `bendy_bone` as one of the bone.\n\n\
-        A key that Blender does not have, often one of an older version such as `scaleinx`, raises an exception when the rig \
-        is added. So does `custom_handle_start` or `custom_handle_end` with anything but a text: leave the key out where there \
-        is no handle. A `target` is refused by constraints without one.\n\n\
-        Correct the key, or remove it.",
-    ..RuleInfo::new("rig-unknown-property", Level::Error, "a key of a constraint or a bendy bone that Blender does not have")
+    docs: include_str!("unknown_property.md").trim_ascii_end(),
+    ..RuleInfo::new(
+        "rig-unknown-property",
+        Level::Error,
+        "a key of a constraint or a bendy bone that Blender does not have",
+    )
 });
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -10,10 +10,7 @@ use mhlint_repo::mpfb::{RigFile, RigPart, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "makes the constraint, which Blender marks as invalid: it does nothing")],
-    docs: "A constraint has no `target`, or its `subtarget` is missing, names no bone of the rig (in a sub-rig that is bound to \
-        the rig of the body: of any rig at hand), or names the bone that has the constraint.\n\n\
-        MPFB makes the constraint without a message. Blender marks it as invalid, and it does nothing.\n\n\
-        Correct the name of the bone. `target` is `true` for the rig itself.",
+    docs: include_str!("unknown_subtarget.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-unknown-subtarget", Level::Warning, "a constraint that is bound to no bone")
 });

@@ -8,12 +8,7 @@ use mhlint_repo::mpfb::{RigFile, RigPart, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
-    docs: "A rig has one of two layouts. With a header, its bones stand in `bones`, and `version` must say which version of \
-        the format it is, 110 at most. Without `bones` every key at the top is a bone, and none can be anything else: a \
-        `version` added to such a file stops the loader.\n\n\
-        MPFB raises an exception when the rig is added if the layouts are mixed, if the version is newer or no number, or if \
-        the file has `joints`, which is a skeleton of MakeHuman (`.mhskel`). So it does if a rig of the body has `is_subrig`.\n\n\
-        Export the rig again from MPFB, or correct the header.",
+    docs: include_str!("version.md").trim_ascii_end(),
     ..RuleInfo::new("rig-version", Level::Error, "the header of a rig is not one that MPFB reads")
 });
 

@@ -10,12 +10,7 @@ use mhlint_repo::parent;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
-    docs: "`vertex_index` and `vertex_indices` of an end count the vertices of the base mesh from 0, those of a sub-rig \
-        (`.mpfbskel`) the vertices of its asset.\n\n\
-        If one of them does not exist, MPFB puts the whole end at `default_position`, which follows no morph (a warning); \
-        without one the rig cannot be made. A negative number counts from the last vertex: the end lies somewhere else (a \
-        warning).\n\n\
-        Usually the rig was made for another mesh. Name vertices of this one.",
+    docs: include_str!("vertex_out_of_range.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-vertex-out-of-range", Level::Error, "a bone ends at a vertex that the mesh does not have")
 });

@@ -11,11 +11,7 @@ use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "builds the bone where it is written: it moves what lies on the side opposite to its name")],
-    docs: "Both ends of a left bone lie on the right half of the base mesh, or the reverse. Left and right bones are recognised \
-        by their names. Left is where x is positive.\n\n\
-        MPFB builds the bone there. Its weights are on the side that its name says, so that the limb is pulled from across the \
-        body.\n\n\
-        Name the joints or vertices of the correct side.",
+    docs: include_str!("wrong_side.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-wrong-side", Level::Warning, "a bone is not on the side its name says")
 });

@@ -12,10 +12,7 @@ use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
-    docs: "Head and tail of a bone are at the same place on the base mesh, or come to be so because the bone is connected with \
-        its parent.\n\n\
-        Blender removes such a bone when it leaves edit mode, and MPFB, which then looks for it, raises an exception.\n\n\
-        Give the bone two different ends.",
+    docs: include_str!("zero_length_bone.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("rig-zero-length-bone", Level::Error, "head and tail of a bone coincide")
 });

@@ -9,13 +9,7 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "fails with `AttributeError` when the scene is chosen")],
-    docs: "A scene of MakeHuman 1 (`.mhscene`) has its version, the colour of the ambience, `None` for the sky and the number \
-        of lights, then eight values for each light, every one of them a pickle of its own. If one of them cannot be read, is \
-        missing or is something else, the scene is not loaded, and the program fails once more while it says so. A scene of \
-        version 4 or 6 is loaded without its lights. Behind the last value anything may follow.\n\n\
-        The scene that it starts with is `scenes/default.mhscene`, first that in the data of the user: if it cannot be loaded, \
-        the start ends there.\n\n\
-        Restore the file, or save the scene again with MakeHuman 1.",
+    docs: include_str!("malformed.md").trim_ascii_end(),
     ..RuleInfo::new("scene-malformed", Level::Error, "a scene cannot be loaded")
 });
 

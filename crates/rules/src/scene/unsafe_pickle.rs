@@ -9,17 +9,14 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "runs the code in the file when the scene is chosen")],
-    docs: "A scene of MakeHuman 1 (`.mhscene`) is a row of pickles of Python, and so is `cache/*.mhc`, what it remembers of a \
-        library. A pickle can import and call anything on the computer of whoever loads it. MakeHuman 1 loads both without \
-        restriction: a scene when it is chosen, `scenes/default.mhscene` and the lists of libraries at start.\n\n\
-        Of a scene only the class `material.Color` may be imported; any other import, and any call, is reported. The list of a \
-        library has sets of tags and licences as well. mhlint finds them by reading the instructions and runs nothing. This finding cannot \
-        be ignored.\n\n\
-        Do not open the file. Delete it if you do not know where it comes from: the program makes the list of a library \
-        again. A scene of your own is clean if MakeHuman 1 saves it.",
+    docs: include_str!("unsafe_pickle.md").trim_ascii_end(),
     counts: "instructions",
     cannot_be_ignored: true,
-    ..RuleInfo::new("scene-unsafe-pickle", Level::Error, "a scene, or the list of a library, runs code when it is loaded")
+    ..RuleInfo::new(
+        "scene-unsafe-pickle",
+        Level::Error,
+        "a scene, or the list of a library, runs code when it is loaded",
+    )
 });
 
 const AT_START: Case = &[(Makehuman1, Level::Error, "runs the code in the file at start")];

@@ -10,8 +10,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         Makehuman1,
         "takes it for the base skeleton: its references are ignored, and exports have the weights of that",
     )],
-    docs: "MakeHuman 1 knows its base skeleton by its `name`. Another skeleton with the same name counts as that.\n\n\
-        Give it a name of its own.",
+    docs: include_str!("base_name.md").trim_ascii_end(),
     of_whole: true,
     ..RuleInfo::new("skeleton-base-name", Level::Warning, "a skeleton with the name of the base skeleton")
 });

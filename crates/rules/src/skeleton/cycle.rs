@@ -7,13 +7,7 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: LOST_AND_WEIGHTED,
-    docs: "The parents of some bones form a cycle, so that the root cannot be reached from them.\n\n\
-        MakeHuman 2 builds a skeleton from its root downwards and never reaches such bones. It drops them without \
-        a message. If the weights use one of them, entering pose mode crashes with `KeyError`; otherwise this is a \
-        warning. If the only root is part of the cycle, MakeHuman 2 rejects the skeleton.\n\n\
-        Give one bone of the cycle a parent outside it. A cycle with bones below it, which are also lost, is \
-        reported as `skeleton-unreachable-bone`; a skeleton that consists of nothing but cycles as \
-        `skeleton-no-root`.",
+    docs: include_str!("cycle.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("skeleton-cycle", Level::Error, "the parents of some bones form a cycle")
 });

@@ -15,15 +15,14 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         Makehuman2,
         "gets no normal: in pose mode all vertices of the bones that use the plane, and of those below them, disappear",
     )],
-    docs: "On the default character the three joints of a `rotation_plane` are on one straight line, or two of them are at the \
-        same place.\n\n\
-        The plane determines the roll of its bones. Without an area it has no normal, and the rest matrices of the \
-        bones are not numbers; MakeHuman 2 does not report it. If the joints are on one straight line except for rounding (sine \
-        of the angle below 0.0001, or 0.006°), there is a normal, but it is noise: a warning.\n\n\
-        Choose three joints that form a triangle, such as shoulder, elbow and wrist of a bent arm.",
+    docs: include_str!("degenerate_plane.md").trim_ascii_end(),
     counts: "bones",
     grows: Grows::less(MeasureKind::Sine),
-    ..RuleInfo::new("skeleton-degenerate-plane", Level::Error, "the joints of a rotation plane are on one straight line")
+    ..RuleInfo::new(
+        "skeleton-degenerate-plane",
+        Level::Error,
+        "the joints of a rotation plane are on one straight line",
+    )
 });
 
 const NOISE: Case = &[(

@@ -14,14 +14,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman1, AT_ORIGIN),
     ],
     levels: &[(Makehuman1, Level::Warning)],
-    docs: "A joint lists no vertices, or is not a list. A joint is the mean position of the vertices that it \
-        lists.\n\n\
-        MakeHuman 2 drops such joints without a message, and then crashes with `KeyError` at the first bone that \
-        names one: for the default skeleton while loading the base mesh, for others when they are chosen. If no \
-        bone needs the joint, this is reported as info.\n\n\
-        MakeHuman 1 looks for a group of the mesh with that name, and without one puts the end of the bone at the origin (a \
-        warning).\n\n\
-        List the vertices of the joint, usually the eight corners of its cube in the base mesh.",
+    docs: include_str!("empty_joint.md").trim_ascii_end(),
     ..RuleInfo::new("skeleton-empty-joint", Level::Error, "a joint lists no vertices")
 });
 

@@ -18,16 +18,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "places such joints off their cubes, and moves them with the wrong vertices"),
         (Makehuman1, "places such joints off their cubes, and moves them with the wrong vertices"),
     ],
-    docs: "A joint lists only part of its cube together with other vertices. The base mesh marks joints with small \
-        cubes, groups whose names begin with `joint-`; a joint lists the vertices of its cube and lies at their \
-        mean.\n\n\
-        Reported are joints that list half of a cube or more, but not all of it, together with vertices outside \
-        it, and no complete cube. Joints that list each other's cubes are reported, too. Two opposite corners, \
-        single vertices and the mean of several complete cubes are fine.\n\n\
-        MakeHuman 2 silently takes the mean of all listed vertices. The joint is off its place, and even more so \
-        if a slider moves the other vertices elsewhere.\n\n\
-        Usually the numbers were counted from 1, as in the OBJ file, or one of them is mistyped. List the vertices \
-        of the cube, counted from 0.",
+    docs: include_str!("joint_off_cube.md").trim_ascii_end(),
     counts: "joints",
     ..RuleInfo::new("skeleton-joint-off-cube", Level::Warning, "a joint lists part of its cube and other vertices")
 });

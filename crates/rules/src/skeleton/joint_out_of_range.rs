@@ -15,14 +15,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "crashes with `IndexError` when it computes the position of the joint"),
         (Makehuman1, "fails with `IndexError` when it computes the position of the joint"),
     ],
-    docs: "A joint lists a vertex that the base mesh does not have. Joints list vertex numbers of the base mesh, \
-        counted from 0.\n\n\
-        MakeHuman 2 crashes with `IndexError` on numbers beyond the last vertex, and on numbers with a decimal \
-        point (`12.0`).\n\n\
-        When it loads a mesh, it adds duplicates of vertices along UV seams. A number in that range, and a \
-        negative number (counted from the end), is accepted and means a vertex that nobody intended: a warning.\n\n\
-        MakeHuman 1 fails at numbers beyond the mesh and at those with a decimal point; it has no duplicates.\n\n\
-        Usually the skeleton was made for another base mesh.",
+    docs: include_str!("joint_out_of_range.md").trim_ascii_end(),
     counts: "entries",
     ..RuleInfo::new(
         "skeleton-joint-out-of-range",

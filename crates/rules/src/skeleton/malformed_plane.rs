@@ -14,13 +14,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "crashes with `TypeError` or `KeyError` when it computes the bones that use the plane"),
         (Makehuman1, "fails with `ValueError` or `AttributeError` when the skeleton is chosen"),
     ],
-    docs: "A plane is not a list of three joint names. Only the first three count.\n\n\
-        MakeHuman 2 rejects a skeleton if a bone uses the plane `[null, null, null]` (old exporters wrote it for \
-        \"no plane\"). It crashes if there are fewer than three joints, if one of them is not a name, or if the \
-        plane is not a list. A plane that no bone uses is never read and is reported as info.\n\n\
-        MakeHuman 1 fails at a list of any other length than three and at one with numbers, whether a bone uses the plane or \
-        not.\n\n\
-        Name three joints that are not on one straight line, or remove the plane and the `rotation_plane` of its bones.",
+    docs: include_str!("malformed_plane.md").trim_ascii_end(),
     counts: "planes",
     ..RuleInfo::new("skeleton-malformed-plane", Level::Error, "a plane is not a list of three joints")
 });

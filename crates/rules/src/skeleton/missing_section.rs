@@ -16,12 +16,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "rejects the skeleton and logs a line; poses and exports cannot use it"),
         (Makehuman1, "fails with `KeyError` when the skeleton is chosen"),
     ],
-    docs: "A skeleton without `bones` or `joints`, or a bone without `head` or `tail`.\n\n\
-        MakeHuman 2 checks for them before anything else and rejects the whole skeleton if one is missing. An \
-        empty file (`{}`) is worse: up to 2026-08-05 the scan of all assets crashes on it at start; newer programs \
-        do not list it.\n\n\
-        MakeHuman 1 does without `joints`: a bone may end at a group of the mesh, `joint-NAME`.\n\n\
-        Add what is missing. A bone without an end of its own can end at the joint where the next bone begins.",
+    docs: include_str!("missing_section.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("skeleton-missing-section", Level::Error, "a required part of a skeleton is missing")
 });

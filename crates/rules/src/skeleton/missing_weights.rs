@@ -13,13 +13,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "rejects the skeleton and logs a line"),
         (Makehuman1, "fails with `FileNotFoundError` when the skeleton is chosen, at start for the base skeleton"),
     ],
-    docs: "The weights file of a skeleton does not exist where MakeHuman 2 looks for it.\n\n\
-        MakeHuman 2 looks for `weights_file` (`default_weights.mhw` if the key is missing) in `rigs/<base>/` of \
-        the user's data, then of the system data, and never beside the skeleton. If the file does not exist there, it \
-        rejects the whole skeleton.\n\n\
-        MakeHuman 1 looks beside the skeleton, then for the whole path below the data folders; a skeleton without the key \
-        takes its weights through references.\n\n\
-        Correct the name, or move the file. A skeleton in a sub-folder has to name the sub-folder: `sub/file.mhw`.",
+    docs: include_str!("missing_weights.md").trim_ascii_end(),
     ..RuleInfo::new(
         "skeleton-missing-weights",
         Level::Error,

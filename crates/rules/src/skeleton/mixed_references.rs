@@ -9,12 +9,7 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "gives the weights of these bones twice: to the bone itself, and to the one above it")],
-    docs: "A bone of a skeleton takes the weights of the bones that it refers to, or without references those of the bone of \
-        the same name in the base skeleton. MakeHuman 1 gives what nobody refers to further up to the bone above that has \
-        references, and a bone that is taken by its name alone does not count as referred to.\n\n\
-        If a bone with references has one without them below it, its weights count twice, and both pull at the \
-        same vertices.\n\n\
-        Add a `reference` with its own name to the bone.",
+    docs: include_str!("mixed_references.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("skeleton-mixed-references", Level::Warning, "bones whose weights two bones take")
 });

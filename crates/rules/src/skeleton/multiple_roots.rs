@@ -8,10 +8,7 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "rejects the skeleton and logs a line")],
-    docs: "More than one bone of a skeleton has no parent.\n\n\
-        MakeHuman 2 needs exactly one root and rejects the whole skeleton if there is a second one, even if only \
-        `parent` was forgotten. MakeHuman 1 accepts several roots.\n\n\
-        Give every bone but one a parent; an unattached bone can hang on the root.",
+    docs: include_str!("multiple_roots.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("skeleton-multiple-roots", Level::Error, "more than one bone of a skeleton has no parent")
 });

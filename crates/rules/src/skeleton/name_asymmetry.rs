@@ -17,10 +17,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "loads and poses such bones like any other; only tools that mirror by name miss the counterparts"),
         (Makehuman1, "loads and poses such bones like any other"),
     ],
-    docs: "A bone of one side has no counterpart on the other. Left and right bones are recognised by their names: \
-        `hand.L` and `hand.R`, `hand_l` and `hand_r`, `l-hand` and `r-hand`.\n\n\
-        The bone works in MakeHuman 2. Tools that mirror poses by these names leave it out.\n\n\
-        Usually the counterpart is misspelt or was forgotten. Correct its name, or add it.",
+    docs: include_str!("name_asymmetry.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("skeleton-name-asymmetry", Level::Info, "a bone has no left/right counterpart")
 });

@@ -9,13 +9,7 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "lists only one of the skeletons; the others cannot be chosen")],
-    docs: "Two skeletons of a base have the same `name`. This is the name under which MakeHuman 2 lists them, so \
-        it often happens when a skeleton was copied to make another one.\n\n\
-        MakeHuman 2 lists only the first one that its scan finds: the user's before those of the system data, and within a \
-        folder whichever the file system returns first. The others are lost without a message.\n\n\
-        A file in the user's data with the same path as one in the system data replaces it and does not clash. \
-        Skeletons without `name` are listed by their file names.\n\n\
-        Give each skeleton a name of its own.",
+    docs: include_str!("name_clash.md").trim_ascii_end(),
     ..RuleInfo::new("skeleton-name-clash", Level::Error, "two skeletons of a base have the same name")
 });
 

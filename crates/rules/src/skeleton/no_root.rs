@@ -15,11 +15,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "rejects the skeleton and logs a line"),
         (Makehuman1, "fails with `IndexError` when the skeleton is chosen"),
     ],
-    docs: "No bone of a skeleton is the root: a bone whose `parent` is null or missing.\n\n\
-        MakeHuman 2 rejects a skeleton in which every bone has a parent (their parents then form a cycle), and one \
-        without bones.\n\n\
-        Set `parent` of the bone that carries all others to null. For a cycle of parents beside a root see \
-        `skeleton-cycle`; for parents that do not exist see `skeleton-unknown-parent`.",
+    docs: include_str!("no_root.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("skeleton-no-root", Level::Error, "no bone of a skeleton is the root")
 });

@@ -14,13 +14,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         (Makehuman2, "turns the bone around its own axis by a value that may change with every slider"),
         (Makehuman1, "turns the bone around its own axis by a value that may change with every slider"),
     ],
-    docs: "A bone is almost parallel to the normal of its plane. Without `rotation_plane` the normal points \
-        straight up (0, 1, 0), so this affects upright bones.\n\n\
-        MakeHuman 2 computes the roll from the part of the normal across the bone. If hardly any of it is left, \
-        the smallest change of a joint turns the bone around its own axis: poses and exported rigs differ between \
-        characters and between left and right.\n\n\
-        Give such bones a `rotation_plane` through three joints that are not on one line: a limb that is straight needs a \
-        joint beside it.",
+    docs: include_str!("noisy_roll.md").trim_ascii_end(),
     options: &[OptionInfo {
         name: "cosine",
         default: 0.999,

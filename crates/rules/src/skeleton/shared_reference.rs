@@ -9,13 +9,13 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "gives each of the bones a half of the weights: both pull at the same vertices")],
-    docs: "Two bones of a skeleton refer to the same bone of the base skeleton. MakeHuman 1 gives its weights to both, and \
-        scales them until the sum is one: each has a half of them. Often a `reference` was copied, and still names the bone \
-        of the left or right counterpart.\n\n\
-        Name another bone in one of them. Bones that share the weights on purpose, such as those of a twist, are better \
-        served by weights of their own (`weights_file`).",
+    docs: include_str!("shared_reference.md").trim_ascii_end(),
     counts: "bones of the base skeleton",
-    ..RuleInfo::new("skeleton-shared-reference", Level::Warning, "two bones refer to the same bone of the base skeleton")
+    ..RuleInfo::new(
+        "skeleton-shared-reference",
+        Level::Warning,
+        "two bones refer to the same bone of the base skeleton",
+    )
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

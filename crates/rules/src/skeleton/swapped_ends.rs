@@ -16,12 +16,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         (Makehuman2, "rotates the bone around its far end: the limb tears off at the joint"),
         (Makehuman1, "rotates the bone around its far end: the limb tears off at the joint"),
     ],
-    docs: "`head` and `tail` of a bone are swapped. Reported is a bone whose tail is at the tail of its parent, \
-        while its head lies farther out and no child continues from its tail. A bone that lies along its parent \
-        and ends with it, such as a twist bone, is not reported.\n\n\
-        A bone rotates around its `head`. MakeHuman 2 says nothing and rotates such a bone around its far end; its \
-        roll is reversed as well.\n\n\
-        Swap `head` and `tail`.",
+    docs: include_str!("swapped_ends.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("skeleton-swapped-ends", Level::Warning, "head and tail of a bone are swapped")
 });

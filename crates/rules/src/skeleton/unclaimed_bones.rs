@@ -10,18 +10,7 @@ use mhlint_repo::{Body, Rig};
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "exports these vertices without a bone: they do not move in any pose")],
-    docs: "Vertices lose all their weights in the export because no bone of this skeleton claims the default bones \
-        that hold them.\n\n\
-        MakeHuman 2 exports a skeleton with the weights of the default skeleton (`pose-skeleton` of base.json). A \
-        bone claims the default bones in its `weights_reference`, or without any the one with its own name, and \
-        those in its `reference`. Weights of an unclaimed default bone go to the bone that claims its nearest \
-        claimed ancestor.\n\n\
-        If no ancestor is claimed either, the weights are lost: for example if the root is renamed without a \
-        `reference`. They are also lost if a bone has the name of a default bone but refers only to another one: \
-        it claims its own name and does not take its weights.\n\n\
-        Reported are vertices that keep no weight at all; the weights of other vertices are divided by the sum \
-        that is left. Names in references that do not exist are `skeleton-unknown-reference`.\n\n\
-        List the lost bones in `reference` of the bone that replaces them.",
+    docs: include_str!("unclaimed_bones.md").trim_ascii_end(),
     counts: "vertices",
     ..RuleInfo::new(
         "skeleton-unclaimed-bones",

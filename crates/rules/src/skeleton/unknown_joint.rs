@@ -21,13 +21,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman1, "puts the end of the bone at the origin, with a line in the log"),
     ],
     levels: &[(Makehuman1, Level::Warning)],
-    docs: "A bone or its plane names a joint that does not exist. `head` and `tail` of a bone, and the three \
-        corners of its plane, are names from `joints` of the same file.\n\n\
-        MakeHuman 2 looks up joints without checking. It crashes while loading the base mesh for the skeleton that \
-        `base.json` names, and for others when the user chooses them.\n\n\
-        MakeHuman 1 looks for a group of the mesh with that name, or `joint-NAME`. Without one the bone ends at the origin (a \
-        warning); with both ends there and a bone below it the skeleton cannot be chosen.\n\n\
-        Correct the name, or add the joint. For a joint that is listed but empty see `skeleton-empty-joint`.",
+    docs: include_str!("unknown_joint.md").trim_ascii_end(),
     ..RuleInfo::new("skeleton-unknown-joint", Level::Error, "a bone or its plane names a joint that does not exist")
 });
 

@@ -12,11 +12,7 @@ use mhlint_repo::Body;
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "rejects the skeleton and logs a line"), (Makehuman1, LOST)],
     levels: &[(Makehuman1, Level::Warning)],
-    docs: "A bone names a parent that does not exist. `parent` is the name of another bone of the same file; only \
-        the root has none.\n\n\
-        MakeHuman 2 rejects the whole skeleton. MakeHuman 1 drops the bone and all below it; in its base skeleton, \
-        `rigs/default.mhskel`, it then fails at start. An empty name is that of the root to it.\n\n\
-        Correct the name, or add the missing bone. Names must match exactly, including capitals.",
+    docs: include_str!("unknown_parent.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("skeleton-unknown-parent", Level::Error, "a bone names a parent that does not exist")
 });

@@ -16,11 +16,7 @@ use mhlint_repo::Body;
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "rejects the skeleton and logs a line"), (Makehuman1, VERTICAL)],
     levels: &[(Makehuman1, Level::Warning)],
-    docs: "A bone names a plane that does not exist. `rotation_plane` names one of `planes`, whose normal \
-        determines the roll of the bone.\n\n\
-        MakeHuman 2 rejects the whole skeleton. MakeHuman 1 takes the vertical for the bone in its base skeleton; other \
-        skeletons have their axes from that.\n\n\
-        Correct the name, add the plane, or remove the key: without `rotation_plane` the bone uses the vertical.",
+    docs: include_str!("unknown_plane.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("skeleton-unknown-plane", Level::Error, "a bone names a plane that does not exist")
 });

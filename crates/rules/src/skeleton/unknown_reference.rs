@@ -17,15 +17,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman1, "fails with `KeyError` when the skeleton is chosen"),
     ],
     levels: &[(Makehuman1, Level::Error)],
-    docs: "A bone refers to bones that the default skeleton does not have. `reference` and `weights_reference` \
-        list bones of the default skeleton (`pose-skeleton` of `base.json`) whose poses and weights a bone takes \
-        over.\n\n\
-        MakeHuman 2 ignores unknown names. It reads a string in place of the list letter by letter: `\"head\"` \
-        means the bones `h`, `e`, `a` and `d`. MakeHuman 1 accepts a single name. References in the default skeleton \
-        itself are never read (an info).\n\n\
-        MakeHuman 1 cannot choose a skeleton with an unknown name in `reference`. One in `weights_reference` is left out: a \
-        warning where weights then go to another bone, otherwise an info.\n\n\
-        Correct the names, and write a single name as a list.",
+    docs: include_str!("unknown_reference.md").trim_ascii_end(),
     ..RuleInfo::new(
         "skeleton-unknown-reference",
         Level::Warning,

@@ -12,9 +12,7 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "ignores joints that nothing uses")],
-    docs: "No bone (`head`, `tail`) and no plane names a joint, so the joint has no effect. It is either a \
-        left-over, or a bone that should use it names another one.\n\n\
-        Remove it, or use it.",
+    docs: include_str!("unused_joint.md").trim_ascii_end(),
     counts: "joints",
     ..RuleInfo::new("skeleton-unused-joint", Level::Info, "no bone or plane uses a joint")
 });

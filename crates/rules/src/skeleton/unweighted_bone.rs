@@ -18,13 +18,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         (Makehuman2, "exports the bone without vertices: it moves nothing"),
         (Makehuman1, "exports the bone without vertices: the root bone gets what it was to move"),
     ],
-    docs: "A bone gets no weights: no default bone has its name, and it has no references. Its limb stays with the \
-        nearest bone above.\n\n\
-        MakeHuman 2 exports a skeleton with the weights of the default skeleton (`pose-skeleton` of base.json). A \
-        bone takes those of the default bone with its name, or of the bones in `reference` and \
-        `weights_reference`. The skeleton's own weights file is loaded but not used.\n\n\
-        The root and bones with children are not reported; they may only hold others together.\n\n\
-        List the default bones in `reference`. A bone that is only a handle or a socket may stay without.",
+    docs: include_str!("unweighted_bone.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("skeleton-unweighted-bone", Level::Warning, "a bone gets no weights through its references")
 });

@@ -7,9 +7,7 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "fails with `ValueError` when the skeleton is chosen")],
-    docs: "MakeHuman 1 makes whole numbers of `version` and `plane_map_strategy`. A text such as `\"1.1\"` or `\"average\"` \
-        stops it; the number 1.1 does not.\n\nWrite a whole number: the strategy is 1 for the first plane of the references, \
-        2 for the last, 3 for their mean.",
+    docs: include_str!("version.md").trim_ascii_end(),
     ..RuleInfo::new("skeleton-version", Level::Error, "a text in place of a number")
 });
 

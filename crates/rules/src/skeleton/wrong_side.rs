@@ -23,14 +23,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
             "rotates the skin around joints of its left/right counterpart: the smallest bend throws it far off",
         ),
     ],
-    docs: "A bone whose name says left or right (`hand.L`, `r-thigh`, `LeftFoot` …) has both joints on the \
-        opposite half of the body. Left is where x is above 0; joints within 1 cm (0.1) of the middle do not \
-        count.\n\n\
-        MakeHuman 2 uses the joints as they are and says nothing. The weights stay where the mesh is, so the skin \
-        of one side rotates around a joint of the opposite side, and poses mirrored by name move the wrong \
-        limb.\n\n\
-        Usually left and right are swapped in `joints`, or a bone names the joints of its counterpart. Swap them \
-        back.",
+    docs: include_str!("wrong_side.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("skeleton-wrong-side", Level::Warning, "a bone is not on the side its name says")
 });

@@ -20,12 +20,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         ),
         (Makehuman1, "fails with `LinAlgError` when the skeleton is chosen"),
     ],
-    docs: "Head and tail of a bone are at the same place on the default character.\n\n\
-        The direction of the bone and its rest matrix are then not numbers. Usually both ends name the same joint, \
-        or two joints list the same vertices.\n\n\
-        MakeHuman 1 fails only where another bone hangs below it.\n\n\
-        Give the bone two different joints. For a bone that has no length only at some slider setting see \
-        `numeric-zero-length-bone`.",
+    docs: include_str!("zero_length_bone.md").trim_ascii_end(),
     counts: "bones",
     grows: Grows::less(MeasureKind::Length),
     ..RuleInfo::new("skeleton-zero-length-bone", Level::Error, "head and tail of a bone coincide")

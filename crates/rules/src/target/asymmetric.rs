@@ -19,15 +19,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         (Makehuman2, "makes the figure asymmetric; symmetry cannot fix it"),
         (Mpfb, "makes the figure asymmetric"),
     ],
-    docs: "A target whose name has no side (no `l`, `r`, `left`, `right`) moves the left half of the body \
-        differently from the right.\n\n\
-        Targets whose names end as listed in `nonsym` under `random` of base.json are intended to be asymmetric \
-        and are not reported. If more than the given share of its vertices differs, a target gets a finding of its \
-        own. Targets with only a few such vertices are counted in one finding for the base mesh.\n\n\
-        If nearly all vertices of a target differ, while the other end of its slider is symmetric, its vertices have other \
-        numbers than those of the base mesh (a warning).\n\n\
-        If it is intended, add a side to the name, or add its ending to `nonsym`, which the randomizer reads as \
-        well. Otherwise make the target symmetric.",
+    docs: include_str!("asymmetric.md").trim_ascii_end(),
     options: &[OptionInfo {
         name: "share",
         default: 0.1,

@@ -12,16 +12,11 @@ use mhlint_repo::{Body, FileFacts};
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "gives left and right different shapes for the same slider values"), (Makehuman1, "gives left and right different shapes for the same slider values"),
+        (Makehuman2, "gives left and right different shapes for the same slider values"),
+        (Makehuman1, "gives left and right different shapes for the same slider values"),
         (Mpfb, "gives left and right different shapes for the same slider values"),
     ],
-    docs: "Two targets whose names differ only in `l` and `r` (`left` and `right`) are not mirror images of each \
-        other.\n\n\
-        mhlint finds from the base mesh which vertices mirror each other. Displacements may differ by 0.025 cm \
-        (0.0025) because of rounding. If only helper geometry differs, the body is right and only clothes and hair \
-        fitted to those helpers are asymmetric: info.\n\n\
-        If the left one moves the right side of the body and the right one the left side, their names are exchanged.\n\n\
-        Mirror one of the two targets and save it over the other.",
+    docs: include_str!("asymmetric_pair.md").trim_ascii_end(),
     counts: "vertices",
     grows: Grows::more(MeasureKind::Distance),
     ..RuleInfo::new("target-asymmetric-pair", Level::Warning, "left and right targets are not mirror images")

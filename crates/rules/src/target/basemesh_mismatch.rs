@@ -10,12 +10,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         Makehuman2,
         "ignores the header and moves the vertices that have these numbers in the mesh of the folder",
     )],
-    docs: "The header `# basemesh NAME` names another base mesh than the folder the target is in.\n\n\
-        Vertex numbers have a meaning only together with their mesh. MakeHuman 2 ignores the header and applies \
-        the rows to the mesh of the folder; if the target was copied from another base, it moves the wrong \
-        vertices.\n\n\
-        Move the file to the folder of its mesh. If the target fits the mesh of this folder and only the header is \
-        old, correct the header.",
+    docs: include_str!("basemesh_mismatch.md").trim_ascii_end(),
     counts: "targets",
     ..RuleInfo::new(
         "target-basemesh-mismatch",

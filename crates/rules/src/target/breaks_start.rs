@@ -12,13 +12,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         "crashes at start with `ValueError` although nothing uses the file, and leaves an empty \
          compressedtargets.npz that crashes every later start",
     )],
-    docs: "A target that no slider and no macro uses cannot be parsed.\n\n\
-        To build its archive, MakeHuman 2 parses every file ending in `.target` below the folder, at any depth, \
-        before it shows anything. A file that it cannot read crashes it. The empty archive that stays behind \
-        crashes every later start, too, until you delete it by hand. While a sound archive is in the folder, the \
-        file is not parsed: a warning.\n\n\
-        Fix the file, or move it out of the target folder (another ending such as `.target.bak` is enough). Then \
-        delete a compressedtargets.npz of 0 bytes.",
+    docs: include_str!("breaks_start.md").trim_ascii_end(),
     counts: "rows",
     ..RuleInfo::new("target-breaks-start", Level::Error, "an unused target crashes MakeHuman 2 at start")
 });

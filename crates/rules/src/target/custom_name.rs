@@ -6,10 +6,7 @@ use mhlint_repo::makehuman1::{CustomTarget, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "loses the value of the slider in saved models")],
-    docs: "A target in `custom` of the user has a slider, and saved models name it by its path. A model separates words by \
-        blanks: of `custom/grow tall` it reads `custom/grow`, and the value is lost with a warning in the log. Where that \
-        target exists, too, the line fails. A blank in the name of a folder is one finding for all targets in it.\n\nRename the \
-        file or the folder without blanks.",
+    docs: include_str!("custom_name.md").trim_ascii_end(),
     ..RuleInfo::new("target-custom-name", Level::Warning, "a blank in the name of a user's target")
 });
 

@@ -9,8 +9,7 @@ use mhlint_repo::makehuman1::{NamedTarget, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "applies both: the slider moves twice as far")],
-    docs: "MakeHuman 1 splits the path of a target at `-`, `_`, `.` and `/`: `head/head-oval.target`, `head/head_oval.target` and \
-        `head-head/oval.target` have one name, and a modifier applies all of them.\n\nRemove or rename one of them.",
+    docs: include_str!("doubled.md").trim_ascii_end(),
     ..RuleInfo::new("target-doubled", Level::Warning, "two files that are one target")
 });
 

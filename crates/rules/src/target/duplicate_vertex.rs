@@ -15,12 +15,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman1, "applies only the last row of a vertex, not the sum"),
         (Mpfb, "adds up all rows of a vertex; MakeHuman applies the last one"),
     ],
-    docs: "A vertex has more than one row in a target.\n\n\
-        MakeHuman 2 and 1 pass all rows to NumPy at once, which keeps the last row of a vertex and drops the others. \
-        MPFB and other programs add them up, so the same file yields two different shapes. If the rows of a vertex are \
-        equal, MakeHuman 2 loses nothing: info.\n\n\
-        Keep one row per vertex: the last one if the shape in MakeHuman 2 is right, or the sum if the shape was \
-        made elsewhere.",
+    docs: include_str!("duplicate_vertex.md").trim_ascii_end(),
     counts: "rows, by vertex",
     ..RuleInfo::new("target-duplicate-vertex", Level::Warning, "a vertex appears more than once in a target")
 });

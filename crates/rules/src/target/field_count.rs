@@ -19,14 +19,7 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         ),
     ],
     levels: &[(Mpfb, Level::Error)],
-    docs: "A line of a target does not have exactly four fields. A row is `INDEX X Y Z`, separated by spaces.\n\n\
-        MakeHuman 2 and 1 silently skip every line without four fields, comments included. A remark behind a row (`12 \
-        .1 .2 .3 # nose`) makes five or more fields, and the row is lost; a missing number makes three.\n\n\
-        A line that does not begin with a number is reported as info if the target has rows. The markers of a \
-        merge conflict are one finding.\n\n\
-        MPFB stops at a line with fewer than four fields (an error). Of a longer one it takes the first four (an info: \
-        MakeHuman skips it).\n\n\
-        Give the line four fields, put remarks on lines of their own that begin with `#`, or remove the line.",
+    docs: include_str!("field_count.md").trim_ascii_end(),
     counts: "lines",
     ..RuleInfo::new("target-field-count", Level::Warning, "a line of a target does not have four fields")
 });

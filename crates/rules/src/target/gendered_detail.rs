@@ -7,10 +7,7 @@ use mhlint_repo::makehuman1::{NamedTarget, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "applies it with a part of its weight, or not at all, at other values of the macro")],
-    docs: "A word such as `female` or `old` in the path of a target makes it depend on that macro variable, also in the name of \
-        a folder. A detail that has `female` alone works with half its weight on the neutral figure, and not at all on a male \
-        one.\n\n\
-        Add targets for the other values, or choose another word.",
+    docs: include_str!("gendered_detail.md").trim_ascii_end(),
     ..RuleInfo::new("target-gendered-detail", Level::Warning, "a detail that depends on some values of a macro")
 });
 

@@ -8,12 +8,7 @@ use mhlint_repo::makehuman1::{NamedTarget, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "never reads it: no macro asks for this name")],
-    docs: "A macro target of MakeHuman 1 has a value of each category of its group in its path, such as \
-        `asian-female-young.target`: words in small letters, separated by `-`, `_` or `.`.\n\n\
-        With a word too few the target acts at every value of the missing category: `african-female.target` at every age, so \
-        that the neutral figure changes. With a word too many, or a mistyped one (`Female`, `femal`, `baby copy`), it is in \
-        a group of its own that nothing reads, and the figure lacks it.\n\n\
-        Correct the name, or keep copies outside of the data.",
+    docs: include_str!("macro_token.md").trim_ascii_end(),
     ..RuleInfo::new("target-macro-token", Level::Warning, "a macro target whose name does not fit its group")
 });
 

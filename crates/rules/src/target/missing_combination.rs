@@ -7,12 +7,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "leaves the figure without this part of its shape at these settings")],
-    docs: "The targets of a macro of MakeHuman 1 have the values of several categories in their names. A combination without a \
-        target adds nothing at its settings.\n\n\
-        A value that no target of the group has, such as `averageheight`, is left out on purpose, and so is a pair of values \
-        that never occurs together. The rule reports the other combinations that are missing. A file whose name does not fit \
-        is `target-macro-token`.\n\n\
-        Add the target; it may be empty.",
+    docs: include_str!("missing_combination.md").trim_ascii_end(),
     ..RuleInfo::new("target-missing-combination", Level::Warning, "a combination of macro values without a target")
 });
 

@@ -14,16 +14,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         Makehuman2,
         "creates a slider with one direction only; of a lone `-decr` target, the slider decreases as it moves up",
     )],
-    docs: "A target for one direction of a slider has no opposite: `-decr` without `-incr`, or another pair in \
-        `target-opposites` of base.json. Reported are targets in folders with complete pairs of the same kind, and \
-        opposites whose name does not make a pair: without the ending, with a misspelt one, or with other \
-        capitals.\n\n\
-        MakeHuman 2 makes the sliders of user targets from the file names: a pair becomes one slider with two \
-        directions, a single file a slider with one. A pair without a `-` before its endings gets one direction \
-        only. A pair with `incr` elsewhere in its name becomes two sliders, because every `incr` is replaced to \
-        find the opposite.\n\n\
-        Add the opposite, or remove the ending from the name. A target that modelling.json uses alone is not \
-        reported.",
+    docs: include_str!("missing_opposite.md").trim_ascii_end(),
     ..RuleInfo::new("target-missing-opposite", Level::Warning, "a target for one direction has no opposite")
 });
 

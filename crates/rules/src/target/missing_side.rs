@@ -11,11 +11,7 @@ use mhlint_repo::{FileFacts, Reference};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "offers a slider for one side only, which symmetry cannot mirror")],
-    docs: "A target for the left (`l-…`, or `-l-` inside the name) has no counterpart for the right in the same \
-        folder, or the reverse.\n\n\
-        MakeHuman 2 reports nothing, but users notice: one ear can be changed and the other cannot, and making the \
-        figure symmetric has no effect on it.\n\n\
-        Mirror the target and save it under the name of its counterpart.",
+    docs: include_str!("missing_side.md").trim_ascii_end(),
     counts: "targets",
     ..RuleInfo::new("target-missing-side", Level::Warning, "a target has no left/right counterpart")
 });

@@ -13,12 +13,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         (Makehuman2, "shows no change: helpers are hidden and only carry clothes and joints"),
         (Makehuman1, "shows no change: helpers are hidden and only carry clothes and joints"),
     ],
-    docs: "The target moves helper geometry or joint cubes, but no vertex of the body (`visible groups` of \
-        base.json).\n\n\
-        This may be intended: a target for what clothes cover, or for the place of a joint. Otherwise the shape \
-        was made on the wrong part of the mesh, and the slider seems to do nothing. A joint that stays behind \
-        while its limb moves is `numeric-joint-drift`.\n\n\
-        If the body should change, make the shape on the visible mesh.",
+    docs: include_str!("moves_helpers_only.md").trim_ascii_end(),
     counts: "targets",
     ..RuleInfo::new("target-moves-helpers-only", Level::Info, "a target moves helpers but not the body")
 });

@@ -20,14 +20,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Mpfb, "counts from the end of the mesh: silently moves another vertex"),
     ],
     levels: &[(Mpfb, Level::Warning)],
-    docs: "A vertex index in a target is negative.\n\n\
-        MakeHuman 2 stores indices as unsigned 32-bit numbers. NumPy 2 rejects a negative one, which crashes the \
-        program at start, whether the target is used or not. NumPy 1 turns it into an index of about 4 thousand \
-        million, and the program crashes when the target is applied. While MakeHuman 2 uses a sound archive in \
-        place of the text, the text is not parsed: a warning.\n\n\
-        MPFB counts such an index from the end: -1 is the last vertex of the mesh. One beyond the first vertex stops the \
-        target (an error).\n\n\
-        Write the index that the base mesh has, or remove the row.",
+    docs: include_str!("negative_index.md").trim_ascii_end(),
     counts: "rows, by vertex",
     ..RuleInfo::new("target-negative-index", Level::Error, "a vertex index in a target is negative")
 });

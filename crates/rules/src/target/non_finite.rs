@@ -19,11 +19,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Mpfb, "leaves the vertex without a position as soon as the slider moves"),
     ],
     levels: &[(Mpfb, Level::Warning), (Makehuman1, Level::Warning)],
-    docs: "A displacement is `nan`, infinite, or too large for a 32-bit float (beyond 3.4e38).\n\n\
-        Python accepts such numbers and MakeHuman 2 adds them to the mesh. The vertex is lost, and with it every \
-        face, joint and garment that depends on it. While an archive with other numbers is used in place of the \
-        text, this is a warning.\n\n\
-        Usually an export divided by zero. Export the target again, or write the right numbers.",
+    docs: include_str!("non_finite.md").trim_ascii_end(),
     counts: "rows, by vertex",
     ..RuleInfo::new("target-non-finite", Level::Error, "a displacement is NaN or infinite")
 });

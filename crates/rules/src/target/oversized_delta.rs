@@ -23,16 +23,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman1, "tears the vertex out of the mesh when the target is applied"),
         (Mpfb, "tears the vertex out of the mesh when the target is applied"),
     ],
-    docs: "A displacement is out of proportion to the mesh or to the rest of its target.\n\n\
-        Reported are a vertex that moves farther than the size of the whole base mesh, and a vertex that stands \
-        out from its own target: many times the median of the target, several times as far as all but its longest \
-        rows, and a considerable part of the mesh, while its neighbours in the mesh do not move alike. Also reported is a slider target that as a whole moves more \
-        than five times as far as each of the others in its folder, if there are at least four targets, \
-        and one that moves eight times as far as the other end of its slider.\n\n\
-        A target that changes everything a lot, or grows steadily towards one place, such as a tail, is not reported. Without the \
-        base mesh (`--system`) nothing is checked.\n\n\
-        Usually a decimal point is missing (`119` for `.119`), or the shape was exported in other units; MakeHuman \
-        counts in decimetres. Check the row; if the shape is intended, raise `ratio`.",
+    docs: include_str!("oversized_delta.md").trim_ascii_end(),
     options: &[OptionInfo {
         name: "ratio",
         default: MEDIAN_RATIO as f64,

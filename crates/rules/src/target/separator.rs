@@ -10,10 +10,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         Mpfb,
         "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part",
     )],
-    docs: "The fields of a row are separated by a tab, by several blanks or by another white space.\n\n\
-        MPFB splits a row at single blanks, so that an empty field, or a field with two numbers, is left: the target \
-        fails with `ValueError`. MakeHuman takes any white space.\n\n\
-        Write one blank between the fields. White space at both ends of a line does not matter.",
+    docs: include_str!("separator.md").trim_ascii_end(),
     counts: "rows",
     ..RuleInfo::new("target-separator", Level::Error, "fields of a target that are not separated by one blank")
 });

@@ -16,13 +16,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         (Makehuman2, "puts the joint at the mean of the torn cube: the bone ends beside its limb"),
         (Makehuman1, "puts the joint at the mean of the torn cube: the bone ends beside its limb"),
     ],
-    docs: "A target moves only some vertices of a joint cube, or moves them by different amounts. Differences of \
-        up to 0.02 cm (0.002) come from rounding and are not reported.\n\n\
-        A joint lies at the mean of its cube. If a brush caught part of a cube, the joint ends up somewhere in \
-        between. MakeHuman's own targets list all vertices of a cube with the same displacement.\n\n\
-        Cubes that the skeleton does not use are not checked. The rule only applies if the targets of the base \
-        usually keep their cubes rigid.\n\n\
-        Move all vertices of the cube by the same amount, or none.",
+    docs: include_str!("splits_joint_cube.md").trim_ascii_end(),
     options: &[OptionInfo {
         name: "share",
         default: 0.05,

@@ -17,17 +17,7 @@ pub(crate) static RULE: Rule = Check::Libraries(run, |view, _, out| out.extend(o
         (Makehuman1, "applies the numbers in the archive and ignores the text file, whichever is newer"),
     ],
     levels: &[(Makehuman1, Level::Warning)],
-    docs: "`compressedtargets.npz` differs from the text files it was built from.\n\n\
-        MakeHuman 2 packs all targets of a folder into `compressedtargets.npz` if it does not exist, and from then \
-        on loads each target from there. It does not compare dates: an edited text file silently has no effect \
-        until the archive is deleted.\n\n\
-        There is one finding per archive: members with other numbers than their text file (error), members whose \
-        text file no longer exists (warning: the target exists only in the archive), and text files missing from \
-        the archive (info: they are read as text). Numbers are compared as 32-bit floats, as MakeHuman 2 stores \
-        them.\n\n\
-        MakeHuman 1 does the same with `targets.npz`, in which numbers are rounded to thousandths of a decimetre: an edited text \
-        has no effect as long as the archive is there. What only one of the two has, `archive-undiscovered` tells.\n\n\
-        Delete the archive; MakeHuman 2 rebuilds it, and MakeHuman 1 reads the texts. Do not keep it in version control.",
+    docs: include_str!("stale_binary.md").trim_ascii_end(),
     counts: "targets",
     ..RuleInfo::new("target-stale-binary", Level::Error, "an archive of targets differs from the text files")
 });

@@ -20,20 +20,12 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
              start",
         ),
         (Makehuman1, "logs \"Unable to open\", and the whole target moves nothing"),
-        (Mpfb, "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part"),
+        (
+            Mpfb,
+            "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part",
+        ),
     ],
-    docs: "A field of a target row is not a number. A row is a vertex index and three decimal numbers with a \
-        point.\n\n\
-        MakeHuman 2 parses every target below the folder at start, used or not, with Python's `int()` and \
-        `float()`. What they reject (words, `1.0` as an index, a decimal comma) crashes it. The empty archive that \
-        stays behind must be deleted by hand, even after the target was fixed. While MakeHuman 2 uses a sound \
-        archive in place of the text, the text is not parsed: a warning.\n\n\
-        In MakeHuman 1 such a row makes the whole target inert, with an error in the log.\n\n\
-        MPFB parses a target when its slider moves. It makes the shape key first, so that an empty one stays behind: the \
-        slider fails once and does nothing from then on. It splits rows at single blanks and takes the first four fields; \
-        what is wrong with other white space is `target-separator`. A `.ptarget` of a proxy or clothes, which is loaded by \
-        hand, is read alike.\n\n\
-        Write the field as a number, or remove the row. For a target that nothing uses see `target-breaks-start`.",
+    docs: include_str!("syntax.md").trim_ascii_end(),
     counts: "rows",
     ..RuleInfo::new("target-syntax", Level::Error, "a field of a target row is not a number")
 });

@@ -6,13 +6,7 @@ use mhlint_repo::makehuman1::{PathClash, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "shows no modelling sliders at all: looking for targets ends with `RuntimeError`")],
-    docs: "MakeHuman 1 looks for targets in all of the data of the program, and takes the words in the names of folders and \
-        targets for what a target is for: `male`, `young`, `maxmuscle` and so on. A path with two such words for one thing, \
-        such as `male-female-old.target`, a folder `clothes/male_female_shirt`, or `hair/old/young`, ends the search, even if \
-        the folder is empty.\n\n\
-        Words are separated by `-`, `_` and `.`; the names of other files do not count. Folders of a user are not searched, \
-        and none is while there is a `targets.npz`.\n\n\
-        Rename the target or the folder, such as `unisex_shirt`.",
+    docs: include_str!("token_conflict.md").trim_ascii_end(),
     ..RuleInfo::new("target-token-conflict", Level::Error, "a path with two values of one category")
 });
 

@@ -18,16 +18,7 @@ pub(crate) static RULE: Rule = Check::Libraries(run, |view, cx, out| shipped_unu
             (Makehuman2, "packs it whenever it builds the archive, but never applies it"),
             (Makehuman1, "never applies it: no modifier asks for its group"),
         ],
-        docs: "Neither modelling.json nor macro.json names the target, so nothing applies it. Often a slider was \
-        forgotten, or the file was renamed.\n\n\
-        MakeHuman 2 still parses the file when it builds its archive, and an error in it crashes the program \
-        (`target-breaks-start`).\n\n\
-        User targets need no entry: those in `target/<base>/` of the user and in the folders directly below become \
-        sliders automatically. Unused targets of macro folders are `macro-unreferenced-target`. A file that nearly \
-        fits a name without a file is reported with that name. Nothing is reported while modelling.json or \
-        macro.json is missing or broken.\n\n\
-        MakeHuman 1 ships such targets: an info for each folder.\n\n\
-        Add a slider to modelling.json, or keep the file outside of the data.",
+        docs: include_str!("unreferenced.md").trim_ascii_end(),
         counts: "targets",
         of_whole: true,
         ..RuleInfo::new("target-unreferenced", Level::Warning, "no slider and no macro uses a target")

@@ -18,15 +18,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Mpfb, "silently ignores the row"),
     ],
     levels: &[(Mpfb, Level::Warning)],
-    docs: "A target names a vertex that the base mesh of its folder does not have.\n\n\
-        MakeHuman 2 loads the target and crashes with `IndexError` when it is applied: as soon as its slider \
-        moves, or at start if a macro uses it. Indices from 1431655766 on are not noticed: they wrap around and \
-        move another vertex. Beyond 4294967295 the program crashes at start, used or not.\n\n\
-        After the vertices of the file, the loaded mesh has a few UV-seam duplicates. MakeHuman 2 overwrites a \
-        duplicate with its original, so a row for one moves nothing: a warning.\n\n\
-        MPFB has no duplicates and ignores every row beyond the vertices of the file.\n\n\
-        Usually the target was made for another mesh, or for one exported with other vertices. Make it for this \
-        mesh.",
+    docs: include_str!("vertex_out_of_range.md").trim_ascii_end(),
     counts: "rows, by vertex",
     ..RuleInfo::new(
         "target-vertex-out-of-range",

@@ -14,11 +14,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman1, "loads it, but the slider changes nothing"),
         (Mpfb, "loads it, but the slider changes nothing"),
     ],
-    docs: "Every row of the target is zero, or is undone by a later zero row for the same vertex.\n\n\
-        MakeHuman 2 loads the target, and moving its slider does nothing. Often the shape was exported before it \
-        was made, or compared with itself.\n\n\
-        Export it again, or remove the target and its slider. A file without rows is `file-empty`; a target of a \
-        macro is `macro-empty-target`.",
+    docs: include_str!("without_effect.md").trim_ascii_end(),
     counts: "rows, by vertex",
     ..RuleInfo::new("target-without-effect", Level::Warning, "a target moves nothing")
 });

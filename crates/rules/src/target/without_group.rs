@@ -6,9 +6,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "never reads it: no modifier can name it")],
-    docs: "The words of a target's path that are not values of macros make the group by which modifiers name it. A target whose \
-        path has such values alone, `targets/female-young.target`, is in no group.\n\nGive it another word, or put it into a \
-        folder.",
+    docs: include_str!("without_group.md").trim_ascii_end(),
     ..RuleInfo::new("target-without-group", Level::Warning, "a target without a name of its own")
 });
 

@@ -16,12 +16,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "loads and adds the zeros, which only costs a little time and memory"),
         (Mpfb, "adds the zeros, which changes nothing; it writes such rows itself"),
     ],
-    docs: "Rows of a target have three zeros and move nothing. Exporters write them for vertices that were touched \
-        and put back, or whose movement was rounded away.\n\n\
-        A whole side without movement was usually lost by mistake; `target-asymmetric` and \
-        `target-asymmetric-pair` report that. A zero row for a vertex that another row moves is not reported here: \
-        as the last row it undoes the other, and `target-duplicate-vertex` reports it.\n\n\
-        The rows can be removed. All such rows of a target folder are one finding, at the first file.",
+    docs: include_str!("zero_delta.md").trim_ascii_end(),
     counts: "rows",
     ..RuleInfo::new("target-zero-delta", Level::Info, "rows of a target that move nothing")
 });

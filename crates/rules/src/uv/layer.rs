@@ -9,15 +9,7 @@ use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "fails with an exception when an ink layer with this `focus` is put on")],
-    docs: "`uv_layers/<name>.json.gz` of MPFB is a packed JSON: an object of faces, in each an object of loops with two \
-        numbers, the texture coordinates. A loop is a corner of a face of the base mesh, counted over all faces: face `f` \
-        has the loops `4 f` to `4 f + 3`. Loops that are not listed are outside of the picture.\n\n\
-        A loop that the mesh does not have, a key that is not a whole number, anything but two numbers, or a file that is \
-        not a packed JSON stops MPFB when an ink layer is put on that has the UV layer as its `focus`.\n\n\
-        MPFB does not read the names of faces. A loop that occurs again overwrites the one before: if the loops of each face \
-        are counted from 0, one face is painted (a warning). So are NaN, coordinates outside 0 to 1, negative loops, which \
-        count from the end, and an empty object.\n\n\
-        Save the UV layer again.",
+    docs: include_str!("layer.md").trim_ascii_end(),
     ..RuleInfo::new("uv-layer", Level::Error, "a UV layer that MPFB does not take, or that lies elsewhere")
 });
 

@@ -15,12 +15,7 @@ const USUAL: &str = "divides the weights of the vertex by their sum: the large o
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, USUAL), (Mpfb, "reads the weight as 1")],
     levels: &[(Makehuman2, Level::Info)],
-    docs: "A weight is larger than 1. It says how much of a vertex moves with a bone, from 0 to 1; a larger \
-        number is usually a percentage or a misplaced decimal point. Up to 1.0001 counts as 1.\n\n\
-        MakeHuman 2 divides all weights of a vertex by their sum. If the vertex has no other weight, or all its weights are \
-        in per cent, they come out as they were painted, and nothing is reported; nor is a weight of up to 2. A larger \
-        number among small ones takes nearly all of the vertex. MPFB reads every weight above 1 as 1.\n\n\
-        Write the share as a number from 0 to 1.",
+    docs: include_str!("above_one.md").trim_ascii_end(),
     counts: "entries",
     grows: Grows::more(MeasureKind::Weight),
     ..RuleInfo::new("weights-above-one", Level::Warning, "a weight is larger than 1")

@@ -17,12 +17,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         (Makehuman2, "bends the left and right side differently in mirrored poses"),
         (Makehuman1, "bends the left and right side differently in mirrored poses"),
     ],
-    docs: "Left and right bones of the same name (`.L` and `.R`, `_l` and `_r`, `Left` and `Right` …) have \
-        different weights for mirrored vertices.\n\n\
-        The base mesh shows which vertices mirror each other. Weights are compared as MakeHuman 2 holds them after \
-        loading: scaled to a sum of 1, with the entries of a vertex that a bone lists twice added up. A difference \
-        of up to 0.01 is not reported.\n\n\
-        Mirror the weights of one side. If the figure is asymmetric on purpose, leave them.",
+    docs: include_str!("asymmetric.md").trim_ascii_end(),
     counts: "pairs of bones",
     grows: Grows::more(MeasureKind::Weight),
     ..RuleInfo::new("weights-asymmetric", Level::Info, "left and right bones have different weights")

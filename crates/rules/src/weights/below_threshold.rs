@@ -14,12 +14,7 @@ const USUAL: &str = "drops the entry: it keeps only weights above 0.0001";
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     fix: FixKind::Safe,
     breaks: &[(Makehuman2, USUAL), (Makehuman1, USUAL)],
-    docs: "A weight is too small to have an effect.\n\n\
-        MakeHuman divides the weights of a vertex by their sum and keeps only those above 0.0001. Smaller ones, \
-        including zeros, only make the file larger; the other bones do not get their share. If so much is lost \
-        that it can be seen, see `weights-lost-after-threshold`.\n\n\
-        Remove the entries. The other bones of the vertex then get their share, at most 0.0001 for each; the fix \
-        also removes a bone that has no entries left.",
+    docs: include_str!("below_threshold.md").trim_ascii_end(),
     counts: "entries",
     ..RuleInfo::new("weights-below-threshold", Level::Info, "a weight is too small to have an effect")
 });

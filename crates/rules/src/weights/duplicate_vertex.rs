@@ -20,13 +20,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Mpfb, "adds the weights, up to 1"),
     ],
     levels: &[(Makehuman1, Level::Info), (Mpfb, Level::Info)],
-    docs: "A bone lists the same vertex more than once.\n\n\
-        MakeHuman 2 does not merge such entries: all of them count for the sum it divides by, but posing uses only \
-        one. The missing share pulls the vertex towards the origin. MakeHuman 1, and the transfer of weights to \
-        clothes in MakeHuman 2, add the entries.\n\n\
-        Replace the entries with one that has the sum of their weights. If the weights of the vertex do not add up \
-        to 1 then, the fix divides them by their sum, as the loader does; it does not if one of them is above 1, \
-        which has its own rule.",
+    docs: include_str!("duplicate_vertex.md").trim_ascii_end(),
     counts: "entries",
     ..RuleInfo::new("weights-duplicate-vertex", Level::Warning, "a bone lists a vertex more than once")
 });

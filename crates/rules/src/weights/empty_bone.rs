@@ -13,10 +13,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "treats such bones as if the file did not list them: they move no vertex"),
         (Mpfb, "creates no vertex group for the bone: it moves no vertex"),
     ],
-    docs: "A bone has an empty list of weights.\n\n\
-        That means the same as a bone that the file does not list. It is harmless, even if the skeleton does not \
-        have the bone, but often somebody forgot to paint it.\n\n\
-        Remove the bone from the file, or paint its weights.",
+    docs: include_str!("empty_bone.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("weights-empty-bone", Level::Info, "a bone has an empty list of weights")
 });

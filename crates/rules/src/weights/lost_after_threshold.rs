@@ -17,12 +17,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
             "drops weights up to 0.0001, and pulls the vertices towards the origin of the scene in every pose",
         ),
     ],
-    docs: "A vertex has so many tiny weights that dropping them visibly moves it.\n\n\
-        MakeHuman 2 divides the weights of a vertex by their sum and drops those that are not above 0.0001. No \
-        other bone gets their share: the rest adds up to less than 1 and pulls the vertex towards the origin, more \
-        the farther away it is. A pull of at least `distance` is a warning, a tenth of it an info. Less cannot be \
-        seen; such entries are reported as `weights-below-threshold`.\n\n\
-        Remove the tiny weights and normalise the rest.",
+    docs: include_str!("lost_after_threshold.md").trim_ascii_end(),
     options: &[DISTANCE],
     counts: "vertices",
     grows: Grows::more(MeasureKind::Distance),

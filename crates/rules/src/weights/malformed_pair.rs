@@ -14,11 +14,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman1, "crashes with `IndexError`, `TypeError` or `ValueError` while loading the weights"),
         (Mpfb, "fails with `TypeError` or `ValueError` while loading the weights"),
     ],
-    docs: "An entry of a bone is not a pair `[vertex, weight]`. The vertex is a whole number without a decimal \
-        point, the weight a number.\n\n\
-        MakeHuman 2 builds a table of the entries and crashes if one has another length or type, such as \
-        `[12.0, 0.5]`.\n\n\
-        Correct the entry, or remove it.",
+    docs: include_str!("malformed_pair.md").trim_ascii_end(),
     counts: "entries",
     ..RuleInfo::new("weights-malformed-pair", Level::Error, "an entry of a bone is not a pair of vertex and weight")
 });

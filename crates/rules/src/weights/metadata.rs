@@ -13,9 +13,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman2, "stores `name` and `version` without using them, and never reads `license`"),
         (Makehuman1, "stores these keys without using them"),
     ],
-    docs: "`name`, `version` or `license` is missing. They have no effect on the shape; they tell people what the \
-        weights are for and whether they may be shared.\n\n\
-        Add them next to `weights`.",
+    docs: include_str!("metadata.md").trim_ascii_end(),
     ..RuleInfo::new("weights-metadata", Level::Info, "a weights file has no name, version or licence")
 });
 

@@ -14,12 +14,7 @@ const USUAL: &str = "drops the weight, so that the other bones pull the vertex t
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, USUAL), (Makehuman1, USUAL), (Mpfb, "reads the weight as 0")],
     levels: &[(Mpfb, Level::Warning), (Makehuman1, Level::Warning)],
-    docs: "A weight is negative. It says how much of a vertex moves with a bone, from 0 to 1.\n\n\
-        MakeHuman 2 adds the negative number to the sum of the vertex, divides by the sum, and drops what is below \
-        0. The rest adds up to more than 1, so the vertex shoots away from the body in every pose. Weights that \
-        cancel out cause a division by zero. If all weights of a vertex are negative, so is the sum, and the \
-        shares are right: an info.\n\n\
-        Remove the entry, or paint the weight again.",
+    docs: include_str!("negative.md").trim_ascii_end(),
     counts: "entries",
     grows: Grows::more(MeasureKind::Weight),
     ..RuleInfo::new("weights-negative", Level::Error, "a weight is negative")

@@ -18,11 +18,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Mpfb, "does not move the vertex if the weight is NaN; reads Infinity as 1"),
     ],
     levels: &[(Mpfb, Level::Warning)],
-    docs: "A weight is NaN, infinite, or too large for a 32-bit float, which makes it infinite.\n\n\
-        Python's JSON reader accepts NaN and Infinity. MakeHuman 2 then divides by a sum that is NaN or infinite \
-        either and drops every entry of the vertex, without assigning it to the root bone as it does with other \
-        unweighted vertices. Entering pose mode pulls the vertex to the origin. Other readers reject the file.\n\n\
-        Paint the weight of the vertex again.",
+    docs: include_str!("non_finite.md").trim_ascii_end(),
     counts: "entries",
     ..RuleInfo::new("weights-non-finite", Level::Error, "a weight is NaN or infinite")
 });

@@ -22,14 +22,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ],
     // Every line of the file changes for nothing that anybody sees today.
     fix: FixKind::Unsafe,
-    docs: "The weights of a vertex over all bones do not add up to 1. A sum within 0.0001 of 1 counts as 1. \
-        Vertices without weights, and those with a negative, infinite, too large or repeated entry, have their own \
-        rules and are not counted here. The worst sum is that of a vertex of the visible body, if one is affected.\n\n\
-        MakeHuman 2 divides by the sum when it loads the file, so this is only an info. A program that reads the \
-        file without dividing pulls the vertex towards the origin (less than 1) or pushes it away (more) as soon \
-        as a skeleton is used.\n\n\
-        Normalise the weights in the tool that painted them. The fix writes the numbers that MakeHuman 2 gets when \
-        it divides, with as many digits as needed (seven to nine), and does not change other vertices.",
+    docs: include_str!("not_normalized.md").trim_ascii_end(),
     counts: "vertices",
     ..RuleInfo::new("weights-not-normalized", Level::Info, "the weights of a vertex do not add up to 1")
 });

@@ -13,11 +13,7 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         "uses all bones, but its glTF export keeps only the four largest weights: the exported surface bends \
          differently",
     )],
-    docs: "A vertex has weights of more than four bones.\n\n\
-        MakeHuman 2 itself has no limit. Its glTF export, like most engines, keeps the four largest weights of a \
-        vertex and scales them to a sum of 1. The finding counts these vertices and names the one that loses the \
-        largest share, one of the visible body before one of a helper.\n\n\
-        Small lost shares are harmless; otherwise paint the vertices with fewer bones.",
+    docs: include_str!("too_many_influences.md").trim_ascii_end(),
     counts: "vertices",
     ..RuleInfo::new("weights-too-many-influences", Level::Info, "a vertex has weights of more than four bones")
 });

@@ -13,13 +13,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman1, "never reads the file"),
         (Mpfb, "never reads the file"),
     ],
-    docs: "No skeleton names this weights file, so it has no effect. Often the name in the skeleton is misspelt or \
-        that of an older file.\n\n\
-        MakeHuman 2 reads a weights file in `rigs/<base>/` if a skeleton names it in `weights_file`; a skeleton \
-        without this key uses `default_weights.mhw`. MakeHuman 1 reads those in `rigs/`, and only with the \
-        key.\n\n\
-        MPFB reads `weights.NAME.json` beside `rig.NAME.json`, and beside a rig `NAME.json` of a user.\n\n\
-        Name the file in a skeleton, or remove it.",
+    docs: include_str!("unbound.md").trim_ascii_end(),
     ..RuleInfo::new("weights-unbound", Level::Warning, "no skeleton uses a weights file")
 });
 

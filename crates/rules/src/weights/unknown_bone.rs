@@ -18,14 +18,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Mpfb, "silently drops the weights of the bone"),
     ],
     levels: &[(Makehuman1, Level::Warning), (Mpfb, Level::Warning)],
-    docs: "A weights file has weights for a bone that does not exist in the skeleton that names it in \
-        `weights_file`.\n\n\
-        MakeHuman 2 loads such weights, but crashes with `KeyError` as soon as the user enters pose mode. This is \
-        about the skeleton that `base.json` names in `pose-skeleton`. Weights that only other skeletons use are \
-        never applied; a bone that none of them has is then a warning. A bone with an empty list is harmless.\n\n\
-        In MPFB a group also leads to the bone of its name with or without `DEF-`, a toe (`toe2-1.L`) to a common `toe.L`, and \
-        `mhmask-` groups are kept as they are. Weights for any other bone are dropped without a message.\n\n\
-        Correct the name of the bone, here or in the skeleton.",
+    docs: include_str!("unknown_bone.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("weights-unknown-bone", Level::Error, "weights for a bone that the skeleton does not have")
 });

@@ -19,12 +19,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman1, USUAL),
         (Mpfb, "does not move such vertices: they stay where they are when the body is posed"),
     ],
-    docs: "A vertex of the base mesh, or of an asset with its own weights, has no weight, so it follows no bone. Vertices that no face uses are not \
-        counted.\n\n\
-        MakeHuman 2 assigns vertices without weights, or with only zeros, to the root bone. Part of a limb then \
-        stays at the hip when the limb moves. If only groups that are not visible are affected (helpers, joint \
-        cubes), it is an info: clothes fitted to a helper follow it.\n\n\
-        Paint the vertices for the bones that should move them.",
+    docs: include_str!("unweighted_vertex.md").trim_ascii_end(),
     counts: "vertices",
     ..RuleInfo::new("weights-unweighted-vertex", Level::Warning, "a vertex has no weight")
 });

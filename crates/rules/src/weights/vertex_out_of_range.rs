@@ -15,12 +15,7 @@ const USUAL: &str = "crashes with `IndexError` while loading the weights";
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, USUAL), (Makehuman1, USUAL), (Mpfb, "silently drops the entry")],
     levels: &[(Mpfb, Level::Warning)],
-    docs: "A weights file has an entry for a vertex that the base mesh does not have. Vertices are counted from 0, \
-        without UV-seam duplicates.\n\n\
-        MakeHuman 2 crashes with `IndexError` while loading the base mesh if an index is too large, and with \
-        `OverflowError` if it is negative.\n\n\
-        The weights of an asset count the vertices of its own mesh.\n\n\
-        Usually the weights were made for another mesh. Use the weights for this mesh.",
+    docs: include_str!("vertex_out_of_range.md").trim_ascii_end(),
     counts: "entries",
     ..RuleInfo::new("weights-vertex-out-of-range", Level::Error, "weights for a vertex that the mesh does not have")
 });

@@ -9,20 +9,17 @@ use mhlint_eval::measures::Measures;
 use mhlint_repo::{Body, FileFacts, WeightsUse};
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(
-        Makehuman2,
-        "rotates the skin of the left/right counterpart with the bone: the smallest bend throws it far off",
-    ), (Makehuman1, "rotates the skin of the left/right counterpart with the bone: the smallest bend throws it far off")],
-    docs: "A bone whose name says left or right (`hand.L`, `r-thigh`, `LeftFoot` …) and whose joints are on that \
-        side has at least nine tenths of its weights on the opposite half of the mesh. Left is where x is above \
-        0.\n\n\
-        MakeHuman 2 reports nothing: it rotates these vertices around a bone that is far away, so that the \
-        smallest bend throws them far off. Usually left and right were swapped when the weights were mirrored or \
-        exported. If the joints are on the wrong side as well, the skeleton is wrong: see \
-        `skeleton-wrong-side`.\n\n\
-        In the bone weights of an asset (`vertexboneweights_file`) two bones with each other's weights are reported, by \
-        where the vertices of the asset are on the body: all the rest may well hang over the middle.\n\n\
-        Swap the weights of the bone and its left/right counterpart.",
+    breaks: &[
+        (
+            Makehuman2,
+            "rotates the skin of the left/right counterpart with the bone: the smallest bend throws it far off",
+        ),
+        (
+            Makehuman1,
+            "rotates the skin of the left/right counterpart with the bone: the smallest bend throws it far off",
+        ),
+    ],
+    docs: include_str!("wrong_side.md").trim_ascii_end(),
     counts: "bones",
     ..RuleInfo::new("weights-wrong-side", Level::Warning, "weights are on the opposite half of the mesh")
 });
