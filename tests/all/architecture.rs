@@ -303,6 +303,27 @@ fn every_rule_file_has_its_row() {
     assert_eq!(rows, files);
 }
 
+/// The file of a rule has the name of its fault; where a file has several rules, it has that of what they have in common.
+#[test]
+fn a_rule_is_found_by_its_id() {
+    // What Rust keeps for itself.
+    let reserved = [("material-type", "value_type"), ("rig-enum", "enums")];
+    for source in sources().iter().filter(|source| source.path.starts_with("rules/")) {
+        let new = source.code.split("RuleInfo::new(").skip(1);
+        // A name that stands elsewhere is none here.
+        let ids = new.filter_map(|rest| rest.trim_start().strip_prefix('"')?.split('"').next());
+        let ids: Vec<&str> = ids.collect();
+        let [id] = ids.as_slice() else { continue };
+        let folders: Vec<&str> = source.path.trim_end_matches(".rs").split('/').collect();
+        let ([_, family, ..], Some(file)) = (folders.as_slice(), folders.last()) else { continue };
+        let family = if *family == "macros" { "macro" } else { family };
+        let reserved = reserved.iter().find(|(other, _)| other == id).map(|(_, file)| (*file).to_owned());
+        let fault = || id.strip_prefix(&format!("{}-", family.replace('_', "-"))).map(|fault| fault.replace('-', "_"));
+        let of_other_family = || id.replace('-', "_");
+        assert_eq!(*file, reserved.or_else(fault).unwrap_or_else(of_other_family), "{id} in {}", source.path);
+    }
+}
+
 /// What two rules need lies in a file beside them, and that file needs no rule.
 #[test]
 fn nothing_imports_a_rule() {

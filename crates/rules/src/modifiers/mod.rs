@@ -1,52 +1,52 @@
 //! Modifiers of MakeHuman 1 with their targets, descriptions and sliders.
 
-pub(crate) mod class;
-pub(crate) mod companion;
 pub(crate) mod default_value;
 pub(crate) mod description;
 pub(crate) mod duplicate;
 pub(crate) mod equal_tails;
 pub(crate) mod meant;
 pub(crate) mod merged_boxes;
+pub(crate) mod missing_companion;
+pub(crate) mod missing_ruler;
+pub(crate) mod missing_symmetric;
 pub(crate) mod no_target;
 pub(crate) mod renamed;
-pub(crate) mod ruler;
 pub(crate) mod second_group;
-pub(crate) mod sliders;
 mod spellings;
-pub(crate) mod symmetric;
 pub(crate) mod tab_clash;
-pub(crate) mod tails;
+pub(crate) mod unknown_in_slider;
+pub(crate) mod unknown_macro_variable;
+pub(crate) mod unknown_type;
+pub(crate) mod unknown_view;
+pub(crate) mod unpaired_tails;
 pub(crate) mod unread;
 pub(crate) mod unused;
-pub(crate) mod variable;
-pub(crate) mod view;
 
 use super::Rule;
 
 /// The rules of the family.
 pub(super) static RULES: &[&Rule] = &[
-    &class::RULE,
-    &companion::RULE,
     &default_value::RULE,
     &description::OF_TYPE,
     &description::RULE,
     &duplicate::RULE,
     &equal_tails::RULE,
     &merged_boxes::RULE,
+    &missing_companion::RULE,
+    &missing_ruler::RULE,
+    &missing_symmetric::RULE,
     &no_target::RULE,
     &renamed::RULE,
-    &ruler::RULE,
     &second_group::RULE,
-    &sliders::RULE,
-    &symmetric::RULE,
     &tab_clash::RULE,
-    &tails::RULE,
+    &unknown_in_slider::RULE,
+    &unknown_macro_variable::RULE,
+    &unknown_type::RULE,
+    &unknown_view::RULE,
+    &unpaired_tails::RULE,
     &unread::RULE,
     &unused::UNDESCRIBED,
     &unused::WITHOUT_SLIDER,
-    &variable::RULE,
-    &view::RULE,
 ];
 
 /// What one bad slider costs (`docs/loaders/makehuman1/modifiers.md#what-a-failing-slider-costs`).

@@ -7,7 +7,7 @@ use mhlint_repo::makehuman1::{SETS, View, has_most_of_program};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "logs a warning for each modifier and shows no descriptions")],
-    docs: include_str!("companion.md").trim_ascii_end(),
+    docs: include_str!("missing_companion.md").trim_ascii_end(),
     of_library: true,
     ..RuleInfo::new("modifiers-missing-companion", Level::Warning, "a file of a set of modifiers is missing")
 });

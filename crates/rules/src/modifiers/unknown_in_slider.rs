@@ -12,7 +12,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, LOST_TABS)],
-    docs: include_str!("sliders.md").trim_ascii_end(),
+    docs: include_str!("unknown_in_slider.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-unknown-in-slider", Level::Error, "a slider for a modifier that does not exist")
 });
 

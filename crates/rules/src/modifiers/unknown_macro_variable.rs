@@ -6,7 +6,7 @@ use mhlint_repo::makehuman1::{VARIABLES, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "shows none of the tabs behind its slider, and fails each time the modifier is used")],
-    docs: include_str!("variable.md").trim_ascii_end(),
+    docs: include_str!("unknown_macro_variable.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-unknown-macro-variable", Level::Error, "a macro variable that does not exist")
 });
 

@@ -9,7 +9,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, LOST_TABS)],
-    docs: include_str!("view.md").trim_ascii_end(),
+    docs: include_str!("unknown_view.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-unknown-view", Level::Error, "a camera or condition that the program does not have")
 });
 

@@ -8,7 +8,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, LOST_TABS)],
-    docs: include_str!("tails.md").trim_ascii_end(),
+    docs: include_str!("unpaired_tails.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-unpaired-tails", Level::Error, "a modifier with one side of two")
 });
 

@@ -7,7 +7,7 @@ use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, LOST_FILE)],
-    docs: include_str!("class.md").trim_ascii_end(),
+    docs: include_str!("unknown_type.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-unknown-type", Level::Error, "a class that cannot make the modifier")
 });
 

@@ -9,7 +9,7 @@ use mhlint_repo::makehuman1::{KnownModifier, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "fails with `KeyError` when symmetry is used")],
-    docs: include_str!("symmetric.md").trim_ascii_end(),
+    docs: include_str!("missing_symmetric.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-missing-symmetric", Level::Error, "a modifier without its left or right counterpart")
 });
 

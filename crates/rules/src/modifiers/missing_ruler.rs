@@ -9,7 +9,7 @@ pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
         Makehuman1,
         "fails with `KeyError` when the tab is opened, and at each change of the human from then on",
     )],
-    docs: include_str!("ruler.md").trim_ascii_end(),
+    docs: include_str!("missing_ruler.md").trim_ascii_end(),
     ..RuleInfo::new("modifiers-missing-ruler", Level::Error, "a measure for which the program has no ruler")
 });
 
