@@ -1,5 +1,5 @@
 //! `.mhclo` and `.proxy`: an asset tied to the vertices of a base mesh (formats/makehuman2.md §15.1, makehuman1.md §10,
-//! mpfb.md §26.1).
+//! `docs/loaders/mpfb/clothes.md#lines`).
 //!
 //! Words split at white space; a keyword may have a colon behind it. All lines are read, also behind one that some
 //! application stops at, or that ends a section for it: such lines are kept as faults. What comes of a fault is a matter

@@ -1,5 +1,5 @@
 //! The keywords of materials: all that one of the applications reads (formats/makehuman2.md §17, makehuman1.md §12,
-//! mpfb.md §27.1).
+//! `docs/loaders/mpfb/materials.md#lines-of-a-material`).
 
 /// A keyword.
 #[derive(Debug, PartialEq, Eq)]

@@ -1,4 +1,5 @@
-//! `.mhmat`: how a surface looks (formats/makehuman2.md §17, makehuman1.md §12, mpfb.md §27).
+//! `.mhmat`: how a surface looks (formats/makehuman2.md §17, makehuman1.md §12,
+//! `docs/loaders/mpfb/materials.md#lines-of-a-material`).
 //!
 //! A line is a keyword and words, split at white space; what is behind the first word of a file name is lost. Comments
 //! begin with `#` or `//`. A byte order mark belongs to the first word. All keywords of all applications are kept as they
