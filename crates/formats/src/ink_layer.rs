@@ -1,5 +1,5 @@
 //! Ink layers of MPFB, `ink_layers/**/*.json`: a picture that is laid over the skin
-//! (`docs/loaders/mpfb/ink-layers.md#keys-of-ink-layers`).
+//! (`docs/loaders/mpfb/materials.md#keys-of-ink-layers`).
 
 use super::unfit::{NamedAt, Unfits};
 use mhlint_json::{Document, Node, Value};

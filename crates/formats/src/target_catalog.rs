@@ -1,5 +1,5 @@
-//! `target.json` of MPFB: the sliders, section by section (`docs/loaders/mpfb/target-catalog.md#schema`,
-//! `docs/loaders/mpfb/target-catalog.md#what-a-slider-does`).
+//! `target.json` of MPFB: the sliders, section by section (`docs/loaders/mpfb/sliders.md#schema`,
+//! `docs/loaders/mpfb/sliders.md#what-a-slider-does`).
 
 use super::macro_json::text;
 use mhlint_json::{Document, Node, Value};

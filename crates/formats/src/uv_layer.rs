@@ -1,5 +1,5 @@
 //! UV layers of MPFB, `uv_layers/*.json.gz`: face to loop to texture coordinates
-//! (`docs/loaders/mpfb/uv-layers.md#grammar-of-uv-layers`).
+//! (`docs/loaders/mpfb/materials.md#grammar-of-uv-layers`).
 
 use super::json_file::JsonFault;
 use super::packed_json::text_fault;

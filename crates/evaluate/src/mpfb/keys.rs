@@ -1,5 +1,5 @@
-//! The shape keys of a character, by name, and their mix (`docs/loaders/mpfb/shape-keys.md#names`,
-//! `docs/loaders/mpfb/shape-keys.md#the-mix`).
+//! The shape keys of a character, by name, and their mix (`docs/loaders/mpfb/targets.md#names-of-keys`,
+//! `docs/loaders/mpfb/targets.md#the-mix`).
 
 use std::sync::Arc;
 

@@ -1,5 +1,4 @@
-//! The types of constraints of Blender 4.5 with their properties
-//! (`docs/loaders/mpfb/constraints.md#types-of-constraints`).
+//! The types of constraints of Blender 4.5 with their properties (`docs/loaders/mpfb/rigs.md#types-of-constraints`).
 
 use super::attribute::{Properties, Wants};
 

@@ -1,4 +1,4 @@
-//! Layers of old rigs, and what became of them (`docs/loaders/mpfb/rigify.md#layers-below-version-110`).
+//! Layers of old rigs, and what became of them (`docs/loaders/mpfb/rigs.md#layers-below-version-110`).
 
 use crate::unfit::below;
 use mhlint_json::Node;

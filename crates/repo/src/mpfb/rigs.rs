@@ -1,5 +1,5 @@
 //! Rigs with the weights that MPFB finds for them (`docs/loaders/mpfb/rigs.md#where-rigs-lie`,
-//! `docs/loaders/mpfb/custom-rigs.md#listing-custom-rigs`, `docs/loaders/mpfb/sub-rigs.md#what-differs`).
+//! `docs/loaders/mpfb/custom-rigs.md#listing-custom-rigs`, `docs/loaders/mpfb/custom-rigs.md#what-differs`).
 
 use super::view::OWN;
 use crate::{FileFacts, Layer, Layers, StoredBones, parent};

@@ -1,6 +1,5 @@
 //! What Blender knows sliders by, and the targets of users that become sliders
-//! (`docs/loaders/mpfb/target-catalog.md#length-and-character-limits`,
-//! `docs/loaders/mpfb/user-targets.md#names-of-user-targets`).
+//! (`docs/loaders/mpfb/sliders.md#length-and-character-limits`, `docs/loaders/mpfb/sliders.md#names-of-user-targets`).
 
 use super::view::View;
 use crate::FileFacts;
@@ -14,7 +13,7 @@ pub const LONGEST_SECTION: usize = 39;
 pub const LONGEST_SECTION_WITH_SLIDERS: usize = 36;
 
 /// The pairs of words that the two ends of a slider are called by, as `.mhm` files have them
-/// (`docs/loaders/mpfb/target-catalog.md#shipped-catalogue`).
+/// (`docs/loaders/mpfb/sliders.md#shipped-catalogue`).
 const PAIRS: [(&str, &str); 8] = [
     ("decr", "incr"),
     ("down", "up"),

@@ -1,5 +1,5 @@
 //! Where MPFB looks for a user's files (`docs/loaders/mpfb/folders.md#lookups`,
-//! `docs/loaders/mpfb/user-targets.md#where-user-targets-lie`, `docs/loaders/mpfb/presets.md#saved-characters`).
+//! `docs/loaders/mpfb/sliders.md#where-user-targets-lie`, `docs/loaders/mpfb/models.md#saved-characters`).
 
 use super::super::cause::outdated::is_outdated;
 use super::super::{Rule, counted, did_you_mean};

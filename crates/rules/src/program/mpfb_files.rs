@@ -1,7 +1,7 @@
 //! Files without which MPFB does not work, or not as it should (`docs/loaders/mpfb/folders.md#shipped-data`,
 //! `docs/loaders/mpfb/base-mesh.md#the-mesh`, `docs/loaders/mpfb/base-mesh.md#vertex-groups`,
-//! `docs/loaders/mpfb/base-mesh.md#dimensions`, `docs/loaders/mpfb/settings.md#settings-of-skins`,
-//! `docs/loaders/mpfb/settings.md#value-maps`).
+//! `docs/loaders/mpfb/base-mesh.md#dimensions`, `docs/loaders/mpfb/materials.md#settings-of-skins`,
+//! `docs/loaders/mpfb/materials.md#value-maps`).
 
 use std::collections::BTreeSet;
 

@@ -1,7 +1,6 @@
-//! What MPFB does with a file that it cannot read or find
-//! (`docs/loaders/mpfb/target-catalog.md#faults-of-the-catalogue`, `docs/loaders/mpfb/macros.md#faults-of-macros`,
-//! `docs/loaders/mpfb/expressions.md#faults-of-expressions`, `docs/loaders/mpfb/presets.md#saved-characters`,
-//! `docs/loaders/mpfb/settings.md#settings-of-skins`).
+//! What MPFB does with a file that it cannot read or find (`docs/loaders/mpfb/sliders.md#faults-of-the-catalogue`,
+//! `docs/loaders/mpfb/macros.md#faults-of-macros`, `docs/loaders/mpfb/expressions.md#faults-of-expressions`,
+//! `docs/loaders/mpfb/models.md#saved-characters`, `docs/loaders/mpfb/materials.md#settings-of-skins`).
 
 use super::table::{Cell, LOST, Table, anywhere, cell, nothing};
 use super::{Consequence, Damage, Moment};
