@@ -199,7 +199,7 @@ pub(super) fn is_usable(target: &TargetFacts) -> bool {
 }
 
 /// The rows as MPFB takes them: four fields split at single blanks, an index below 0 counts from the end, one that is too
-/// large is passed over (formats/mpfb.md §4.1). What stops it otherwise.
+/// large is passed over (`docs/loaders/mpfb/targets.md#rows`). What stops it otherwise.
 fn rows_split_at_blanks(target: &Target, text: &[u8], vertices: usize) -> Result<Vec<Row>, String> {
     let facts = &target.facts;
     if facts.blanks.is_none() && facts.negative.count == 0 {

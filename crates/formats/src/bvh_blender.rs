@@ -1,4 +1,4 @@
-//! `.bvh` as Blender's importer reads it, with which MPFB loads poses (formats/mpfb.md §25.2).
+//! `.bvh` as Blender's importer reads it, with which MPFB loads poses (`docs/loaders/mpfb/poses.md#motions`).
 //!
 //! Blank lines, capitals of keywords, numbers of channels and of frames do not matter to it. It stops where a number is
 //! missing, or is none.

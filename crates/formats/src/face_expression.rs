@@ -1,4 +1,4 @@
-//! Expressions of MPFB: face units with their strengths (formats/mpfb.md §6).
+//! Expressions of MPFB: face units with their strengths (`docs/loaders/mpfb/expressions.md#keys-of-expressions`).
 
 use super::number::python_float;
 use super::unfit::{Unfits, Why, below};

@@ -1,4 +1,4 @@
-//! Saved characters of MPFB, `human.<name>.json` (formats/mpfb.md §7.1).
+//! Saved characters of MPFB, `human.<name>.json` (`docs/loaders/mpfb/models.md#saved-characters`).
 
 use std::collections::BTreeSet;
 

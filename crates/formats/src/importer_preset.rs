@@ -1,4 +1,5 @@
-//! Presets of MPFB that are kept beside saved characters: for its importer, and for makeup (formats/mpfb.md §7.3).
+//! Presets of MPFB that are kept beside saved characters: for its importer, and for makeup
+//! (`docs/loaders/mpfb/models.md#presets-of-the-importer`, `docs/loaders/mpfb/models.md#makeup-presets`).
 
 use super::unfit::{LoaderFaults, NamedAt, Unfits, Why, below, keep, nth};
 use mhlint_json::{Document, Node, Value};

@@ -1,4 +1,5 @@
-//! Packed tables of MPFB's base mesh: the vertices of each face, the faces of each vertex (formats/mpfb.md §24.2).
+//! Packed tables of MPFB's base mesh: the vertices of each face, the faces of each vertex
+//! (`docs/loaders/mpfb/base-mesh.md#metadata`).
 
 use super::json_file::JsonFault;
 use super::packed_json::text_fault;

@@ -1,4 +1,5 @@
-//! Ink layers of MPFB, `ink_layers/**/*.json`: a picture that is laid over the skin (formats/mpfb.md §27.5, §7.3).
+//! Ink layers of MPFB, `ink_layers/**/*.json`: a picture that is laid over the skin
+//! (`docs/loaders/mpfb/materials.md#keys-of-ink-layers`).
 
 use super::unfit::{NamedAt, Unfits};
 use mhlint_json::{Document, Node, Value};

@@ -1,5 +1,5 @@
 //! Settings of MPFB for the materials of eyes and skin: `eye_settings.<name>.json`, `enhanced_settings.<name>.json`
-//! (formats/mpfb.md §28).
+//! (`docs/loaders/mpfb/materials.md#settings-of-skins`, `docs/loaders/mpfb/materials.md#settings-of-eyes`).
 
 use super::unfit::{LoaderFaults, Why, below, is_number};
 use mhlint_json::{Document, Node};

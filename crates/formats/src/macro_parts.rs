@@ -1,4 +1,5 @@
-//! `macro.json` of MPFB: settings in parts, each part a range between two names (formats/mpfb.md §3.1).
+//! `macro.json` of MPFB: settings in parts, each part a range between two names
+//! (`docs/loaders/mpfb/macros.md#keys-of-macros`).
 
 use super::macro_json::texts;
 use mhlint_diag::pointer;

@@ -1,4 +1,6 @@
-//! What MPFB knows of its base mesh besides the OBJ: vertex groups, dimensions, mirror table (formats/mpfb.md §24.2).
+//! What MPFB knows of its base mesh besides the OBJ: vertex groups, dimensions, mirror table
+//! (`docs/loaders/mpfb/base-mesh.md#vertex-groups`, `docs/loaders/mpfb/base-mesh.md#dimensions`,
+//! `docs/loaders/mpfb/base-mesh.md#the-mirror-table`).
 
 use super::python_int;
 use super::unfit::{NamedAt, Unfits, Why, below, keep, nth};

@@ -1,5 +1,5 @@
-//! `.mhm` as the importer of MPFB reads it (formats/mpfb.md §7.2): a keyword counts at the first column alone, and what
-//! stands behind it is not split into words.
+//! `.mhm` as the importer of MPFB reads it (`docs/loaders/mpfb/models.md#the-model-file`): a keyword counts at the
+//! first column alone, and what stands behind it is not split into words.
 
 use std::ops::Range;
 

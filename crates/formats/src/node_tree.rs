@@ -1,4 +1,4 @@
-//! Trees of shader nodes of MPFB, `node_trees/*.json` (formats/mpfb.md §28).
+//! Trees of shader nodes of MPFB, `node_trees/*.json` (`docs/loaders/mpfb/materials.md#node-trees`).
 //!
 //! A text `$…` is replaced when the tree is built, so that nothing can be said of names with one, nor of nodes and links
 //! that are made on a condition.

@@ -1,4 +1,4 @@
-//! `packs/*.json` of MPFB: the assets of a pack, as keys (formats/mpfb.md §8).
+//! `packs/*.json` of MPFB: the assets of a pack, as keys (`docs/loaders/mpfb/libraries.md#the-list-of-a-pack`).
 
 use super::unfit::{NamedAt, Unfits, below, keep};
 use mhlint_json::Document;

@@ -1,4 +1,5 @@
-//! `proxy_corrective.json` of MPFB: topologies whose weights it corrects, by uuid (formats/mpfb.md §24.2).
+//! `proxy_corrective.json` of MPFB: topologies whose weights it corrects, by uuid
+//! (`docs/loaders/mpfb/base-mesh.md#metadata`).
 
 use super::unfit::{NamedAt, Unfits, Why, below, keep};
 use mhlint_json::{Document, Node, Value};

@@ -1,4 +1,5 @@
-//! Presets of the randomizer of MPFB, `randomization.<name>.json` (formats/additions.md 1.5).
+//! Presets of the randomizer of MPFB, `randomization.<name>.json`
+//! (`docs/loaders/mpfb/models.md#presets-of-the-randomizer`).
 //!
 //! The loader takes every key with `[]` and sets a property of Blender to its value, one after the other: at the first key
 //! that is missing, or value that the property does not take, it stops.

@@ -1,4 +1,4 @@
-//! Stored poses of MPFB, `poses/<rig>_<fk|ik|partial>/<name>.json` (formats/mpfb.md §25.1).
+//! Stored poses of MPFB, `poses/<rig>_<fk|ik|partial>/<name>.json` (`docs/loaders/mpfb/poses.md#stored-poses`).
 
 use super::unfit::{NamedAt, Unfits, Why, below, is_number, keep, nth};
 use mhlint_json::{Document, Node, Value};

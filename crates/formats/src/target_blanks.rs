@@ -1,4 +1,4 @@
-//! What a loader that splits rows at single blanks makes of a target (formats/mpfb.md §4.1).
+//! What a loader that splits rows at single blanks makes of a target (`docs/loaders/mpfb/targets.md#rows`).
 
 use super::fields::fields;
 use super::target_facts::UnreadableField;

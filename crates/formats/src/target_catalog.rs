@@ -1,4 +1,5 @@
-//! `target.json` of MPFB: the sliders, section by section (formats/mpfb.md §2.1, §2.2).
+//! `target.json` of MPFB: the sliders, section by section (`docs/loaders/mpfb/sliders.md#schema`,
+//! `docs/loaders/mpfb/sliders.md#what-a-slider-does`).
 
 use super::macro_json::text;
 use mhlint_json::{Document, Node, Value};

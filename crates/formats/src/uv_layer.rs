@@ -1,4 +1,5 @@
-//! UV layers of MPFB, `uv_layers/*.json.gz`: face to loop to texture coordinates (formats/mpfb.md §24.3).
+//! UV layers of MPFB, `uv_layers/*.json.gz`: face to loop to texture coordinates
+//! (`docs/loaders/mpfb/materials.md#grammar-of-uv-layers`).
 
 use super::json_file::JsonFault;
 use super::packed_json::text_fault;

@@ -1,4 +1,4 @@
-//! MPFB: one base mesh, packed targets, sliders in a catalogue (formats/mpfb.md §1).
+//! MPFB: one base mesh, packed targets, sliders in a catalogue (`docs/loaders/mpfb/folders.md#roots`).
 
 pub(crate) mod importer;
 mod version;
@@ -64,7 +64,7 @@ pub const SAVED_CHARACTER: [&[&str]; 2] =
 /// What a pose of MPFB says; recordings of other programs have some of it.
 pub const STORED_POSE: [&str; 3] = ["\"skeleton_type\"", "\"bone_rotations\"", "\"bone_translations\""];
 
-/// A node asks for each of these by its name (§28; formats/additions.md 1.4).
+/// A node asks for each of these by its name (`docs/loaders/mpfb/materials.md#value-maps`).
 pub const SKIN_MAPS: [&str; 10] =
     ["aureolae", "crotch", "ears", "eyelids", "face", "fingernails", "genitals", "inside-mouth", "lips", "toenails"];
 
@@ -92,8 +92,9 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     }
 }
 
-/// A rig of a user says by which bones it is known (§21.2), and a pack whose assets those in it are (§8): with that no other
-/// application is meant.
+/// A rig of a user says by which bones it is known (`docs/loaders/mpfb/custom-rigs.md#listing-custom-rigs`), and a pack
+/// whose assets those in it are (`docs/loaders/mpfb/libraries.md#the-list-of-a-pack`): with that no other application
+/// is meant.
 fn weigh(listing: &Listing<'_>, root: &str, file: &str, sign: Sign) -> Option<Sign> {
     let rel = file.get(root.len()..).unwrap_or_default().trim_start_matches('/');
     let has = |folder: &str| listing.below(&at(root, folder)).next().is_some();
@@ -111,7 +112,7 @@ fn weigh(listing: &Listing<'_>, root: &str, file: &str, sign: Sign) -> Option<Si
 }
 
 /// Every target of a user is listed, whatever it and the folders above it are called: one below `.git` stops the add-on
-/// (§2.5).
+/// (`docs/loaders/mpfb/sliders.md#names-of-user-targets`).
 fn reads_hidden(path: &HiddenPath<'_>) -> bool {
     let is_target = path.is_folder || Kind::of_target(path.name).is_some();
     path.visible.iter().any(|part| matches!(*part, "targets" | "custom")) && is_target
@@ -163,7 +164,8 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["poses", .., file] if extension(file) == "json" => Kind::StoredPose,
         ["uv_layers", file] if file.ends_with(".json.gz") => Kind::UvLayer,
         ["ink_layers", .., file] if extension(file) == "json" => Kind::InkLayer,
-        // Every name with the suffix in it counts, and folders in it are not looked into (§8).
+        // Every name with the suffix in it counts, and folders in it are not looked into
+        // (`docs/loaders/mpfb/libraries.md#the-list-of-a-pack`).
         ["packs", file] if file.contains(".json") => Kind::PackMetadata,
         ["node_trees", file] if extension(file) == "json" => Kind::NodeTree,
         ["config", file] if extension(file).eq_ignore_ascii_case("json") => of_config(file).unwrap_or(Kind::ConfigJson),
@@ -181,8 +183,9 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
     (kind, (parts.len() > 1).then_some(HM08))
 }
 
-/// What a JSON is in folders below `rigs/`: MPFB has its own in `standard/` and `rigify/`, users theirs at the top (§20.1,
-/// §21.2). In any other folder it is one of a user where nobody looks.
+/// What a JSON is in folders below `rigs/`: MPFB has its own in `standard/` and `rigify/`, users theirs at the top
+/// (`docs/loaders/mpfb/rigs.md#where-rigs-lie`, `docs/loaders/mpfb/custom-rigs.md#listing-custom-rigs`). In any other
+/// folder it is one of a user where nobody looks.
 fn of_rigs(folders: &[&str], file: &str) -> Kind {
     match folders {
         [] | [_] if file.starts_with("weights.") => Kind::Weights,

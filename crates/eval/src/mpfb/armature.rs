@@ -1,8 +1,8 @@
 //! The axes of bones at rest as an armature of Blender stores them, rounded to 32 bit wherever it does.
 //!
-//! Source: Blender 4.5, axes of a bone for its direction and roll (formats/mpfb.md §20.5), and the way they take when an
-//! armature leaves edit mode: each bone is turned into the space of its parent, and the axes are those of the parent
-//! times its own there. Bones of fingers and those that point to -y show each rounding in their fifth digit.
+//! Source: Blender 4.5, axes of a bone for its direction and roll (`docs/loaders/mpfb/rigs.md#roll`), and the way they
+//! take when an armature leaves edit mode: each bone is turned into the space of its parent, and the axes are those of
+//! the parent times its own there. Bones of fingers and those that point to -y show each rounding in their fifth digit.
 
 use super::rest::RestBone;
 use crate::vector::{Mat3, Point, cross, dot, narrow, round_to_f32, scale, sub, widen};

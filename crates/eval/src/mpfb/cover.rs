@@ -1,7 +1,7 @@
 //! What the ranges of a setting leave uncovered on a slider from 0 to 1, and where they overlap.
 //!
 //! Gets ranges that are open at both ends, returns stretches. A slider stores its value in 32 bits, so that only such
-//! numbers count. Source: MPFB, macro settings (formats/mpfb.md §3.2).
+//! numbers count. Source: MPFB, macro settings (`docs/loaders/mpfb/macros.md#shares-of-a-setting`).
 
 use crate::vector::round_to_f32;
 

@@ -1,6 +1,7 @@
 //! Assets on a mesh of MPFB, the vertices that they hide, and the weights that they take from it.
 //!
-//! Source: MPFB (formats/mpfb.md §26.3 to §26.5; `reference/README.md`, `mpfb_fit`).
+//! Source: MPFB (`docs/loaders/mpfb/clothes.md#fitting`, `docs/loaders/mpfb/clothes.md#delete-group`,
+//! `docs/loaders/mpfb/clothes.md#interpolated-weights`; `reference/README.md`, `mpfb_fit`).
 
 use std::collections::BTreeMap;
 

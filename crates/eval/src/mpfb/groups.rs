@@ -1,6 +1,7 @@
 //! Weights as vertex groups: which bone a group of a file leads to, and what its entries come to.
 //!
-//! Source: MPFB, weights (formats/mpfb.md §22.2, §22.3; `reference/README.md`, `mpfb_weights`).
+//! Source: MPFB, weights (`docs/loaders/mpfb/weights.md#group-to-bone`, `docs/loaders/mpfb/weights.md#assigning`;
+//! `reference/README.md`, `mpfb_weights`).
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,6 +1,6 @@
 //! Which rig MPFB takes an armature for, by the names of its bones.
 //!
-//! Source: MPFB (formats/mpfb.md §21.3).
+//! Source: MPFB (`docs/loaders/mpfb/custom-rigs.md#identification`).
 
 /// Bones by which MPFB knows its own rigs; later rows count before earlier ones.
 const BUILT_IN: [(&str, &[&str]); 10] = [

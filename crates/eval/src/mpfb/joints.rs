@@ -1,6 +1,6 @@
 //! Where bones begin and end on a mesh. Blender stores places as 32 bit floats.
 //!
-//! Source: MPFB, strategies of rigs (formats/mpfb.md §20.4).
+//! Source: MPFB, strategies of rigs (`docs/loaders/mpfb/rigs.md#positions`).
 
 use std::collections::BTreeMap;
 

@@ -1,6 +1,7 @@
 //! Macro settings to targets with weights: loops over the names that have a share.
 //!
-//! Gets values of settings, returns numbers of targets with weights. Source: MPFB, macro targets (formats/mpfb.md §3.3).
+//! Gets values of settings, returns numbers of targets with weights. Source: MPFB, macro targets
+//! (`docs/loaders/mpfb/macros.md#the-five-loops`).
 
 use std::collections::BTreeMap;
 
@@ -8,7 +9,8 @@ use super::shares::{Part, shares};
 
 /// A target is applied with a weight above this.
 pub const CUT_OFF: f64 = 0.01;
-/// Value of every macro setting of a new character, and of each race (formats/mpfb.md §3.4).
+/// Value of every macro setting of a new character, and of each race
+/// (`docs/loaders/mpfb/macros.md#the-default-character`).
 pub const DEFAULTS: (f64, f64) = (0.5, 0.33);
 /// A race counts with a share above this.
 const LEAST_RACE: f64 = 0.0001;

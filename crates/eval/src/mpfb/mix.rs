@@ -1,7 +1,8 @@
 //! Shape keys as Blender mixes them, and what MPFB makes of coordinates.
 //!
-//! Source: MPFB, shape keys (formats/mpfb.md §0, §5). All is rounded where Blender rounds: bones of fingers are shorter
-//! than two hundredths of a unit, and the last digit of their ends turns their axes by a hundred thousandth.
+//! Source: MPFB, shape keys (`docs/loaders/mpfb/common.md#units`, `docs/loaders/mpfb/targets.md#the-mix`). All is
+//! rounded where Blender rounds: bones of fingers are shorter than two hundredths of a unit, and the last digit of
+//! their ends turns their axes by a hundred thousandth.
 
 use crate::vector::{Point, add, narrow, scale as scaled, widen};
 

@@ -1,7 +1,7 @@
 //! Bones in a pose as Blender has them, and the mesh that they move.
 //!
-//! Source: MPFB and Blender 4.5 (formats/mpfb.md §22.3, §25.1; `reference/README.md`, `mpfb_pose`). Bones that do not
-//! inherit rotation or scale are taken like any other.
+//! Source: MPFB and Blender 4.5 (`docs/loaders/mpfb/weights.md#assigning`, `docs/loaders/mpfb/poses.md#stored-poses`;
+//! `reference/README.md`, `mpfb_pose`). Bones that do not inherit rotation or scale are taken like any other.
 
 use super::armature::parents_first;
 use super::rest::RestBone;

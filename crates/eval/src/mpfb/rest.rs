@@ -1,6 +1,6 @@
 //! Bones at rest, as Blender has them: roll, what it is aligned to, connections, and the matrix that follows.
 //!
-//! Source: MPFB and Blender 4.5 (formats/mpfb.md §20.5; `reference/README.md`, `mpfb_bones`).
+//! Source: MPFB and Blender 4.5 (`docs/loaders/mpfb/rigs.md#roll`; `reference/README.md`, `mpfb_bones`).
 
 use super::armature::{set_axes, without_roll};
 use crate::vector::{Mat3, Vec3, cross, dot, length, narrow, sub, unit, widen};

@@ -1,6 +1,7 @@
 //! The shares that the names of a setting have at a value.
 //!
-//! Gets parts and a value, returns names by number with their shares. Source: MPFB, macro settings (formats/mpfb.md §3.2).
+//! Gets parts and a value, returns names by number with their shares. Source: MPFB, macro settings
+//! (`docs/loaders/mpfb/macros.md#shares-of-a-setting`).
 
 /// A range between two names.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,4 +1,5 @@
-//! The shape keys of a character, by name, and their mix (formats/mpfb.md §4.6, §5).
+//! The shape keys of a character, by name, and their mix (`docs/loaders/mpfb/targets.md#names-of-keys`,
+//! `docs/loaders/mpfb/targets.md#the-mix`).
 
 use std::sync::Arc;
 

@@ -1,4 +1,5 @@
-//! Sliders as saved characters name them: lines of `.mhm`, and targets by their names (formats/mpfb.md §7.1, §7.2).
+//! Sliders as saved characters name them: lines of `.mhm`, and targets by their names
+//! (`docs/loaders/mpfb/models.md#lines-of-a-model`, `docs/loaders/mpfb/models.md#saved-characters`).
 
 use mhlint_eval::scene::{Scene, SliderKind};
 use mhlint_formats::mhm_columns::setting_of;

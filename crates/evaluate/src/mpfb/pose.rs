@@ -1,4 +1,4 @@
-//! Stored poses: read, set on a rig, and as JSON (formats/mpfb.md §25.1).
+//! Stored poses: read, set on a rig, and as JSON (`docs/loaders/mpfb/poses.md#stored-poses`).
 
 use std::path::Path;
 

@@ -1,5 +1,5 @@
-//! What the body of MPFB wears, as it fits it (formats/mpfb.md §26.3). Axes and unit are those of the files: what Blender
-//! does with them changes no shape.
+//! What the body of MPFB wears, as it fits it (`docs/loaders/mpfb/clothes.md#fitting`). Axes and unit are those of the
+//! files: what Blender does with them changes no shape.
 
 use std::collections::BTreeMap;
 

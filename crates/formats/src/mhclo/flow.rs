@@ -1,5 +1,5 @@
 //! What a reader takes of the lines that ends a section at the first line of another sort, and throws that line away
-//! (formats/mpfb.md §26.1).
+//! (`docs/loaders/mpfb/clothes.md#rows-of-an-asset`).
 
 use std::collections::BTreeMap;
 
@@ -136,7 +136,8 @@ impl Machine {
         let first = String::from_utf8_lossy(first);
         match (&*first, self.part) {
             ("#", _) => {}
-            // Kept and never used; real assets have it among the rows, and all of these are taken (§26.9).
+            // Kept and never used; real assets have it among the rows, and all of these are taken
+            // (`docs/loaders/mpfb/clothes.md#known-assets`).
             (word, _) if word.starts_with("vertexboneweights") => {}
             ("material", _) => self.keyword(&first, words),
             (word, Some(Part::Rows)) if is_digits(word) => self.row(words),

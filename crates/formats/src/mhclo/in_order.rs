@@ -1,4 +1,5 @@
-//! An asset as MPFB reads it: line by line, where a line can end what came before it (formats/mpfb.md §26.1).
+//! An asset as MPFB reads it: line by line, where a line can end what came before it
+//! (`docs/loaders/mpfb/clothes.md#lines`).
 
 use super::flow::{Machine, StopCause};
 use crate::fields::fields;

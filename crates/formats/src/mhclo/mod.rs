@@ -1,5 +1,6 @@
 //! `.mhclo` and `.proxy`: an asset tied to the vertices of a base mesh (`docs/loaders/makehuman2/clothes.md#keywords`,
-//! `docs/loaders/makehuman1/clothes.md#keywords`, mpfb.md §26.1).
+//! `docs/loaders/makehuman1/clothes.md#keywords`,
+//! `docs/loaders/mpfb/clothes.md#lines`).
 //!
 //! Words split at white space; a keyword may have a colon behind it. All lines are read, also behind one that some
 //! application stops at, or that ends a section for it: such lines are kept as faults. What comes of a fault is a matter

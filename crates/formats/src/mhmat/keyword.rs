@@ -1,5 +1,6 @@
 //! The keywords of materials: all that one of the applications reads (`docs/loaders/makehuman2/materials.md#lines`,
-//! `docs/loaders/makehuman1/materials.md#material-keywords`, mpfb.md §27.1).
+//! `docs/loaders/makehuman1/materials.md#material-keywords`,
+//! `docs/loaders/mpfb/materials.md#lines-of-a-material`).
 
 /// A keyword.
 #[derive(Debug, PartialEq, Eq)]

@@ -1,5 +1,6 @@
 //! `.mhmat`: how a surface looks (`docs/loaders/makehuman2/materials.md#lines`,
-//! `docs/loaders/makehuman1/materials.md#lines-of-a-material`, mpfb.md §27).
+//! `docs/loaders/makehuman1/materials.md#lines-of-a-material`,
+//! `docs/loaders/mpfb/materials.md#lines-of-a-material`).
 //!
 //! A line is a keyword and words, split at white space; what is behind the first word of a file name is lost. Comments
 //! begin with `#` or `//`. A byte order mark belongs to the first word. All keywords of all applications are kept as they

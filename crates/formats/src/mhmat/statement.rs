@@ -1,4 +1,5 @@
-//! The lines of a material as one reads them that takes a word of letters and all that is behind it (formats/mpfb.md §27.1).
+//! The lines of a material as one reads them that takes a word of letters and all that is behind it
+//! (`docs/loaders/mpfb/materials.md#lines-of-a-material`).
 
 use std::ops::Range;
 

@@ -29,7 +29,7 @@ pub(super) type Properties = &'static [(&'static str, Wants)];
 
 const HANDLES: &[&str] = &["AUTO", "ABSOLUTE", "RELATIVE", "TANGENT"];
 
-/// The keys of `bendy_bone` but for the custom handles (formats/mpfb.md §20.7).
+/// The keys of `bendy_bone` but for the custom handles (`docs/loaders/mpfb/rigs.md#bendy-bones`).
 pub(super) const BENDY_BONE: Properties = &[
     ("segments", Wants::Whole),
     ("mapping_mode", Wants::Word(&["STRAIGHT", "CURVED"])),

@@ -1,4 +1,4 @@
-//! What the loader reads of a bone (formats/mpfb.md §20.3, §20.7).
+//! What the loader reads of a bone (`docs/loaders/mpfb/rigs.md#bone-keys`, `docs/loaders/mpfb/rigs.md#bendy-bones`).
 
 use super::attribute::{BENDY_BONE, Wants, check, triple, wanted};
 use super::{BENDY, RigBone, RigFaults, constraint, end, layers, rigify};

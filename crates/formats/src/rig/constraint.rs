@@ -1,4 +1,5 @@
-//! Constraints of a bone: every key is a property of Blender's constraint of that type (formats/mpfb.md §20.9).
+//! Constraints of a bone: every key is a property of Blender's constraint of that type
+//! (`docs/loaders/mpfb/rigs.md#faults-of-constraints`).
 
 use super::RigFaults;
 use super::attribute::{Properties, Wants, check, wanted};
@@ -152,7 +153,8 @@ fn target(pointer: &str, node: Option<&Node>, faults: &mut RigFaults) -> Target 
     }
 }
 
-/// What a sub-rig names of the rig that it is added to (§21.1).
+/// What a sub-rig names of the rig that it is added to
+/// (`docs/loaders/mpfb/custom-rigs.md#references-to-the-parent-rig`).
 fn of_parent(pointer: &str, node: &Node, faults: &mut RigFaults) -> Target {
     let Some(strategy) = node.get("strategy") else {
         faults.keys.add(pointer, Why::Lacks("strategy"));

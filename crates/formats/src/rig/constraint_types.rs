@@ -1,4 +1,4 @@
-//! The types of constraints of Blender 4.5 with their properties (formats/mpfb.md §20.9).
+//! The types of constraints of Blender 4.5 with their properties (`docs/loaders/mpfb/rigs.md#types-of-constraints`).
 
 use super::attribute::{Properties, Wants};
 

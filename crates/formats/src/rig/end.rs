@@ -1,4 +1,4 @@
-//! Ends of a bone: where they lie on the mesh (formats/mpfb.md §20.4).
+//! Ends of a bone: where they lie on the mesh (`docs/loaders/mpfb/rigs.md#positions`).
 
 use super::attribute::triple;
 use crate::unfit::{Unfits, Why, below, nth};

@@ -1,4 +1,4 @@
-//! Layers of old rigs, and what became of them (formats/mpfb.md §20.6).
+//! Layers of old rigs, and what became of them (`docs/loaders/mpfb/rigs.md#layers-below-version-110`).
 
 use crate::unfit::below;
 use mhlint_json::Node;

@@ -1,4 +1,5 @@
-//! Rigs of MPFB: `rig.*.json`, custom rigs and `.mpfbskel` (formats/mpfb.md §20, §21).
+//! Rigs of MPFB: `rig.*.json`, custom rigs and `.mpfbskel` (`docs/loaders/mpfb/rigs.md#layouts`,
+//! `docs/loaders/mpfb/custom-rigs.md#listing-custom-rigs`, `docs/loaders/mpfb/custom-rigs.md#what-differs`).
 //!
 //! The loader is strict on what a bone has and lenient on where it lies: what stops it, and what it takes otherwise than it
 //! is written, is kept apart.

@@ -1,4 +1,4 @@
-//! A document to a rig (formats/mpfb.md §20.2).
+//! A document to a rig (`docs/loaders/mpfb/rigs.md#layouts`).
 
 use super::bone::{Whole, names};
 use super::{Identifying, LayoutFault, NEWEST, Rig, RigFaults, bone, rigify};

@@ -1,4 +1,4 @@
-//! What a rig says to Rigify (formats/mpfb.md §20.8).
+//! What a rig says to Rigify (`docs/loaders/mpfb/rigs.md#keys-of-a-bone`).
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,5 @@
-//! The keywords of materials that MPFB reads, in whatever capitals (formats/mpfb.md §27.1).
+//! The keywords of materials that MPFB reads, in whatever capitals
+//! (`docs/loaders/mpfb/materials.md#lines-of-a-material`).
 
 /// A keyword.
 #[derive(Debug, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! Materials as MPFB reads them, with the pictures that they name (formats/mpfb.md §27).
+//! Materials as MPFB reads them, with the pictures that they name (`docs/loaders/mpfb/materials.md#textures`).
 
 use std::collections::BTreeSet;
 

@@ -1,5 +1,5 @@
 //! Which targets MPFB composes the names of: five loops over the names in `macro.json`, hard-coded in the program
-//! (formats/mpfb.md §3.3).
+//! (`docs/loaders/mpfb/macros.md#the-five-loops`).
 
 use mhlint_formats::macro_parts::{MacroParts, RACES, Setting};
 

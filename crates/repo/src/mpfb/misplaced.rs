@@ -1,5 +1,5 @@
 //! A base mesh of MPFB whose vertices lie elsewhere than its tables say: nothing that is measured on it means anything
-//! (formats/mpfb-observed.md 2.4).
+//! (`docs/loaders/mpfb/base-mesh.md#the-mesh`).
 
 use crate::cubes::{Strays, strays};
 use mhlint_formats::mesh_metadata::{MirrorRow, MirrorTable, VertexGroup, VertexGroups};

@@ -1,5 +1,5 @@
-//! The data of MPFB as it sees them (formats/mpfb.md §1 to §3). Connected so far: the catalogue of sliders and the macros
-//! with their targets, rigs and what is worn with their weights, and what is found by its name.
+//! The data of MPFB as it sees them (`docs/loaders/mpfb/folders.md#lookups`). Connected so far: the catalogue of
+//! sliders and the macros with their targets, rigs and what is worn with their weights, and what is found by its name.
 
 mod keys;
 mod looks;

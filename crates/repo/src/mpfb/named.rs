@@ -1,4 +1,5 @@
-//! What MPFB finds by a name alone: targets (formats/mpfb.md §4.4), and files of assets (§1).
+//! What MPFB finds by a name alone: targets (`docs/loaders/mpfb/targets.md#finding-by-name`), and files of assets
+//! (`docs/loaders/mpfb/folders.md#lookups`).
 
 use std::collections::BTreeMap;
 

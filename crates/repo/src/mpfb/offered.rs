@@ -1,4 +1,5 @@
-//! The rigs that MPFB offers for a character, whether their files exist or not (formats/mpfb.md §20.1).
+//! The rigs that MPFB offers for a character, whether their files exist or not
+//! (`docs/loaders/mpfb/rigs.md#where-rigs-lie`).
 
 use crate::Layer;
 

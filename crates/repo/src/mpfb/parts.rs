@@ -1,4 +1,5 @@
-//! The parts of the macro settings with the targets that MPFB composes of their names (formats/mpfb.md §3).
+//! The parts of the macro settings with the targets that MPFB composes of their names
+//! (`docs/loaders/mpfb/macros.md#the-five-loops`).
 
 use std::collections::BTreeSet;
 

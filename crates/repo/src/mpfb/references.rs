@@ -1,4 +1,4 @@
-//! What the sliders of MPFB ask for (formats/mpfb.md §2.2).
+//! What the sliders of MPFB ask for (`docs/loaders/mpfb/sliders.md#what-a-slider-does`).
 
 use super::view::{Catalog, OWN};
 use crate::{Reference, ReferenceKind, Resolution};

@@ -1,4 +1,5 @@
-//! Rigs with the weights that MPFB finds for them (formats/mpfb.md §20.1, §21).
+//! Rigs with the weights that MPFB finds for them (`docs/loaders/mpfb/rigs.md#where-rigs-lie`,
+//! `docs/loaders/mpfb/custom-rigs.md#listing-custom-rigs`, `docs/loaders/mpfb/custom-rigs.md#what-differs`).
 
 use super::view::OWN;
 use crate::{FileFacts, Layer, Layers, StoredBones, parent};
@@ -92,7 +93,7 @@ fn of_file<'a>(layer: &'a Layer, file: &'a FileFacts) -> RigFile<'a> {
     RigFile { file, layer, part, name, wanted_weights }
 }
 
-/// Endings of the folders of poses behind the name of their rig (§25.1).
+/// Endings of the folders of poses behind the name of their rig (`docs/loaders/mpfb/poses.md#stored-poses`).
 pub const POSE_ENDINGS: [&str; 3] = ["_fk", "_ik", "_partial"];
 
 /// The rig of the folder that a pose lies in; `None` where the folder is that of no rig.

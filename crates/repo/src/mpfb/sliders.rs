@@ -1,4 +1,5 @@
-//! What Blender knows sliders by, and the targets of users that become sliders (formats/mpfb.md §2.2, §2.4, §2.5).
+//! What Blender knows sliders by, and the targets of users that become sliders
+//! (`docs/loaders/mpfb/sliders.md#length-and-character-limits`, `docs/loaders/mpfb/sliders.md#names-of-user-targets`).
 
 use super::view::View;
 use crate::FileFacts;
@@ -11,7 +12,8 @@ pub const LONGEST_SECTION: usize = 39;
 /// The same of one of the catalogue with sliders in it.
 pub const LONGEST_SECTION_WITH_SLIDERS: usize = 36;
 
-/// The pairs of words that the two ends of a slider are called by, as `.mhm` files have them (§7.2).
+/// The pairs of words that the two ends of a slider are called by, as `.mhm` files have them
+/// (`docs/loaders/mpfb/sliders.md#shipped-catalogue`).
 const PAIRS: [(&str, &str); 8] = [
     ("decr", "incr"),
     ("down", "up"),

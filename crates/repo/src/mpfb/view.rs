@@ -1,4 +1,5 @@
-//! The system data with their catalogue: MPFB looks for neither it nor its targets anywhere else (formats/mpfb.md §1).
+//! The system data with their catalogue: MPFB looks for neither it nor its targets anywhere else
+//! (`docs/loaders/mpfb/folders.md#lookups`).
 
 use std::collections::BTreeSet;
 use std::ops::Bound;
@@ -187,7 +188,8 @@ impl<'a> View<'a> {
     }
 
     /// Whether a value of a setting leaves a character without any shape: all macro targets need the setting, and no part
-    /// has the value. Without the data of MPFB its parts are taken for those that it brings, from -0.01 to 1.01 (§3.2).
+    /// has the value. Without the data of MPFB its parts are taken for those that it brings, from -0.01 to 1.01
+    /// (`docs/loaders/mpfb/macros.md#shares-of-a-setting`).
     pub fn leaves_no_shape(&self, setting: &str, value: f64) -> bool {
         let Some(place) = SETTINGS.iter().position(|known| *known == setting) else { return false };
         let holds = |(lowest, highest): (f64, f64)| lowest < value && value < highest;
@@ -203,7 +205,8 @@ impl<'a> View<'a> {
         self.parts.as_ref().is_some_and(|parts| parts.asks_for(file))
     }
 
-    /// The body. Which of its targets nobody uses cannot be told: any can be asked for by its name (formats/mpfb.md §4.4).
+    /// The body. Which of its targets nobody uses cannot be told: any can be asked for by its name
+    /// (`docs/loaders/mpfb/targets.md#finding-by-name`).
     pub(crate) fn body<'v>(&'v self, view: &'v crate::View<'v>) -> Option<Body<'v>> {
         let targets = view.files().filter(|file| matches!(file.kind, Kind::Target | Kind::PackedTarget));
         let mut body = Body::new(self.body_name()?, view, targets.map(|file| self.target(file)).collect());
@@ -290,7 +293,7 @@ fn first_folder(rel: &str) -> &str {
     rel.split_once('/').map_or("", |(folder, _)| folder)
 }
 
-/// What can be worn (formats/mpfb.md §26).
+/// What can be worn (`docs/loaders/mpfb/libraries.md#sections`).
 fn worn<'a>(layers: impl Iterator<Item = &'a Layer>) -> Vec<Worn<'a>> {
     let of_layer = |layer| {
         Worn::all(layer, OWN).map(|(file, base)| {
@@ -305,7 +308,8 @@ fn worn<'a>(layers: impl Iterator<Item = &'a Layer>) -> Vec<Worn<'a>> {
     layers.flat_map(of_layer).collect()
 }
 
-/// The weights of an asset: those beside it that have its name, whatever it names (§26.6).
+/// The weights of an asset: those beside it that have its name, whatever it names
+/// (`docs/loaders/mpfb/clothes.md#files-beside-an-asset`).
 fn weights_of<'a>(layer: &'a Layer, asset: &'a FileFacts, base: &'a str) -> impl Iterator<Item = Reference<'a>> {
     let named = format!("{}/{}.", parent(&asset.rel), asset.stem());
     let from = layer.files.range::<str, _>((Bound::Included(named.as_str()), Bound::Unbounded));

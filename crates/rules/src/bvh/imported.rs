@@ -1,4 +1,4 @@
-//! Motions as a less strict importer reads them (formats/mpfb.md §25.2).
+//! Motions as a less strict importer reads them (`docs/loaders/mpfb/poses.md#motions`).
 
 use super::super::{Rule, such};
 use mhlint_diag::{Evidence, Finding, Place};

@@ -15,7 +15,8 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     ..RuleInfo::new("expression-missing-targets", Level::Warning, "a face unit without a target")
 });
 
-/// The unit whose target shows MPFB that the pack of face units is installed (formats/mpfb.md §6).
+/// The unit whose target shows MPFB that the pack of face units is installed
+/// (`docs/loaders/mpfb/expressions.md#application`).
 const SIGN: &str = "cheekPuff";
 const NOT_INSTALLED: &str =
     "stores the expressions, but moves no face with them, also where the targets of their units exist";

@@ -1,4 +1,5 @@
-//! Where MPFB looks for a user's files (formats/mpfb.md §1, §2.5, §7).
+//! Where MPFB looks for a user's files (`docs/loaders/mpfb/folders.md#lookups`,
+//! `docs/loaders/mpfb/sliders.md#where-user-targets-lie`, `docs/loaders/mpfb/models.md#saved-characters`).
 
 use super::super::cause::outdated::is_outdated;
 use super::super::{Rule, counted, did_you_mean};

@@ -1,4 +1,5 @@
-//! The lists of MPFB: what is in them, and by which label (formats/mpfb.md §26.8).
+//! The lists of MPFB: what is in them, and by which label (`docs/loaders/mpfb/libraries.md#sections`,
+//! `docs/loaders/mpfb/libraries.md#labels`).
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,5 @@
-//! What MPFB makes of a material (formats/mpfb.md §27).
+//! What MPFB makes of a material (`docs/loaders/mpfb/materials.md#lines-of-a-material`,
+//! `docs/loaders/mpfb/materials.md#what-a-material-uses`).
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! A file that is no material of MPFB, such as a web page (formats/mpfb.md §27).
+//! A file that is no material of MPFB, such as a web page (`docs/loaders/mpfb/materials.md#lines-of-a-material`).
 
 use super::super::Rule;
 use super::blender::is_key;

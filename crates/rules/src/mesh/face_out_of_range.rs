@@ -32,7 +32,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let Some(mesh) = read(view, file).filter(|mesh| mesh.asset.is_some() || !view.is_mpfb()) else { return };
     let tally = &mesh.facts.face_out_of_range;
     let Some((line, number)) = tally.first.first() else { return };
-    // Blender counts negative numbers from the end, as the format has it (formats/mpfb.md §26.2).
+    // Blender counts negative numbers from the end, as the format has it
+    // (`docs/loaders/mpfb/clothes.md#mesh-of-an-asset`).
     let from_end = usize::try_from(number.unsigned_abs()).is_ok_and(|back| back <= mesh.facts.vertices);
     if view.is_mpfb() && *number < 0 && from_end {
         return;

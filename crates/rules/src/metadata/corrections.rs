@@ -1,4 +1,5 @@
-//! Topologies whose weights MPFB corrects when a saved character wears them (formats/mpfb.md §24.2).
+//! Topologies whose weights MPFB corrects when a saved character wears them
+//! (`docs/loaders/mpfb/base-mesh.md#metadata`).
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,5 @@
-//! The packed tables of faces and vertices of MPFB's base mesh (formats/mpfb.md §24.2, §26.4).
+//! The packed tables of faces and vertices of MPFB's base mesh (`docs/loaders/mpfb/base-mesh.md#metadata`,
+//! `docs/loaders/mpfb/clothes.md#delete-group`).
 
 use super::super::{Rule, counted, such};
 use mhlint_diag::{Application::Mpfb, Case, Evidence, Finding, Level, Place};

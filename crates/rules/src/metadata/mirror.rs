@@ -1,4 +1,4 @@
-//! The mirror table of MPFB (formats/mpfb-observed.md 1.3).
+//! The mirror table of MPFB (`docs/loaders/mpfb/base-mesh.md#the-mirror-table`).
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! The size, the axes and the order of the base mesh of MPFB (formats/mpfb-observed.md 2.4).
+//! The size, the axes and the order of the base mesh of MPFB (`docs/loaders/mpfb/base-mesh.md#the-mesh`).
 
 use super::super::Rule;
 use mhlint_diag::{Application::Mpfb, Case, Finding, Level, Place};

@@ -1,4 +1,5 @@
-//! Vertex groups that MPFB can read, and that are not what they should be (formats/mpfb-observed.md 2.5).
+//! Vertex groups that MPFB can read, and that are not what they should be
+//! (`docs/loaders/mpfb/base-mesh.md#vertex-groups`).
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! What a model wears as MPFB imports it (formats/mpfb.md §7.2; formats/mpfb-observed.md 2.19).
+//! What a model wears as MPFB imports it (`docs/loaders/mpfb/models.md#lines-of-a-model`).
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,5 @@
-//! Lines of a model that MPFB does not see, or takes for something else (formats/mpfb.md §7.2).
+//! Lines of a model that MPFB does not see, or takes for something else (`docs/loaders/mpfb/models.md#the-model-file`,
+//! `docs/loaders/mpfb/models.md#lines-of-a-model`).
 
 use super::super::{Rule, such};
 use super::unparted::{Unparted, unparted};

@@ -1,4 +1,5 @@
-//! Modifiers of a model as MPFB imports them (formats/mpfb.md §7.2): a macro, or the name of a target.
+//! Modifiers of a model as MPFB imports them (`docs/loaders/mpfb/models.md#lines-of-a-model`): a macro, or the name of
+//! a target.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -64,8 +64,9 @@ fn shared(view: &makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// UV layers, and poses and settings of skins, which were copied once (formats/mpfb.md §1; formats/mpfb-observed.md 2.11, 2.13,
-/// 2.14).
+/// UV layers, and poses and settings of skins, which were copied once (`docs/loaders/mpfb/folders.md#lookups`,
+/// `docs/loaders/mpfb/poses.md#stored-poses`, `docs/loaders/mpfb/materials.md#settings-of-skins`,
+/// `docs/loaders/mpfb/materials.md#finding-uv-layers`).
 fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let (checked, Some(system)) = (view.layers.checked, view.layers.system) else { return };
     if view.layers.checks_system() {

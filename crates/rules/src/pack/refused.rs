@@ -1,4 +1,5 @@
-//! Packs that MPFB refuses before it unpacks anything, and what its other modes do with them (formats/mpfb.md §8).
+//! Packs that MPFB refuses before it unpacks anything, and what its other modes do with them
+//! (`docs/loaders/mpfb/libraries.md#check-of-a-zip`).
 
 use super::super::{Rule, counted};
 use mhlint_diag::{Application::Mpfb, Evidence, Finding, Place};

@@ -1,4 +1,5 @@
-//! What MPFB makes of a pack that it takes: all of it is unpacked as it is over the data of the user (formats/mpfb.md §8).
+//! What MPFB makes of a pack that it takes: all of it is unpacked as it is over the data of the user
+//! (`docs/loaders/mpfb/libraries.md#folders-of-a-pack`).
 
 use super::super::{Rule, and_more};
 use super::{misread, named, refused};

@@ -1,4 +1,4 @@
-//! Joints of motions that Blender imports are bones of the default rigs (formats/mpfb.md §25.2).
+//! Joints of motions that Blender imports are bones of the default rigs (`docs/loaders/mpfb/poses.md#motions`).
 
 use std::collections::BTreeSet;
 

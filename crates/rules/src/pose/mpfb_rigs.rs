@@ -1,4 +1,5 @@
-//! The rigs that MPFB brings, for which poses are stored (formats/mpfb.md §21.3, §23).
+//! The rigs that MPFB brings, for which poses are stored (`docs/loaders/mpfb/custom-rigs.md#identification`,
+//! `docs/loaders/mpfb/shipped-rigs.md#the-rigs`).
 
 /// The rigs that MPFB brings, as it calls them, and whether they have the bones by which default rigs are measured.
 pub(super) const RIGS: [(&str, bool); 9] = [

@@ -1,4 +1,6 @@
-//! Presets, settings and node trees of MPFB, as far as their loaders do not take them (formats/mpfb.md §7.3, §28; formats/additions.md 1.5).
+//! Presets, settings and node trees of MPFB, as far as their loaders do not take them
+//! (`docs/loaders/mpfb/models.md#presets-of-the-importer`, `docs/loaders/mpfb/models.md#presets-of-the-randomizer`,
+//! `docs/loaders/mpfb/materials.md#settings-of-skins`, `docs/loaders/mpfb/materials.md#node-trees`).
 
 use super::super::unfit::{findings, is_misspelt};
 use super::super::{Rule, RuleCx, did_you_mean, such};

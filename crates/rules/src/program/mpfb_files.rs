@@ -1,5 +1,7 @@
-//! Files without which MPFB does not work, or not as it should (formats/mpfb.md §1, §28; formats/mpfb-observed.md 1.1, 2.4, 2.6, 2.11;
-//! formats/additions.md 1.4).
+//! Files without which MPFB does not work, or not as it should (`docs/loaders/mpfb/folders.md#shipped-data`,
+//! `docs/loaders/mpfb/base-mesh.md#the-mesh`, `docs/loaders/mpfb/base-mesh.md#vertex-groups`,
+//! `docs/loaders/mpfb/base-mesh.md#dimensions`, `docs/loaders/mpfb/materials.md#settings-of-skins`,
+//! `docs/loaders/mpfb/materials.md#value-maps`).
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,5 @@
-//! Presets of the randomizer of MPFB, whose loader takes every key without asking for it (formats/additions.md 1.5).
+//! Presets of the randomizer of MPFB, whose loader takes every key without asking for it
+//! (`docs/loaders/mpfb/models.md#presets-of-the-randomizer`).
 
 use super::super::unfit::{Wording, findings_in, sort, subject};
 use super::super::{Rule, RuleCx, enumerated};

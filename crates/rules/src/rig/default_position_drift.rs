@@ -17,7 +17,8 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     ..RuleInfo::new("rig-default-position-drift", Level::Info, "a default position is far from where the end is found")
 });
 
-/// Rigs in order stay within 0.078 on the base mesh, metres (§23).
+/// Rigs in order stay within 0.078 on the base mesh, metres
+/// (`docs/loaders/mpfb/shipped-rigs.md#drift-of-default-positions`).
 const FAR: f64 = 0.1;
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -18,7 +18,8 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 
 const AS_WRITTEN: Case = &[(Mpfb, Level::Warning, "silently binds the constraint to the `subtarget` as it is written")];
 
-/// MPFB takes places for one that are nearer than this, metres (§21.1).
+/// MPFB takes places for one that are nearer than this, metres
+/// (`docs/loaders/mpfb/custom-rigs.md#references-to-the-parent-rig`).
 const NEAR: f64 = 0.01;
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {

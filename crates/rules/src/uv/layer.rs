@@ -20,7 +20,7 @@ const NAMES: Case = &[(Mpfb, Level::Info, "has no effect in MPFB, which does not
 const OUTSIDE: Case = &[(Mpfb, Level::Warning, "paints these corners with what lies at another place of the picture")];
 const NOTHING: Case = &[(Mpfb, Level::Warning, "paints nothing with this UV layer")];
 
-/// Loops of the base mesh (formats/mpfb.md §24.3).
+/// Loops of the base mesh (`docs/loaders/mpfb/materials.md#grammar-of-uv-layers`).
 const LOOPS: usize = 73_944;
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -1,4 +1,5 @@
-//! Which asset packs MPFB refuses: it checks a zip by the names in it before it unpacks anything (formats/mpfb.md §8).
+//! Which asset packs MPFB refuses: it checks a zip by the names in it before it unpacks anything
+//! (`docs/loaders/mpfb/libraries.md#check-of-a-zip`).
 
 use super::LAYOUT;
 

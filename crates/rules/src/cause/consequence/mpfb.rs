@@ -1,4 +1,6 @@
-//! What MPFB does with a file that it cannot read or find (formats/mpfb.md §2.3, §3.1, §6, §7, §28; mpfb-observed.md 1.2).
+//! What MPFB does with a file that it cannot read or find (`docs/loaders/mpfb/sliders.md#faults-of-the-catalogue`,
+//! `docs/loaders/mpfb/macros.md#faults-of-macros`, `docs/loaders/mpfb/expressions.md#faults-of-expressions`,
+//! `docs/loaders/mpfb/models.md#saved-characters`, `docs/loaders/mpfb/materials.md#settings-of-skins`).
 
 use super::table::{Cell, LOST, Table, anywhere, cell, nothing};
 use super::{Consequence, Damage, Moment};
@@ -87,7 +89,7 @@ const fn stopped(effect: &'static str) -> [Cell; 5] {
     ]
 }
 
-/// Files are not parsed when they are listed (§26.8).
+/// Files are not parsed when they are listed (`docs/loaders/mpfb/libraries.md#sections`).
 const NOT_LOADED_ASSET: &str = "lists the asset, and fails with an exception when it is loaded";
 const NOT_WORN: &[Cell] = &[
     cell(Damage::Closed, Error, NOT_LOADED_ASSET),
@@ -172,7 +174,7 @@ const NO_PACKS: &[Cell] = &stopped(
 
 const NO_BODY: &[Cell] = &stopped("fails with an exception whenever a character is made: none can be made");
 
-/// All macro targets are set to 0 before the first one is loaded (§3.3).
+/// All macro targets are set to 0 before the first one is loaded (`docs/loaders/mpfb/macros.md#faults-of-macros`).
 const MACRO_LOST: &str =
     "fails where a setting comes near the target: the whole macro shape disappears, and no such character can be made";
 /// What a macro target comes to whose rows cannot be read.
@@ -193,7 +195,7 @@ const NOT_A_ROW: &str =
     "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part";
 const UNDECODABLE: &str = "fails whenever its slider moves; saved characters with it load only in part";
 
-/// What becomes of rows of a target that is loaded by hand (§4.3).
+/// What becomes of rows of a target that is loaded by hand (`docs/loaders/mpfb/targets.md#proxy-targets`).
 pub(crate) const BY_HAND: Case =
     &[(Mpfb, Error, "fails when it is loaded by hand, and leaves an empty shape key behind")];
 const NOT_LOADED: &[Cell] = &stopped("fails when it is loaded by hand");

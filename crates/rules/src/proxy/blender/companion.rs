@@ -1,4 +1,5 @@
-//! The weights that an asset names, and those beside it that MPFB reads (formats/mpfb.md §26.1, §26.6).
+//! The weights that an asset names, and those beside it that MPFB reads (`docs/loaders/mpfb/clothes.md#lines`,
+//! `docs/loaders/mpfb/clothes.md#files-beside-an-asset`).
 
 use super::super::{Text, texts};
 use crate::Rule;

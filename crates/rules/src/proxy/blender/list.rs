@@ -1,4 +1,5 @@
-//! The list of vertices to hide (formats/mpfb.md §26.1, §26.4).
+//! The list of vertices to hide (`docs/loaders/mpfb/clothes.md#delete-list`,
+//! `docs/loaders/mpfb/clothes.md#delete-group`).
 
 use super::super::texts;
 use super::{at, is_list, is_number, whole};

@@ -1,4 +1,4 @@
-//! What MPFB makes of the lines of an asset (formats/mpfb.md §26).
+//! What MPFB makes of the lines of an asset (`docs/loaders/mpfb/clothes.md#lines`).
 
 pub(super) mod companion;
 pub(super) mod list;

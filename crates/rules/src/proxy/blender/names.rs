@@ -1,4 +1,6 @@
-//! What an asset names, and what it is known by (formats/mpfb.md §26.2, §26.7, §26.8).
+//! What an asset names, and what it is known by (`docs/loaders/mpfb/clothes.md#mesh-of-an-asset`,
+//! `docs/loaders/mpfb/clothes.md#other-effects-of-loading`,
+//! `docs/loaders/mpfb/libraries.md#references-of-saved-characters`).
 
 use super::super::keywords::corrected;
 use super::super::{Text, is_unwalked, neighbours, texts};

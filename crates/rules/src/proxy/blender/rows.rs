@@ -1,4 +1,5 @@
-//! The rows: which of them are taken, and what they are tied to (formats/mpfb.md §26.1 to §26.3).
+//! The rows: which of them are taken, and what they are tied to (`docs/loaders/mpfb/clothes.md#rows-of-an-asset`,
+//! `docs/loaders/mpfb/clothes.md#mesh-of-an-asset`, `docs/loaders/mpfb/clothes.md#fitting`).
 
 use super::super::texts;
 use super::{at, counted, is_number, lost_rows, whole};

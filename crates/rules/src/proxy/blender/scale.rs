@@ -1,4 +1,4 @@
-//! The lines of the scale (formats/mpfb.md §26.3).
+//! The lines of the scale (`docs/loaders/mpfb/clothes.md#fitting`).
 
 use std::cmp::Ordering;
 

@@ -1,4 +1,4 @@
-//! Weights of assets for bones that a rig of MPFB does not have (formats/mpfb.md §26.6).
+//! Weights of assets for bones that a rig of MPFB does not have (`docs/loaders/mpfb/clothes.md#files-beside-an-asset`).
 
 use std::collections::BTreeMap;
 
