@@ -1,7 +1,7 @@
 //! The pure evaluation: `cargo bench --bench evaluation`.
 //!
-//! On the figure of the example repository; with `MHLINT_CORPORA` set, on hm08 of MakeHuman 2 as well. Each beside
-//! its floor: a copy of the vertices it works on.
+//! On the figure of the example repository; with `MHLINT_CORPORA` set, on hm08 of MakeHuman 2 as
+//! well. Each beside its floor: a copy of the vertices it works on.
 #![allow(clippy::unwrap_used, reason = "a benchmark may stop where it fails")]
 
 use std::path::PathBuf;
@@ -32,7 +32,10 @@ static SCENES: LazyLock<Vec<Loaded>> = LazyLock::new(|| {
         let mut evaluation = mhlint::open_base(&root, None, Some(name)).unwrap();
         let defaults = evaluation.scene().defaults();
         evaluation.morphed(&defaults).unwrap();
-        Loaded { name, scene: evaluation.scene().clone() }
+        Loaded {
+            name,
+            scene: evaluation.scene().clone(),
+        }
     };
     places.into_iter().map(load).collect()
 });
@@ -42,7 +45,11 @@ fn names() -> Vec<&'static str> {
 }
 
 fn scene(name: &str) -> &'static Scene {
-    &SCENES.iter().find(|loaded| loaded.name == name).unwrap().scene
+    &SCENES
+        .iter()
+        .find(|loaded| loaded.name == name)
+        .unwrap()
+        .scene
 }
 
 #[divan::bench(args = names())]

@@ -1,7 +1,8 @@
 //! Displacement fields that the targets of both bases are made of.
 //!
-//! All are functions of a point with x ≥ 0 and an amount, smooth and with a small gradient, so that any sum of them folds
-//! no face. Centres of scaling lie beside the joints on purpose: a joint inside a moved region moves as well.
+//! All are functions of a point with x ≥ 0 and an amount, smooth and with a small gradient, so that
+//! any sum of them folds no face. Centres of scaling lie beside the joints on purpose: a joint
+//! inside a moved region moves as well.
 
 use crate::mesh::Point;
 
@@ -38,7 +39,10 @@ fn arm(x: f64, y: f64) -> f64 {
 pub(crate) fn bulk([x, y, z]: Point, amount: f64) -> Point {
     let leg = 1.0 - ramp(y, 4.3, 5.2);
     let outwards = leg * (x - 0.5) * ramp(x, 0.0, 0.3) + (1.0 - leg) * x.min(1.2);
-    scaled([outwards, arm(x, y) * (y - arm_axis(x) + 0.1), z + 0.2], amount)
+    scaled(
+        [outwards, arm(x, y) * (y - arm_axis(x) + 0.1), z + 0.2],
+        amount,
+    )
 }
 
 pub(crate) fn size([x, y, z]: Point, amount: f64) -> Point {
@@ -77,7 +81,11 @@ pub(crate) fn chest_depth([x, y, z]: Point, amount: f64) -> Point {
 }
 
 pub(crate) fn belly([_, y, z]: Point, amount: f64) -> Point {
-    [0.0, 0.0, amount * hill(y, [5.3, 5.9, 6.1, 6.65]) * ramp(z, -0.5, 0.5)]
+    [
+        0.0,
+        0.0,
+        amount * hill(y, [5.3, 5.9, 6.1, 6.65]) * ramp(z, -0.5, 0.5),
+    ]
 }
 
 pub(crate) fn torso_height([_, y, _]: Point, amount: f64) -> Point {
@@ -100,11 +108,18 @@ pub(crate) fn upper_leg([x, y, z]: Point, amount: f64) -> Point {
 }
 
 pub(crate) fn lower_leg([x, y, z]: Point, amount: f64) -> Point {
-    scaled([x - 0.5, 0.0, z + 0.35], amount * hill(y, [0.6, 1.2, 2.4, 2.9]))
+    scaled(
+        [x - 0.5, 0.0, z + 0.35],
+        amount * hill(y, [0.6, 1.2, 2.4, 2.9]),
+    )
 }
 
 pub(crate) fn foot([_, y, z]: Point, amount: f64) -> Point {
-    [0.0, 0.0, amount * ramp(z, 0.2, 0.8) * (1.0 - ramp(y, 0.6, 1.2))]
+    [
+        0.0,
+        0.0,
+        amount * ramp(z, 0.2, 0.8) * (1.0 - ramp(y, 0.6, 1.2)),
+    ]
 }
 
 fn waist(y: f64) -> f64 {

@@ -1,8 +1,10 @@
-//! The base mesh `figure`: a humanoid of about ten units in a T pose, with joint cubes and a skirt helper.
+//! The base mesh `figure`: a humanoid of about ten units in a T pose, with joint cubes and a skirt
+//! helper.
 //!
-//! The body is the outside of a set of grid cells (`voxel`), bent into shape: each ring of grid points around a limb gets a
-//! centre and half widths from the tables below. Grid sides run from -12 (right finger tips) to 12, heights from 0 (soles)
-//! to 18 (crown), depths from -1 (back) to 3 (toes).
+//! The body is the outside of a set of grid cells (`voxel`), bent into shape: each ring of grid
+//! points around a limb gets a centre and half widths from the tables below. Grid sides run from
+//! -12 (right finger tips) to 12, heights from 0 (soles) to 18 (crown), depths from -1 (back) to 3
+//! (toes).
 
 use std::collections::BTreeSet;
 
@@ -101,7 +103,12 @@ const AROUND: [[f64; 2]; 12] = [
 ];
 
 /// The skirt as a closed ring, four lines around: height, half width, half depth.
-const SKIRT: [[f64; 3]; 4] = [[5.25, 1.32, 0.8], [4.2, 1.45, 1.0], [4.2, 1.37, 0.92], [5.25, 1.25, 0.73]];
+const SKIRT: [[f64; 3]; 4] = [
+    [5.25, 1.32, 0.8],
+    [4.2, 1.45, 1.0],
+    [4.2, 1.37, 0.92],
+    [5.25, 1.25, 0.73],
+];
 
 pub(crate) fn build() -> Body {
     let surface = voxel::surface(&cells());
@@ -116,7 +123,10 @@ pub(crate) fn build() -> Body {
     }
     let (points, quads) = skirt();
     mesh.add_group("helper-skirt", &points, &quads);
-    Body { mesh, grid: surface.points }
+    Body {
+        mesh,
+        grid: surface.points,
+    }
 }
 
 impl Body {
@@ -156,40 +166,83 @@ fn leg(row: usize, across: f64, k: i32) -> Point {
     let [y, x, width, z, thick] = LEG[row];
     let depth = f64::from(k);
     // In the foot, the ring is open to the front.
-    let round = if k < 0 || row > 1 { corner(across, depth) } else { 1.0 };
+    let round = if k < 0 || row > 1 {
+        corner(across, depth)
+    } else {
+        1.0
+    };
     [x + across * width * round, y, z + depth * thick * round]
 }
 
 fn foot(row: usize, across: f64, j: i32) -> Point {
     let [z, width, instep] = FOOT[row];
     let round = if row == 1 { corner(across, 1.0) } else { 1.0 };
-    [LEG[0][1] + across * width * round, f64::from(j) * instep, z - (1.0 - round) * 0.4]
+    [
+        LEG[0][1] + across * width * round,
+        f64::from(j) * instep,
+        z - (1.0 - round) * 0.4,
+    ]
 }
 
 fn torso(row: usize, side: i32, depth: f64) -> Point {
     let [y, x1, x2, x3, z, thick] = TORSO[row];
     let at = index(side);
-    let (narrow, thin) =
-        if depth.abs() < 0.5 { (1.0, 0.0) } else { ([1.0, 1.0, 0.97, 0.92][at], [1.0, 0.97, 0.87, 0.55][at]) };
+    let (narrow, thin) = if depth.abs() < 0.5 {
+        (1.0, 0.0)
+    } else {
+        ([1.0, 1.0, 0.97, 0.92][at], [1.0, 0.97, 0.87, 0.55][at])
+    };
     // The shoulders fall off to the sides and are highest in the middle; the crotch hangs a little.
-    let top = if row == 6 { [0.03, 0.03, 0.0, -0.08][at] + 0.04 * (1.0 - depth.abs()) } else { 0.0 };
-    let crotch = if row == 0 { [-0.06, -0.04, 0.0, 0.02][at] } else { 0.0 };
-    [[0.0, x1, x2, x3][at] * narrow, y + top + crotch, z + depth * thin * thick]
+    let top = if row == 6 {
+        [0.03, 0.03, 0.0, -0.08][at] + 0.04 * (1.0 - depth.abs())
+    } else {
+        0.0
+    };
+    let crotch = if row == 0 {
+        [-0.06, -0.04, 0.0, 0.02][at]
+    } else {
+        0.0
+    };
+    [
+        [0.0, x1, x2, x3][at] * narrow,
+        y + top + crotch,
+        z + depth * thin * thick,
+    ]
 }
 
 fn arm(row: usize, up: f64, depth: f64) -> Point {
     let [x, high, z, thick] = ARM[row];
     let round = corner(up, depth);
-    let tip = if row == 8 && up.abs() + depth.abs() < 0.5 { 0.05 } else { 0.0 };
-    [x + tip, arm_axis(x) + up * high * round, z + depth * thick * round]
+    let tip = if row == 8 && up.abs() + depth.abs() < 0.5 {
+        0.05
+    } else {
+        0.0
+    };
+    [
+        x + tip,
+        arm_axis(x) + up * high * round,
+        z + depth * thick * round,
+    ]
 }
 
 fn head(row: usize, across: f64, depth: f64) -> Point {
     let [y, width, z, thick] = HEAD[row];
     let round = corner(across, depth);
-    let crown = if row == 4 && across.abs() + depth.abs() < 0.5 { 0.1 } else { 0.0 };
-    let nose = if row == 2 && across < 0.5 && depth > 0.5 { 0.12 } else { 0.0 };
-    [across * width * round, y + crown, z + depth * thick * round + nose]
+    let crown = if row == 4 && across.abs() + depth.abs() < 0.5 {
+        0.1
+    } else {
+        0.0
+    };
+    let nose = if row == 2 && across < 0.5 && depth > 0.5 {
+        0.12
+    } else {
+        0.0
+    };
+    [
+        across * width * round,
+        y + crown,
+        z + depth * thick * round + nose,
+    ]
 }
 
 fn skirt() -> (Vec<Point>, Vec<[usize; 4]>) {
@@ -200,14 +253,23 @@ fn skirt() -> (Vec<Point>, Vec<[usize; 4]>) {
         for (at, [x, z]) in AROUND.into_iter().enumerate() {
             points.push([x * width, y, z * thick]);
             let (next, below) = ((at + 1) % count, (line + 1) % lines);
-            quads.push([line * count + at, below * count + at, below * count + next, line * count + next]);
+            quads.push([
+                line * count + at,
+                below * count + at,
+                below * count + next,
+                line * count + next,
+            ]);
         }
     }
     (points, quads)
 }
 
 fn corner(across: f64, depth: f64) -> f64 {
-    if across.abs() > 0.5 && depth.abs() > 0.5 { CORNER } else { 1.0 }
+    if across.abs() > 0.5 && depth.abs() > 0.5 {
+        CORNER
+    } else {
+        1.0
+    }
 }
 
 fn index(value: i32) -> usize {

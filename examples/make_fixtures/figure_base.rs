@@ -13,11 +13,26 @@ const FOLDER: &str = "data/base/figure";
 pub(crate) fn add(tree: &mut Tree, body: &Body) {
     let mesh = &body.mesh;
     tree.add(format!("{FOLDER}/base.obj"), mesh.obj("figure"));
-    tree.add(format!("{FOLDER}/base.json"), json_text::by_hand(&settings(mesh.vertices.len())));
-    tree.add(format!("{FOLDER}/base.mhm"), assets::start_model("figure", &START));
-    tree.add(format!("{FOLDER}/geometry.json"), json_text::by_hand(&geometry(mesh)));
-    tree.add(format!("{FOLDER}/body-poses.json"), json_text::by_hand(&body_units()));
-    tree.add(format!("{FOLDER}/face-poses.json"), json_text::by_hand(&face_units()));
+    tree.add(
+        format!("{FOLDER}/base.json"),
+        json_text::by_hand(&settings(mesh.vertices.len())),
+    );
+    tree.add(
+        format!("{FOLDER}/base.mhm"),
+        assets::start_model("figure", &START),
+    );
+    tree.add(
+        format!("{FOLDER}/geometry.json"),
+        json_text::by_hand(&geometry(mesh)),
+    );
+    tree.add(
+        format!("{FOLDER}/body-poses.json"),
+        json_text::by_hand(&body_units()),
+    );
+    tree.add(
+        format!("{FOLDER}/face-poses.json"),
+        json_text::by_hand(&face_units()),
+    );
 }
 
 const START: [(&str, &str); 4] = [
@@ -75,7 +90,9 @@ fn geometry(mesh: &Mesh) -> Value {
         let (first, last) = (group.vertices.start, group.vertices.end - 1);
         match group.cube {
             None => ranges.insert(group.name.clone(), json!([first, last])),
-            Some((_, half)) => joints.insert(group.name.replace("joint-", ""), json!([first, last, half])),
+            Some((_, half)) => {
+                joints.insert(group.name.replace("joint-", ""), json!([first, last, half]))
+            }
         };
     }
     json!({ "geometry-ranges": ranges, "joint-ranges": joints })

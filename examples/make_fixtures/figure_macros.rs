@@ -1,8 +1,9 @@
 //! `macro.json` of `figure` and the macro targets.
 //!
-//! Two macrodefs: `phenotype-gender` (barycentric × 2 steps) and `gender-age-muscle` (2 × 4 × 3 steps), both complete. The
-//! base mesh is the neutral state of both, so one name of each is `null`. Names that differ only in gender share a file
-//! for all ages but `adult`, and all names of `child` share one.
+//! Two macrodefs: `phenotype-gender` (barycentric × 2 steps) and `gender-age-muscle` (2 × 4 × 3
+//! steps), both complete. The base mesh is the neutral state of both, so one name of each is
+//! `null`. Names that differ only in gender share a file for all ages but `adult`, and all names of
+//! `child` share one.
 
 use std::collections::BTreeSet;
 
@@ -25,27 +26,100 @@ struct Shape {
     belly: f64,
 }
 
-const ORIGIN: Shape = Shape { size: 0.0, bulk: 0.0, shoulders: 0.0, head: 0.0, stoop: 0.0, belly: 0.0 };
+const ORIGIN: Shape = Shape {
+    size: 0.0,
+    bulk: 0.0,
+    shoulders: 0.0,
+    head: 0.0,
+    stoop: 0.0,
+    belly: 0.0,
+};
 
 const PHENOTYPES: [(&str, Shape); 3] = [
     ("coastal", ORIGIN),
-    ("highland", Shape { size: -0.02, bulk: 0.04, head: 0.03, ..ORIGIN }),
-    ("woodland", Shape { size: 0.02, bulk: -0.03, head: -0.02, ..ORIGIN }),
+    (
+        "highland",
+        Shape {
+            size: -0.02,
+            bulk: 0.04,
+            head: 0.03,
+            ..ORIGIN
+        },
+    ),
+    (
+        "woodland",
+        Shape {
+            size: 0.02,
+            bulk: -0.03,
+            head: -0.02,
+            ..ORIGIN
+        },
+    ),
 ];
-const GENDERS: [(&str, Shape); 2] = [("female", ORIGIN), ("male", Shape { size: 0.015, shoulders: 0.08, ..ORIGIN })];
+const GENDERS: [(&str, Shape); 2] = [
+    ("female", ORIGIN),
+    (
+        "male",
+        Shape {
+            size: 0.015,
+            shoulders: 0.08,
+            ..ORIGIN
+        },
+    ),
+];
 const AGES: [(&str, Shape); 4] = [
-    ("child", Shape { size: -0.06, head: 0.06, ..ORIGIN }),
-    ("teen", Shape { size: -0.025, bulk: -0.02, ..ORIGIN }),
+    (
+        "child",
+        Shape {
+            size: -0.06,
+            head: 0.06,
+            ..ORIGIN
+        },
+    ),
+    (
+        "teen",
+        Shape {
+            size: -0.025,
+            bulk: -0.02,
+            ..ORIGIN
+        },
+    ),
     ("adult", ORIGIN),
-    ("old", Shape { size: -0.015, stoop: 0.25, belly: 0.03, ..ORIGIN }),
+    (
+        "old",
+        Shape {
+            size: -0.015,
+            stoop: 0.25,
+            belly: 0.03,
+            ..ORIGIN
+        },
+    ),
 ];
 const MUSCLES: [(&str, Shape); 3] = [
-    ("minmuscle", Shape { bulk: -0.06, shoulders: -0.03, ..ORIGIN }),
+    (
+        "minmuscle",
+        Shape {
+            bulk: -0.06,
+            shoulders: -0.03,
+            ..ORIGIN
+        },
+    ),
     ("averagemuscle", ORIGIN),
-    ("maxmuscle", Shape { bulk: 0.08, shoulders: 0.05, ..ORIGIN }),
+    (
+        "maxmuscle",
+        Shape {
+            bulk: 0.08,
+            shoulders: 0.05,
+            ..ORIGIN
+        },
+    ),
 ];
 /// Being male shows less in the second macrodef, which is added to the first.
-const MALE_BUILD: Shape = Shape { bulk: 0.02, belly: 0.01, ..ORIGIN };
+const MALE_BUILD: Shape = Shape {
+    bulk: 0.02,
+    belly: 0.01,
+    ..ORIGIN
+};
 
 pub(crate) fn add(tree: &mut Tree, mesh: &Mesh) {
     let mut phenotypes = Vec::new();
@@ -55,7 +129,12 @@ pub(crate) fn add(tree: &mut Tree, mesh: &Mesh) {
             let neutral = name == "coastal-female";
             phenotypes.push(entry(&name, (!neutral).then_some(name.as_str())));
             if !neutral {
-                add_target(tree, mesh, &format!("macro_phenotype/{name}"), &[first, second]);
+                add_target(
+                    tree,
+                    mesh,
+                    &format!("macro_phenotype/{name}"),
+                    &[first, second],
+                );
             }
         }
     }
@@ -116,7 +195,11 @@ fn entry(name: &str, file: Option<&str>) -> Value {
 }
 
 fn add_target(tree: &mut Tree, mesh: &Mesh, path: &str, shapes: &[Shape]) {
-    let field = |point: Point| shapes.iter().fold([0.0; 3], |total, shape| sum(total, shape.at(point)));
+    let field = |point: Point| {
+        shapes
+            .iter()
+            .fold([0.0; 3], |total, shape| sum(total, shape.at(point)))
+    };
     let text = target_text(mesh, "figure", Side::Both, &field);
     tree.add(format!("data/target/figure/{path}.target"), text);
 }

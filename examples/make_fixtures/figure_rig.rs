@@ -30,13 +30,37 @@ const BONES: [Bone; 11] = [
 ];
 
 const PLANES: [Plane; 3] = [
-    Plane { name: "trunk", joints: ["l-hip", "pelvis", "spine"], sided: false },
-    Plane { name: "arm", joints: ["l-shoulder", "l-elbow", "l-wrist"], sided: true },
-    Plane { name: "leg", joints: ["l-knee", "l-ankle", "l-toe"], sided: true },
+    Plane {
+        name: "trunk",
+        joints: ["l-hip", "pelvis", "spine"],
+        sided: false,
+    },
+    Plane {
+        name: "arm",
+        joints: ["l-shoulder", "l-elbow", "l-wrist"],
+        sided: true,
+    },
+    Plane {
+        name: "leg",
+        joints: ["l-knee", "l-ankle", "l-toe"],
+        sided: true,
+    },
 ];
 
-const fn centre(name: &'static str, parent: Option<&'static str>, head: &'static str, tail: &'static str) -> Bone {
-    Bone { name, parent, head, tail, plane: "trunk", sided: false }
+const fn centre(
+    name: &'static str,
+    parent: Option<&'static str>,
+    head: &'static str,
+    tail: &'static str,
+) -> Bone {
+    Bone {
+        name,
+        parent,
+        head,
+        tail,
+        plane: "trunk",
+        sided: false,
+    }
 }
 
 const fn sided(
@@ -46,7 +70,14 @@ const fn sided(
     tail: &'static str,
     plane: &'static str,
 ) -> Bone {
-    Bone { name, parent: Some(parent), head, tail, plane, sided: true }
+    Bone {
+        name,
+        parent: Some(parent),
+        head,
+        tail,
+        plane,
+        sided: true,
+    }
 }
 
 pub(crate) fn add(tree: &mut Tree, body: &Body) {
@@ -62,19 +93,33 @@ pub(crate) fn add(tree: &mut Tree, body: &Body) {
             influences.push(influences_of(group, x, shares));
         }
     }
-    tree.add(format!("{FOLDER}/default.mhskel"), rig::skeleton_text(mesh, &TITLE, &BONES, &PLANES));
-    tree.add(format!("{FOLDER}/default_weights.mhw"), rig::weights_text(&TITLE, &BONES, &influences));
-    tree.add(format!("{FOLDER}/default.thumb"), icon::png("figure skeleton", 64, 64));
+    tree.add(
+        format!("{FOLDER}/default.mhskel"),
+        rig::skeleton_text(mesh, &TITLE, &BONES, &PLANES),
+    );
+    tree.add(
+        format!("{FOLDER}/default_weights.mhw"),
+        rig::weights_text(&TITLE, &BONES, &influences),
+    );
+    tree.add(
+        format!("{FOLDER}/default.thumb"),
+        icon::png("figure skeleton", 64, 64),
+    );
 }
 
 /// Corners of a joint cube all follow the side of its centre.
 fn influences_of(group: &Group, x: f64, shares: Shares) -> Influences {
-    rig::influences(&BONES, group.cube.map_or(x, |(centre, _)| centre[0]), shares)
+    rig::influences(
+        &BONES,
+        group.cube.map_or(x, |(centre, _)| centre[0]),
+        shares,
+    )
 }
 
 type Shares = &'static [(&'static str, f64)];
 
-/// Shares by ring of the grid (see `figure`): half and half at a joint, a quarter on the rings beside it.
+/// Shares by ring of the grid (see `figure`): half and half at a joint, a quarter on the rings
+/// beside it.
 fn body_shares((i, j, k): GridPoint) -> Shares {
     match (i.abs(), j) {
         (4, _) => &[("upperarm", 0.75), ("chest", 0.25)],
@@ -115,8 +160,9 @@ fn torso_shares(side: i32, j: i32) -> Shares {
 }
 
 fn helper_shares(group: &Group, y: f64) -> Shares {
-    match group.name.split_once('-').map_or("", |(_, rest)| rest.trim_start_matches(['l', 'r']).trim_start_matches('-'))
-    {
+    match group.name.split_once('-').map_or("", |(_, rest)| {
+        rest.trim_start_matches(['l', 'r']).trim_start_matches('-')
+    }) {
         "spine" => &[("spine", 1.0)],
         "chest" => &[("chest", 1.0)],
         "neck" => &[("neck", 1.0)],

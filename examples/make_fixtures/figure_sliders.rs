@@ -8,7 +8,10 @@ use crate::json_text;
 use crate::slider::{Detail, Place, add_details, add_icon};
 use crate::tree::Tree;
 
-const PLACE: Place = Place { base: "figure", folder: "data/target/figure" };
+const PLACE: Place = Place {
+    base: "figure",
+    folder: "data/target/figure",
+};
 
 const SIZE: Option<(&str, &str)> = Some(("decr", "incr"));
 const DEPTH: Option<(&str, &str)> = Some(("in", "out"));
@@ -16,19 +19,110 @@ const HEIGHT: Option<(&str, &str)> = Some(("down", "up"));
 const LENGTH: Option<(&str, &str)> = Some(("backward", "forward"));
 
 pub(crate) const DETAILS: [Detail; 13] = [
-    detail("Head Size", "face|head size", "head/head-size", SIZE, 0.1, fields::head_size),
-    detail("Head Sides", "face|head size", "head/head-side", DEPTH, 0.1, fields::head_side),
-    detail("Head Oval", "face|head shape", "head/head-oval", None, 0.06, fields::head_oval),
-    detail("Torso Height", "torso|torso", "torso/torso-trans", HEIGHT, 0.25, fields::torso_height),
-    detail("Chest Depth", "torso|torso", "torso/chest-depth", SIZE, 0.12, fields::chest_depth),
-    detail("Belly", "torso|belly", "torso/belly-trans", DEPTH, 0.1, fields::belly),
-    sided("Upper Arm Thickness", "arms|{side} arm", "arms/{side}-upperarm-thick", SIZE, 0.15, fields::upper_arm),
-    sided("Lower Arm Thickness", "arms|{side} arm", "arms/{side}-lowerarm-thick", SIZE, 0.15, fields::lower_arm),
-    sided("Upper Leg Thickness", "legs|{side} leg", "legs/{side}-upperleg-thick", SIZE, 0.15, fields::upper_leg),
-    sided("Lower Leg Thickness", "legs|{side} leg", "legs/{side}-lowerleg-thick", SIZE, 0.15, fields::lower_leg),
-    sided("Foot Length", "legs|{side} leg", "legs/{side}-foot-trans", LENGTH, 0.12, fields::foot),
-    detail("ME-Waist Circ", "measure|girth", "measure/measure-waist-circ", SIZE, 0.1, fields::waist_girth),
-    detail("ME-Hips Circ", "measure|girth", "measure/measure-hips-circ", SIZE, 0.1, fields::hips_girth),
+    detail(
+        "Head Size",
+        "face|head size",
+        "head/head-size",
+        SIZE,
+        0.1,
+        fields::head_size,
+    ),
+    detail(
+        "Head Sides",
+        "face|head size",
+        "head/head-side",
+        DEPTH,
+        0.1,
+        fields::head_side,
+    ),
+    detail(
+        "Head Oval",
+        "face|head shape",
+        "head/head-oval",
+        None,
+        0.06,
+        fields::head_oval,
+    ),
+    detail(
+        "Torso Height",
+        "torso|torso",
+        "torso/torso-trans",
+        HEIGHT,
+        0.25,
+        fields::torso_height,
+    ),
+    detail(
+        "Chest Depth",
+        "torso|torso",
+        "torso/chest-depth",
+        SIZE,
+        0.12,
+        fields::chest_depth,
+    ),
+    detail(
+        "Belly",
+        "torso|belly",
+        "torso/belly-trans",
+        DEPTH,
+        0.1,
+        fields::belly,
+    ),
+    sided(
+        "Upper Arm Thickness",
+        "arms|{side} arm",
+        "arms/{side}-upperarm-thick",
+        SIZE,
+        0.15,
+        fields::upper_arm,
+    ),
+    sided(
+        "Lower Arm Thickness",
+        "arms|{side} arm",
+        "arms/{side}-lowerarm-thick",
+        SIZE,
+        0.15,
+        fields::lower_arm,
+    ),
+    sided(
+        "Upper Leg Thickness",
+        "legs|{side} leg",
+        "legs/{side}-upperleg-thick",
+        SIZE,
+        0.15,
+        fields::upper_leg,
+    ),
+    sided(
+        "Lower Leg Thickness",
+        "legs|{side} leg",
+        "legs/{side}-lowerleg-thick",
+        SIZE,
+        0.15,
+        fields::lower_leg,
+    ),
+    sided(
+        "Foot Length",
+        "legs|{side} leg",
+        "legs/{side}-foot-trans",
+        LENGTH,
+        0.12,
+        fields::foot,
+    ),
+    detail(
+        "ME-Waist Circ",
+        "measure|girth",
+        "measure/measure-waist-circ",
+        SIZE,
+        0.1,
+        fields::waist_girth,
+    ),
+    detail(
+        "ME-Hips Circ",
+        "measure|girth",
+        "measure/measure-hips-circ",
+        SIZE,
+        0.1,
+        fields::hips_girth,
+    ),
 ];
 
 type Move = fn([f64; 3], f64) -> [f64; 3];
@@ -42,7 +136,15 @@ const fn detail(
     amount: f64,
     field: Move,
 ) -> Detail {
-    Detail { label, group, stem, ends, sided: false, amount, field }
+    Detail {
+        label,
+        group,
+        stem,
+        ends,
+        sided: false,
+        amount,
+        field,
+    }
 }
 
 const fn sided(
@@ -53,7 +155,10 @@ const fn sided(
     amount: f64,
     field: Move,
 ) -> Detail {
-    Detail { sided: true, ..detail(label, group, stem, ends, amount, field) }
+    Detail {
+        sided: true,
+        ..detail(label, group, stem, ends, amount, field)
+    }
 }
 
 pub(crate) fn add(tree: &mut Tree, body: &Body) {
@@ -66,8 +171,14 @@ pub(crate) fn add(tree: &mut Tree, body: &Body) {
     for (key, height) in [("ME-Waist Circ", 9), ("ME-Hips Circ", 8)] {
         entries[key]["measure"] = json!(body.girth(height));
     }
-    tree.add("data/target/figure/modelling.json", json_text::by_hand(&Value::Object(entries)));
-    tree.add("data/target/figure/target_cat.json", json_text::by_hand(&categories()));
+    tree.add(
+        "data/target/figure/modelling.json",
+        json_text::by_hand(&Value::Object(entries)),
+    );
+    tree.add(
+        "data/target/figure/target_cat.json",
+        json_text::by_hand(&categories()),
+    );
 }
 
 fn macro_entries() -> Map<String, Value> {
@@ -114,7 +225,10 @@ fn macro_entries() -> Map<String, Value> {
             "display": { "slot": 3, "text": "Muscle: {}%", "formula": "round(val * 100, 2)" },
         },
     });
-    entries.as_object().cloned().expect("invariant: written as an object")
+    entries
+        .as_object()
+        .cloned()
+        .expect("invariant: written as an object")
 }
 
 fn categories() -> Value {

@@ -1,4 +1,5 @@
-//! The base mesh `imp`: a tiny creature without limbs but with two ears, known to the user layer only.
+//! The base mesh `imp`: a tiny creature without limbs but with two ears, known to the user layer
+//! only.
 //!
 //! Grid sides run from -2 (tip of the right ear) to 2, heights from 0 to 5, depths from -1 to 1.
 
@@ -13,12 +14,22 @@ pub(crate) struct Imp {
     pub(crate) grid: Vec<GridPoint>,
 }
 
-const JOINTS: [(&str, Point); 4] =
-    [("base", [0.0, 0.3, 0.0]), ("middle", [0.0, 1.3, 0.05]), ("top", [0.0, 2.5, 0.0]), ("l-ear", [1.0, 2.35, 0.0])];
+const JOINTS: [(&str, Point); 4] = [
+    ("base", [0.0, 0.3, 0.0]),
+    ("middle", [0.0, 1.3, 0.05]),
+    ("top", [0.0, 2.5, 0.0]),
+    ("l-ear", [1.0, 2.35, 0.0]),
+];
 
 /// By height: height, half width, half depth.
-const RINGS: [[f64; 3]; 6] =
-    [[0.0, 0.5, 0.4], [0.6, 0.7, 0.6], [1.3, 0.6, 0.5], [2.0, 0.5, 0.45], [2.6, 0.5, 0.45], [3.0, 0.35, 0.3]];
+const RINGS: [[f64; 3]; 6] = [
+    [0.0, 0.5, 0.4],
+    [0.6, 0.7, 0.6],
+    [1.3, 0.6, 0.5],
+    [2.0, 0.5, 0.45],
+    [2.6, 0.5, 0.45],
+    [3.0, 0.35, 0.3],
+];
 
 /// Side and thickness of the ear's tip.
 const EAR: [f64; 2] = [1.2, 0.5];
@@ -37,7 +48,10 @@ pub(crate) fn build() -> Imp {
             mesh.add_joint(&format!("r-{rest}"), mirrored(centre), 0.05);
         }
     }
-    Imp { mesh, grid: surface.points }
+    Imp {
+        mesh,
+        grid: surface.points,
+    }
 }
 
 fn place((i, j, k): GridPoint) -> Point {

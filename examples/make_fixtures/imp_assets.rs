@@ -1,7 +1,8 @@
 //! All files of the base `imp`, a base of the user layer only.
 //!
-//! Its macros, sliders and targets lie in `contarget/imp`: without a `macro.json` there, `MakeHuman` 2 would look for the
-//! targets in the system layer and stop (`docs/loaders/makehuman2/folders.md#overlays`).
+//! Its macros, sliders and targets lie in `contarget/imp`: without a `macro.json` there,
+//! `MakeHuman` 2 would look for the targets in the system layer and stop
+//! (`docs/loaders/makehuman2/folders.md#overlays`).
 
 use serde_json::{Value, json};
 
@@ -16,7 +17,10 @@ use crate::rig::{self, Bone, Plane, Title};
 use crate::slider::{Detail, Place, add_details, add_icon};
 use crate::tree::Tree;
 
-const PLACE: Place = Place { base: "imp", folder: "user/contarget/imp" };
+const PLACE: Place = Place {
+    base: "imp",
+    folder: "user/contarget/imp",
+};
 const BASE: &str = "user/base/imp";
 const RIG: &str = "user/rigs/imp";
 
@@ -41,18 +45,50 @@ const DETAILS: [Detail; 2] = [
     },
 ];
 
-const TITLE: Title =
-    Title { name: "Imp skeleton", description: "Default skeleton of the base imp.", tags: &["simple", "creature"] };
+const TITLE: Title = Title {
+    name: "Imp skeleton",
+    description: "Default skeleton of the base imp.",
+    tags: &["simple", "creature"],
+};
 
 const BONES: [Bone; 3] = [
-    Bone { name: "root", parent: None, head: "base", tail: "middle", plane: "trunk", sided: false },
-    Bone { name: "head", parent: Some("root"), head: "middle", tail: "top", plane: "trunk", sided: false },
-    Bone { name: "ear", parent: Some("head"), head: "top", tail: "l-ear", plane: "ear", sided: true },
+    Bone {
+        name: "root",
+        parent: None,
+        head: "base",
+        tail: "middle",
+        plane: "trunk",
+        sided: false,
+    },
+    Bone {
+        name: "head",
+        parent: Some("root"),
+        head: "middle",
+        tail: "top",
+        plane: "trunk",
+        sided: false,
+    },
+    Bone {
+        name: "ear",
+        parent: Some("head"),
+        head: "top",
+        tail: "l-ear",
+        plane: "ear",
+        sided: true,
+    },
 ];
 
 const PLANES: [Plane; 2] = [
-    Plane { name: "trunk", joints: ["base", "middle", "l-ear"], sided: false },
-    Plane { name: "ear", joints: ["middle", "top", "l-ear"], sided: true },
+    Plane {
+        name: "trunk",
+        joints: ["base", "middle", "l-ear"],
+        sided: false,
+    },
+    Plane {
+        name: "ear",
+        joints: ["middle", "top", "l-ear"],
+        sided: true,
+    },
 ];
 
 fn belly([x, y, z]: Point, amount: f64) -> Point {
@@ -105,9 +141,18 @@ fn add_base(tree: &mut Tree, mesh: &Mesh) {
     });
     tree.add(format!("{BASE}/base.obj"), mesh.obj("imp"));
     tree.add(format!("{BASE}/base.json"), json_text::by_hand(&settings));
-    tree.add(format!("{BASE}/base.mhm"), assets::start_model("imp", &[("macrodetails/ImpHeight", "0.5")]));
-    tree.add(format!("{BASE}/body-poses.json"), json_text::by_hand(&body_units));
-    tree.add(format!("{BASE}/face-poses.json"), json_text::by_hand(&face_units));
+    tree.add(
+        format!("{BASE}/base.mhm"),
+        assets::start_model("imp", &[("macrodetails/ImpHeight", "0.5")]),
+    );
+    tree.add(
+        format!("{BASE}/body-poses.json"),
+        json_text::by_hand(&body_units),
+    );
+    tree.add(
+        format!("{BASE}/face-poses.json"),
+        json_text::by_hand(&face_units),
+    );
 }
 
 fn add_targets(tree: &mut Tree, mesh: &Mesh) {
@@ -131,11 +176,20 @@ fn add_targets(tree: &mut Tree, mesh: &Mesh) {
     if let Value::Object(map) = &mut entries {
         map.extend(details);
     }
-    tree.add(format!("{folder}/macro.json"), json_text::by_hand(&macros()));
-    tree.add(format!("{folder}/modelling.json"), json_text::by_hand(&entries));
+    tree.add(
+        format!("{folder}/macro.json"),
+        json_text::by_hand(&macros()),
+    );
+    tree.add(
+        format!("{folder}/modelling.json"),
+        json_text::by_hand(&entries),
+    );
     let items = json!([{ "title": "Body", "cat": "body" }, { "title": "Ears", "cat": "ears" }]);
     let categories = json!({ "Main": { "group": "main", "items": items } });
-    tree.add(format!("{folder}/target_cat.json"), json_text::by_hand(&categories));
+    tree.add(
+        format!("{folder}/target_cat.json"),
+        json_text::by_hand(&categories),
+    );
 }
 
 fn macros() -> Value {
@@ -157,14 +211,28 @@ fn add_rig(tree: &mut Tree, imp: &Imp) {
     let mut influences = Vec::new();
     for group in &mesh.groups {
         for vertex in group.vertices.clone() {
-            let x = group.cube.map_or(mesh.vertices[vertex][0], |(centre, _)| centre[0]);
-            let shares = imp.grid.get(vertex).map_or_else(|| joint_shares(group), |&(i, j, _)| body_shares(i, j));
+            let x = group
+                .cube
+                .map_or(mesh.vertices[vertex][0], |(centre, _)| centre[0]);
+            let shares = imp
+                .grid
+                .get(vertex)
+                .map_or_else(|| joint_shares(group), |&(i, j, _)| body_shares(i, j));
             influences.push(rig::influences(&BONES, x, shares));
         }
     }
-    tree.add(format!("{RIG}/default.mhskel"), rig::skeleton_text(mesh, &TITLE, &BONES, &PLANES));
-    tree.add(format!("{RIG}/default_weights.mhw"), rig::weights_text(&TITLE, &BONES, &influences));
-    tree.add(format!("{RIG}/default.thumb"), icon::png("imp skeleton", 64, 64));
+    tree.add(
+        format!("{RIG}/default.mhskel"),
+        rig::skeleton_text(mesh, &TITLE, &BONES, &PLANES),
+    );
+    tree.add(
+        format!("{RIG}/default_weights.mhw"),
+        rig::weights_text(&TITLE, &BONES, &influences),
+    );
+    tree.add(
+        format!("{RIG}/default.thumb"),
+        icon::png("imp skeleton", 64, 64),
+    );
 }
 
 type Shares = &'static [(&'static str, f64)];

@@ -1,4 +1,5 @@
-//! JSON as text in two layouts: as a person would write it, and as `MakeHuman` 2 writes its generated files.
+//! JSON as text in two layouts: as a person would write it, and as `MakeHuman` 2 writes its
+//! generated files.
 
 use std::fmt::Write;
 
@@ -7,8 +8,8 @@ use serde_json::Value;
 /// Longest line; what fits is kept on one line.
 const WIDTH: usize = 120;
 
-/// Objects and lists are spread over lines only when they do not fit into one; lists of plain values and of pairs
-/// are filled like a paragraph.
+/// Objects and lists are spread over lines only when they do not fit into one; lists of plain
+/// values and of pairs are filled like a paragraph.
 pub(crate) fn by_hand(value: &Value) -> String {
     let mut text = String::new();
     write_value(&mut text, value, 0, true);
@@ -19,7 +20,8 @@ pub(crate) fn by_hand(value: &Value) -> String {
 /// Python's `json.dump(…, indent=4, sort_keys=True)`, which writes no final line end
 /// (`docs/loaders/makehuman2/text-and-json.md#json`).
 pub(crate) fn by_program(value: &Value) -> String {
-    let text = serde_json::to_string_pretty(&sorted(value)).expect("invariant: a value in memory can be written");
+    let text = serde_json::to_string_pretty(&sorted(value))
+        .expect("invariant: a value in memory can be written");
     let lines: Vec<_> = text.lines().map(double_indent).collect();
     lines.join("\n")
 }
@@ -33,7 +35,10 @@ fn double_indent(line: &str) -> String {
 fn sorted(value: &Value) -> Value {
     match value {
         Value::Object(map) => {
-            let mut entries: Vec<_> = map.iter().map(|(key, value)| (key.clone(), sorted(value))).collect();
+            let mut entries: Vec<_> = map
+                .iter()
+                .map(|(key, value)| (key.clone(), sorted(value)))
+                .collect();
             entries.sort_by(|a, b| a.0.cmp(&b.0));
             Value::Object(entries.into_iter().collect())
         }
@@ -108,11 +113,16 @@ fn one_line(value: &Value) -> String {
     match value {
         Value::Object(map) if map.is_empty() => "{}".to_owned(),
         Value::Object(map) => {
-            let entries: Vec<_> =
-                map.iter().map(|(key, item)| format!("{}: {}", Value::from(key.as_str()), one_line(item))).collect();
+            let entries: Vec<_> = map
+                .iter()
+                .map(|(key, item)| format!("{}: {}", Value::from(key.as_str()), one_line(item)))
+                .collect();
             format!("{{ {} }}", entries.join(", "))
         }
-        Value::Array(items) => format!("[{}]", items.iter().map(one_line).collect::<Vec<_>>().join(", ")),
+        Value::Array(items) => format!(
+            "[{}]",
+            items.iter().map(one_line).collect::<Vec<_>>().join(", ")
+        ),
         other => other.to_string(),
     }
 }

@@ -1,8 +1,10 @@
-//! Writes the example repository of the tests: a small, complete and faultless `MakeHuman` 2 data tree.
+//! Writes the example repository of the tests: a small, complete and faultless `MakeHuman` 2 data
+//! tree.
 //!
-//! Usage: `cargo run --example make_fixtures [DIR]`. It replaces `DIR/data` (the system layer, base `figure`) and
-//! `DIR/user` (the user layer, base `imp` and user targets for `figure`); default is `fixtures/makehuman2`. A second
-//! run writes the same bytes. Everything is computed here from tables; nothing is copied from other assets.
+//! Usage: `cargo run --example make_fixtures [DIR]`. It replaces `DIR/data` (the system layer, base
+//! `figure`) and `DIR/user` (the user layer, base `imp` and user targets for `figure`); default is
+//! `fixtures/makehuman2`. A second run writes the same bytes. Everything is computed here from
+//! tables; nothing is copied from other assets.
 
 mod assets;
 mod fields;
@@ -33,7 +35,9 @@ use std::path::PathBuf;
 use tree::Tree;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let folder = std::env::args_os().nth(1).map_or_else(default_folder, PathBuf::from);
+    let folder = std::env::args_os()
+        .nth(1)
+        .map_or_else(default_folder, PathBuf::from);
     make().replace_in(&folder)?;
     Ok(())
 }
@@ -63,6 +67,9 @@ mod tests {
     /// Who changes the example by hand loses it with the next run.
     #[test]
     fn the_example_repository_is_what_is_made_here() {
-        assert_eq!(make().differences(&default_folder()).unwrap(), Vec::<String>::new());
+        assert_eq!(
+            make().differences(&default_folder()).unwrap(),
+            Vec::<String>::new()
+        );
     }
 }

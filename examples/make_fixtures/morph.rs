@@ -1,7 +1,7 @@
 //! A displacement field applied to a mesh: the text of a `.target` file.
 //!
-//! A field is asked for points of the left half only and mirrored to the right, so results are exactly symmetric. A joint
-//! cube gets the displacement of its centre for all eight corners.
+//! A field is asked for points of the left half only and mirrored to the right, so results are
+//! exactly symmetric. A joint cube gets the displacement of its centre for all eight corners.
 
 use std::fmt::Write;
 
@@ -20,10 +20,14 @@ pub(crate) enum Side {
 const DECIMALS: i32 = 3;
 
 pub(crate) fn target_text(mesh: &Mesh, base: &str, side: Side, field: Field) -> String {
-    let mut text = format!("# Morph target of the mhlint example repository, released as CC0\n# basemesh {base}\n");
+    let mut text = format!(
+        "# Morph target of the mhlint example repository, released as CC0\n# basemesh {base}\n"
+    );
     for group in &mesh.groups {
         for number in group.vertices.clone() {
-            let place = group.cube.map_or(mesh.vertices[number], |(centre, _)| centre);
+            let place = group
+                .cube
+                .map_or(mesh.vertices[number], |(centre, _)| centre);
             let delta = displacement(place, side, field);
             if delta.iter().any(|value| value.abs() > 0.0) {
                 let [x, y, z] = delta.map(short);
@@ -41,7 +45,8 @@ fn displacement(place: Point, side: Side, field: Field) -> Point {
     if (side == Side::Left && !left) || (side == Side::Right && !right) {
         return [0.0; 3];
     }
-    let delta = field(if right { mirrored(place) } else { place }).map(|value| round(value, DECIMALS));
+    let delta =
+        field(if right { mirrored(place) } else { place }).map(|value| round(value, DECIMALS));
     match (left, right) {
         (true, _) => delta,
         (_, true) => mirrored(delta),
@@ -55,6 +60,8 @@ fn short(value: f64) -> String {
     let text = text.trim_end_matches('0').trim_end_matches('.');
     match text.strip_prefix("-0.") {
         Some(digits) => format!("-.{digits}"),
-        None => text.strip_prefix("0.").map_or_else(|| text.to_owned(), |digits| format!(".{digits}")),
+        None => text
+            .strip_prefix("0.")
+            .map_or_else(|| text.to_owned(), |digits| format!(".{digits}")),
     }
 }

@@ -1,4 +1,5 @@
-//! Skeleton (`.mhskel`) and weights (`.mhw`) of a base, from tables of bones, planes and a weight function.
+//! Skeleton (`.mhskel`) and weights (`.mhw`) of a base, from tables of bones, planes and a weight
+//! function.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +8,8 @@ use serde_json::{Map, Value, json};
 use crate::json_text;
 use crate::mesh::Mesh;
 
-/// A bone between two joints. Names of sided things end with `.L` or `.R`, those of joints start with `l-` or `r-`.
+/// A bone between two joints. Names of sided things end with `.L` or `.R`, those of joints start
+/// with `l-` or `r-`.
 pub(crate) struct Bone {
     pub(crate) name: &'static str,
     pub(crate) parent: Option<&'static str>,
@@ -34,10 +36,18 @@ pub(crate) struct Title {
 /// Influences of one vertex: bone and share, exact in binary and with sum 1.
 pub(crate) type Influences = Vec<(String, f64)>;
 
-pub(crate) fn skeleton_text(mesh: &Mesh, title: &Title, bones: &[Bone], planes: &[Plane]) -> String {
+pub(crate) fn skeleton_text(
+    mesh: &Mesh,
+    title: &Title,
+    bones: &[Bone],
+    planes: &[Plane],
+) -> String {
     let mut joints = Map::new();
     for group in mesh.groups.iter().filter(|group| group.cube.is_some()) {
-        joints.insert(group.name.replace("joint-", ""), json!(group.vertices.clone().collect::<Vec<_>>()));
+        joints.insert(
+            group.name.replace("joint-", ""),
+            json!(group.vertices.clone().collect::<Vec<_>>()),
+        );
     }
     let mut bone_map = Map::new();
     let mut plane_map = Map::new();
@@ -47,7 +57,10 @@ pub(crate) fn skeleton_text(mesh: &Mesh, title: &Title, bones: &[Bone], planes: 
             bone_map.insert(on_side(bone.name, bone.sided, side), entry);
         }
         for plane in planes.iter().filter(|plane| plane.sided || side == "L") {
-            plane_map.insert(on_side(plane.name, plane.sided, side), json!(plane.joints.map(|j| joint_on(j, side))));
+            plane_map.insert(
+                on_side(plane.name, plane.sided, side),
+                json!(plane.joints.map(|j| joint_on(j, side))),
+            );
         }
     }
     json_text::by_hand(&json!({
@@ -66,8 +79,12 @@ pub(crate) fn skeleton_text(mesh: &Mesh, title: &Title, bones: &[Bone], planes: 
 }
 
 fn bone_entry(bone: &Bone, bones: &[Bone], planes: &[Plane], side: &str) -> Value {
-    let parent_sided = bones.iter().any(|other| Some(other.name) == bone.parent && other.sided);
-    let plane_sided = planes.iter().any(|plane| plane.name == bone.plane && plane.sided);
+    let parent_sided = bones
+        .iter()
+        .any(|other| Some(other.name) == bone.parent && other.sided);
+    let plane_sided = planes
+        .iter()
+        .any(|plane| plane.name == bone.plane && plane.sided);
     json!({
         "head": joint_on(bone.head, side),
         "tail": joint_on(bone.tail, side),
@@ -101,7 +118,8 @@ pub(crate) fn weights_text(title: &Title, bones: &[Bone], influences: &[Influenc
     }))
 }
 
-/// Influences of a vertex at `x`: sided bones get the side of the vertex, and half of the share each on the centre line.
+/// Influences of a vertex at `x`: sided bones get the side of the vertex, and half of the share
+/// each on the centre line.
 pub(crate) fn influences(bones: &[Bone], x: f64, shares: &[(&str, f64)]) -> Influences {
     let mut list = Influences::new();
     for &(name, share) in shares {
@@ -119,7 +137,11 @@ pub(crate) fn influences(bones: &[Bone], x: f64, shares: &[(&str, f64)]) -> Infl
 }
 
 fn on_side(name: &str, sided: bool, side: &str) -> String {
-    if sided { format!("{name}.{side}") } else { name.to_owned() }
+    if sided {
+        format!("{name}.{side}")
+    } else {
+        name.to_owned()
+    }
 }
 
 /// Joints of the tables are those of the left side.

@@ -1,7 +1,7 @@
 //! Detail sliders: one table row gives the targets, the icon and the entry of `modelling.json`.
 //!
-//! A sided row gives a left and a right slider that are mirror images; `{side}` in its texts becomes `l`/`r` in file
-//! names and `left`/`right` in groups.
+//! A sided row gives a left and a right slider that are mirror images; `{side}` in its texts
+//! becomes `l`/`r` in file names and `left`/`right` in groups.
 
 use serde_json::{Map, Value, json};
 
@@ -16,7 +16,8 @@ pub(crate) struct Detail {
     pub(crate) group: &'static str,
     /// Path of the targets below the target folder, without the ending of a pair.
     pub(crate) stem: &'static str,
-    /// Endings of the negative and the positive target; `None` for a slider with one side and a single target.
+    /// Endings of the negative and the positive target; `None` for a slider with one side and a
+    /// single target.
     pub(crate) ends: Option<(&'static str, &'static str)>,
     pub(crate) sided: bool,
     pub(crate) amount: f64,
@@ -31,10 +32,19 @@ pub(crate) struct Place<'a> {
 }
 
 /// Adds targets and icons, returns the entries.
-pub(crate) fn add_details(tree: &mut Tree, mesh: &Mesh, place: &Place, details: &[Detail]) -> Map<String, Value> {
+pub(crate) fn add_details(
+    tree: &mut Tree,
+    mesh: &Mesh,
+    place: &Place,
+    details: &[Detail],
+) -> Map<String, Value> {
     let mut entries = Map::new();
     for detail in details {
-        let sides: &[Side] = if detail.sided { &[Side::Right, Side::Left] } else { &[Side::Both] };
+        let sides: &[Side] = if detail.sided {
+            &[Side::Right, Side::Left]
+        } else {
+            &[Side::Both]
+        };
         for &side in sides {
             add_targets(tree, mesh, place, detail, side);
             let (key, value) = entry(detail, side);
@@ -70,9 +80,17 @@ fn entry(detail: &Detail, side: Side) -> (String, Value) {
         Side::Right => (format!("R-{}", detail.label), "right"),
     };
     let icon = incr.split_once('/').map_or(incr.as_str(), |(_, file)| file);
-    let icon = detail.ends.map_or(icon, |(_, high)| icon.strip_suffix(high).unwrap_or(icon).trim_end_matches('-'));
+    let icon = detail.ends.map_or(icon, |(_, high)| {
+        icon.strip_suffix(high)
+            .unwrap_or(icon)
+            .trim_end_matches('-')
+    });
     // Without `name`, the key is shown.
-    let mut value = if detail.sided { json!({ "name": detail.label }) } else { json!({}) };
+    let mut value = if detail.sided {
+        json!({ "name": detail.label })
+    } else {
+        json!({})
+    };
     value["group"] = json!(detail.group.replace("{side}", word));
     value["icon"] = json!(format!("{icon}.png"));
     if let Some(decr) = decr {
@@ -89,7 +107,8 @@ fn entry(detail: &Detail, side: Side) -> (String, Value) {
     (key, value)
 }
 
-/// The name under which the program knows the slider (`docs/loaders/makehuman2/sliders.md#pattern`).
+/// The name under which the program knows the slider
+/// (`docs/loaders/makehuman2/sliders.md#pattern`).
 pub(crate) fn pattern(detail: &Detail, side: Side) -> String {
     match (files(detail, side), detail.ends) {
         ((_, Some(decr)), Some((_, high))) => format!("{decr}|{high}"),
@@ -99,7 +118,9 @@ pub(crate) fn pattern(detail: &Detail, side: Side) -> String {
 
 /// Paths of the positive and the negative target, without suffix.
 fn files(detail: &Detail, side: Side) -> (String, Option<String>) {
-    let stem = detail.stem.replace("{side}", if side == Side::Right { "r" } else { "l" });
+    let stem = detail
+        .stem
+        .replace("{side}", if side == Side::Right { "r" } else { "l" });
     match detail.ends {
         Some((low, high)) => (format!("{stem}-{high}"), Some(format!("{stem}-{low}"))),
         None => (stem, None),

@@ -1,7 +1,8 @@
 //! User targets for `figure`, and the two files that `MakeHuman` 2 generates for them.
 //!
-//! The rules of the generation are those of `docs/loaders/makehuman2/user-targets.md#names-and-keys`, for names that
-//! stand in one sub-folder.
+//! The rules of the generation are those of
+//! `docs/loaders/makehuman2/user-targets.md#names-and-keys`, for names that stand in one
+//! sub-folder.
 
 use serde_json::{Map, Value, json};
 
@@ -12,7 +13,10 @@ use crate::morph::{Side, target_text};
 use crate::slider::{Place, add_icon};
 use crate::tree::Tree;
 
-const PLACE: Place = Place { base: "figure", folder: "user/target/figure" };
+const PLACE: Place = Place {
+    base: "figure",
+    folder: "user/target/figure",
+};
 
 struct UserTarget {
     folder: &'static str,
@@ -22,11 +26,36 @@ struct UserTarget {
 }
 
 const TARGETS: [UserTarget; 5] = [
-    UserTarget { folder: "neck", stem: "neck-height-decr", field: fields::neck_height, amount: -0.1 },
-    UserTarget { folder: "neck", stem: "neck-height-incr", field: fields::neck_height, amount: 0.1 },
-    UserTarget { folder: "shape", stem: "shape-slim", field: fields::bulk, amount: -0.04 },
-    UserTarget { folder: "waist", stem: "waist-depth-decr", field: fields::waist_depth, amount: -0.08 },
-    UserTarget { folder: "waist", stem: "waist-depth-incr", field: fields::waist_depth, amount: 0.08 },
+    UserTarget {
+        folder: "neck",
+        stem: "neck-height-decr",
+        field: fields::neck_height,
+        amount: -0.1,
+    },
+    UserTarget {
+        folder: "neck",
+        stem: "neck-height-incr",
+        field: fields::neck_height,
+        amount: 0.1,
+    },
+    UserTarget {
+        folder: "shape",
+        stem: "shape-slim",
+        field: fields::bulk,
+        amount: -0.04,
+    },
+    UserTarget {
+        folder: "waist",
+        stem: "waist-depth-decr",
+        field: fields::waist_depth,
+        amount: -0.08,
+    },
+    UserTarget {
+        folder: "waist",
+        stem: "waist-depth-incr",
+        field: fields::waist_depth,
+        amount: 0.08,
+    },
 ];
 
 pub(crate) fn add(tree: &mut Tree, mesh: &Mesh) {
@@ -35,7 +64,10 @@ pub(crate) fn add(tree: &mut Tree, mesh: &Mesh) {
     for target in &TARGETS {
         let field = |point: Point| (target.field)(point, target.amount);
         let text = target_text(mesh, PLACE.base, Side::Both, &field);
-        tree.add(format!("{}/{}/{}.target", PLACE.folder, target.folder, target.stem), text);
+        tree.add(
+            format!("{}/{}/{}.target", PLACE.folder, target.folder, target.stem),
+            text,
+        );
         if items.iter().all(|item| item["cat"] != target.folder) {
             items.push(json!({ "title": capitalized(target.folder), "cat": target.folder }));
         }
@@ -45,8 +77,14 @@ pub(crate) fn add(tree: &mut Tree, mesh: &Mesh) {
         }
     }
     let categories = json!({ "User": { "group": "user", "items": items } });
-    tree.add(format!("{}/modelling.json", PLACE.folder), json_text::by_program(&Value::Object(entries)));
-    tree.add(format!("{}/target_cat.json", PLACE.folder), json_text::by_program(&categories));
+    tree.add(
+        format!("{}/modelling.json", PLACE.folder),
+        json_text::by_program(&Value::Object(entries)),
+    );
+    tree.add(
+        format!("{}/target_cat.json", PLACE.folder),
+        json_text::by_program(&categories),
+    );
 }
 
 /// The generated entry; a `-decr` file belongs to that of its `-incr` partner.
@@ -67,7 +105,10 @@ fn entry(target: &UserTarget) -> Option<(String, Value)> {
     if shown != stem {
         value["decr"] = json!(format!("{folder}/{shown}-decr"));
     }
-    Some((format!("{} {}", capitalized(folder), capitalized(&name)), value))
+    Some((
+        format!("{} {}", capitalized(folder), capitalized(&name)),
+        value,
+    ))
 }
 
 /// Python's `str.capitalize` for the ASCII names used here.

@@ -1,7 +1,8 @@
 //! The outside of a set of grid cells as quads: a closed surface whose vertices are grid points.
 //!
-//! Gets cells, returns points (sorted by height, depth, side) and quads of point numbers that turn outwards. As long as
-//! no two cells touch only along an edge or in a corner, the surface is manifold. It knows nothing about bodies.
+//! Gets cells, returns points (sorted by height, depth, side) and quads of point numbers that turn
+//! outwards. As long as no two cells touch only along an edge or in a corner, the surface is
+//! manifold. It knows nothing about bodies.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -25,7 +26,12 @@ const SIDES: [(GridPoint, [GridPoint; 4]); 6] = [
 ];
 
 /// A box of cells and its mirror image on the other side of the centre plane.
-pub(crate) fn add_mirrored(cells: &mut BTreeSet<GridPoint>, side: Range<i32>, height: Range<i32>, depth: Range<i32>) {
+pub(crate) fn add_mirrored(
+    cells: &mut BTreeSet<GridPoint>,
+    side: Range<i32>,
+    height: Range<i32>,
+    depth: Range<i32>,
+) {
     for i in side {
         for j in height.clone() {
             for k in depth.clone() {
@@ -45,10 +51,21 @@ pub(crate) fn surface(cells: &BTreeSet<GridPoint>) -> Surface {
             }
         }
     }
-    let sorted: BTreeSet<(i32, i32, i32)> = corners.iter().flatten().map(|&(i, j, k)| (j, k, i)).collect();
+    let sorted: BTreeSet<(i32, i32, i32)> = corners
+        .iter()
+        .flatten()
+        .map(|&(i, j, k)| (j, k, i))
+        .collect();
     let points: Vec<GridPoint> = sorted.into_iter().map(|(j, k, i)| (i, j, k)).collect();
-    let numbers: BTreeMap<GridPoint, usize> = points.iter().enumerate().map(|(at, &point)| (point, at)).collect();
-    let quads = corners.iter().map(|quad| quad.map(|corner| numbers[&corner])).collect();
+    let numbers: BTreeMap<GridPoint, usize> = points
+        .iter()
+        .enumerate()
+        .map(|(at, &point)| (point, at))
+        .collect();
+    let quads = corners
+        .iter()
+        .map(|quad| quad.map(|corner| numbers[&corner]))
+        .collect();
     Surface { points, quads }
 }
 

@@ -1,4 +1,5 @@
-//! What the figure wears: clothes, hair, eyes, teeth, a topology, skins, their materials and pictures.
+//! What the figure wears: clothes, hair, eyes, teeth, a topology, skins, their materials and
+//! pictures.
 
 use std::fmt::Write as _;
 
@@ -21,8 +22,18 @@ pub(crate) const BLOCKS: &str = "f6b2901c-8d37-4c5e-a1e9-7405bd2c3f06";
 
 pub(crate) fn add(tree: &mut Tree, body: &Body) {
     let curls = curls(body);
-    tree.add("data/hair/figure/curls/curls.mhw", weights(body, &curls.patch));
-    for worn in [kilt(body), shirt(body), curls, beads(body), grin(body), blocks(body)] {
+    tree.add(
+        "data/hair/figure/curls/curls.mhw",
+        weights(body, &curls.patch),
+    );
+    for worn in [
+        kilt(body),
+        shirt(body),
+        curls,
+        beads(body),
+        grin(body),
+        blocks(body),
+    ] {
         worn.add(tree, &body.mesh);
     }
     for material in MATERIALS {
@@ -34,8 +45,15 @@ pub(crate) fn add(tree: &mut Tree, body: &Body) {
 
 /// On the helper, without a displacement.
 fn kilt(body: &Body) -> Worn {
-    let group = body.mesh.groups.iter().find(|group| group.name == "helper-skirt");
-    let range = group.expect("invariant: the figure has this helper").vertices.clone();
+    let group = body
+        .mesh
+        .groups
+        .iter()
+        .find(|group| group.name == "helper-skirt");
+    let range = group
+        .expect("invariant: the figure has this helper")
+        .vertices
+        .clone();
     Worn {
         name: "kilt",
         folder: "clothes",
@@ -126,7 +144,14 @@ fn grin(body: &Body) -> Worn {
 
 /// A body of boxes that stands for the whole skin.
 fn blocks(body: &Body) -> Worn {
-    let upright = |sides: [i32; 2], j: i32| [(sides[0], j, 1), (sides[1], j, 1), (sides[1], j, -1), (sides[0], j, -1)];
+    let upright = |sides: [i32; 2], j: i32| {
+        [
+            (sides[0], j, 1),
+            (sides[1], j, 1),
+            (sides[1], j, -1),
+            (sides[0], j, -1),
+        ]
+    };
     let along = |i: i32| [(i, 11, 1), (i, 11, -1), (i, 13, -1), (i, 13, 1)];
     let left_arm = [4, 7, 12].map(along).to_vec();
     let right_arm = [-12, -7, -4].map(along).to_vec();
@@ -141,7 +166,10 @@ fn blocks(body: &Body) -> Worn {
         z_depth: 1,
         material: None,
         has_weights: false,
-        patch: Patch::of_boxes(body, &[left_arm, right_arm, leg([1, 3]), leg([-3, -1]), trunk, head]),
+        patch: Patch::of_boxes(
+            body,
+            &[left_arm, right_arm, leg([1, 3]), leg([-3, -1]), trunk, head],
+        ),
         fit: Fit::Exact,
         scales: Vec::new(),
         hidden: vec![[0, body.grid.len() - 1]],
@@ -164,8 +192,13 @@ fn runs(numbers: impl Iterator<Item = usize>) -> Vec<[usize; 2]> {
 fn weights(body: &Body, hair: &Patch) -> String {
     let is_low = |vertex: usize| body.grid[hair.vertices[vertex]].1 == 15;
     let share = |vertex: usize| if is_low(vertex) { 0.75 } else { 1.0 };
-    let head: Vec<_> = (0..hair.vertices.len()).map(|vertex| json!([vertex, share(vertex)])).collect();
-    let neck: Vec<_> = (0..hair.vertices.len()).filter(|&vertex| is_low(vertex)).map(|at| json!([at, 0.25])).collect();
+    let head: Vec<_> = (0..hair.vertices.len())
+        .map(|vertex| json!([vertex, share(vertex)]))
+        .collect();
+    let neck: Vec<_> = (0..hair.vertices.len())
+        .filter(|&vertex| is_low(vertex))
+        .map(|at| json!([at, 0.25]))
+        .collect();
     json_text::by_hand(&json!({
         "name": "curls weights",
         "version": 110,
@@ -194,7 +227,10 @@ const MATERIALS: [Material; 9] = [
     Material {
         path: "clothes/figure/shirt/shirt",
         lines: "diffuseColor 1.0 1.0 1.0\nmetallicFactor 0.0\nroughnessFactor 0.7\nshader pbr\n",
-        textures: &[("diffuseTexture", "shirt.png", false), ("normalmapTexture", "shirt_folds.png", false)],
+        textures: &[
+            ("diffuseTexture", "shirt.png", false),
+            ("normalmapTexture", "shirt_folds.png", false),
+        ],
         has_thumb: false,
     },
     Material {
@@ -236,23 +272,37 @@ const MATERIALS: [Material; 9] = [
     Material {
         path: "skins/figure/copper/copper",
         lines: "diffuseColor 1.0 1.0 1.0\nmetallicFactor 0.9\naomapIntensity 0.8\nshader pbr\n",
-        textures: &[("diffuseTexture", "copper.png", false), ("aomapTexture", "copper_ao.png", false)],
+        textures: &[
+            ("diffuseTexture", "copper.png", false),
+            ("aomapTexture", "copper_ao.png", false),
+        ],
         has_thumb: true,
     },
 ];
 
 impl Material {
     fn add(&self, tree: &mut Tree) {
-        let (folder, name) = self.path.rsplit_once('/').expect("invariant: paths of the table have folders");
-        let mut text =
-            format!("# Material of the mhlint example repository, released as CC0\nname {name}\n{}", self.lines);
+        let (folder, name) = self
+            .path
+            .rsplit_once('/')
+            .expect("invariant: paths of the table have folders");
+        let mut text = format!(
+            "# Material of the mhlint example repository, released as CC0\nname {name}\n{}",
+            self.lines
+        );
         for (keyword, picture, is_transparent) in self.textures {
             let _ = writeln!(text, "{keyword} {picture}");
-            tree.add(format!("data/{folder}/{picture}"), icon::texture(picture, *is_transparent));
+            tree.add(
+                format!("data/{folder}/{picture}"),
+                icon::texture(picture, *is_transparent),
+            );
         }
         tree.add(format!("data/{}.mhmat", self.path), text);
         if self.has_thumb {
-            tree.add(format!("data/{}.thumb", self.path), icon::png(self.path, 32, 32));
+            tree.add(
+                format!("data/{}.thumb", self.path),
+                icon::png(self.path, 32, 32),
+            );
         }
     }
 }

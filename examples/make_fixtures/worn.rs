@@ -40,26 +40,44 @@ impl Worn {
         let Self { name, folder, .. } = self;
         let path = format!("data/{folder}/figure/{name}/{name}");
         let ending = if *folder == "proxy" { "proxy" } else { "mhclo" };
-        let points: Vec<Point> = self.patch.vertices.iter().map(|&vertex| self.place(mesh, vertex)).collect();
+        let points: Vec<Point> = self
+            .patch
+            .vertices
+            .iter()
+            .map(|&vertex| self.place(mesh, vertex))
+            .collect();
         tree.add(format!("{path}.{ending}"), self.text(mesh, &points));
         tree.add(format!("{path}.obj"), self.patch.obj(name, &points));
-        tree.add(format!("{path}.thumb"), icon::png(&format!("{folder} {name}"), 32, 32));
+        tree.add(
+            format!("{path}.thumb"),
+            icon::png(&format!("{folder} {name}"), 32, 32),
+        );
     }
 
     fn place(&self, mesh: &Mesh, vertex: usize) -> Point {
         let point = mesh.vertices[vertex];
-        let Fit::Away(from, distance) = self.fit else { return point };
+        let Fit::Away(from, distance) = self.fit else {
+            return point;
+        };
         let away = [0, 1, 2].map(|axis| point[axis] - from[axis]);
         let length = away.iter().map(|value| value * value).sum::<f64>().sqrt();
         [0, 1, 2].map(|axis| round(point[axis] + distance * away[axis] / length, 4))
     }
 
     fn text(&self, mesh: &Mesh, points: &[Point]) -> String {
-        let Self { name, uuid, z_depth, .. } = self;
+        let Self {
+            name,
+            uuid,
+            z_depth,
+            ..
+        } = self;
         let mut text = String::from(
             "# Asset of the mhlint example repository, released as CC0\n# author: mhlint\n# license: CC0\n",
         );
-        let _ = write!(text, "basemesh figure\n\nname {name}\nuuid {uuid}\ndescription The {name} of the figure\n");
+        let _ = write!(
+            text,
+            "basemesh figure\n\nname {name}\nuuid {uuid}\ndescription The {name} of the figure\n"
+        );
         for tag in self.tags {
             let _ = writeln!(text, "tag {tag}");
         }
@@ -71,7 +89,10 @@ impl Worn {
             let _ = writeln!(text, "vertexboneweights_file {name}.mhw");
         }
         for (axis, [a, b]) in &self.scales {
-            let at = ['x', 'y', 'z'].iter().position(|letter| letter == axis).expect("invariant: one of three");
+            let at = ['x', 'y', 'z']
+                .iter()
+                .position(|letter| letter == axis)
+                .expect("invariant: one of three");
             let distance = (mesh.vertices[*a][at] - mesh.vertices[*b][at]).abs();
             let _ = writeln!(text, "{axis}_scale {a} {b} {distance:.4}");
         }
@@ -83,7 +104,11 @@ impl Worn {
             text.push_str("\ndelete_verts\n");
         }
         for [first, last] in &self.hidden {
-            let _ = if first == last { writeln!(text, "{first}") } else { writeln!(text, "{first} - {last}") };
+            let _ = if first == last {
+                writeln!(text, "{first}")
+            } else {
+                writeln!(text, "{first} - {last}")
+            };
         }
         text
     }
@@ -95,9 +120,19 @@ impl Worn {
         }
         let [a, b] = self.patch.neighbours(number);
         let corners = [vertex, a, b].map(|corner| mesh.vertices[corner]);
-        let middle = |axis: usize| SHARES.iter().zip(&corners).map(|(share, corner)| share * corner[axis]).sum::<f64>();
+        let middle = |axis: usize| {
+            SHARES
+                .iter()
+                .zip(&corners)
+                .map(|(share, corner)| share * corner[axis])
+                .sum::<f64>()
+        };
         let offset = [0, 1, 2].map(|axis| round(point[axis] - middle(axis), 4));
-        let numbers: Vec<String> = SHARES.iter().chain(&offset).map(|number| format!("{number:.4}")).collect();
+        let numbers: Vec<String> = SHARES
+            .iter()
+            .chain(&offset)
+            .map(|number| format!("{number:.4}"))
+            .collect();
         format!("{vertex} {a} {b} {}", numbers.join(" "))
     }
 }

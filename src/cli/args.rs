@@ -24,7 +24,8 @@ Examples:
   mhlint data/ --report human --report json=r.json print a report, and write another for a program
   mhlint explain macro-steps-length                what a rule means, with examples";
 
-const SEE_LONG_HELP: &str = "Run with --help for all options, examples and exit codes; `mhlint rules` lists all rules.";
+const SEE_LONG_HELP: &str =
+    "Run with --help for all options, examples and exit codes; `mhlint rules` lists all rules.";
 
 const COMPLETIONS_HELP: &str = "\
 Where to save the script:
@@ -49,7 +50,8 @@ pub(super) struct Args {
     pub(super) check: CheckArgs,
     /// When to use colour.
     ///
-    /// `auto` uses colour on a terminal, unless `NO_COLOR` is set; `FORCE_COLOR` and `CLICOLOR_FORCE` turn it on in pipes.
+    /// `auto` uses colour on a terminal, unless `NO_COLOR` is set; `FORCE_COLOR` and
+    /// `CLICOLOR_FORCE` turn it on in pipes.
     #[arg(
         long,
         value_name = "WHEN",
@@ -115,19 +117,36 @@ pub(super) enum Command {
 
 impl Command {
     /// The words for the commands, to find slips of the pen.
-    pub(super) const WORDS: [&'static str; 10] =
-        ["check", "config", "eval", "explain", "init", "rules", "schema", "completions", "man", "help"];
+    pub(super) const WORDS: [&'static str; 10] = [
+        "check",
+        "config",
+        "eval",
+        "explain",
+        "init",
+        "rules",
+        "schema",
+        "completions",
+        "man",
+        "help",
+    ];
 }
 
 /// Arguments of `check`.
 #[derive(Debug, clap::Args)]
-#[expect(clippy::struct_excessive_bools, reason = "each is a flag of the command line")]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a flag of the command line"
+)]
 pub(super) struct CheckArgs {
     /// Files, folders or zips to check [default: the current folder].
     ///
-    /// A zip is checked, without unpacking it to disk, as what MakeHuman 2 imports of it, as what MakeHuman 1 has once it is unpacked, and as what MPFB makes of it if it is asked for or `packs/` is at the top.
+    /// A zip is checked, without unpacking it to disk, as what MakeHuman 2 imports of it, as what
+    /// MakeHuman 1 has once it is unpacked, and as what MPFB makes of it if it is asked for or
+    /// `packs/` is at the top.
     ///
-    /// In data folders files with these extensions are read: bmp bvh gif gz jpeg jpg json jsonw list meta mhbin mhc mhclo mhm mhmat mhpose mhpxy mhscene mhskel mhuv mhw npz obj png proxy target tga thumb tif tiff toml txt webp zip.
+    /// In data folders files with these extensions are read: bmp bvh gif gz jpeg jpg json jsonw
+    /// list meta mhbin mhc mhclo mhm mhmat mhpose mhpxy mhscene mhskel mhuv mhw npz obj png proxy
+    /// target tga thumb tif tiff toml txt webp zip.
     #[arg(value_name = "PATH")]
     pub(super) paths: Vec<PathBuf>,
     /// Data of the application itself, to resolve references; can be repeated.
@@ -137,18 +156,30 @@ pub(super) struct CheckArgs {
     pub(super) systems: Vec<PathBuf>,
     /// Check only for this application; can be repeated.
     ///
-    /// One of makehuman2, makehuman1, mpfb, perhaps in a version: makehuman1@1.0 to @1.3, makehuman2@2024, @2025, @2026-08-05, @2026-08-20, mpfb@2.0.5 to @2.0.17. Without one, the version that the data show, else the newest.
+    /// One of makehuman2, makehuman1, mpfb, perhaps in a version: makehuman1@1.0 to @1.3,
+    /// makehuman2@2024, @2025, @2026-08-05, @2026-08-20, mpfb@2.0.5 to @2.0.17. Without one, the
+    /// version that the data show, else the newest.
     #[arg(long = "app", value_name = "APPLICATION", value_parser = application, help_heading = "Input")]
     pub(super) applications: Vec<Edition>,
     /// Report only on this base mesh; can be repeated.
     ///
     /// For files outside data folders it names the base mesh that they are for.
-    #[arg(long = "base", value_name = "NAME", help_heading = "Input", hide_short_help = true)]
+    #[arg(
+        long = "base",
+        value_name = "NAME",
+        help_heading = "Input",
+        hide_short_help = true
+    )]
     pub(super) bases: Vec<String>,
     /// Configuration file [default: the nearest mhlint.toml].
     ///
     /// Looked for at or above the first PATH, up to the top of the repository.
-    #[arg(long, value_name = "FILE", help_heading = "Input", hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "FILE",
+        help_heading = "Input",
+        hide_short_help = true
+    )]
     pub(super) config: Option<PathBuf>,
     /// Run only this rule, family or glob; can be repeated.
     ///
@@ -172,15 +203,30 @@ pub(super) struct CheckArgs {
     #[arg(long, value_name = "N", conflicts_with = "no_eval", value_parser = samples, help_heading = "Rules", hide_short_help = true)]
     pub(super) samples: Option<usize>,
     /// Try every corner of the slider space.
-    #[arg(long, conflicts_with = "no_eval", help_heading = "Rules", hide_short_help = true)]
+    #[arg(
+        long,
+        conflicts_with = "no_eval",
+        help_heading = "Rules",
+        hide_short_help = true
+    )]
     pub(super) exhaustive: bool,
     /// Lowest level that makes the exit code 1 [default: error].
     ///
     /// One of error, warning, info, never.
-    #[arg(long, value_name = "LEVEL", hide_possible_values = true, help_heading = "Output")]
+    #[arg(
+        long,
+        value_name = "LEVEL",
+        hide_possible_values = true,
+        help_heading = "Output"
+    )]
     pub(super) fail_on: Option<FailOn>,
     /// Exit with code 1 if there are more warnings than this.
-    #[arg(long, value_name = "N", help_heading = "Output", hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "N",
+        help_heading = "Output",
+        hide_short_help = true
+    )]
     pub(super) max_warnings: Option<usize>,
     /// Check the staged files; report what is new since HEAD.
     ///
@@ -199,7 +245,12 @@ pub(super) struct CheckArgs {
     )]
     pub(super) since: Option<String>,
     /// Report only what is new or worse than in another folder or zip.
-    #[arg(long, value_name = "FOLDER", help_heading = "Only new findings", hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "FOLDER",
+        help_heading = "Only new findings",
+        hide_short_help = true
+    )]
     pub(super) against: Option<PathBuf>,
     /// Hide the findings that are listed in this file.
     #[arg(long, value_name = "FILE", help_heading = "Only new findings")]
@@ -211,7 +262,8 @@ pub(super) struct CheckArgs {
     pub(super) write_baseline: bool,
     /// Report format, and file to write it to; can be repeated.
     ///
-    /// One of human, concise, json, sarif, github, gitlab, junit, markdown, html; to standard output unless a FILE is named.
+    /// One of human, concise, json, sarif, github, gitlab, junit, markdown, html; to standard
+    /// output unless a FILE is named.
     #[arg(long = "report", value_name = "FORMAT[=FILE]", value_parser = Target::parse, help_heading = "Output")]
     pub(super) reports: Vec<Target>,
     /// Show every finding in full, including infos.
@@ -237,7 +289,11 @@ pub(super) struct CheckArgs {
 impl CheckArgs {
     /// The PATHs, or the current directory.
     pub(super) fn paths_or_here(&self) -> Vec<PathBuf> {
-        if self.paths.is_empty() { vec![PathBuf::from(".")] } else { self.paths.clone() }
+        if self.paths.is_empty() {
+            vec![PathBuf::from(".")]
+        } else {
+            self.paths.clone()
+        }
     }
 
     /// The option that compares.
@@ -317,12 +373,15 @@ const MEANT: [(&str, &str); 7] = [
     ("--ignore", "--skip RULE"),
 ];
 
-/// Ends the command with what is wrong with its arguments. That an unknown option could be a value is left out: no value
-/// of ours begins with a dash.
+/// Ends the command with what is wrong with its arguments. That an unknown option could be a value
+/// is left out: no value of ours begins with a dash.
 pub(super) fn refuse(mut error: clap::Error) -> ! {
     if error.kind() == ErrorKind::UnknownArgument {
         error.remove(ContextKind::Suggested);
-        let unknown = error.get(ContextKind::InvalidArg).map(ToString::to_string).unwrap_or_default();
+        let unknown = error
+            .get(ContextKind::InvalidArg)
+            .map(ToString::to_string)
+            .unwrap_or_default();
         if let Some((_, own)) = MEANT.iter().find(|(other, _)| *other == unknown) {
             error.remove(ContextKind::SuggestedArg);
             let tip = format!("use `{own}`").into();
@@ -334,11 +393,20 @@ pub(super) fn refuse(mut error: clap::Error) -> ! {
 
 fn application(text: &str) -> Result<Edition, String> {
     Edition::parse(text).map_err(|fault| match fault {
-        EditionFault::Application => not_one_of("application", text, &Application::ALL.map(Application::word)),
+        EditionFault::Application => not_one_of(
+            "application",
+            text,
+            &Application::ALL.map(Application::word),
+        ),
         EditionFault::Version(application) => {
-            let known = Version::names(application).map(|name| format!("{}@{name}", application.word()));
+            let known =
+                Version::names(application).map(|name| format!("{}@{name}", application.word()));
             let known: Vec<String> = known.collect();
-            not_one_of("version", text, &known.iter().map(String::as_str).collect::<Vec<_>>())
+            not_one_of(
+                "version",
+                text,
+                &known.iter().map(String::as_str).collect::<Vec<_>>(),
+            )
         }
     })
 }
@@ -349,13 +417,21 @@ fn samples(text: &str) -> Result<usize, String> {
 }
 
 fn level_setting(text: &str) -> Result<(String, Option<Level>), String> {
-    let (rule, level) = text.split_once('=').ok_or("expected RULE=LEVEL, for example `target-zero-delta=off`")?;
+    let (rule, level) = text
+        .split_once('=')
+        .ok_or("expected RULE=LEVEL, for example `target-zero-delta=off`")?;
     let level = match level {
         "error" => Some(Level::Error),
         "warning" => Some(Level::Warning),
         "info" => Some(Level::Info),
         "off" => None,
-        _ => return Err(not_one_of("level", level, &["error", "warning", "info", "off"])),
+        _ => {
+            return Err(not_one_of(
+                "level",
+                level,
+                &["error", "warning", "info", "off"],
+            ));
+        }
     };
     Ok((rule.to_owned(), level))
 }

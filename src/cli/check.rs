@@ -81,7 +81,9 @@ fn new_baseline(config: &Config) -> Result<Option<&Path>, Failure> {
     }
     let Some(file) = config.baseline.as_deref() else {
         let remedy = "add `--baseline FILE`, or `baseline = \"FILE\"` to mhlint.toml";
-        return Err(Failure::Usage(format!("`--write-baseline` needs a file to write to: {remedy}")));
+        return Err(Failure::Usage(format!(
+            "`--write-baseline` needs a file to write to: {remedy}"
+        )));
     };
     refuse_unwritable("the baseline", file)?;
     Ok(Some(file))
@@ -115,7 +117,11 @@ fn difference(taken_over: TakenOver) -> String {
     if (new, gone) == (0, 0) {
         return " (unchanged)".to_owned();
     }
-    let of_them = if errors > 0 { format!(" ({})", report::count(errors, "error")) } else { String::new() };
+    let of_them = if errors > 0 {
+        format!(" ({})", report::count(errors, "error"))
+    } else {
+        String::new()
+    };
     let hidden = if errors > 0 && gone > 0 {
         "; errors can hide findings: fix the new errors, then write the baseline again"
     } else {
@@ -124,7 +130,8 @@ fn difference(taken_over: TakenOver) -> String {
     format!(": {new} new{of_them}, {gone} removed{hidden}")
 }
 
-/// A bug of ours outweighs everything, since findings may be missing; then come findings, then what was not checked.
+/// A bug of ours outweighs everything, since findings may be missing; then come findings, then what
+/// was not checked.
 fn exit(outcome: &Outcome, config: &Config, panics: &[String]) -> Exit {
     if !panics.is_empty() || !outcome.is_whole() {
         Exit::CannotWork
@@ -146,9 +153,11 @@ fn is_empty(outcome: &Outcome) -> bool {
 fn refuse_without_human(args: &CheckArgs, targets: &[Target]) -> Result<(), Failure> {
     let options = [("--full", args.full), ("--statistics", args.statistics)];
     match options.into_iter().find(|(_, is_set)| *is_set) {
-        Some((option, _)) if !targets.iter().any(|target| target.format == Format::Human) => Err(Failure::Usage(
-            format!("`{option}` changes the human report, which is not written; add `--report human`, or leave it out"),
-        )),
+        Some((option, _)) if !targets.iter().any(|target| target.format == Format::Human) => {
+            Err(Failure::Usage(format!(
+                "`{option}` changes the human report, which is not written; add `--report human`, or leave it out"
+            )))
+        }
         _ => Ok(()),
     }
 }
@@ -178,31 +187,58 @@ fn write_reports(
     };
     let is_silent = |target: &&Target| is_empty(outcome) && target.format.shows_notes();
     let targets: Vec<&Target> = targets.iter().filter(|target| !is_silent(target)).collect();
-    for (target, file) in targets.iter().filter_map(|target| Some((target, target.file.as_ref()?))) {
+    for (target, file) in targets
+        .iter()
+        .filter_map(|target| Some((target, target.file.as_ref()?)))
+    {
         let mut bytes = Vec::new();
-        report::write(target.format, &placed(outcome, target.format), &view(Terminal::PLAIN), &mut bytes)?;
+        report::write(
+            target.format,
+            &placed(outcome, target.format),
+            &view(Terminal::PLAIN),
+            &mut bytes,
+        )?;
         write_file("the report", file, &bytes)?;
     }
-    if let Some(file) = step_summary::file().filter(|_| targets.iter().any(|one| one.format == Format::Github)) {
+    if let Some(file) =
+        step_summary::file().filter(|_| targets.iter().any(|one| one.format == Format::Github))
+    {
         step_summary::append(&file, outcome, &view(Terminal::PLAIN))?;
     }
     for target in targets.iter().filter(|target| target.file.is_none()) {
         let outcome = placed(outcome, target.format);
-        let written = report::write(target.format, &outcome, &view(terminal), out).and_then(|()| out.flush());
-        written.or_else(|error| if error.kind() == ErrorKind::BrokenPipe { Ok(()) } else { Err(error) })?;
+        let written =
+            report::write(target.format, &outcome, &view(terminal), out).and_then(|()| out.flush());
+        written.or_else(|error| {
+            if error.kind() == ErrorKind::BrokenPipe {
+                Ok(())
+            } else {
+                Err(error)
+            }
+        })?;
     }
     Ok(())
 }
 
 /// Says on standard error what no report on standard output says.
-fn tell(outcome: &Outcome, args: &CheckArgs, targets: &[Target], err: &mut dyn Write) -> Result<(), Failure> {
+fn tell(
+    outcome: &Outcome,
+    args: &CheckArgs,
+    targets: &[Target],
+    err: &mut dyn Write,
+) -> Result<(), Failure> {
     let mut lines: Vec<String> = Vec::new();
     if is_empty(outcome)
-        || (!args.quiet && !targets.iter().any(|target| target.file.is_none() && target.format.shows_notes()))
+        || (!args.quiet
+            && !targets
+                .iter()
+                .any(|target| target.file.is_none() && target.format.shows_notes()))
     {
         lines.extend(outcome.notes.iter().map(report::note));
     }
-    if is_empty(outcome) || (!args.quiet && !targets.iter().any(|target| target.format.shows_unchecked())) {
+    if is_empty(outcome)
+        || (!args.quiet && !targets.iter().any(|target| target.format.shows_unchecked()))
+    {
         lines.extend(report::unchecked_line(outcome));
     }
     for line in lines {
@@ -214,8 +250,8 @@ fn tell(outcome: &Outcome, args: &CheckArgs, targets: &[Target], err: &mut dyn W
 /// Names the PATHs of which nothing was checked, and what could be given instead.
 fn tell_nothing(outcome: &Outcome, err: &mut dyn Write) -> Result<(), Failure> {
     let untouched = outcome.nothing_in.iter();
-    let by_reason =
-        untouched.map(|Untouched { path, what }| (report::why_nothing(outcome, *what), format!("`{path}`")));
+    let by_reason = untouched
+        .map(|Untouched { path, what }| (report::why_nothing(outcome, *what), format!("`{path}`")));
     for (why, paths) in grouped(by_reason) {
         let line = format!("nothing was checked in {}: {why}", paths.join(", "));
         writeln!(err, "mhlint: {}", report::printable(&line))?;
@@ -223,27 +259,37 @@ fn tell_nothing(outcome: &Outcome, err: &mut dyn Write) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A path that cannot be read may stand in the configuration; one that looks like a command was meant as one.
+/// A path that cannot be read may stand in the configuration; one that looks like a command was
+/// meant as one.
 fn explained(error: Error, paths: &[PathBuf], args: &CheckArgs, config: &Config) -> Failure {
     if let (Error::Path { path, .. }, Some(file)) = (&error, &config.file)
         && args.systems.is_empty()
-        && config.systems.iter().any(|system| system.to_string_lossy() == path.as_str())
+        && config
+            .systems
+            .iter()
+            .any(|system| system.to_string_lossy() == path.as_str())
     {
         let line = file.line("system").unwrap_or(1);
         return Failure::Usage(format!("{error}; `system` is set in {}:{line}", file.path));
     }
     if let Error::Path { path, .. } = &error
-        && paths.first().is_some_and(|first| first.as_os_str() == path.as_str() && !first.exists())
+        && paths
+            .first()
+            .is_some_and(|first| first.as_os_str() == path.as_str() && !first.exists())
         && let Some(word) = nearest(path, Command::WORDS)
     {
-        return Failure::Usage(format!("`{path}` does not exist; did you mean the command `{word}`?"));
+        return Failure::Usage(format!(
+            "`{path}` does not exist; did you mean the command `{word}`?"
+        ));
     }
     error.into()
 }
 
 /// What to say when mhlint itself failed.
 pub(super) fn own_fault(panics: &[String]) -> String {
-    let mut text = "this is a bug in mhlint; please report it with the files (findings may be missing)".to_owned();
+    let mut text =
+        "this is a bug in mhlint; please report it with the files (findings may be missing)"
+            .to_owned();
     for panic in panics {
         text.push_str("\n  ");
         text.push_str(&report::printable(panic));
@@ -263,16 +309,24 @@ fn print_timings(outcome: &Outcome, err: &mut dyn Write) -> Result<(), Failure> 
         };
         *times.entry(what).or_default() += timing.time;
     }
-    let mut line = |what: &str, time: Duration| writeln!(err, "{:>9.3} ms  {what}", time.as_secs_f64() * 1e3);
+    let mut line =
+        |what: &str, time: Duration| writeln!(err, "{:>9.3} ms  {what}", time.as_secs_f64() * 1e3);
     line("total", steps.values().sum())?;
     let (long, short): (Vec<_>, Vec<_>) = rules.into_iter().partition(|(_, time)| *time >= SHORT);
     for times in [steps.into_iter().collect(), long] {
         let mut times: Vec<(&str, Duration)> = times;
         times.sort_by_key(|(_, time)| Reverse(*time));
-        times.into_iter().try_for_each(|(what, time)| line(what, time))?;
+        times
+            .into_iter()
+            .try_for_each(|(what, time)| line(what, time))?;
     }
     if !short.is_empty() {
-        writeln!(err, "{:>12}  {} below 1 ms", "", report::count(short.len(), "rule"))?;
+        writeln!(
+            err,
+            "{:>12}  {} below 1 ms",
+            "",
+            report::count(short.len(), "rule")
+        )?;
     }
     Ok(())
 }

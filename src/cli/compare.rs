@@ -12,8 +12,13 @@ use mhlint_engine::is_pack;
 use mhlint_report::printable;
 use mhlint_source::{Contents, folder_of, resolved};
 
-/// What to compare with, if anything. Says on standard error why there is nothing although it was asked for.
-pub(super) fn compared(args: &CheckArgs, paths: &[PathBuf], err: &mut dyn Write) -> Result<Option<Compare>, Failure> {
+/// What to compare with, if anything. Says on standard error why there is nothing although it was
+/// asked for.
+pub(super) fn compared(
+    args: &CheckArgs,
+    paths: &[PathBuf],
+    err: &mut dyn Write,
+) -> Result<Option<Compare>, Failure> {
     if let Some(folder) = &args.against {
         return against(folder, paths).map(Some);
     }
@@ -33,11 +38,14 @@ pub(super) fn compared(args: &CheckArgs, paths: &[PathBuf], err: &mut dyn Write)
 fn against(folder: &Path, paths: &[PathBuf]) -> Result<Compare, Failure> {
     let shown = folder.display();
     if paths.len() > 1 {
-        let text = format!("`--against` compares one PATH with `{shown}`; run mhlint once for each PATH");
+        let text =
+            format!("`--against` compares one PATH with `{shown}`; run mhlint once for each PATH");
         return Err(Failure::Usage(text));
     }
     if !folder.exists() {
-        return Err(Failure::Usage(format!("`--against`: `{shown}` does not exist; use an existing folder or zip")));
+        return Err(Failure::Usage(format!(
+            "`--against`: `{shown}` does not exist; use an existing folder or zip"
+        )));
     }
     Ok(Compare {
         with: folder.to_string_lossy().into_owned(),
@@ -61,35 +69,58 @@ fn since(revision: &str, repository: &Repository) -> Result<Compare, Failure> {
     let before = Recorded::of(repository, Record::Commit(&start), false);
     let before = before.map_err(|refusal| failed(&format!("--since {revision}"), &refusal))?;
     let missing = before.missing.into_iter().collect();
-    Ok(Compare { with: revision.to_owned(), before: Before::Contents(before.contents), now: Contents::new(), missing })
+    Ok(Compare {
+        with: revision.to_owned(),
+        before: Before::Contents(before.contents),
+        now: Contents::new(),
+        missing,
+    })
 }
 
 /// The index beside the last commit; or why that makes no comparison.
 fn staged(repository: &Repository) -> Result<Result<Compare, &'static str>, Failure> {
     let failed = |refusal: Refusal| failed("--staged", &refusal);
-    let unmerged = repository.files(&["diff", "--name-only", "--diff-filter=U", "-z"]).map_err(failed)?;
+    let unmerged = repository
+        .files(&["diff", "--name-only", "--diff-filter=U", "-z"])
+        .map_err(failed)?;
     if let Some(first) = unmerged.first() {
         let shown = first.display();
-        let text = format!("`--staged`: `{shown}` has unresolved merge conflicts; resolve them and `git add` the file");
+        let text = format!(
+            "`--staged`: `{shown}` has unresolved merge conflicts; resolve them and `git add` the file"
+        );
         return Err(Failure::Usage(text));
     }
-    if repository.ask(&["rev-parse", "--verify", "--quiet", "HEAD^{commit}"]).is_err() {
+    if repository
+        .ask(&["rev-parse", "--verify", "--quiet", "HEAD^{commit}"])
+        .is_err()
+    {
         return Ok(Err("the repository has no commits yet"));
     }
-    if repository.ask(&["diff", "--cached", "--name-only", "-z"]).map_err(failed)?.is_empty() {
+    if repository
+        .ask(&["diff", "--cached", "--name-only", "-z"])
+        .map_err(failed)?
+        .is_empty()
+    {
         return Ok(Err("nothing is staged"));
     }
     let before = Recorded::of(repository, Record::Commit("HEAD"), true).map_err(failed)?;
     let now = Recorded::of(repository, Record::Index, true).map_err(failed)?;
     let missing = before.missing.union(&now.missing).cloned().collect();
-    Ok(Ok(Compare { with: "HEAD".to_owned(), before: Before::Contents(before.contents), now: now.contents, missing }))
+    Ok(Ok(Compare {
+        with: "HEAD".to_owned(),
+        before: Before::Contents(before.contents),
+        now: now.contents,
+        missing,
+    }))
 }
 
 /// The one repository that all PATHs lie in.
 fn around_all(paths: &[PathBuf], option: &str) -> Result<Repository, Failure> {
     if let Some(pack) = paths.iter().find(|path| is_pack(path)) {
         let pack = pack.display();
-        let text = format!("`{option}` compares files that git knows, and `{pack}` is a zip; use `--against OLD.zip`");
+        let text = format!(
+            "`{option}` compares files that git knows, and `{pack}` is a zip; use `--against OLD.zip`"
+        );
         return Err(Failure::Usage(text));
     }
     let first = paths.first().map_or(Path::new("."), PathBuf::as_path);
@@ -97,32 +128,47 @@ fn around_all(paths: &[PathBuf], option: &str) -> Result<Repository, Failure> {
     for path in paths.iter().skip(1) {
         if around(path, option)?.top() != repository.top() {
             let (first, path) = (first.display(), path.display());
-            let text =
-                format!("`{option}`: `{path}` and `{first}` are in different repositories; run mhlint once for each");
+            let text = format!(
+                "`{option}`: `{path}` and `{first}` are in different repositories; run mhlint once for each"
+            );
             return Err(Failure::Usage(text));
         }
     }
     Ok(repository)
 }
 
-/// The repository that a PATH lies in; of a submodule the one around it, unless the run begins inside of it.
+/// The repository that a PATH lies in; of a submodule the one around it, unless the run begins
+/// inside of it.
 fn around(first: &Path, option: &str) -> Result<Repository, Failure> {
-    let folder = if first.is_dir() { first } else { folder_of(first) };
+    let folder = if first.is_dir() {
+        first
+    } else {
+        folder_of(first)
+    };
     let here = resolved(Path::new("."));
     let outermost = |mut repository: Repository| {
-        while let Some(outer) = repository.superproject().filter(|_| !here.starts_with(resolved(repository.top()))) {
+        while let Some(outer) = repository
+            .superproject()
+            .filter(|_| !here.starts_with(resolved(repository.top())))
+        {
             repository = outer;
         }
         repository
     };
-    Repository::around(folder).map(outermost).map_err(|refusal| {
-        let (words, shown) = (refusal.words(), folder.display());
-        let remedy = "compare with a folder (`--against FOLDER`)";
-        Failure::Usage(match refusal {
-            Refusal::Said(_) => format!("`{option}`: `{shown}` is not in a git repository ({words}); {remedy}"),
-            Refusal::NotStarted(_) | Refusal::NoFolder(_) => format!("`{option}`: {words}; install git, or {remedy}"),
+    Repository::around(folder)
+        .map(outermost)
+        .map_err(|refusal| {
+            let (words, shown) = (refusal.words(), folder.display());
+            let remedy = "compare with a folder (`--against FOLDER`)";
+            Failure::Usage(match refusal {
+                Refusal::Said(_) => {
+                    format!("`{option}`: `{shown}` is not in a git repository ({words}); {remedy}")
+                }
+                Refusal::NotStarted(_) | Refusal::NoFolder(_) => {
+                    format!("`{option}`: {words}; install git, or {remedy}")
+                }
+            })
         })
-    })
 }
 
 fn failed(option: &str, refusal: &Refusal) -> Failure {
@@ -136,7 +182,10 @@ fn unknown(repository: &Repository, revision: &str, said: &str) -> Failure {
     } else {
         String::new()
     };
-    Failure::Usage(format!("`--since`: unknown revision `{revision}`{}; {advice}{shallow}", bracketed(said)))
+    Failure::Usage(format!(
+        "`--since`: unknown revision `{revision}`{}; {advice}{shallow}",
+        bracketed(said)
+    ))
 }
 
 fn unrelated(repository: &Repository, revision: &str, said: &str) -> Failure {
@@ -146,11 +195,18 @@ fn unrelated(repository: &Repository, revision: &str, said: &str) -> Failure {
         "use a revision of the same history".to_owned()
     };
     let said = bracketed(said);
-    Failure::Usage(format!("`--since`: `{revision}` and `HEAD` have no commit in common{said}; {advice}"))
+    Failure::Usage(format!(
+        "`--since`: `{revision}` and `HEAD` have no commit in common{said}; {advice}"
+    ))
 }
 
-const FETCH: &str = "fetch the full history (`git fetch --unshallow`, or `fetch-depth: 0` in a workflow)";
+const FETCH: &str =
+    "fetch the full history (`git fetch --unshallow`, or `fetch-depth: 0` in a workflow)";
 
 fn bracketed(said: &str) -> String {
-    if said.is_empty() { String::new() } else { format!(" ({said})") }
+    if said.is_empty() {
+        String::new()
+    } else {
+        format!(" ({said})")
+    }
 }

@@ -19,7 +19,9 @@ pub(super) fn settings(args: &CheckArgs) -> Result<Config, Failure> {
         Some(path) => Some(path.clone()),
         None => args.paths_or_here().first().and_then(|first| find(first)),
     };
-    let file = path.map(|path| Config::load(&path, &rule_infos())).transpose()?;
+    let file = path
+        .map(|path| Config::load(&path, &rule_infos()))
+        .transpose()?;
     let mut config = file.unwrap_or_default();
     config.only.clone_from(&args.only);
     config.skip.clone_from(&args.skip);
@@ -59,19 +61,33 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<Exit, Failure
     let config = settings(args)?;
     let empty = ConfigFile::default();
     let file = config.file.as_ref().unwrap_or(&empty);
-    let sheet = Sheet { config: &config, file, lines: Lines::of(file.text.as_bytes()), args };
+    let sheet = Sheet {
+        config: &config,
+        file,
+        lines: Lines::of(file.text.as_bytes()),
+        args,
+    };
     if let Some(file) = &config.file {
         writeln!(out, "# {}", printable(&file.path))?;
     } else {
         let first = args.paths_or_here();
         let first = first.first().map_or(Path::new("."), PathBuf::as_path);
-        writeln!(out, "# no mhlint.toml at or above `{}`; `mhlint init` creates one", printable(&slashed(first)))?;
+        writeln!(
+            out,
+            "# no mhlint.toml at or above `{}`; `mhlint init` creates one",
+            printable(&slashed(first))
+        )?;
     }
     let mut rows = sheet.general();
     rows.extend(sheet.levels());
     rows.extend(sheet.options());
     rows.extend(sheet.blocks());
-    let width = rows.iter().map(|(setting, _)| setting.chars().count()).max().unwrap_or(0).min(WIDEST);
+    let width = rows
+        .iter()
+        .map(|(setting, _)| setting.chars().count())
+        .max()
+        .unwrap_or(0)
+        .min(WIDEST);
     for (setting, origin) in rows {
         writeln!(out, "{setting:<width$}  # {}", printable(&origin))?;
     }
@@ -81,7 +97,8 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<Exit, Failure
 /// A setting as it would be written, and where it comes from.
 type Row = (String, String);
 
-/// Columns after which the origins need not stand below one another: a list may be as long as the file.
+/// Columns after which the origins need not stand below one another: a list may be as long as the
+/// file.
 const WIDEST: usize = 400;
 
 const COMMAND_LINE: &str = "command line";
@@ -100,32 +117,63 @@ impl Sheet<'_> {
         let mut rows = vec![
             self.row(
                 "fail-on",
-                config.fail_on.map_or("\"never\"".to_owned(), |l| quoted(l.word())),
+                config
+                    .fail_on
+                    .map_or("\"never\"".to_owned(), |l| quoted(l.word())),
                 args.fail_on.is_some(),
             ),
-            self.row("max-warnings", or_none(config.max_warnings), args.max_warnings.is_some()),
+            self.row(
+                "max-warnings",
+                or_none(config.max_warnings),
+                args.max_warnings.is_some(),
+            ),
             self.select(),
         ];
         // `--only` stands in place of these.
         if args.only.is_empty() {
-            rows.push(("skip = ".to_owned() + &list(file.skip.iter().map(|s| &s.text)), self.origin("skip", false)));
+            rows.push((
+                "skip = ".to_owned() + &list(file.skip.iter().map(|s| &s.text)),
+                self.origin("skip", false),
+            ));
         }
         if !args.skip.is_empty() {
-            rows.push((format!("skip = {}", list(&args.skip)), COMMAND_LINE.to_owned()));
+            rows.push((
+                format!("skip = {}", list(&args.skip)),
+                COMMAND_LINE.to_owned(),
+            ));
         }
         let apps = config.editions().map(|one| one.to_string());
         rows.extend([
-            self.row("exclude", list(file.exclude.iter().map(|glob| &glob.text)), false),
-            self.row("system", list(config.systems.iter().map(|system| system.display())), !args.systems.is_empty()),
+            self.row(
+                "exclude",
+                list(file.exclude.iter().map(|glob| &glob.text)),
+                false,
+            ),
+            self.row(
+                "system",
+                list(config.systems.iter().map(|system| system.display())),
+                !args.systems.is_empty(),
+            ),
             self.row("apps", list(apps), !args.applications.is_empty()),
             self.row("bases", list(&config.bases), !args.bases.is_empty()),
-            self.row("baseline", or_none(config.baseline.as_ref().map(path)), args.baseline.is_some()),
+            self.row(
+                "baseline",
+                or_none(config.baseline.as_ref().map(path)),
+                args.baseline.is_some(),
+            ),
         ]);
         if config.no_eval {
-            rows.push(("eval = none (--no-eval)".to_owned(), COMMAND_LINE.to_owned()));
+            rows.push((
+                "eval = none (--no-eval)".to_owned(),
+                COMMAND_LINE.to_owned(),
+            ));
         } else {
             rows.extend([
-                self.row("eval.samples", config.samples.unwrap_or(DEFAULT_SAMPLES), args.samples.is_some()),
+                self.row(
+                    "eval.samples",
+                    config.samples.unwrap_or(DEFAULT_SAMPLES),
+                    args.samples.is_some(),
+                ),
                 self.row("eval.exhaustive", config.exhaustive, args.exhaustive),
             ]);
         }
@@ -133,7 +181,10 @@ impl Sheet<'_> {
     }
 
     fn row(&self, key: &str, value: impl Display, by_command_line: bool) -> Row {
-        (format!("{key} = {value}"), self.origin(key, by_command_line))
+        (
+            format!("{key} = {value}"),
+            self.origin(key, by_command_line),
+        )
     }
 
     /// Line of a span of the file, counted from 1.
@@ -162,10 +213,15 @@ impl Sheet<'_> {
     }
 
     fn levels(&self) -> Vec<Row> {
-        let in_force = self.file.levels.iter().filter(|(_, level)| self.is_in_force(*level));
+        let in_force = self
+            .file
+            .levels
+            .iter()
+            .filter(|(_, level)| self.is_in_force(*level));
         let file = in_force.map(|(selector, level)| self.level(selector, *level));
         let args = self.args.levels.iter();
-        file.chain(args.map(|(rule, level)| (level_text(rule, *level), COMMAND_LINE.to_owned()))).collect()
+        file.chain(args.map(|(rule, level)| (level_text(rule, *level), COMMAND_LINE.to_owned())))
+            .collect()
     }
 
     /// `--only` stands in place of what the file turns off; another level stays.
@@ -175,16 +231,28 @@ impl Sheet<'_> {
 
     fn level(&self, selector: &Selector, level: Option<Level>) -> Row {
         let line = self.line(&selector.span);
-        (level_text(&selector.text, level), format!("{}:{line}", self.file.path))
+        (
+            level_text(&selector.text, level),
+            format!("{}:{line}", self.file.path),
+        )
     }
 
     fn options(&self) -> Vec<Row> {
         let rules = rule_infos();
-        let options = rules.iter().flat_map(|rule| rule.options.iter().map(move |option| (rule.id, option)));
+        let options = rules
+            .iter()
+            .flat_map(|rule| rule.options.iter().map(move |option| (rule.id, option)));
         options
             .map(|(rule, option)| {
-                let set = self.config.rule_options.get(&(rule.to_owned(), option.name.to_owned()));
-                self.row(&format!("rule.{rule}.{}", option.name), set.copied().unwrap_or(option.default), false)
+                let set = self
+                    .config
+                    .rule_options
+                    .get(&(rule.to_owned(), option.name.to_owned()));
+                self.row(
+                    &format!("rule.{rule}.{}", option.name),
+                    set.copied().unwrap_or(option.default),
+                    false,
+                )
             })
             .collect()
     }
@@ -198,14 +266,25 @@ impl Sheet<'_> {
                 let skip = list(block.skip.iter().map(|selector| &selector.text));
                 rows.push((format!("{within}skip = {skip}"), at(self.line(&block.span))));
             }
-            for (selector, level) in block.levels.iter().filter(|(_, level)| self.is_in_force(*level)) {
+            for (selector, level) in block
+                .levels
+                .iter()
+                .filter(|(_, level)| self.is_in_force(*level))
+            {
                 let (text, origin) = self.level(selector, *level);
                 rows.push((format!("{within}{text}"), origin));
             }
         }
         for ignore in &self.file.ignores {
-            let until = ignore.until.map(|until| format!(" until {until}")).unwrap_or_default();
-            let text = format!("ignore {} in {}{until}", quoted(&ignore.rule.text), quoted(&ignore.path.text));
+            let until = ignore
+                .until
+                .map(|until| format!(" until {until}"))
+                .unwrap_or_default();
+            let text = format!(
+                "ignore {} in {}{until}",
+                quoted(&ignore.rule.text),
+                quoted(&ignore.path.text)
+            );
             rows.push((text, at(self.line(&ignore.span))));
         }
         rows
@@ -213,7 +292,10 @@ impl Sheet<'_> {
 }
 
 fn level_text(rule: &str, level: Option<Level>) -> String {
-    format!("level.{rule} = {}", quoted(level.map_or("off", Level::word)))
+    format!(
+        "level.{rule} = {}",
+        quoted(level.map_or("off", Level::word))
+    )
 }
 
 fn list<T: Display>(items: impl IntoIterator<Item = T>) -> String {

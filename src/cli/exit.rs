@@ -77,7 +77,10 @@ impl fmt::Display for Failure {
         match self {
             Self::Usage(text) => f.write_str(text),
             Self::Io(error) => {
-                write!(f, "cannot write to standard output: {error}; redirect it to a file or another program")
+                write!(
+                    f,
+                    "cannot write to standard output: {error}; redirect it to a file or another program"
+                )
             }
         }
     }

@@ -27,7 +27,12 @@ pub(super) struct FixArgs {
     /// Show what --fix would change as a diff, and write nothing.
     ///
     /// The exit code is 1 if anything would change.
-    #[arg(long, group = "fixing", conflicts_with = "reports", help_heading = "Fixes")]
+    #[arg(
+        long,
+        group = "fixing",
+        conflicts_with = "reports",
+        help_heading = "Fixes"
+    )]
     pub(super) diff: bool,
     /// Include unsafe fixes in --fix or --diff.
     ///
@@ -36,7 +41,8 @@ pub(super) struct FixArgs {
     unsafe_fixes: bool,
 }
 
-/// Checks, and fixes if that was asked for; with `--diff` in memory only. Some reports say what fixes replace.
+/// Checks, and fixes if that was asked for; with `--diff` in memory only. Some reports say what
+/// fixes replace.
 pub(super) fn check(
     paths: &[PathBuf],
     options: &Config,
@@ -46,9 +52,18 @@ pub(super) fn check(
     if args.fix || args.diff {
         return engine::lint_and_fix(paths, options, args.unsafe_fixes);
     }
-    let with_replacements = targets.iter().any(|target| target.format.shows_replacements());
-    let lint = if with_replacements { engine::lint_with_replacements } else { engine::lint };
-    Ok(Fixed { outcome: lint(paths, options)?, ..Fixed::default() })
+    let with_replacements = targets
+        .iter()
+        .any(|target| target.format.shows_replacements());
+    let lint = if with_replacements {
+        engine::lint_with_replacements
+    } else {
+        engine::lint
+    };
+    Ok(Fixed {
+        outcome: lint(paths, options)?,
+        ..Fixed::default()
+    })
 }
 
 /// Brings the changes to disk. Who ends the run meanwhile finds nothing of it beside the data.
@@ -62,17 +77,31 @@ pub(super) fn write(changes: &[FileChange]) -> Result<(), Failure> {
 }
 
 /// Says what runs left beside the data that were ended while they fixed; one that fixes removes it.
-pub(super) fn sweep(outcome: &Outcome, asked: &CheckArgs, err: &mut dyn Write) -> Result<(), Failure> {
-    for left in outcome.journals.iter().filter_map(|journal| Left::by(journal)) {
+pub(super) fn sweep(
+    outcome: &Outcome,
+    asked: &CheckArgs,
+    err: &mut dyn Write,
+) -> Result<(), Failure> {
+    for left in outcome
+        .journals
+        .iter()
+        .filter_map(|journal| Left::by(journal))
+    {
         let files = count(left.count(), "hidden file");
         let folder = left.folder().display();
         let told = match asked.fixes.fix.then(|| left.remove()) {
             Some(Err(error)) => {
-                format!("a `--fix` that was interrupted left {files} in `{folder}`, which cannot be removed: {error}")
+                format!(
+                    "a `--fix` that was interrupted left {files} in `{folder}`, which cannot be removed: {error}"
+                )
             }
             _ if asked.quiet => continue,
-            Some(Ok(())) => format!("{files} of a `--fix` that was interrupted removed from `{folder}`"),
-            None => format!("a `--fix` that was interrupted left {files} in `{folder}`; the next `--fix` removes them"),
+            Some(Ok(())) => {
+                format!("{files} of a `--fix` that was interrupted removed from `{folder}`")
+            }
+            None => format!(
+                "a `--fix` that was interrupted left {files} in `{folder}`; the next `--fix` removes them"
+            ),
         };
         writeln!(err, "mhlint: {}", printable(&told))?;
     }
@@ -80,16 +109,33 @@ pub(super) fn sweep(outcome: &Outcome, asked: &CheckArgs, err: &mut dyn Write) -
 }
 
 /// Shows the changes. Gives whether there are any.
-pub(super) fn show(changes: &[FileChange], terminal: Terminal, out: &mut dyn Write) -> Result<bool, Failure> {
+pub(super) fn show(
+    changes: &[FileChange],
+    terminal: Terminal,
+    out: &mut dyn Write,
+) -> Result<bool, Failure> {
     let names = names_of(changes).names;
-    let (empty, others): (Vec<_>, Vec<_>) = changes.iter().zip(names).partition(|(change, _)| change.before.is_empty());
+    let (empty, others): (Vec<_>, Vec<_>) = changes
+        .iter()
+        .zip(names)
+        .partition(|(change, _)| change.before.is_empty());
     // In a patch, empty files that go come last.
     for (change, name) in others.into_iter().chain(empty) {
         let text = |stored: &[u8]| unpack(stored, &Limits::default()).unwrap_or_default();
         let after = change.after.as_deref().map(text);
-        let diff = unified(&exact(&name, &change.file), &text(&change.before), after.as_deref());
+        let diff = unified(
+            &exact(&name, &change.file),
+            &text(&change.before),
+            after.as_deref(),
+        );
         if std::io::stdout().is_terminal() {
-            write_painted(&diff, Paint { color: terminal.color }, out)?;
+            write_painted(
+                &diff,
+                Paint {
+                    color: terminal.color,
+                },
+                out,
+            )?;
         } else {
             out.write_all(&diff)?;
         }
@@ -101,12 +147,21 @@ pub(super) fn show(changes: &[FileChange], terminal: Terminal, out: &mut dyn Wri
 fn exact(name: &str, file: &Path) -> Vec<u8> {
     let parts: Vec<&OsStr> = file.iter().rev().take(name.split('/').count()).collect();
     let path: PathBuf = parts.into_iter().rev().collect();
-    if path.to_string_lossy() == name { path.into_os_string().into_encoded_bytes() } else { name.as_bytes().to_vec() }
+    if path.to_string_lossy() == name {
+        path.into_os_string().into_encoded_bytes()
+    } else {
+        name.as_bytes().to_vec()
+    }
 }
 
 /// What the changed files are called in a patch.
 fn names_of(changes: &[FileChange]) -> Names {
-    names(&changes.iter().map(|change| change.path.as_str()).collect::<Vec<_>>())
+    names(
+        &changes
+            .iter()
+            .map(|change| change.path.as_str())
+            .collect::<Vec<_>>(),
+    )
 }
 
 /// What was fixed and what else could be, for standard error.
@@ -116,31 +171,51 @@ pub(super) fn tell(all: &Fixed, asked: &CheckArgs, err: &mut dyn Write) -> Resul
         return Ok(());
     }
     if let Some(above) = names_of(&all.changes).above.filter(|_| args.diff) {
-        writeln!(err, "mhlint: the patch is for the folder `{above}`; run `git apply` or `patch -p1` there")?;
+        writeln!(
+            err,
+            "mhlint: the patch is for the folder `{above}`; run `git apply` or `patch -p1` there"
+        )?;
     }
     let files = count(all.changes.len(), "file");
     let done = if args.fix { "fixed" } else { "would be fixed" };
     match all.fixed.len() {
         0 => writeln!(err, "mhlint: nothing {done}")?,
-        number => writeln!(err, "mhlint: {number} {done} in {files}: {}", by_rule(&all.fixed))?,
+        number => writeln!(
+            err,
+            "mhlint: {number} {done} in {files}: {}",
+            by_rule(&all.fixed)
+        )?,
     }
     if all.outside > 0 {
         let more = count(all.outside, "fixable finding");
-        let whole =
-            asked.comparing().map_or_else(String::new, |option| format!("; to fix all, run without `{option}`"));
-        writeln!(err, "mhlint: {more} not fixed: the fix is for files that have not changed{whole}")?;
+        let whole = asked.comparing().map_or_else(String::new, |option| {
+            format!("; to fix all, run without `{option}`")
+        });
+        writeln!(
+            err,
+            "mhlint: {more} not fixed: the fix is for files that have not changed{whole}"
+        )?;
     }
     if !all.unstaged.is_empty() {
         let files = printable(&all.unstaged.join("`, `"));
-        writeln!(err, "mhlint: not fixed, because the files differ from their staged versions: `{files}`")?;
+        writeln!(
+            err,
+            "mhlint: not fixed, because the files differ from their staged versions: `{files}`"
+        )?;
     }
     if all.left_out > 0 {
         let more = count(all.left_out, "fixable finding");
-        writeln!(err, "mhlint: {more} not fixed: the fix is for files that are ignored or outside the PATHs")?;
+        writeln!(
+            err,
+            "mhlint: {more} not fixed: the fix is for files that are ignored or outside the PATHs"
+        )?;
     }
     let (_, risky) = fixable(&all.outcome.findings);
     if risky > 0 && !args.unsafe_fixes {
-        writeln!(err, "mhlint: {risky} more can be fixed with `--unsafe-fixes`; check `--diff --unsafe-fixes` first")?;
+        writeln!(
+            err,
+            "mhlint: {risky} more can be fixed with `--unsafe-fixes`; check `--diff --unsafe-fixes` first"
+        )?;
     }
     Ok(())
 }
@@ -148,8 +223,14 @@ pub(super) fn tell(all: &Fixed, asked: &CheckArgs, err: &mut dyn Write) -> Resul
 /// `target-zero-delta (1), weights-not-normalized (2)`.
 fn by_rule(fixed: &[&'static str]) -> String {
     let mut rules: BTreeMap<&str, usize> = BTreeMap::new();
-    fixed.iter().for_each(|rule| *rules.entry(rule).or_default() += 1);
-    rules.iter().map(|(rule, number)| format!("{rule} ({number})")).collect::<Vec<_>>().join(", ")
+    fixed
+        .iter()
+        .for_each(|rule| *rules.entry(rule).or_default() += 1);
+    rules
+        .iter()
+        .map(|(rule, number)| format!("{rule} ({number})"))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 /// A diff for a person: in colour, and with nothing in it that could steer the terminal.

@@ -7,14 +7,23 @@ use std::process::{Command, Stdio};
 
 use mhlint_source::resolved;
 
-/// By these git hands its own repository and the index of the commit to a hook. They are relative to where the hook
-/// runs, and the folder to check may lie in another repository.
-const HANDED_DOWN: [&str; 6] =
-    ["GIT_DIR", "GIT_WORK_TREE", "GIT_IMPLICIT_WORK_TREE", "GIT_COMMON_DIR", "GIT_INDEX_FILE", "GIT_PREFIX"];
+/// By these git hands its own repository and the index of the commit to a hook. They are relative
+/// to where the hook runs, and the folder to check may lie in another repository.
+const HANDED_DOWN: [&str; 6] = [
+    "GIT_DIR",
+    "GIT_WORK_TREE",
+    "GIT_IMPLICIT_WORK_TREE",
+    "GIT_COMMON_DIR",
+    "GIT_INDEX_FILE",
+    "GIT_PREFIX",
+];
 
 /// Contents that are not at hand stay away: a gate waits for no network.
-const NO_DOWNLOADS: [(&str, &str); 3] =
-    [("GIT_LFS_SKIP_SMUDGE", "1"), ("GIT_NO_LAZY_FETCH", "1"), ("GIT_TERMINAL_PROMPT", "0")];
+const NO_DOWNLOADS: [(&str, &str); 3] = [
+    ("GIT_LFS_SKIP_SMUDGE", "1"),
+    ("GIT_NO_LAZY_FETCH", "1"),
+    ("GIT_TERMINAL_PROMPT", "0"),
+];
 
 /// A working tree of git.
 pub(super) struct Repository {
@@ -22,7 +31,8 @@ pub(super) struct Repository {
     /// `top` behind all links.
     place: PathBuf,
     folder: PathBuf,
-    /// The index of the commit at hand: `git commit -a` and `git commit PATH` write one of their own. Relative to `top`.
+    /// The index of the commit at hand: `git commit -a` and `git commit PATH` write one of their
+    /// own. Relative to `top`.
     index: Option<OsString>,
 }
 
@@ -37,7 +47,11 @@ pub(super) enum Record<'r> {
 
 impl<'r> Record<'r> {
     pub(super) const fn commit(self) -> Option<&'r str> {
-        if let Self::Commit(commit) = self { Some(commit) } else { None }
+        if let Self::Commit(commit) = self {
+            Some(commit)
+        } else {
+            None
+        }
     }
 }
 
@@ -69,10 +83,15 @@ impl Repository {
                 Ok(Self::at(top, git_folder, index))
             }
             Err(Refusal::Said(said)) => {
-                // A working tree without `.git` in it: only the variables tell where its repository is.
+                // A working tree without `.git` in it: only the variables tell where its repository
+                // is.
                 let (top, git_folder) = here().map_err(|_| Refusal::Said(said.clone()))?;
                 let is_inside = real(folder).starts_with(real(&top));
-                if is_inside { Ok(Self::at(top, git_folder, index)) } else { Err(Refusal::Said(said)) }
+                if is_inside {
+                    Ok(Self::at(top, git_folder, index))
+                } else {
+                    Err(Refusal::Said(said))
+                }
             }
             Err(refusal) => Err(refusal),
         }
@@ -80,17 +99,26 @@ impl Repository {
 
     fn at(top: PathBuf, folder: PathBuf, index: Option<OsString>) -> Self {
         let place = resolved(&top);
-        Self { top, place, folder, index }
+        Self {
+            top,
+            place,
+            folder,
+            index,
+        }
     }
 
-    /// What git prints. It runs at the top of the tree, so that paths mean the same whatever folder was asked about.
+    /// What git prints. It runs at the top of the tree, so that paths mean the same whatever folder
+    /// was asked about.
     pub(super) fn ask(&self, arguments: &[&str]) -> Result<Vec<u8>, Refusal> {
         output(self.command().args(arguments))
     }
 
     fn command(&self) -> Command {
         let mut git = undirected();
-        git.arg("-C").arg(&self.top).env("GIT_DIR", &self.folder).env("GIT_WORK_TREE", &self.top);
+        git.arg("-C")
+            .arg(&self.top)
+            .env("GIT_DIR", &self.folder)
+            .env("GIT_WORK_TREE", &self.top);
         if let Some(index) = &self.index {
             git.env("GIT_INDEX_FILE", index);
         }
@@ -107,8 +135,8 @@ impl Repository {
         self.place.join(path(name))
     }
 
-    /// Recorded files in a folder of their own, as git writes them to the working tree. What git cannot write there
-    /// without a download is missing.
+    /// Recorded files in a folder of their own, as git writes them to the working tree. What git
+    /// cannot write there without a download is missing.
     pub(super) fn check_out<'n>(
         &self,
         record: Record<'_>,
@@ -122,14 +150,21 @@ impl Repository {
         let mut git = self.command();
         if let Record::Commit(commit) = record {
             let index = folder.path().join(".git-index");
-            output(self.command().env("GIT_INDEX_FILE", &index).args(["read-tree", commit]))?;
+            output(
+                self.command()
+                    .env("GIT_INDEX_FILE", &index)
+                    .args(["read-tree", commit]),
+            )?;
             git.env("GIT_INDEX_FILE", index);
         }
         let mut prefix = OsString::from("--prefix=");
         prefix.push(folder.path());
         prefix.push("/");
-        git.args(["checkout-index", "-z", "--stdin", "--quiet"]).arg(prefix);
-        git.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::null());
+        git.args(["checkout-index", "-z", "--stdin", "--quiet"])
+            .arg(prefix);
+        git.stdin(Stdio::piped())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null());
         let mut running = git.spawn().map_err(Refusal::NotStarted)?;
         if let Some(mut list) = running.stdin.take() {
             names
@@ -144,26 +179,35 @@ impl Repository {
     /// Where Git LFS keeps what it has fetched.
     pub(super) fn lfs_objects(&self) -> Option<PathBuf> {
         let common = self.ask(&["rev-parse", "--git-common-dir"]).ok()?;
-        Some(self.top.join(path(common.strip_suffix(b"\n")?)).join("lfs/objects"))
+        Some(
+            self.top
+                .join(path(common.strip_suffix(b"\n")?))
+                .join("lfs/objects"),
+        )
     }
 
     /// The files that git lists, separated by NUL.
     pub(super) fn files(&self, arguments: &[&str]) -> Result<Vec<PathBuf>, Refusal> {
         let listed = self.ask(arguments)?;
-        let names = listed.split(|byte| *byte == 0).filter(|name| !name.is_empty());
+        let names = listed
+            .split(|byte| *byte == 0)
+            .filter(|name| !name.is_empty());
         Ok(names.map(|name| self.place(name)).collect())
     }
 
     /// The one that holds this one as a submodule.
     pub(super) fn superproject(&self) -> Option<Self> {
-        let top = self.ask(&["rev-parse", "--show-superproject-working-tree"]).ok()?;
+        let top = self
+            .ask(&["rev-parse", "--show-superproject-working-tree"])
+            .ok()?;
         let top = top.strip_suffix(b"\n").filter(|top| !top.is_empty())?;
         Self::around(&path(top)).ok()
     }
 
     /// Whether a part of the history was not fetched.
     pub(super) fn is_shallow(&self) -> bool {
-        self.ask(&["rev-parse", "--is-shallow-repository"]).is_ok_and(|said| said.starts_with(b"true"))
+        self.ask(&["rev-parse", "--is-shallow-repository"])
+            .is_ok_and(|said| said.starts_with(b"true"))
     }
 }
 
@@ -190,8 +234,10 @@ fn undirected() -> Command {
 
 /// The top of the working tree and the folder of the repository.
 fn locate(git: &dyn Fn() -> Command) -> Result<(PathBuf, PathBuf), Refusal> {
-    let ask =
-        |what| output(git().args(["rev-parse", what])).map(|line| path(line.strip_suffix(b"\n").unwrap_or(&line)));
+    let ask = |what| {
+        output(git().args(["rev-parse", what]))
+            .map(|line| path(line.strip_suffix(b"\n").unwrap_or(&line)))
+    };
     Ok((ask("--show-toplevel")?, ask("--absolute-git-dir")?))
 }
 
@@ -200,7 +246,9 @@ fn output(git: &mut Command) -> Result<Vec<u8>, Refusal> {
     if output.status.success() {
         return Ok(output.stdout);
     }
-    Err(Refusal::Said(String::from_utf8_lossy(&output.stderr).trim().to_owned()))
+    Err(Refusal::Said(
+        String::from_utf8_lossy(&output.stderr).trim().to_owned(),
+    ))
 }
 
 fn real(path: &Path) -> PathBuf {

@@ -1,4 +1,5 @@
-//! Standard error: each line is made harmless before it gets there, whoever wrote it and whatever names are in it.
+//! Standard error: each line is made harmless before it gets there, whoever wrote it and whatever
+//! names are in it.
 
 use std::io::{self, Write};
 
@@ -13,7 +14,10 @@ pub(super) struct Harmless {
 
 impl Harmless {
     pub(super) fn stderr() -> Self {
-        Self { to: io::stderr(), line: Vec::new() }
+        Self {
+            to: io::stderr(),
+            line: Vec::new(),
+        }
     }
 }
 

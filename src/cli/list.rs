@@ -33,17 +33,30 @@ const fn shown_fix(rule: &RuleInfo) -> &'static str {
 }
 
 /// Writes rules as lines of id, level, kind of fix and summary.
-pub(super) fn write_table(rules: &[&RuleInfo], paint: Paint, out: &mut dyn Write) -> Result<(), Failure> {
+pub(super) fn write_table(
+    rules: &[&RuleInfo],
+    paint: Paint,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
     let width = rules.iter().map(|rule| rule.id.len()).max().unwrap_or(0);
     for rule in rules {
         let level = paint.level(rule.level, &format!("{:<7}", rule.level.word()));
-        writeln!(out, "{:<width$}  {level}  {:<6}  {}", rule.id, shown_fix(rule), rule.summary)?;
+        writeln!(
+            out,
+            "{:<width$}  {level}  {:<6}  {}",
+            rule.id,
+            shown_fix(rule),
+            rule.summary
+        )?;
     }
     Ok(())
 }
 
 fn write_markdown(rules: &[&RuleInfo], out: &mut dyn Write) -> Result<(), Failure> {
-    writeln!(out, "| rule | level | fix | what is wrong |\n|---|---|---|---|")?;
+    writeln!(
+        out,
+        "| rule | level | fix | what is wrong |\n|---|---|---|---|"
+    )?;
     for rule in rules {
         writeln!(
             out,
@@ -58,8 +71,10 @@ fn write_markdown(rules: &[&RuleInfo], out: &mut dyn Write) -> Result<(), Failur
 }
 
 fn item(rule: &RuleInfo) -> Value {
-    let breaks =
-        rule.breaks.iter().map(|(application, effect)| json!({ "application": application, "effect": effect }));
+    let breaks = rule
+        .breaks
+        .iter()
+        .map(|(application, effect)| json!({ "application": application, "effect": effect }));
     json!({
         "id": rule.id,
         "family": rule.family(),

@@ -1,6 +1,9 @@
 //! The command line: arguments, streams, exit codes. No logic that a library user would miss.
 
-#![expect(clippy::disallowed_methods, reason = "a command has files of its own, streams, and surroundings")]
+#![expect(
+    clippy::disallowed_methods,
+    reason = "a command has files of its own, streams, and surroundings"
+)]
 
 mod args;
 mod check;
@@ -64,15 +67,23 @@ pub fn main() -> ExitCode {
 fn run(args: &Args, panics: &Panics, err: &mut dyn Write) -> Result<Exit, Failure> {
     let mut out = io::BufWriter::new(io::stdout().lock());
     let terminal = Terminal::of_stdout(args.color);
-    let paint = Paint { color: terminal.color };
+    let paint = Paint {
+        color: terminal.color,
+    };
     let exit = match &args.command {
         None => check::run(&args.check, terminal, panics, &mut out, err)?,
         Some(Command::Check(check)) => check::run(check, terminal, panics, &mut out, err)?,
         Some(Command::Config(check)) => config::run(check, &mut out)?,
         Some(Command::Eval(command)) => eval::run(command, &mut out, err)?,
-        Some(Command::Explain { rule, format }) => {
-            explain::run(rule, *format, explain::Page { paint, width: terminal.width }, &mut out)?
-        }
+        Some(Command::Explain { rule, format }) => explain::run(
+            rule,
+            *format,
+            explain::Page {
+                paint,
+                width: terminal.width,
+            },
+            &mut out,
+        )?,
         Some(Command::Init { folder }) => init::run(folder.as_deref(), &mut out, err)?,
         Some(Command::Rules { format }) => list::run(*format, paint, &mut out)?,
         Some(Command::Schema { name }) => schema::run(name.as_deref(), &mut out)?,

@@ -23,23 +23,33 @@ pub(super) struct Target {
 
 impl Target {
     pub(super) fn parse(text: &str) -> Result<Self, String> {
-        let (name, file) = text.split_once('=').map_or((text, None), |(name, file)| (name, Some(file)));
+        let (name, file) = text
+            .split_once('=')
+            .map_or((text, None), |(name, file)| (name, Some(file)));
         let known: Vec<&str> = Format::ALL.iter().map(|(name, _)| *name).collect();
         let found = Format::ALL.iter().find(|(known, _)| *known == name);
         let (_, format) = found.ok_or_else(|| not_one_of("report format", name, &known))?;
         if file == Some("") {
-            return Err(format!("missing file after `=`; use for example `{name}=report.txt`"));
+            return Err(format!(
+                "missing file after `=`; use for example `{name}=report.txt`"
+            ));
         }
-        Ok(Self { format: *format, file: file.map(PathBuf::from) })
+        Ok(Self {
+            format: *format,
+            file: file.map(PathBuf::from),
+        })
     }
 }
 
-/// The reports to write, `human` to standard output if none was asked for. Refuses before the run what
-/// could not be written after it, or would overwrite what the run reads or writes besides.
+/// The reports to write, `human` to standard output if none was asked for. Refuses before the run
+/// what could not be written after it, or would overwrite what the run reads or writes besides.
 pub(super) fn targets(asked: &[Target], config: &Config) -> Result<Vec<Target>, Failure> {
     refuse_shared(asked, config)?;
     if asked.is_empty() {
-        return Ok(vec![Target { format: Format::Human, file: None }]);
+        return Ok(vec![Target {
+            format: Format::Human,
+            file: None,
+        }]);
     }
     let to_stdout = asked.iter().filter(|target| target.file.is_none()).count();
     if to_stdout > 1 {
@@ -47,28 +57,57 @@ pub(super) fn targets(asked: &[Target], config: &Config) -> Result<Vec<Target>, 
             "{to_stdout} reports go to standard output; write all but one to a file with `--report FORMAT=FILE`"
         )));
     }
-    let files: Vec<&PathBuf> = asked.iter().filter_map(|target| target.file.as_ref()).collect();
-    files.iter().try_for_each(|file| refuse_unwritable("a report", file))?;
+    let files: Vec<&PathBuf> = asked
+        .iter()
+        .filter_map(|target| target.file.as_ref())
+        .collect();
+    files
+        .iter()
+        .try_for_each(|file| refuse_unwritable("a report", file))?;
     let mut places: Vec<PathBuf> = files.into_iter().map(|file| resolved(file)).collect();
     places.sort_unstable();
-    if let Some(twice) = places.windows(2).find(|pair| pair.first() == pair.last()).and_then(<[_]>::first) {
-        return Err(Failure::Usage(format!("two reports go to `{}`; use a different file for each", twice.display())));
+    if let Some(twice) = places
+        .windows(2)
+        .find(|pair| pair.first() == pair.last())
+        .and_then(<[_]>::first)
+    {
+        return Err(Failure::Usage(format!(
+            "two reports go to `{}`; use a different file for each",
+            twice.display()
+        )));
     }
     Ok(asked.to_vec())
 }
 
 /// Refuses a report or baseline in place of the baseline or the configuration.
 fn refuse_shared(asked: &[Target], config: &Config) -> Result<(), Failure> {
-    let settings = config.file.as_ref().map(|file| ("the configuration file", resolved(Path::new(&file.path))));
-    let baseline = config.baseline.as_deref().map(|file| ("the baseline", resolved(file)));
-    let reports = asked.iter().filter_map(|target| Some(("a report", target.file.as_deref()?)));
-    let baselines = config.baseline.as_deref().filter(|_| config.write_baseline).map(|file| ("the baseline", file));
+    let settings = config
+        .file
+        .as_ref()
+        .map(|file| ("the configuration file", resolved(Path::new(&file.path))));
+    let baseline = config
+        .baseline
+        .as_deref()
+        .map(|file| ("the baseline", resolved(file)));
+    let reports = asked
+        .iter()
+        .filter_map(|target| Some(("a report", target.file.as_deref()?)));
+    let baselines = config
+        .baseline
+        .as_deref()
+        .filter(|_| config.write_baseline)
+        .map(|file| ("the baseline", file));
     for (what, file) in reports.chain(baselines) {
         let place = resolved(file);
-        let taken = settings.iter().chain(&baseline).find(|(other, taken)| *other != what && *taken == place);
+        let taken = settings
+            .iter()
+            .chain(&baseline)
+            .find(|(other, taken)| *other != what && *taken == place);
         if let Some((other, _)) = taken {
             let shown = file.display();
-            return Err(Failure::Usage(format!("cannot write {what} to `{shown}`: that is {other}; use another file")));
+            return Err(Failure::Usage(format!(
+                "cannot write {what} to `{shown}`: that is {other}; use another file"
+            )));
         }
     }
     Ok(())
@@ -78,7 +117,9 @@ fn refuse_shared(asked: &[Target], config: &Config) -> Result<(), Failure> {
 pub(super) fn refuse_unwritable(what: &str, file: &Path) -> Result<(), Failure> {
     let shown = file.display();
     if file.is_dir() {
-        return Err(Failure::Usage(format!("cannot write {what} to `{shown}`: it is a folder; use a file in it")));
+        return Err(Failure::Usage(format!(
+            "cannot write {what} to `{shown}`: it is a folder; use a file in it"
+        )));
     }
     let behind = link_targets(file).pop();
     if behind.as_ref().is_some_and(|end| end.is_symlink()) {
@@ -89,7 +130,11 @@ pub(super) fn refuse_unwritable(what: &str, file: &Path) -> Result<(), Failure> 
     let parent = folder_of(behind.as_deref().unwrap_or(file));
     if !parent.is_dir() {
         let folder = parent.display();
-        let whose = if behind.is_some() { ", which the link leads to," } else { "" };
+        let whose = if behind.is_some() {
+            ", which the link leads to,"
+        } else {
+            ""
+        };
         return Err(Failure::Usage(format!(
             "cannot write {what} to `{shown}`: folder `{folder}`{whose} does not exist; create it first"
         )));
@@ -104,9 +149,15 @@ pub(super) fn refuse_asset(
     config: &Config,
     outcome: &Outcome,
 ) -> Result<(), Failure> {
-    let is_path = |file: &Path| paths.iter().any(|path| path.is_file() && resolved(path) == resolved(file));
+    let is_path = |file: &Path| {
+        paths
+            .iter()
+            .any(|path| path.is_file() && resolved(path) == resolved(file))
+    };
     let mut files = targets.iter().filter_map(|target| target.file.as_deref());
-    let is_asset = |file: &&Path| file.is_file() && (is_path(file) || holds_asset(outcome, file, &config.systems));
+    let is_asset = |file: &&Path| {
+        file.is_file() && (is_path(file) || holds_asset(outcome, file, &config.systems))
+    };
     files.find(is_asset).map_or(Ok(()), |file| {
         let (shown, remedy) = (file.display(), "use a file outside the data");
         Err(Failure::Usage(format!(
@@ -120,18 +171,24 @@ pub(super) fn write_file(what: &str, file: &Path, bytes: &[u8]) -> Result<(), Fa
     let shown = file.display();
     replace(file, bytes).map_err(|error| {
         let remedy = remedy(&error);
-        Failure::Usage(format!("cannot write {what} to `{shown}`: {error}; {remedy}"))
+        Failure::Usage(format!(
+            "cannot write {what} to `{shown}`: {error}; {remedy}"
+        ))
     })
 }
 
 /// What to do about a write that failed.
 pub(super) fn remedy(error: &io::Error) -> &'static str {
     match error.kind() {
-        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "free some space, or use a file on another disk",
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
+            "free some space, or use a file on another disk"
+        }
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
             "use a file in a folder that you can write to"
         }
-        io::ErrorKind::BrokenPipe => "the program that reads it has ended; keep it running, or use a file",
+        io::ErrorKind::BrokenPipe => {
+            "the program that reads it has ended; keep it running, or use a file"
+        }
         _ => "use another file",
     }
 }

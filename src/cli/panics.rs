@@ -1,5 +1,5 @@
-//! Panics are bugs of ours. The engine catches them per file and rule; here they are noted without noise
-//! and told at the end, once.
+//! Panics are bugs of ours. The engine catches them per file and rule; here they are noted without
+//! noise and told at the end, once.
 
 use std::panic::{self, PanicHookInfo};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -21,19 +21,28 @@ impl Panics {
 
     /// What was noted, each once.
     pub(super) fn noted(&self) -> Vec<String> {
-        let mut noted = self.noted.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let mut noted = self
+            .noted
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .clone();
         noted.sort_unstable();
         noted.dedup();
         noted
     }
 
     fn note(&self, what: &str) {
-        self.noted.lock().unwrap_or_else(PoisonError::into_inner).push(what.to_owned());
+        self.noted
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .push(what.to_owned());
     }
 }
 
 fn describe(info: &PanicHookInfo<'_>) -> String {
-    let place = info.location().map_or_else(String::new, |at| format!(" ({}:{})", at.file(), at.line()));
+    let place = info
+        .location()
+        .map_or_else(String::new, |at| format!(" ({}:{})", at.file(), at.line()));
     let payload = info.payload();
     let text = payload.downcast_ref::<&str>().copied();
     let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));

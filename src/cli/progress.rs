@@ -20,7 +20,10 @@ impl Progress {
     /// Begins to wait. Does nothing where standard error is no terminal.
     pub(super) fn start(what: &'static str) -> Self {
         if !io::stderr().is_terminal() {
-            return Self { ended: None, drawer: None };
+            return Self {
+                ended: None,
+                drawer: None,
+            };
         }
         let (ended, end) = mpsc::channel();
         let drawer = thread::spawn(move || {
@@ -31,7 +34,10 @@ impl Progress {
                 bar.finish_and_clear();
             }
         });
-        Self { ended: Some(ended), drawer: Some(drawer) }
+        Self {
+            ended: Some(ended),
+            drawer: Some(drawer),
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Contents that git has recorded, in a commit or in the index, where the working tree has others.
 //!
-//! They come through git's own filters, so that line ends are those of the working tree; nothing is downloaded.
+//! They come through git's own filters, so that line ends are those of the working tree; nothing is
+//! downloaded.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -42,10 +43,17 @@ enum Kind {
 }
 
 impl Recorded {
-    /// Everything in which a record differs from the working tree. Files that git ignores are in both, unless these count
-    /// as well.
-    pub(super) fn of(repository: &Repository, record: Record<'_>, with_ignored: bool) -> Result<Self, Refusal> {
-        let mut recorded = Self { with_ignored, ..Self::default() };
+    /// Everything in which a record differs from the working tree. Files that git ignores are in
+    /// both, unless these count as well.
+    pub(super) fn of(
+        repository: &Repository,
+        record: Record<'_>,
+        with_ignored: bool,
+    ) -> Result<Self, Refusal> {
+        let mut recorded = Self {
+            with_ignored,
+            ..Self::default()
+        };
         recorded.add(repository, record)?;
         for (link, target) in std::mem::take(&mut recorded.links) {
             match recorded.behind(repository, &target) {
@@ -67,18 +75,30 @@ impl Recorded {
                 Kind::File | Kind::Link => written.push((one, place)),
             }
         }
-        let new = repository.files(if self.with_ignored { NEW_AND_IGNORED } else { NEW })?;
-        self.contents.extend(new.into_iter().map(|file| (file, None)));
-        let folder = repository.check_out(record, written.iter().map(|(one, _)| one.name.as_slice()))?;
+        let new = repository.files(if self.with_ignored {
+            NEW_AND_IGNORED
+        } else {
+            NEW
+        })?;
+        self.contents
+            .extend(new.into_iter().map(|file| (file, None)));
+        let folder =
+            repository.check_out(record, written.iter().map(|(one, _)| one.name.as_slice()))?;
         for (one, place) in written {
             let copy = folder.path().join(path(&one.name));
             if let (Kind::Link, Ok(target)) = (one.kind, fs::read_link(&copy)) {
-                self.links.push((place.clone(), folder_of(&place).join(target)));
+                self.links
+                    .push((place.clone(), folder_of(&place).join(target)));
                 continue;
             }
             let bytes = content(&copy);
-            let is_at_hand = |bytes: &[u8]| !is_pointer(bytes) || fs::read(&place).is_ok_and(|now| is_pointer(&now));
-            let found = bytes.clone().filter(|bytes| is_at_hand(bytes)).or_else(|| object(bytes.as_ref()?, repository));
+            let is_at_hand = |bytes: &[u8]| {
+                !is_pointer(bytes) || fs::read(&place).is_ok_and(|now| is_pointer(&now))
+            };
+            let found = bytes
+                .clone()
+                .filter(|bytes| is_at_hand(bytes))
+                .or_else(|| object(bytes.as_ref()?, repository));
             if found.is_none() {
                 self.missing.insert(place.clone());
             }
@@ -90,15 +110,21 @@ impl Recorded {
         Ok(())
     }
 
-    /// The files of a submodule as they were at a commit of its own; at none there was no submodule.
+    /// The files of a submodule as they were at a commit of its own; at none there was no
+    /// submodule.
     fn add_submodule(&mut self, place: &Path, commit: Option<&str>) {
-        let inner = Repository::around(place).ok().filter(|inner| canonical(inner.top()) == canonical(place));
+        let inner = Repository::around(place)
+            .ok()
+            .filter(|inner| canonical(inner.top()) == canonical(place));
         let added = inner.and_then(|inner| {
             if let Some(commit) = commit {
                 return self.add(&inner, Record::Commit(commit)).ok();
             }
-            let files = inner.files(&["ls-files", "--cached", "--others", "-z"]).ok()?;
-            self.contents.extend(files.into_iter().map(|file| (file, None)));
+            let files = inner
+                .files(&["ls-files", "--cached", "--others", "-z"])
+                .ok()?;
+            self.contents
+                .extend(files.into_iter().map(|file| (file, None)));
             Some(())
         });
         if added.is_none() {
@@ -119,7 +145,14 @@ impl Recorded {
 
 /// How a record differs from the working tree, but for files that git has never seen.
 fn differences(repository: &Repository, record: Record<'_>) -> Result<Vec<Difference>, Refusal> {
-    let mut arguments = vec!["diff", "--raw", "-z", "--no-renames", "--no-abbrev", "--no-ext-diff"];
+    let mut arguments = vec![
+        "diff",
+        "--raw",
+        "-z",
+        "--no-renames",
+        "--no-abbrev",
+        "--no-ext-diff",
+    ];
     arguments.push("--ignore-submodules=none");
     arguments.extend(record.commit());
     arguments.push("--");
@@ -139,7 +172,11 @@ fn differences(repository: &Repository, record: Record<'_>) -> Result<Vec<Differ
             Some("000000") | None => Kind::Nothing,
             Some(_) => Kind::File,
         };
-        differences.push(Difference { name: name.to_owned(), kind, object: object.unwrap_or_default().to_owned() });
+        differences.push(Difference {
+            name: name.to_owned(),
+            kind,
+            object: object.unwrap_or_default().to_owned(),
+        });
     }
     Ok(differences)
 }
@@ -147,7 +184,11 @@ fn differences(repository: &Repository, record: Record<'_>) -> Result<Vec<Differ
 /// What git has written to `copy`.
 fn content(copy: &Path) -> Option<Vec<u8>> {
     let size = fs::metadata(copy).ok()?.len();
-    if size > Limits::default().file_bytes { None } else { fs::read(copy).ok() }
+    if size > Limits::default().file_bytes {
+        None
+    } else {
+        fs::read(copy).ok()
+    }
 }
 
 fn is_pointer(bytes: &[u8]) -> bool {
@@ -157,7 +198,10 @@ fn is_pointer(bytes: &[u8]) -> bool {
 /// The object that a pointer of Git LFS stands for, if it was fetched.
 fn object(pointer: &[u8], repository: &Repository) -> Option<Vec<u8>> {
     let text = String::from_utf8_lossy(pointer);
-    let object = text.lines().find_map(|line| line.strip_prefix("oid sha256:"))?.trim();
+    let object = text
+        .lines()
+        .find_map(|line| line.strip_prefix("oid sha256:"))?
+        .trim();
     let folders = [object.get(..2)?, object.get(2..4)?, object];
     fs::read(repository.lfs_objects()?.join(folders.join("/"))).ok()
 }

@@ -14,7 +14,8 @@ pub(super) fn run(name: Option<&str>, out: &mut dyn Write) -> Result<Exit, Failu
         return Ok(Exit::Clean);
     };
     let known: Vec<&str> = schema_names().collect();
-    let text = schema_text(name).ok_or_else(|| Failure::Usage(not_one_of("schema", name, &known)))?;
+    let text =
+        schema_text(name).ok_or_else(|| Failure::Usage(not_one_of("schema", name, &known)))?;
     writeln!(out, "{}", text.trim_end())?;
     Ok(Exit::Clean)
 }

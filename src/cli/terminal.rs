@@ -26,18 +26,29 @@ struct Surroundings {
 
 impl Terminal {
     /// What files are written for: no colour, no drawing.
-    pub(super) const PLAIN: Self = Self { color: false, unicode: false, width: COLUMNS };
+    pub(super) const PLAIN: Self = Self {
+        color: false,
+        unicode: false,
+        width: COLUMNS,
+    };
 
     /// Standard output as it is.
     pub(super) fn of_stdout(choice: ColorChoice) -> Self {
         let variable = |name: &str| env::var(name).ok().filter(|value| !value.is_empty());
-        let around = Surroundings { is_terminal: io::stdout().is_terminal(), variable };
-        Self { color: color(choice, &around), unicode: unicode(&around), width: width(&around) }
+        let around = Surroundings {
+            is_terminal: io::stdout().is_terminal(),
+            variable,
+        };
+        Self {
+            color: color(choice, &around),
+            unicode: unicode(&around),
+            width: width(&around),
+        }
     }
 }
 
-/// `--color`, then `NO_COLOR`, then `FORCE_COLOR` and `CLICOLOR_FORCE`, then whether it is a terminal that knows colour.
-/// Logs of CI systems show colour even where `TERM` is not set.
+/// `--color`, then `NO_COLOR`, then `FORCE_COLOR` and `CLICOLOR_FORCE`, then whether it is a
+/// terminal that knows colour. Logs of CI systems show colour even where `TERM` is not set.
 fn color(choice: ColorChoice, around: &Surroundings) -> bool {
     let is_set = |name| (around.variable)(name).is_some_and(|value| value != "0");
     match choice {
@@ -56,7 +67,9 @@ fn color(choice: ColorChoice, around: &Surroundings) -> bool {
 }
 
 fn unicode(around: &Surroundings) -> bool {
-    let locale = ["LC_ALL", "LC_CTYPE", "LANG"].into_iter().find_map(around.variable);
+    let locale = ["LC_ALL", "LC_CTYPE", "LANG"]
+        .into_iter()
+        .find_map(around.variable);
     let names_utf8 = |locale: String| {
         let locale = locale.to_ascii_lowercase();
         locale.contains("utf-8") || locale.contains("utf8")
@@ -66,9 +79,16 @@ fn unicode(around: &Surroundings) -> bool {
 
 fn width(around: &Surroundings) -> usize {
     let said = (around.variable)("COLUMNS").and_then(|columns| columns.parse().ok());
-    let measured =
-        || around.is_terminal.then(terminal_size::terminal_size).flatten().map(|(width, _)| usize::from(width.0));
-    said.or_else(measured).unwrap_or(COLUMNS).clamp(NARROWEST, WIDEST)
+    let measured = || {
+        around
+            .is_terminal
+            .then(terminal_size::terminal_size)
+            .flatten()
+            .map(|(width, _)| usize::from(width.0))
+    };
+    said.or_else(measured)
+        .unwrap_or(COLUMNS)
+        .clamp(NARROWEST, WIDEST)
 }
 
 #[cfg(test)]
@@ -76,7 +96,13 @@ mod tests {
     use super::*;
 
     fn auto(is_terminal: bool, variable: fn(&str) -> Option<String>) -> bool {
-        color(ColorChoice::Auto, &Surroundings { is_terminal, variable })
+        color(
+            ColorChoice::Auto,
+            &Surroundings {
+                is_terminal,
+                variable,
+            },
+        )
     }
 
     fn only(name: &str, wanted: &str, value: &str) -> Option<String> {
@@ -92,10 +118,15 @@ mod tests {
 
     #[test]
     fn the_environment_overrides_the_terminal() {
-        assert!(!auto(true, |name| only(name, "NO_COLOR", "1").or(only(name, "TERM", "xterm"))));
+        assert!(!auto(true, |name| only(name, "NO_COLOR", "1")
+            .or(only(name, "TERM", "xterm"))));
         assert!(auto(false, |name| only(name, "CLICOLOR_FORCE", "1")));
         assert!(auto(false, |name| only(name, "FORCE_COLOR", "1")));
-        assert!(!auto(false, |name| only(name, "NO_COLOR", "1").or(only(name, "FORCE_COLOR", "1"))));
+        assert!(!auto(false, |name| only(name, "NO_COLOR", "1").or(only(
+            name,
+            "FORCE_COLOR",
+            "1"
+        ))));
         assert!(!auto(false, |name| only(name, "CLICOLOR_FORCE", "0")));
         assert!(auto(true, |name| only(name, "CI", "true")));
         assert!(!auto(false, |name| only(name, "CI", "true")));
@@ -103,14 +134,22 @@ mod tests {
 
     #[test]
     fn the_option_overrides_the_environment() {
-        let around = Surroundings { is_terminal: false, variable: |name| only(name, "NO_COLOR", "1") };
+        let around = Surroundings {
+            is_terminal: false,
+            variable: |name| only(name, "NO_COLOR", "1"),
+        };
         assert!(color(ColorChoice::Always, &around));
         assert!(!color(ColorChoice::Never, &around));
     }
 
     #[test]
     fn drawing_needs_a_terminal_and_a_locale() {
-        let draws = |is_terminal, variable| unicode(&Surroundings { is_terminal, variable });
+        let draws = |is_terminal, variable| {
+            unicode(&Surroundings {
+                is_terminal,
+                variable,
+            })
+        };
         assert!(draws(true, |name| only(name, "LANG", "de_DE.UTF-8")));
         assert!(!draws(true, |name| only(name, "LC_ALL", "C")));
         assert!(!draws(false, |name| only(name, "LANG", "de_DE.UTF-8")));
@@ -118,7 +157,12 @@ mod tests {
 
     #[test]
     fn width_is_bounded() {
-        let of = |variable| width(&Surroundings { is_terminal: false, variable });
+        let of = |variable| {
+            width(&Surroundings {
+                is_terminal: false,
+                variable,
+            })
+        };
         assert_eq!(of(|_| None), COLUMNS);
         assert_eq!(of(|name| only(name, "COLUMNS", "9")), NARROWEST);
         assert_eq!(of(|name| only(name, "COLUMNS", "999")), WIDEST);

@@ -9,8 +9,8 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    /// Watches over the hidden files of a run: with the first signal that ends programs they go, and so does the run, with
-    /// the exit code that shells have for the signal.
+    /// Watches over the hidden files of a run: with the first signal that ends programs they go,
+    /// and so does the run, with the exit code that shells have for the signal.
     ///
     /// Where no signals can be had, a later run removes what is left.
     #[cfg(unix)]
@@ -18,14 +18,18 @@ impl Watch {
         use signal_hook::consts::{SIGINT, SIGTERM};
         use signal_hook::iterator::Signals;
         let pending = pending.clone();
-        let Ok(mut signals) = Signals::new([SIGINT, SIGTERM]) else { return Self { signals: None } };
+        let Ok(mut signals) = Signals::new([SIGINT, SIGTERM]) else {
+            return Self { signals: None };
+        };
         let handle = signals.handle();
         std::thread::spawn(move || {
             if let Some(signal) = signals.forever().next() {
                 pending.remove_and(|| end(signal));
             }
         });
-        Self { signals: Some(handle) }
+        Self {
+            signals: Some(handle),
+        }
     }
 
     /// The same where there are no signals.
@@ -46,7 +50,10 @@ impl Drop for Watch {
 
 /// Ends the program as shells expect it.
 #[cfg(unix)]
-#[expect(clippy::exit, reason = "whoever ends the program does not wait for what it was about to do")]
+#[expect(
+    clippy::exit,
+    reason = "whoever ends the program does not wait for what it was about to do"
+)]
 fn end(signal: i32) {
     std::process::exit(128 + signal)
 }

@@ -1,4 +1,5 @@
-//! `--since`, `--staged` and `--against`: what a change brings, and nothing else. On the real binary, with real git.
+//! `--since`, `--staged` and `--against`: what a change brings, and nothing else. On the real
+//! binary, with real git.
 
 use std::fs;
 use std::path::Path;
@@ -8,12 +9,28 @@ use crate::scratch::{assert_refused, edit, example, lose_a_step, mhlint, stderr,
 
 fn git(folder: &Path, arguments: &[&str]) {
     let output = try_git(folder, arguments);
-    assert!(output.status.success(), "git {arguments:?}: {}", stderr(&output));
+    assert!(
+        output.status.success(),
+        "git {arguments:?}: {}",
+        stderr(&output)
+    );
 }
 
 fn try_git(folder: &Path, arguments: &[&str]) -> Output {
-    let identity = ["-c", "user.name=t", "-c", "user.email=t@example.org", "-c", "commit.gpgsign=false"];
-    Command::new("git").current_dir(folder).args(identity).args(arguments).output().unwrap()
+    let identity = [
+        "-c",
+        "user.name=t",
+        "-c",
+        "user.email=t@example.org",
+        "-c",
+        "commit.gpgsign=false",
+    ];
+    Command::new("git")
+        .current_dir(folder)
+        .args(identity)
+        .args(arguments)
+        .output()
+        .unwrap()
 }
 
 /// The example in a git repository, with an error in `macro.json` that was there before.
@@ -40,7 +57,10 @@ fn named_target(root: &Path) -> String {
 }
 
 fn check(root: &Path, more: &[&str]) -> Output {
-    mhlint(root, &[&["check", ".", "--no-eval", "--report", "concise"], more].concat())
+    mhlint(
+        root,
+        &[&["check", ".", "--no-eval", "--report", "concise"], more].concat(),
+    )
 }
 
 /// Gives a target a row that makes it useless.
@@ -68,8 +88,12 @@ const SIDE: &str = "data/target/figure/head/head-side-in.target";
 
 /// The JSON report.
 fn report(root: &Path, more: &[&str]) -> serde_json::Value {
-    let output = mhlint(root, &[&["check", ".", "--no-eval", "--report", "json"], more].concat());
-    serde_json::from_slice(&output.stdout).unwrap_or_else(|error| panic!("{error}: {}", stderr(&output)))
+    let output = mhlint(
+        root,
+        &[&["check", ".", "--no-eval", "--report", "json"], more].concat(),
+    );
+    serde_json::from_slice(&output.stdout)
+        .unwrap_or_else(|error| panic!("{error}: {}", stderr(&output)))
 }
 
 #[test]
@@ -80,8 +104,15 @@ fn what_was_there_before_is_not_shown() {
     fs::write(root.join("notes.txt"), "nothing to do with the data").unwrap();
     assert_shown(&check(root, &["--since", "HEAD"]), 0, &[], &[OLD]);
     let human = mhlint(root, &["check", ".", "--no-eval", "--since", "HEAD"]);
-    assert!(stdout(&human).contains("no new findings, compared with `HEAD`."), "{}", stdout(&human));
-    assert_eq!(report(root, &["--since", "HEAD"])["compared"], serde_json::json!({"with": "HEAD", "gone": 0}));
+    assert!(
+        stdout(&human).contains("no new findings, compared with `HEAD`."),
+        "{}",
+        stdout(&human)
+    );
+    assert_eq!(
+        report(root, &["--since", "HEAD"])["compared"],
+        serde_json::json!({"with": "HEAD", "gone": 0})
+    );
     assert_eq!(report(root, &[])["compared"], serde_json::Value::Null);
 }
 
@@ -118,7 +149,12 @@ fn a_fault_in_a_changed_file_is_new() {
     let repository = repository();
     let root = repository.path();
     ruin(root, OVAL);
-    assert_shown(&check(root, &["--since", "HEAD"]), 1, &[OVAL, "[target-non-finite]"], &[OLD]);
+    assert_shown(
+        &check(root, &["--since", "HEAD"]),
+        1,
+        &[OVAL, "[target-non-finite]"],
+        &[OLD],
+    );
 }
 
 #[test]
@@ -126,10 +162,16 @@ fn a_deleted_or_renamed_file_is_missed_where_it_was_named() {
     let repository = repository();
     let root = repository.path();
     let target = named_target(root);
-    git(root, &["mv", &target, "data/target/figure/elsewhere.target"]);
+    git(
+        root,
+        &["mv", &target, "data/target/figure/elsewhere.target"],
+    );
     let output = check(root, &["--since", "HEAD"]);
     let text = stdout(&output);
-    assert!(text.contains("modelling.json") && text.contains("[modelling-missing-target]"), "{text}");
+    assert!(
+        text.contains("modelling.json") && text.contains("[modelling-missing-target]"),
+        "{text}"
+    );
     assert!(!text.contains("macro-steps-length"), "{text}");
 }
 
@@ -142,19 +184,35 @@ fn the_point_where_a_branch_left_is_what_counts() {
     fs::write(root.join(&target), "1 nan 0 0\n").unwrap();
     git(root, &["commit", "-q", "-a", "-m", "mine"]);
     git(root, &["checkout", "-q", "main"]);
-    edit(root, "data/target/figure/macro.json", "\"name\"", "\"name\" ");
+    edit(
+        root,
+        "data/target/figure/macro.json",
+        "\"name\"",
+        "\"name\" ",
+    );
     git(root, &["commit", "-q", "-a", "-m", "theirs"]);
     git(root, &["checkout", "-q", "mine"]);
     let output = check(root, &["--since", "main"]);
-    assert!(stdout(&output).contains("target-non-finite"), "{}", stdout(&output));
-    assert!(!stdout(&output).contains("macro-steps-length"), "{}", stdout(&output));
+    assert!(
+        stdout(&output).contains("target-non-finite"),
+        "{}",
+        stdout(&output)
+    );
+    assert!(
+        !stdout(&output).contains("macro-steps-length"),
+        "{}",
+        stdout(&output)
+    );
 }
 
 #[test]
 fn what_git_cannot_tell_is_refused_with_the_remedy() {
     let repository = repository();
     let root = repository.path();
-    assert_refused(&check(root, &["--since", "nowhere"]), &["unknown revision `nowhere`", "use a commit"]);
+    assert_refused(
+        &check(root, &["--since", "nowhere"]),
+        &["unknown revision `nowhere`", "use a commit"],
+    );
     assert_refused(
         &check(root, &["--against", "nowhere"]),
         &["`nowhere` does not exist", "use an existing folder or zip"],
@@ -162,14 +220,46 @@ fn what_git_cannot_tell_is_refused_with_the_remedy() {
     let both = check(root, &["--since", "HEAD", "--against", "data"]);
     assert_eq!(both.status.code(), Some(2));
     let several = mhlint(root, &["check", "data", "user", "--against", "data"]);
-    assert_refused(&several, &["`--against` compares one PATH with", "run mhlint once for each PATH"]);
-    assert_eq!(check(root, &["--since", "HEAD", "--write-baseline", "--baseline", "b.json"]).status.code(), Some(2));
+    assert_refused(
+        &several,
+        &[
+            "`--against` compares one PATH with",
+            "run mhlint once for each PATH",
+        ],
+    );
+    assert_eq!(
+        check(
+            root,
+            &[
+                "--since",
+                "HEAD",
+                "--write-baseline",
+                "--baseline",
+                "b.json"
+            ]
+        )
+        .status
+        .code(),
+        Some(2)
+    );
     let outside = example();
     for option in [&["--since", "HEAD"][..], &["--staged"]] {
-        assert_refused(&check(outside.path(), option), &[option[0], "is not in a git repository", "--against"]);
+        assert_refused(
+            &check(outside.path(), option),
+            &[option[0], "is not in a git repository", "--against"],
+        );
         let mut lonely = Command::new(env!("CARGO_BIN_EXE_mhlint"));
-        let output = lonely.current_dir(root).arg("check").args(option).env("PATH", "").output().unwrap();
-        assert_refused(&output, &[option[0], "cannot start git", "install git", "--against"]);
+        let output = lonely
+            .current_dir(root)
+            .arg("check")
+            .args(option)
+            .env("PATH", "")
+            .output()
+            .unwrap();
+        assert_refused(
+            &output,
+            &[option[0], "cannot start git", "install git", "--against"],
+        );
     }
 }
 
@@ -180,9 +270,19 @@ fn a_shallow_clone_is_named_as_the_reason() {
     git(root, &["commit", "-q", "--allow-empty", "-m", "second"]);
     let clone = tempfile::tempdir().unwrap();
     let url = format!("file://{}", root.display());
-    git(clone.path(), &["clone", "-q", "--depth", "1", &url, "shallow"]);
+    git(
+        clone.path(),
+        &["clone", "-q", "--depth", "1", &url, "shallow"],
+    );
     let output = check(&clone.path().join("shallow"), &["--since", "HEAD~1"]);
-    assert_refused(&output, &["use a commit, a tag or a branch", "shallow clone", "fetch-depth: 0"]);
+    assert_refused(
+        &output,
+        &[
+            "use a commit, a tag or a branch",
+            "shallow clone",
+            "fetch-depth: 0",
+        ],
+    );
 }
 
 #[test]
@@ -196,8 +296,23 @@ fn only_what_is_staged_counts() {
     assert_shown(&output, 1, &[OVAL, "target-non-finite"], &[OLD, SIDE]);
     // From inside of the repository, and of a part of the data.
     let folder = root.join("data/target/figure");
-    let part = mhlint(&folder, &["check", "head", "--staged", "--no-eval", "--report", "concise"]);
-    assert_shown(&part, 1, &["head/head-oval.target"], &[OLD, "head-side-in.target:"]);
+    let part = mhlint(
+        &folder,
+        &[
+            "check",
+            "head",
+            "--staged",
+            "--no-eval",
+            "--report",
+            "concise",
+        ],
+    );
+    assert_shown(
+        &part,
+        1,
+        &["head/head-oval.target"],
+        &[OLD, "head-side-in.target:"],
+    );
 }
 
 /// The index is what is committed, whatever lies in the folder by now.
@@ -209,9 +324,23 @@ fn the_staged_content_is_checked_and_not_that_of_the_folder() {
     ruin(root, OVAL);
     git(root, &["add", OVAL]);
     fs::write(root.join(OVAL), sound).unwrap();
-    fs::write(root.join("data/target/figure/head/untracked.target"), "1 nan 0 0\n").unwrap();
-    assert_shown(&check(root, &["--staged"]), 1, &[OVAL, "target-non-finite"], &[OLD, "untracked"]);
-    assert_shown(&check(root, &["--since", "HEAD"]), 1, &["untracked"], &[OLD, OVAL]);
+    fs::write(
+        root.join("data/target/figure/head/untracked.target"),
+        "1 nan 0 0\n",
+    )
+    .unwrap();
+    assert_shown(
+        &check(root, &["--staged"]),
+        1,
+        &[OVAL, "target-non-finite"],
+        &[OLD, "untracked"],
+    );
+    assert_shown(
+        &check(root, &["--since", "HEAD"]),
+        1,
+        &["untracked"],
+        &[OLD, OVAL],
+    );
 }
 
 #[test]
@@ -221,7 +350,10 @@ fn with_nothing_staged_everything_is_shown_and_that_is_said() {
     ruin(root, OVAL);
     let output = check(root, &["--staged"]);
     assert_shown(&output, 1, &[OLD, OVAL], &[]);
-    assert_eq!(stderr(&output), "mhlint: nothing is staged; reporting all findings\n");
+    assert_eq!(
+        stderr(&output),
+        "mhlint: nothing is staged; reporting all findings\n"
+    );
     assert_eq!(stderr(&check(root, &["--staged", "--quiet"])), "");
 }
 
@@ -234,8 +366,14 @@ fn before_the_first_commit_everything_is_shown() {
     git(root, &["add", OVAL]);
     let output = check(root, &["--staged"]);
     assert_shown(&output, 1, &[OVAL], &[]);
-    assert_eq!(stderr(&output), "mhlint: the repository has no commits yet; reporting all findings\n");
-    assert_refused(&check(root, &["--since", "HEAD"]), &["unknown revision `HEAD`"]);
+    assert_eq!(
+        stderr(&output),
+        "mhlint: the repository has no commits yet; reporting all findings\n"
+    );
+    assert_refused(
+        &check(root, &["--since", "HEAD"]),
+        &["unknown revision `HEAD`"],
+    );
 }
 
 #[test]
@@ -243,10 +381,23 @@ fn a_staged_deletion_or_renaming_is_missed_where_the_file_was_named() {
     let repository = repository();
     let root = repository.path();
     git(root, &["rm", "-q", OVAL]);
-    assert_shown(&check(root, &["--staged"]), 1, &["[modelling-missing-target]", "head-oval"], &[OLD]);
+    assert_shown(
+        &check(root, &["--staged"]),
+        1,
+        &["[modelling-missing-target]", "head-oval"],
+        &[OLD],
+    );
     git(root, &["reset", "-q", "--hard"]);
-    git(root, &["mv", SIDE, "data/target/figure/head/elsewhere.target"]);
-    assert_shown(&check(root, &["--staged"]), 1, &["[modelling-missing-target]", "head-side-in"], &[OLD]);
+    git(
+        root,
+        &["mv", SIDE, "data/target/figure/head/elsewhere.target"],
+    );
+    assert_shown(
+        &check(root, &["--staged"]),
+        1,
+        &["[modelling-missing-target]", "head-side-in"],
+        &[OLD],
+    );
 }
 
 #[test]
@@ -273,7 +424,10 @@ fn conflicts_are_refused_until_they_are_resolved() {
         git(root, &["commit", "-q", "-a", "-m", branch]);
     }
     assert!(!try_git(root, &["merge", "-q", "theirs"]).status.success());
-    assert_refused(&check(root, &["--staged"]), &["has unresolved merge conflicts", "macro.json", "git add"]);
+    assert_refused(
+        &check(root, &["--staged"]),
+        &["has unresolved merge conflicts", "macro.json", "git add"],
+    );
     git(root, &["checkout", "-q", "--theirs", MACROS]);
     git(root, &["add", MACROS]);
     assert_shown(&check(root, &["--staged"]), 0, &[], &[OLD]);
@@ -288,20 +442,30 @@ fn a_hook_checks_the_commit_that_is_made() {
     let root = repository.path();
     let hook = root.join(".git/hooks/pre-commit");
     let binary = env!("CARGO_BIN_EXE_mhlint");
-    fs::write(&hook, format!("#!/bin/sh\nexec '{binary}' data --staged --no-eval --report concise 2>&1 >&2\n"))
-        .unwrap();
+    fs::write(
+        &hook,
+        format!("#!/bin/sh\nexec '{binary}' data --staged --no-eval --report concise 2>&1 >&2\n"),
+    )
+    .unwrap();
     fs::set_permissions(&hook, fs::Permissions::from_mode(0o755)).unwrap();
     let below = root.join("data/target");
     let refused = |folder: &Path, arguments: &[&str], shown: &str| {
         let output = try_git(folder, arguments);
         let said = stderr(&output);
         assert_eq!(output.status.code(), Some(1), "{arguments:?}: {said}");
-        assert!(said.contains(&format!("{shown}:")) && !said.contains(OLD), "{arguments:?}: {said}");
+        assert!(
+            said.contains(&format!("{shown}:")) && !said.contains(OLD),
+            "{arguments:?}: {said}"
+        );
         said
     };
     ruin(root, OVAL);
     ruin(root, SIDE);
-    let said = refused(&below, &["commit", "-m", "one", "--", "figure/head/head-oval.target"], OVAL);
+    let said = refused(
+        &below,
+        &["commit", "-m", "one", "--", "figure/head/head-oval.target"],
+        OVAL,
+    );
     assert!(!said.contains(SIDE), "{said}");
     let said = refused(&below, &["commit", "-a", "-m", "all"], OVAL);
     assert!(said.contains(SIDE), "{said}");
@@ -310,11 +474,24 @@ fn a_hook_checks_the_commit_that_is_made() {
     assert!(!said.contains(OVAL), "{said}");
     fs::write(root.join("notes.txt"), "nothing to do with the data").unwrap();
     git(root, &["add", "notes.txt"]);
-    git(&below, &["commit", "-q", "-m", "notes", "--", "../../notes.txt"]);
+    git(
+        &below,
+        &["commit", "-q", "-m", "notes", "--", "../../notes.txt"],
+    );
     // In a second working tree git also hands over the folder of the repository.
     let second = tempfile::tempdir().unwrap();
     let tree = second.path().join("tree");
-    git(root, &["worktree", "add", "-q", "-b", "second", tree.to_str().unwrap()]);
+    git(
+        root,
+        &[
+            "worktree",
+            "add",
+            "-q",
+            "-b",
+            "second",
+            tree.to_str().unwrap(),
+        ],
+    );
     ruin(&tree, OVAL);
     let said = refused(&tree.join("data"), &["commit", "-a", "-m", "there"], OVAL);
     assert!(!said.contains(SIDE), "{said}");
@@ -327,14 +504,28 @@ fn names_may_hold_anything() {
     let repository = repository();
     let root = repository.path();
     let folder = root.join("data/target/figure/head");
-    let names: [&[u8]; 4] = [b"a b.target", b"'c\".target", b"d\\e.target", b"f\xff.target"];
+    let names: [&[u8]; 4] = [
+        b"a b.target",
+        b"'c\".target",
+        b"d\\e.target",
+        b"f\xff.target",
+    ];
     for name in names {
-        fs::write(folder.join(std::ffi::OsStr::from_bytes(name)), "1 nan 0 0\n").unwrap();
+        fs::write(
+            folder.join(std::ffi::OsStr::from_bytes(name)),
+            "1 nan 0 0\n",
+        )
+        .unwrap();
     }
     git(root, &["add", "-A"]);
     let shown: Vec<String> = names
         .iter()
-        .map(|name| format!("head/{}:1:1: error[target-non-finite]", String::from_utf8_lossy(name)))
+        .map(|name| {
+            format!(
+                "head/{}:1:1: error[target-non-finite]",
+                String::from_utf8_lossy(name)
+            )
+        })
         .collect();
     let shown: Vec<&str> = shown.iter().map(String::as_str).collect();
     for option in [&["--staged"][..], &["--since", "HEAD"]] {
@@ -349,9 +540,18 @@ fn a_link_is_checked_under_its_own_name() {
     let root = repository.path();
     ruin(root, OVAL);
     git(root, &["commit", "-q", "-a", "-m", "an old fault"]);
-    std::os::unix::fs::symlink("head-oval.target", root.join("data/target/figure/head/link.target")).unwrap();
+    std::os::unix::fs::symlink(
+        "head-oval.target",
+        root.join("data/target/figure/head/link.target"),
+    )
+    .unwrap();
     git(root, &["add", "-A"]);
-    assert_shown(&check(root, &["--staged"]), 1, &["head/link.target:", "target-non-finite"], &[OLD]);
+    assert_shown(
+        &check(root, &["--staged"]),
+        1,
+        &["head/link.target:", "target-non-finite"],
+        &[OLD],
+    );
 }
 
 #[cfg(unix)]
@@ -363,11 +563,21 @@ fn what_is_gone_from_a_folder_is_missed_behind_a_link_to_it() {
     fs::rename(root.join(OVAL), root.join("shared/a.target")).unwrap();
     fs::copy(root.join(SIDE), root.join("shared/b.target")).unwrap();
     std::os::unix::fs::symlink("../../../shared", root.join("data/target/figure/extra")).unwrap();
-    edit(root, "data/target/figure/modelling.json", "head/head-oval", "extra/a");
+    edit(
+        root,
+        "data/target/figure/modelling.json",
+        "head/head-oval",
+        "extra/a",
+    );
     git(root, &["add", "-A"]);
     git(root, &["commit", "-q", "-m", "a folder behind a link"]);
     fs::remove_file(root.join("shared/a.target")).unwrap();
-    assert_shown(&check(root, &["--since", "HEAD"]), 1, &["[modelling-missing-target]", "extra/a"], &[OLD]);
+    assert_shown(
+        &check(root, &["--since", "HEAD"]),
+        1,
+        &["[modelling-missing-target]", "extra/a"],
+        &[OLD],
+    );
 }
 
 #[test]
@@ -377,8 +587,18 @@ fn the_later_of_staged_and_another_option_wins() {
     ruin(root, OVAL);
     ruin(root, SIDE);
     git(root, &["add", OVAL]);
-    assert_shown(&check(root, &["--staged", "--since", "HEAD"]), 1, &[OVAL, SIDE], &[OLD]);
-    assert_shown(&check(root, &["--since", "HEAD", "--staged"]), 1, &[OVAL], &[OLD, SIDE]);
+    assert_shown(
+        &check(root, &["--staged", "--since", "HEAD"]),
+        1,
+        &[OVAL, SIDE],
+        &[OLD],
+    );
+    assert_shown(
+        &check(root, &["--since", "HEAD", "--staged"]),
+        1,
+        &[OVAL],
+        &[OLD, SIDE],
+    );
 }
 
 /// Gives targets a row that says nothing.
@@ -395,19 +615,29 @@ const EMPTY: &str = "data/target/figure/macro_build/teen-maxmuscle.target";
 /// What git says has changed in the working tree.
 fn written(root: &Path) -> Vec<String> {
     let output = try_git(root, &["status", "--porcelain"]);
-    stdout(&output).lines().map(|line| line.split_at(3).1.to_owned()).collect()
+    stdout(&output)
+        .lines()
+        .map(|line| line.split_at(3).1.to_owned())
+        .collect()
 }
 
 #[test]
 fn a_fix_writes_changed_files_only() {
     let repository = repository();
     let root = repository.path();
-    add_zero_row(root, &[OVAL, "data/target/figure/legs/l-foot-trans-forward.target"]);
+    add_zero_row(
+        root,
+        &[OVAL, "data/target/figure/legs/l-foot-trans-forward.target"],
+    );
     git(root, &["commit", "-q", "-a", "-m", "what can be fixed"]);
     add_zero_row(root, &[SIDE]);
     let output = check(root, &["--since", "HEAD", "--fix"]);
     assert_eq!(written(root), [""; 0], "{}", stderr(&output));
-    assert!(stderr(&output).contains("1 fixed in 1 file: target-zero-delta (1)"), "{}", stderr(&output));
+    assert!(
+        stderr(&output).contains("1 fixed in 1 file: target-zero-delta (1)"),
+        "{}",
+        stderr(&output)
+    );
     assert_shown(&output, 0, &[], &["target-zero-delta"]);
 }
 
@@ -416,7 +646,14 @@ fn what_belongs_together_is_not_fixed_by_halves() {
     let repository = repository();
     let root = repository.path();
     fs::write(root.join(EMPTY), "0 0 0 0\n").unwrap();
-    let fix = ["--since", "HEAD", "--fix", "--unsafe-fixes", "--only", "macro-empty-target"];
+    let fix = [
+        "--since",
+        "HEAD",
+        "--fix",
+        "--unsafe-fixes",
+        "--only",
+        "macro-empty-target",
+    ];
     let output = check(root, &fix);
     assert_eq!(written(root), [EMPTY]);
     assert_shown(&output, 0, &["macro-empty-target"], &[]);
@@ -438,10 +675,20 @@ fn a_fix_leaves_alone_what_is_staged_otherwise() {
     let later = fs::read_to_string(root.join(SIDE)).unwrap() + "# later\n";
     fs::write(root.join(SIDE), &later).unwrap();
     let output = check(root, &["--staged", "--fix"]);
-    assert!(!fs::read_to_string(root.join(OVAL)).unwrap().contains("5 0 0 0"), "{}", stderr(&output));
+    assert!(
+        !fs::read_to_string(root.join(OVAL))
+            .unwrap()
+            .contains("5 0 0 0"),
+        "{}",
+        stderr(&output)
+    );
     assert_eq!(fs::read_to_string(root.join(SIDE)).unwrap(), later);
     let said = stderr(&output);
-    assert!(said.contains("differ from their staged versions: ") && said.contains("head-side-in.target"), "{said}");
+    assert!(
+        said.contains("differ from their staged versions: ")
+            && said.contains("head-side-in.target"),
+        "{said}"
+    );
 }
 
 /// A finding that speaks for several files shows what is new of it, where that is.
@@ -450,10 +697,18 @@ fn of_a_group_only_the_new_part_is_shown_at_its_file() {
     let repository = repository();
     let root = repository.path();
     add_zero_row(root, &[OVAL]);
-    git(root, &["commit", "-q", "-a", "-m", "a row that says nothing"]);
+    git(
+        root,
+        &["commit", "-q", "-a", "-m", "a row that says nothing"],
+    );
     add_zero_row(root, &[SIDE]);
     let only = ["--since", "HEAD", "--only", "target-zero-delta"];
-    assert_shown(&check(root, &only), 0, &[&format!("{SIDE}:"), "1 of these 2 is new"], &[OVAL]);
+    assert_shown(
+        &check(root, &only),
+        0,
+        &[&format!("{SIDE}:"), "1 of these 2 is new"],
+        &[OVAL],
+    );
     let row = fs::read_to_string(root.join(SIDE)).unwrap();
     let ignored = format!("# mhlint: ignore target-zero-delta on purpose\n{row}");
     fs::write(root.join(SIDE), ignored).unwrap();
@@ -473,7 +728,12 @@ fn a_part_of_a_group_that_is_ignored_no_more_is_new() {
     let only = ["--since", "HEAD", "--only", "target-zero-delta"];
     assert_shown(&check(root, &only), 0, &["0 infos"], &["target-zero-delta"]);
     fs::write(root.join(SIDE), plain).unwrap();
-    assert_shown(&check(root, &only), 0, &[&format!("{SIDE}:"), "1 of these 2 is new"], &[OVAL]);
+    assert_shown(
+        &check(root, &only),
+        0,
+        &[&format!("{SIDE}:"), "1 of these 2 is new"],
+        &[OVAL],
+    );
 }
 
 /// What several files have between them is told at the new one, with the others beside it.
@@ -491,10 +751,25 @@ fn another_copy_is_shown_at_its_own_file() {
     git(root, &["commit", "-q", "-m", "a picture twice"]);
     picture("c.png");
     let only = ["--since", "HEAD", "--only", "file-duplicate-content"];
-    assert_shown(&check(root, &only), 0, &["data/skins/figure/c.png: info", "3 files have the same picture"], &[]);
+    assert_shown(
+        &check(root, &only),
+        0,
+        &[
+            "data/skins/figure/c.png: info",
+            "3 files have the same picture",
+        ],
+        &[],
+    );
     let findings = &report(root, &only)["findings"];
-    let related = findings[0]["related"].as_array().unwrap().iter().map(|one| one["path"].as_str().unwrap());
-    assert_eq!(related.collect::<Vec<_>>(), ["data/skins/figure/b.png", "data/skins/figure/a.png"]);
+    let related = findings[0]["related"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|one| one["path"].as_str().unwrap());
+    assert_eq!(
+        related.collect::<Vec<_>>(),
+        ["data/skins/figure/b.png", "data/skins/figure/a.png"]
+    );
 }
 
 #[test]
@@ -503,14 +778,37 @@ fn a_worktree_has_its_own_folder_and_index() {
     let root = repository.path();
     let beside = tempfile::tempdir().unwrap();
     let other = beside.path().join("other");
-    git(root, &["worktree", "add", "-q", "-b", "mine", other.to_str().unwrap()]);
+    git(
+        root,
+        &[
+            "worktree",
+            "add",
+            "-q",
+            "-b",
+            "mine",
+            other.to_str().unwrap(),
+        ],
+    );
     ruin(&other, OVAL);
     assert_shown(&check(root, &["--since", "main"]), 0, &[], &[OVAL, OLD]);
     assert_shown(&check(&other, &["--since", "main"]), 1, &[OVAL], &[OLD]);
     git(&other, &["add", "-A"]);
     assert_shown(&check(&other, &["--staged"]), 1, &[OVAL], &[OLD]);
-    let from_outside = mhlint(root, &["check", other.to_str().unwrap(), "--no-eval", "--since", "main"]);
-    assert!(stdout(&from_outside).contains("target-non-finite"), "{}", stdout(&from_outside));
+    let from_outside = mhlint(
+        root,
+        &[
+            "check",
+            other.to_str().unwrap(),
+            "--no-eval",
+            "--since",
+            "main",
+        ],
+    );
+    assert!(
+        stdout(&from_outside).contains("target-non-finite"),
+        "{}",
+        stdout(&from_outside)
+    );
 }
 
 #[test]
@@ -521,18 +819,46 @@ fn a_submodule_counts_with_all_that_is_in_it() {
     let root = above.path();
     git(root, &["init", "-q", "-b", "main"]);
     let url = module.path().join("data");
-    git(root, &["-c", "protocol.file.allow=always", "submodule", "--quiet", "add", url.to_str().unwrap(), "data"]);
+    git(
+        root,
+        &[
+            "-c",
+            "protocol.file.allow=always",
+            "submodule",
+            "--quiet",
+            "add",
+            url.to_str().unwrap(),
+            "data",
+        ],
+    );
     git(root, &["commit", "-q", "-m", "before the change"]);
     lose_a_step(root);
     git(&root.join("data"), &["commit", "-qam", "a step less"]);
     git(root, &["add", "data"]);
-    assert_shown(&check(root, &["--staged"]), 1, &["[macro-steps-length]"], &[]);
+    assert_shown(
+        &check(root, &["--staged"]),
+        1,
+        &["[macro-steps-length]"],
+        &[],
+    );
     // Inside of the submodule nothing differs from its HEAD; around it the commit does.
-    let output = mhlint(root, &["check", "data", "--no-eval", "--report", "concise", "--since", "HEAD"]);
+    let output = mhlint(
+        root,
+        &[
+            "check",
+            "data",
+            "--no-eval",
+            "--report",
+            "concise",
+            "--since",
+            "HEAD",
+        ],
+    );
     assert_shown(&output, 1, &["[macro-steps-length]"], &[]);
 }
 
-/// Of data behind a link that led elsewhere nothing is known as it was: all of it is shown, and that is said.
+/// Of data behind a link that led elsewhere nothing is known as it was: all of it is shown, and
+/// that is said.
 #[cfg(unix)]
 #[test]
 fn what_a_changed_link_to_a_folder_brings_is_not_compared() {
@@ -553,8 +879,16 @@ fn what_a_changed_link_to_a_folder_brings_is_not_compared() {
     commit_all(root);
     lead("v2");
     let not_checked = &report(root, &["--since", "HEAD"])["not_checked"];
-    assert!(not_checked.to_string().contains("not-compared"), "{not_checked}");
-    assert_shown(&check(root, &["--since", "HEAD"]), 1, &["[macro-steps-length]"], &[]);
+    assert!(
+        not_checked.to_string().contains("not-compared"),
+        "{not_checked}"
+    );
+    assert_shown(
+        &check(root, &["--since", "HEAD"]),
+        1,
+        &["[macro-steps-length]"],
+        &[],
+    );
 }
 
 #[test]
@@ -563,17 +897,43 @@ fn a_loose_target_that_is_gone_is_missed_by_its_partner() {
     let root = repository.path();
     fs::create_dir_all(root.join("pack/feet")).unwrap();
     for side in ["l", "r"] {
-        fs::write(root.join(format!("pack/feet/{side}-foot-big-incr.target")), "337 .1 0 0\n").unwrap();
-        fs::write(root.join(format!("pack/feet/{side}-foot-big-decr.target")), "337 -.1 0 0\n").unwrap();
+        fs::write(
+            root.join(format!("pack/feet/{side}-foot-big-incr.target")),
+            "337 .1 0 0\n",
+        )
+        .unwrap();
+        fs::write(
+            root.join(format!("pack/feet/{side}-foot-big-decr.target")),
+            "337 -.1 0 0\n",
+        )
+        .unwrap();
     }
     commit_all(root);
     git(root, &["rm", "-q", "pack/feet/r-foot-big-incr.target"]);
     let check = |more: &[&str]| {
-        let args = ["check", "pack", "--system", "data", "--no-eval", "--report", "concise"];
+        let args = [
+            "check",
+            "pack",
+            "--system",
+            "data",
+            "--no-eval",
+            "--report",
+            "concise",
+        ];
         mhlint(root, &[&args, more].concat())
     };
-    assert_shown(&check(&[]), 0, &["[target-missing-side]", "[target-missing-opposite]"], &[]);
-    assert_shown(&check(&["--staged"]), 0, &["[target-missing-side]", "[target-missing-opposite]"], &[]);
+    assert_shown(
+        &check(&[]),
+        0,
+        &["[target-missing-side]", "[target-missing-opposite]"],
+        &[],
+    );
+    assert_shown(
+        &check(&["--staged"]),
+        0,
+        &["[target-missing-side]", "[target-missing-opposite]"],
+        &[],
+    );
 }
 
 #[test]
@@ -583,42 +943,73 @@ fn line_ends_that_git_makes_are_no_change() {
     git(root, &["config", "core.autocrlf", "true"]);
     git(root, &["rm", "-q", "-r", "--cached", "."]);
     git(root, &["reset", "-q", "--hard"]);
-    assert!(fs::read_to_string(root.join(OVAL)).unwrap().contains("\r\n"));
+    assert!(
+        fs::read_to_string(root.join(OVAL))
+            .unwrap()
+            .contains("\r\n")
+    );
     ruin(root, OVAL);
     assert_shown(&check(root, &["--since", "HEAD"]), 1, &[OVAL], &[OLD]);
-    assert_eq!(report(root, &["--since", "HEAD"])["findings"].as_array().unwrap().len(), 1);
+    assert_eq!(
+        report(root, &["--since", "HEAD"])["findings"]
+            .as_array()
+            .unwrap()
+            .len(),
+        1
+    );
 }
 
-/// Of a content that was not fetched nothing is known: it is no old finding, and what is there now is shown.
+/// Of a content that was not fetched nothing is known: it is no old finding, and what is there now
+/// is shown.
 #[test]
 fn a_pointer_in_the_object_is_not_compared() {
     let repository = repository();
     let root = repository.path();
     let content = fs::read_to_string(root.join(OVAL)).unwrap();
-    let pointer = format!("version https://git-lfs.github.com/spec/v1\noid sha256:{}\nsize 9\n", "ab".repeat(32));
+    let pointer = format!(
+        "version https://git-lfs.github.com/spec/v1\noid sha256:{}\nsize 9\n",
+        "ab".repeat(32)
+    );
     fs::write(root.join(OVAL), &pointer).unwrap();
     git(root, &["commit", "-q", "-a", "-m", "a pointer"]);
     fs::write(root.join(OVAL), format!("{content}1 nan 0 0\n")).unwrap();
     let report_of = report(root, &["--since", "HEAD"]);
-    assert_eq!(report_of["findings"].as_array().unwrap().len(), 1, "{report_of}");
+    assert_eq!(
+        report_of["findings"].as_array().unwrap().len(),
+        1,
+        "{report_of}"
+    );
     assert_eq!(report_of["not_checked"][0]["what"], "not-compared");
     assert_eq!(report_of["not_checked"][0]["examples"][0], OVAL);
     // What was fetched once lies beside the objects.
     let objects = root.join(format!(".git/lfs/objects/ab/ab/{}", "ab".repeat(32)));
     fs::create_dir_all(objects.parent().unwrap()).unwrap();
     fs::write(objects, content).unwrap();
-    assert_shown(&check(root, &["--since", "HEAD"]), 1, &[OVAL, "target-non-finite"], &["lfs"]);
+    assert_shown(
+        &check(root, &["--since", "HEAD"]),
+        1,
+        &[OVAL, "target-non-finite"],
+        &["lfs"],
+    );
 }
 
 #[test]
 fn changed_settings_are_said_and_count_for_both_sides() {
     let repository = repository();
     let root = repository.path();
-    fs::write(root.join("mhlint.toml"), "[level]\n\"macro-*\" = \"warning\"\n").unwrap();
+    fs::write(
+        root.join("mhlint.toml"),
+        "[level]\n\"macro-*\" = \"warning\"\n",
+    )
+    .unwrap();
     git(root, &["add", "-A"]);
     let output = mhlint(root, &["check", ".", "--no-eval", "--since", "HEAD"]);
     let text = stdout(&output);
-    assert!(text.contains("`mhlint.toml` changed; both sides were checked with it") && !text.contains(OLD), "{text}");
+    assert!(
+        text.contains("`mhlint.toml` changed; both sides were checked with it")
+            && !text.contains(OLD),
+        "{text}"
+    );
 }
 
 #[test]
@@ -629,7 +1020,18 @@ fn two_folders_are_compared() {
     let before = other.path().to_str().unwrap();
     assert_shown(&check(root, &["--against", before]), 1, &[OLD], &[]);
     assert_shown(
-        &mhlint(root, &["check", "data", "--no-eval", "--report", "concise", "--against", &format!("{before}/data")]),
+        &mhlint(
+            root,
+            &[
+                "check",
+                "data",
+                "--no-eval",
+                "--report",
+                "concise",
+                "--against",
+                &format!("{before}/data"),
+            ],
+        ),
         1,
         &[OLD],
         &[],
@@ -646,7 +1048,13 @@ fn paths_of_two_repositories_are_refused() {
     let args = ["check", "data", other.path().to_str().unwrap(), "--no-eval"];
     for option in [&["--since", "HEAD"][..], &["--staged"]] {
         let output = mhlint(one.path(), &[&args[..], option].concat());
-        assert_refused(&output, &["and `data` are in different repositories", "run mhlint once for each"]);
+        assert_refused(
+            &output,
+            &[
+                "and `data` are in different repositories",
+                "run mhlint once for each",
+            ],
+        );
     }
 }
 
@@ -660,7 +1068,12 @@ fn a_repository_inside_of_another_one_is_new_as_a_whole() {
     lose_a_step(inner.path());
     crate::scratch::copy_folder(inner.path(), &root.join("nested"));
     commit_all(&root.join("nested"));
-    assert_shown(&check(root, &["--since", "HEAD"]), 1, &["nested/data/", OLD], &[]);
+    assert_shown(
+        &check(root, &["--since", "HEAD"]),
+        1,
+        &["nested/data/", OLD],
+        &[],
+    );
 }
 
 #[test]
@@ -670,8 +1083,23 @@ fn a_file_that_git_ignores_is_no_part_of_a_commit() {
     fs::write(root.join(".gitignore"), "build-*\n").unwrap();
     let built = "data/target/figure/head/build-oval.target";
     fs::rename(root.join(OVAL), root.join(built)).unwrap();
-    edit(root, "data/target/figure/modelling.json", "head/head-oval", "head/build-oval");
+    edit(
+        root,
+        "data/target/figure/modelling.json",
+        "head/head-oval",
+        "head/build-oval",
+    );
     git(root, &["add", "-A"]);
-    assert_shown(&check(root, &["--staged"]), 1, &["[modelling-missing-target]"], &[OLD]);
-    assert_shown(&check(root, &["--since", "HEAD"]), 0, &[], &["[modelling-missing-target]"]);
+    assert_shown(
+        &check(root, &["--staged"]),
+        1,
+        &["[modelling-missing-target]"],
+        &[OLD],
+    );
+    assert_shown(
+        &check(root, &["--since", "HEAD"]),
+        0,
+        &[],
+        &["[modelling-missing-target]"],
+    );
 }

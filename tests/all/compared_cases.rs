@@ -1,5 +1,5 @@
-//! A change is never hidden: every fixture case taken as a change to the example, which is clean, must show all of its
-//! findings beside the example.
+//! A change is never hidden: every fixture case taken as a change to the example, which is clean,
+//! must show all of its findings beside the example.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,10 @@ use rayon::prelude::*;
 #[test]
 fn every_fixture_case_beside_the_example_shows_all_its_findings() {
     let only = std::env::var("CASE").unwrap_or_default();
-    let cases: Vec<PathBuf> = folders(&project("fixtures/rules")).iter().flat_map(|rule| folders(rule)).collect();
+    let cases: Vec<PathBuf> = folders(&project("fixtures/rules"))
+        .iter()
+        .flat_map(|rule| folders(rule))
+        .collect();
     let chosen: Vec<&PathBuf> = cases
         .iter()
         .filter(|case| case.join("expected.txt").exists() && case.to_str().unwrap().contains(&only))
@@ -25,7 +28,11 @@ fn every_fixture_case_beside_the_example_shows_all_its_findings() {
 fn hidden(folder: &Path) -> Option<String> {
     let case = Case::read(folder);
     // Not checked for users, or on a disk with another example.
-    if case.application.as_deref().is_some_and(|name| name != "makehuman1" || Asked::of(&case).is_none()) {
+    if case
+        .application
+        .as_deref()
+        .is_some_and(|name| name != "makehuman1" || Asked::of(&case).is_none())
+    {
         return None;
     }
     let shown = match Asked::of(&case) {
@@ -38,7 +45,8 @@ fn hidden(folder: &Path) -> Option<String> {
     (!missed.is_empty()).then(|| format!("{} hides\n  {}", folder.display(), missed.join("\n  ")))
 }
 
-/// What is found in the example, with the settings and arguments of the case, and what the case brings.
+/// What is found in the example, with the settings and arguments of the case, and what the case
+/// brings.
 fn in_memory(case: &Case, asked: &Asked) -> Vec<String> {
     let before = Memory::example(case);
     let mut now = before.clone();
@@ -46,7 +54,10 @@ fn in_memory(case: &Case, asked: &Asked) -> Vec<String> {
     // Without settings and arguments nothing is found in the example: it is clean.
     let is_plain = case.args.is_empty() && !now.has("mhlint.toml");
     let old = (!is_plain).then(|| asked.lint(&before));
-    old.iter().chain([&asked.lint_beside(&now, &before)]).flat_map(concise).collect()
+    old.iter()
+        .chain([&asked.lint_beside(&now, &before)])
+        .flat_map(concise)
+        .collect()
 }
 
 /// The same with the binary; nothing for a case that compares for itself or several folders.
@@ -60,7 +71,12 @@ fn on_disk(case: &Case) -> Option<Vec<String>> {
     if args.is_empty() {
         args.extend(["check", "."]);
     }
-    let path = args.iter().skip(1).find(|arg| !arg.starts_with('-')).copied().unwrap_or(".");
+    let path = args
+        .iter()
+        .skip(1)
+        .find(|arg| !arg.starts_with('-'))
+        .copied()
+        .unwrap_or(".");
     let other = before.path().join(path);
     if !other.exists() {
         return None;

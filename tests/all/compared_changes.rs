@@ -1,5 +1,5 @@
-//! Changes that authors make to a real repository: `--since`, `--staged` and `--against` say what each of them
-//! brings, all three the same, and the same as two whole reports beside each other.
+//! Changes that authors make to a real repository: `--since`, `--staged` and `--against` say what
+//! each of them brings, all three the same, and the same as two whole reports beside each other.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -27,7 +27,8 @@ enum Edit {
 }
 use Edit::{Append, Copy, Crlf, Remove, Rename, Replace, Write};
 
-/// A change, and the findings that it brings: `new`, `worse` or `gone`, the rule, and how the path ends.
+/// A change, and the findings that it brings: `new`, `worse` or `gone`, the rule, and how the path
+/// ends.
 struct Change {
     name: &'static str,
     /// What was done to the corpus before and is committed.
@@ -39,7 +40,13 @@ struct Change {
 }
 
 /// The usual one, on the corpus as it is.
-const CHANGE: Change = Change { name: "", before: &[], edits: &[], brings: &[], otherwise: &[] };
+const CHANGE: Change = Change {
+    name: "",
+    before: &[],
+    edits: &[],
+    brings: &[],
+    otherwise: &[],
+};
 
 const HM08_BASE: &str = "data/base/hm08/base.json";
 const BOT_BASE: &str = "data/base/mh2bot/base.json";
@@ -53,7 +60,8 @@ const ROUND: &str = "data/target/hm08/head/head-round.target";
 const NOSE: &str = "data/target/hm08/nose/nose-volume-incr.target";
 const SMALL_NOSE: &str = "data/target/hm08/nose/nose-volume-decr.target";
 /// One of six targets with zero rows.
-const OLD_ZEROS: &str = "data/target/hm08/macro_prop/female-old-averagemuscle-maxweight-ideal.target";
+const OLD_ZEROS: &str =
+    "data/target/hm08/macro_prop/female-old-averagemuscle-maxweight-ideal.target";
 const FOREARMS: &str = "data/target/mh2bot/armslegs/forearms-length-incr.target";
 /// Not the mirror image of its partner.
 const FOOT: &str = "data/target/hm08/armslegs/l-foot-trans-forward.target";
@@ -65,7 +73,8 @@ const OVAL_ROW: &str = "\n0 -.004 0 0\n";
 const ROUND_ROW: &str = "\n9 -.004 0 0\n";
 const POINTER: &str = "version https://git-lfs.github.com/spec/v1\n\
     oid sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393\nsize 12345\n";
-const IGNORE: &str = "# basemesh hm08\n# mhlint: ignore target-asymmetric-pair helpers may differ\n";
+const IGNORE: &str =
+    "# basemesh hm08\n# mhlint: ignore target-asymmetric-pair helpers may differ\n";
 
 const CHANGES: [Change; 57] = [
     // Rows of targets.
@@ -90,7 +99,10 @@ const CHANGES: [Change; 57] = [
     Change {
         name: "a remark behind a row",
         edits: &[Replace(OVAL, OVAL_ROW, "\n0 -.004 0 0 # ear\n")],
-        brings: &["new target-field-count head/head-oval.target", "worse target-asymmetric head/head-oval.target"],
+        brings: &[
+            "new target-field-count head/head-oval.target",
+            "worse target-asymmetric head/head-oval.target",
+        ],
         // As many targets as before, but in one of them another vertex.
         otherwise: &["worse target-asymmetric head/head-oval.target"],
         ..CHANGE
@@ -110,7 +122,10 @@ const CHANGES: [Change; 57] = [
     Change {
         name: "a zero row of one target wanders to another one",
         before: &[Append(NOSE, "0 0 0 0\n")],
-        edits: &[Replace(NOSE, "\n0 0 0 0\n", "\n"), Append(SMALL_NOSE, "0 0 0 0\n")],
+        edits: &[
+            Replace(NOSE, "\n0 0 0 0\n", "\n"),
+            Append(SMALL_NOSE, "0 0 0 0\n"),
+        ],
         brings: &["worse target-zero-delta nose/nose-volume-decr.target"],
         otherwise: &["worse target-zero-delta nose/nose-volume-decr.target"],
     },
@@ -123,7 +138,10 @@ const CHANGES: [Change; 57] = [
     Change {
         name: "a fault wanders from one target to another one",
         before: &[Replace(OVAL, OVAL_ROW, "\n0 nan 0 0\n")],
-        edits: &[Replace(OVAL, "\n0 nan 0 0\n", OVAL_ROW), Replace(ROUND, ROUND_ROW, "\n9 nan 0 0\n")],
+        edits: &[
+            Replace(OVAL, "\n0 nan 0 0\n", OVAL_ROW),
+            Replace(ROUND, ROUND_ROW, "\n9 nan 0 0\n"),
+        ],
         brings: &[
             "new target-non-finite head/head-round.target",
             "gone target-non-finite head/head-oval.target",
@@ -137,7 +155,10 @@ const CHANGES: [Change; 57] = [
         before: &[Replace(OVAL, OVAL_ROW, "\n0 nan 0 0\n")],
         edits: &[Replace(OVAL, "\n0 nan 0 0\n", OVAL_ROW)],
         // What was not told of a target that cannot be used is told again.
-        brings: &["gone target-non-finite head/head-oval.target", "worse target-asymmetric head/head-oval.target"],
+        brings: &[
+            "gone target-non-finite head/head-oval.target",
+            "worse target-asymmetric head/head-oval.target",
+        ],
         ..CHANGE
     },
     // Files of targets.
@@ -161,7 +182,10 @@ const CHANGES: [Change; 57] = [
     },
     Change {
         name: "a target without a slider is added",
-        edits: &[Write("data/target/hm08/head/brow.target", "# basemesh hm08\n131 0 .1 0\n132 0 .1 0\n")],
+        edits: &[Write(
+            "data/target/hm08/head/brow.target",
+            "# basemesh hm08\n131 0 .1 0\n132 0 .1 0\n",
+        )],
         brings: &["new target-unreferenced head/brow.target"],
         ..CHANGE
     },
@@ -177,7 +201,10 @@ const CHANGES: [Change; 57] = [
     Change {
         name: "a target gets the ending of packed ones",
         edits: &[Rename(OVAL, "data/target/hm08/head/head-oval.target.gz")],
-        brings: &["new modelling-missing-target hm08/modelling.json", "new file-gzip-corrupt head-oval.target.gz"],
+        brings: &[
+            "new modelling-missing-target hm08/modelling.json",
+            "new file-gzip-corrupt head-oval.target.gz",
+        ],
         ..CHANGE
     },
     Change {
@@ -204,8 +231,16 @@ const CHANGES: [Change; 57] = [
         brings: &["new modelling-missing-target hm08/modelling.json"],
         ..CHANGE
     },
-    Change { name: "line ends of a target", edits: &[Crlf(OVAL)], ..CHANGE },
-    Change { name: "a comment in a target", edits: &[Replace(OVAL, OVAL_ROW, "\n# ear\n0 -.004 0 0\n")], ..CHANGE },
+    Change {
+        name: "line ends of a target",
+        edits: &[Crlf(OVAL)],
+        ..CHANGE
+    },
+    Change {
+        name: "a comment in a target",
+        edits: &[Replace(OVAL, OVAL_ROW, "\n# ear\n0 -.004 0 0\n")],
+        ..CHANGE
+    },
     // Sliders.
     Change {
         name: "a slider gets another name",
@@ -214,8 +249,15 @@ const CHANGES: [Change; 57] = [
     },
     Change {
         name: "two sliders move one target",
-        edits: &[Replace(SLIDERS, "\"head/head-round\"", "\"head/head-oval\"")],
-        brings: &["new modelling-duplicate-pattern hm08/modelling.json", "new target-unreferenced head-round.target"],
+        edits: &[Replace(
+            SLIDERS,
+            "\"head/head-round\"",
+            "\"head/head-oval\"",
+        )],
+        brings: &[
+            "new modelling-duplicate-pattern hm08/modelling.json",
+            "new target-unreferenced head-round.target",
+        ],
         ..CHANGE
     },
     Change {
@@ -232,7 +274,11 @@ const CHANGES: [Change; 57] = [
     },
     Change {
         name: "a slider is there twice",
-        edits: &[Replace(BOT_SLIDERS, "\"UArm Diameter\": {", "\"UArm Length\": {")],
+        edits: &[Replace(
+            BOT_SLIDERS,
+            "\"UArm Diameter\": {",
+            "\"UArm Length\": {",
+        )],
         brings: &[
             "new json-duplicate-key mh2bot/modelling.json",
             "new target-unreferenced armslegs/upperarms-length-incr.target",
@@ -241,7 +287,11 @@ const CHANGES: [Change; 57] = [
     },
     Change {
         name: "sliders are no JSON any more",
-        edits: &[Replace(BOT_SLIDERS, "\"UArm Length\": {", "\"UArm Length\" {")],
+        edits: &[Replace(
+            BOT_SLIDERS,
+            "\"UArm Length\": {",
+            "\"UArm Length\" {",
+        )],
         brings: &["new json-syntax mh2bot/modelling.json"],
         ..CHANGE
     },
@@ -271,7 +321,11 @@ const CHANGES: [Change; 57] = [
     },
     Change {
         name: "a category that no slider is in",
-        edits: &[Replace("data/target/hm08/target_cat.json", "\"cat\": \"hip\"", "\"cat\": \"hipp\"")],
+        edits: &[Replace(
+            "data/target/hm08/target_cat.json",
+            "\"cat\": \"hip\"",
+            "\"cat\": \"hipp\"",
+        )],
         brings: &["new modelling-unknown-group hm08/modelling.json"],
         ..CHANGE
     },
@@ -290,7 +344,11 @@ const CHANGES: [Change; 57] = [
     },
     Change {
         name: "a component has a step too many",
-        edits: &[Replace(MACRO, "[0.0, 0.1875, 0.5, 1.0]", "[0.0, 0.1875, 0.5, 0.75, 1.0]")],
+        edits: &[Replace(
+            MACRO,
+            "[0.0, 0.1875, 0.5, 1.0]",
+            "[0.0, 0.1875, 0.5, 0.75, 1.0]",
+        )],
         brings: &[
             "new macro-steps-length hm08/macro.json",
             "gone macro-missing-combination hm08/macro.json",
@@ -320,7 +378,11 @@ const CHANGES: [Change; 57] = [
         brings: &["gone macro-alias-suspect hm08/macro.json"],
         ..CHANGE
     },
-    Change { name: "line ends of a JSON", edits: &[Crlf(MACRO)], ..CHANGE },
+    Change {
+        name: "line ends of a JSON",
+        edits: &[Crlf(MACRO)],
+        ..CHANGE
+    },
     // Weights and skeletons.
     Change {
         name: "weights for a bone that is not there",
@@ -342,13 +404,24 @@ const CHANGES: [Change; 57] = [
     },
     Change {
         name: "a bone at a joint that is not there",
-        edits: &[Replace(SKELETON, "\"eyebrow.L___head\"", "\"eyebrow.L___hed\"")],
-        brings: &["new skeleton-unknown-joint mh2bot/default.mhskel", "gone skeleton-noisy-roll mh2bot/default.mhskel"],
+        edits: &[Replace(
+            SKELETON,
+            "\"eyebrow.L___head\"",
+            "\"eyebrow.L___hed\"",
+        )],
+        brings: &[
+            "new skeleton-unknown-joint mh2bot/default.mhskel",
+            "gone skeleton-noisy-roll mh2bot/default.mhskel",
+        ],
         ..CHANGE
     },
     Change {
         name: "a bone below a parent that is not there",
-        edits: &[Replace(SKELETON, "\"parent\": \"head\"", "\"parent\": \"hed\"")],
+        edits: &[Replace(
+            SKELETON,
+            "\"parent\": \"head\"",
+            "\"parent\": \"hed\"",
+        )],
         brings: &[
             "new skeleton-unknown-parent mh2bot/default.mhskel",
             "gone skeleton-noisy-roll mh2bot/default.mhskel",
@@ -362,35 +435,61 @@ const CHANGES: [Change; 57] = [
         brings: &["gone base-vertex-count mh2bot/base.json"],
         ..CHANGE
     },
-    Change { name: "a wrong count becomes another one", edits: &[Replace(BOT_BASE, "7267", "7266")], ..CHANGE },
+    Change {
+        name: "a wrong count becomes another one",
+        edits: &[Replace(BOT_BASE, "7267", "7266")],
+        ..CHANGE
+    },
     Change {
         name: "a preset that the start model resets is corrected",
-        edits: &[Replace(HM08_BASE, "\"macrodetails/African\": 0.33", "\"macrodetails/African\": 0.34")],
+        edits: &[Replace(
+            HM08_BASE,
+            "\"macrodetails/African\": 0.33",
+            "\"macrodetails/African\": 0.34",
+        )],
         brings: &[],
         ..CHANGE
     },
     Change {
         name: "a preset for no slider",
-        edits: &[Replace(HM08_BASE, "\"breast/BreastSize\"", "\"breast/BreastSiz\"")],
+        edits: &[Replace(
+            HM08_BASE,
+            "\"breast/BreastSize\"",
+            "\"breast/BreastSiz\"",
+        )],
         brings: &["new base-unknown-preset hm08/base.json"],
         ..CHANGE
     },
     Change {
         name: "a comma too many",
-        edits: &[Replace("data/base/hm08/body-poses.json", "\"Rest\": {},", "\"Rest\": {,},")],
-        brings: &["new json-syntax hm08/body-poses.json", "gone pose-matrix hm08/body-poses.json"],
+        edits: &[Replace(
+            "data/base/hm08/body-poses.json",
+            "\"Rest\": {},",
+            "\"Rest\": {,},",
+        )],
+        brings: &[
+            "new json-syntax hm08/body-poses.json",
+            "gone pose-matrix hm08/body-poses.json",
+        ],
         ..CHANGE
     },
     // Materials and pictures.
     Change {
         name: "a texture is misspelt",
-        edits: &[Replace("data/clothes/mh2bot/oilcan/oilcan.mhmat", "oilcan.png", "oilcam.png")],
+        edits: &[Replace(
+            "data/clothes/mh2bot/oilcan/oilcan.mhmat",
+            "oilcan.png",
+            "oilcam.png",
+        )],
         brings: &["new material-missing-texture oilcan/oilcan.mhmat"],
         ..CHANGE
     },
     Change {
         name: "a texture gets another name",
-        edits: &[Rename("data/skins/mh2bot/textures/mh2bot_light.png", "data/skins/mh2bot/textures/glow.png")],
+        edits: &[Rename(
+            "data/skins/mh2bot/textures/mh2bot_light.png",
+            "data/skins/mh2bot/textures/glow.png",
+        )],
         brings: &["new material-missing-texture mh2bot/default.mhmat"],
         ..CHANGE
     },
@@ -422,7 +521,10 @@ const CHANGES: [Change; 57] = [
     },
     Change {
         name: "a target of the user's own",
-        edits: &[Write("user/target/hm08/nose/nose-tip.target", "# basemesh hm08\n131 0 .1 0\n132 0 .1 0\n")],
+        edits: &[Write(
+            "user/target/hm08/nose/nose-tip.target",
+            "# basemesh hm08\n131 0 .1 0\n132 0 .1 0\n",
+        )],
         ..CHANGE
     },
     // Ignores and settings.
@@ -448,12 +550,19 @@ const CHANGES: [Change; 57] = [
     },
     Change {
         name: "a level is set",
-        edits: &[Write("mhlint.toml", "[level]\ntarget-zero-delta = \"error\"\n")],
+        edits: &[Write(
+            "mhlint.toml",
+            "[level]\ntarget-zero-delta = \"error\"\n",
+        )],
         otherwise: &["worse target-zero-delta maxweight-ideal.target"],
         ..CHANGE
     },
     // Beside the data.
-    Change { name: "a text beside the data", edits: &[Write("README.md", "# Data\n")], ..CHANGE },
+    Change {
+        name: "a text beside the data",
+        edits: &[Write("README.md", "# Data\n")],
+        ..CHANGE
+    },
 ];
 
 impl Edit {
@@ -479,9 +588,25 @@ fn made(root: &Path, file: &str) -> PathBuf {
 }
 
 fn git(folder: &Path, arguments: &[&str]) {
-    let identity = ["-c", "user.name=t", "-c", "user.email=t@example.org", "-c", "commit.gpgsign=false"];
-    let output = Command::new("git").current_dir(folder).args(identity).args(arguments).output().unwrap();
-    assert!(output.status.success(), "git {arguments:?}: {}", stderr(&output));
+    let identity = [
+        "-c",
+        "user.name=t",
+        "-c",
+        "user.email=t@example.org",
+        "-c",
+        "commit.gpgsign=false",
+    ];
+    let output = Command::new("git")
+        .current_dir(folder)
+        .args(identity)
+        .args(arguments)
+        .output()
+        .unwrap();
+    assert!(
+        output.status.success(),
+        "git {arguments:?}: {}",
+        stderr(&output)
+    );
 }
 
 fn commit_all(root: &Path) {
@@ -492,7 +617,8 @@ fn commit_all(root: &Path) {
 /// The JSON report.
 fn report(root: &Path, more: &[&str]) -> Value {
     let output = mhlint(root, &[&["check", ".", "--report", "json"], more].concat());
-    serde_json::from_slice(&output.stdout).unwrap_or_else(|error| panic!("{error}: {}", stderr(&output)))
+    serde_json::from_slice(&output.stdout)
+        .unwrap_or_else(|error| panic!("{error}: {}", stderr(&output)))
 }
 
 /// Findings of a report by their identity.
@@ -500,9 +626,18 @@ type Findings = BTreeMap<String, Value>;
 
 fn findings(report: &Value) -> Findings {
     let findings = report["findings"].as_array().unwrap();
-    let named = |finding: &Value| (finding["fingerprint"].as_str().unwrap().to_owned(), finding.clone());
+    let named = |finding: &Value| {
+        (
+            finding["fingerprint"].as_str().unwrap().to_owned(),
+            finding.clone(),
+        )
+    };
     let by_name: Findings = findings.iter().map(named).collect();
-    assert_eq!(by_name.len(), findings.len(), "two findings of one fingerprint");
+    assert_eq!(
+        by_name.len(),
+        findings.len(),
+        "two findings of one fingerprint"
+    );
     by_name
 }
 
@@ -519,10 +654,16 @@ impl News {
     fn of(what: &'static str, finding: &Value) -> Self {
         let [fingerprint, rule, path] =
             ["fingerprint", "rule", "path"].map(|key| finding[key].as_str().unwrap().to_owned());
-        Self { what, fingerprint, rule, path }
+        Self {
+            what,
+            fingerprint,
+            rule,
+            path,
+        }
     }
 
-    /// Whether both say the same. Of a group only its new part is shown, where that is: paths may differ.
+    /// Whether both say the same. Of a group only its new part is shown, where that is: paths may
+    /// differ.
     fn is_also(&self, other: &Self) -> bool {
         (self.what, &self.fingerprint) == (other.what, &other.fingerprint)
     }
@@ -548,26 +689,42 @@ fn difference(before: &Findings, after: &Findings) -> Vec<News> {
 }
 
 fn gone(before: &Findings, after: &Findings) -> Vec<News> {
-    let gone = before.iter().filter(|(fingerprint, _)| !after.contains_key(*fingerprint));
+    let gone = before
+        .iter()
+        .filter(|(fingerprint, _)| !after.contains_key(*fingerprint));
     gone.map(|(_, finding)| News::of("gone", finding)).collect()
 }
 
 /// Level and count.
 fn badness(finding: &Value) -> (Option<usize>, Option<u64>) {
     let level = finding["level"].as_str().unwrap();
-    let level = ["info", "warning", "error"].iter().position(|name| *name == level);
+    let level = ["info", "warning", "error"]
+        .iter()
+        .position(|name| *name == level);
     (level, finding["evidence"]["count"].as_u64())
 }
 
 /// What a comparison shows.
 fn shown(before: &Findings, compared: &Findings) -> Vec<News> {
-    let what = |fingerprint| if before.contains_key(fingerprint) { "worse" } else { "new" };
-    compared.iter().map(|(fingerprint, finding)| News::of(what(fingerprint), finding)).collect()
+    let what = |fingerprint| {
+        if before.contains_key(fingerprint) {
+            "worse"
+        } else {
+            "new"
+        }
+    };
+    compared
+        .iter()
+        .map(|(fingerprint, finding)| News::of(what(fingerprint), finding))
+        .collect()
 }
 
 /// What only the first has.
 fn without(all: &[News], others: &[News]) -> Vec<News> {
-    all.iter().filter(|one| !others.iter().any(|other| one.is_also(other))).cloned().collect()
+    all.iter()
+        .filter(|one| !others.iter().any(|other| one.is_also(other)))
+        .cloned()
+        .collect()
 }
 
 /// What differs between the rows of a table and what they are for.
@@ -579,13 +736,20 @@ fn amiss(rows: &[&str], mut news: Vec<News>) -> Vec<String> {
             None => amiss.push(format!("not told: {row}")),
         }
     }
-    amiss.extend(news.iter().map(|one| format!("not in the table: {} {} {}", one.what, one.rule, one.path)));
+    amiss.extend(
+        news.iter()
+            .map(|one| format!("not in the table: {} {} {}", one.what, one.rule, one.path)),
+    );
     amiss
 }
 
 /// The repository as it was, without what git knows of it.
 fn copy_of(root: &Path, to: &Path) -> PathBuf {
-    for entry in fs::read_dir(root).unwrap().map(Result::unwrap).filter(|entry| entry.file_name() != ".git") {
+    for entry in fs::read_dir(root)
+        .unwrap()
+        .map(Result::unwrap)
+        .filter(|entry| entry.file_name() != ".git")
+    {
         copy_folder(&entry.path(), &to.join(entry.file_name()));
     }
     to.to_owned()
@@ -595,13 +759,19 @@ fn copy_of(root: &Path, to: &Path) -> PathBuf {
 fn try_change(original: &Path, change: &Change) -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
     let root = folder.path().join("now");
-    git(folder.path(), &["clone", "-q", original.to_str().unwrap(), "now"]);
+    git(
+        folder.path(),
+        &["clone", "-q", original.to_str().unwrap(), "now"],
+    );
     if !change.before.is_empty() {
         change.before.iter().for_each(|edit| edit.apply(&root));
         commit_all(&root);
     }
-    let earlier =
-        if change.before.is_empty() { original.to_owned() } else { copy_of(&root, &folder.path().join("before")) };
+    let earlier = if change.before.is_empty() {
+        original.to_owned()
+    } else {
+        copy_of(&root, &folder.path().join("before"))
+    };
     let before = findings(&report(&earlier, &[]));
     change.edits.iter().for_each(|edit| edit.apply(&root));
     let after = findings(&report(&root, &[]));
@@ -611,25 +781,42 @@ fn try_change(original: &Path, change: &Change) -> Vec<String> {
     let staged = report(&root, &["--staged"]);
     let mut faults = Vec::new();
     for (option, other) in [("--against", &against), ("--staged", &staged)] {
-        let differs = |what: &str, one: &Value, other: &Value| format!("{option}, {what}: {other}\n  not {one}");
+        let differs = |what: &str, one: &Value, other: &Value| {
+            format!("{option}, {what}: {other}\n  not {one}")
+        };
         if other["findings"] != since["findings"] {
             faults.push(differs("findings", &since["findings"], &other["findings"]));
         }
         if other["compared"]["gone"] != since["compared"]["gone"] {
-            faults.push(differs("gone", &since["compared"]["gone"], &other["compared"]["gone"]));
+            faults.push(differs(
+                "gone",
+                &since["compared"]["gone"],
+                &other["compared"]["gone"],
+            ));
         }
     }
     let mut told = shown(&before, &findings(&since));
     let gone = gone(&before, &after);
     if since["compared"]["gone"] != gone.len() {
-        faults.push(format!("{} gone, not {}", since["compared"]["gone"], gone.len()));
+        faults.push(format!(
+            "{} gone, not {}",
+            since["compared"]["gone"],
+            gone.len()
+        ));
     }
     told.extend(gone);
     let plain = difference(&before, &after);
     let otherwise = [without(&told, &plain), without(&plain, &told)].concat();
-    faults.extend(amiss(change.otherwise, otherwise).into_iter().map(|fault| format!("whole reports: {fault}")));
+    faults.extend(
+        amiss(change.otherwise, otherwise)
+            .into_iter()
+            .map(|fault| format!("whole reports: {fault}")),
+    );
     faults.extend(amiss(change.brings, told));
-    faults.iter().map(|fault| format!("{}: {fault}", change.name)).collect()
+    faults
+        .iter()
+        .map(|fault| format!("{}: {fault}", change.name))
+        .collect()
 }
 
 #[test]
@@ -640,6 +827,14 @@ fn a_change_brings_what_it_brings() {
     copy_folder(&corpus("makehuman2/data"), &original.join("data"));
     git(original, &["init", "-q", "-b", "main"]);
     commit_all(original);
-    let faults: Vec<String> = CHANGES.par_iter().flat_map_iter(|change| try_change(original, change)).collect();
-    assert!(faults.is_empty(), "{} faults\n{}", faults.len(), faults.join("\n"));
+    let faults: Vec<String> = CHANGES
+        .par_iter()
+        .flat_map_iter(|change| try_change(original, change))
+        .collect();
+    assert!(
+        faults.is_empty(),
+        "{} faults\n{}",
+        faults.len(),
+        faults.join("\n")
+    );
 }

@@ -1,5 +1,6 @@
-//! `docs/coverage.md`: which files are read for each application, what becomes of those that cannot be read, which faults
-//! are found, and what is not checked. Made from the kinds of files, the tables of consequences and the table of rules.
+//! `docs/coverage.md`: which files are read for each application, what becomes of those that cannot
+//! be read, which faults are found, and what is not checked. Made from the kinds of files, the
+//! tables of consequences and the table of rules.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -51,13 +52,19 @@ A run names the files of which it did not check the contents, and why (`Not chec
 - `hair/haireditor/*.blend`, `logs/`, `cache/`, and what Blender itself stores.
 ";
 
-/// What is said of each kind of files in the code, by its name there: an entry of the list is a comment and a name.
+/// What is said of each kind of files in the code, by its name there: an entry of the list is a
+/// comment and a name.
 fn descriptions() -> BTreeMap<String, String> {
     let code = fs::read_to_string(project("crates/discover/src/kind.rs")).unwrap();
     let (_, rest) = code.split_once("pub enum Kind {\n").unwrap();
     let (list, _) = rest.split_once("\n}").unwrap();
     let lines: Vec<&str> = list.lines().map(str::trim).collect();
-    let entry = |pair: &[&str]| Some((pair[1].strip_suffix(',')?.to_owned(), pair[0].strip_prefix("/// ")?.to_owned()));
+    let entry = |pair: &[&str]| {
+        Some((
+            pair[1].strip_suffix(',')?.to_owned(),
+            pair[0].strip_prefix("/// ")?.to_owned(),
+        ))
+    };
     lines.windows(2).filter_map(entry).collect()
 }
 
@@ -85,13 +92,26 @@ fn files() -> String {
         .to_owned();
     for group in AssetGroup::ALL {
         let mut names: Vec<&str> = Vec::new();
-        for kind in kinds.iter().flatten().filter(|kind| kind.group == Some(group)) {
+        for kind in kinds
+            .iter()
+            .flatten()
+            .filter(|kind| kind.group == Some(group))
+        {
             if !names.contains(&kind.kind.as_str()) {
                 names.push(&kind.kind);
             }
         }
-        let titles: Vec<&str> = Application::ALL.iter().map(|application| application.title()).collect();
-        write!(text, "\n### {}\n\n| file | {} |\n|---|---|---|---|\n", title(group), titles.join(" | ")).unwrap();
+        let titles: Vec<&str> = Application::ALL
+            .iter()
+            .map(|application| application.title())
+            .collect();
+        write!(
+            text,
+            "\n### {}\n\n| file | {} |\n|---|---|---|---|\n",
+            title(group),
+            titles.join(" | ")
+        )
+        .unwrap();
         for name in names {
             let cell = |of: &Vec<CoveredKind>| match of.iter().find(|kind| kind.kind == name) {
                 Some(kind) if kind.has_rules => "checked",
@@ -99,7 +119,10 @@ fn files() -> String {
                 None => "",
             };
             let cells: Vec<&str> = kinds.iter().map(cell).collect();
-            let said = said.get(name).unwrap_or_else(|| panic!("{name} has no description")).trim_end_matches('.');
+            let said = said
+                .get(name)
+                .unwrap_or_else(|| panic!("{name} has no description"))
+                .trim_end_matches('.');
             writeln!(text, "| {said} | {} |", cells.join(" | ")).unwrap();
         }
     }
@@ -112,13 +135,26 @@ fn unread() -> String {
     let mut text = "\n## Files that cannot be read\n\nA file that cannot be opened, or is not valid JSON. Files of other kinds are missing where they are used. What comes of a file \
          that is empty, a pointer of Git LFS or not UTF-8, the finding says.\n".to_owned();
     for application in Application::ALL {
-        write!(text, "\n### {}\n\n| file | opened | level | then it … |\n|---|---|---|---|\n", application.title())
-            .unwrap();
+        write!(
+            text,
+            "\n### {}\n\n| file | opened | level | then it … |\n|---|---|---|---|\n",
+            application.title()
+        )
+        .unwrap();
         for kind in covered_kinds(application) {
             for one in &kind.unread {
                 let said = said[&kind.kind].trim_end_matches('.');
-                let said = if one.role.is_empty() { said.to_owned() } else { format!("{said} ({})", one.role) };
-                writeln!(text, "| {said} | {} | {} | {} |", one.opened, one.level, one.effect).unwrap();
+                let said = if one.role.is_empty() {
+                    said.to_owned()
+                } else {
+                    format!("{said} ({})", one.role)
+                };
+                writeln!(
+                    text,
+                    "| {said} | {} | {} | {} |",
+                    one.opened, one.level, one.effect
+                )
+                .unwrap();
             }
         }
     }
@@ -135,32 +171,58 @@ fn faults() -> String {
         "\n## Faults\n\nThe usual level of each rule in each application; a finding has the level of its own case.\n\n"
             .to_owned();
     for application in Application::ALL {
-        let own = rules.iter().filter(|rule| concerns(rule, application)).count();
+        let own = rules
+            .iter()
+            .filter(|rule| concerns(rule, application))
+            .count();
         writeln!(text, "- {}: {own} rules", application.title()).unwrap();
     }
-    let titles: Vec<&str> = Application::ALL.iter().map(|application| application.title()).collect();
-    write!(text, "\n| rule | {} | fault |\n|---|---|---|---|---|\n", titles.join(" | ")).unwrap();
+    let titles: Vec<&str> = Application::ALL
+        .iter()
+        .map(|application| application.title())
+        .collect();
+    write!(
+        text,
+        "\n| rule | {} | fault |\n|---|---|---|---|---|\n",
+        titles.join(" | ")
+    )
+    .unwrap();
     for rule in rules.iter().filter(|rule| !rule.breaks.is_empty()) {
-        let own = Application::ALL.map(|application| concerns(rule, application).then_some(application));
-        let cell = |own: &Option<Application>| own.map_or_else(String::new, |own| rule.level_in(own).to_string());
+        let own =
+            Application::ALL.map(|application| concerns(rule, application).then_some(application));
+        let cell = |own: &Option<Application>| {
+            own.map_or_else(String::new, |own| rule.level_in(own).to_string())
+        };
         let cells: Vec<String> = own.iter().map(cell).collect();
         let (id, family) = (rule.id, rule.family());
-        writeln!(text, "| [`{id}`](rules/{family}.md#{id}) | {} | {} |", cells.join(" | "), rule.summary).unwrap();
+        writeln!(
+            text,
+            "| [`{id}`](rules/{family}.md#{id}) | {} | {} |",
+            cells.join(" | "),
+            rule.summary
+        )
+        .unwrap();
     }
     text
 }
 
 #[test]
 fn the_page_on_what_is_covered_is_fresh() {
-    check_file("docs/coverage.md", &[HEAD, &files(), &unread(), &faults(), "\n", NOT_CHECKED].concat());
+    check_file(
+        "docs/coverage.md",
+        &[HEAD, &files(), &unread(), &faults(), "\n", NOT_CHECKED].concat(),
+    );
 }
 
-/// What has a row of consequences or rules is known to the application, and the other way round: a kind without a group is
-/// one that nobody loads.
+/// What has a row of consequences or rules is known to the application, and the other way round: a
+/// kind without a group is one that nobody loads.
 #[test]
 fn what_is_checked_belongs_to_a_group_of_files() {
     for kind in Application::ALL.into_iter().flat_map(covered_kinds) {
-        let is_general = matches!(kind.kind.as_str(), "Json" | "ConfigJson" | "Other" | "Unlisted");
+        let is_general = matches!(
+            kind.kind.as_str(),
+            "Json" | "ConfigJson" | "Other" | "Unlisted"
+        );
         assert_eq!(kind.group.is_none(), is_general, "{}", kind.kind);
     }
 }

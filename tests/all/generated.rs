@@ -1,5 +1,5 @@
-//! What is generated is fresh: the families of rules and the help in the README, the table and pages of the rules, the samples of
-//! the reports.
+//! What is generated is fresh: the families of rules and the help in the README, the table and
+//! pages of the rules, the samples of the reports.
 //!
 //! `UPDATE=1 cargo test generated::` rewrites them.
 
@@ -16,7 +16,10 @@ fn every_rule_is_in_the_table() {
     let mut table = String::from_utf8(rules).unwrap();
     for rule in mhlint::rule_infos() {
         let [id, family] = [rule.id, rule.family()];
-        table = table.replace(&format!("| `{id}` |"), &format!("| [`{id}`](rules/{family}.md#{id}) |"));
+        table = table.replace(
+            &format!("| `{id}` |"),
+            &format!("| [`{id}`](rules/{family}.md#{id}) |"),
+        );
     }
     check("docs/rules.md", "rules", &table);
 }
@@ -31,21 +34,35 @@ fn every_rule_has_its_section_on_the_page_of_its_family() {
     for (family, count) in &pages {
         let about = about(family);
         let noun = if *count == 1 { "rule" } else { "rules" };
-        writeln!(list, "| [`{family}`](rules/{family}.md) | {count} {noun} | {about} |").unwrap();
+        writeln!(
+            list,
+            "| [`{family}`](rules/{family}.md) | {count} {noun} | {about} |"
+        )
+        .unwrap();
         let explain = ["explain", &format!("{family}-"), "--format", "markdown"];
         let sections = String::from_utf8(mhlint(&project("."), &explain).stdout).unwrap();
         let head = format!(
             "# Rules: {family}\n\nOn {about}. [All families](../rules.md), [how levels are chosen](../levels.md).\n\n\
              <!-- Written by tests/all/generated.rs from the rules and their fixtures; edits here are lost. -->\n\n"
         );
-        check_file(&format!("docs/rules/{family}.md"), &format!("{head}{sections}"));
+        check_file(
+            &format!("docs/rules/{family}.md"),
+            &format!("{head}{sections}"),
+        );
     }
     check("docs/rules.md", "families", &list);
-    check("README.md", "families", &list.replace("](rules/", "](docs/rules/"));
+    check(
+        "README.md",
+        "families",
+        &list.replace("](rules/", "](docs/rules/"),
+    );
     for entry in fs::read_dir(project("docs/rules")).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();
         let family = name.strip_suffix(".md").unwrap_or(&name);
-        assert!(pages.contains_key(family), "docs/rules/{name} belongs to no family of rules");
+        assert!(
+            pages.contains_key(family),
+            "docs/rules/{name} belongs to no family of rules"
+        );
     }
 }
 
@@ -60,7 +77,9 @@ fn about(family: &str) -> &'static str {
         "bvh" => "motions (`.bvh`)",
         "catalog" => "sliders of MPFB: `target.json` and the targets it names",
         "config" => "ignores and levels in `mhlint.toml`",
-        "expression" => "expressions of MPFB (`expressions/**/*.json`) and the targets of their units",
+        "expression" => {
+            "expressions of MPFB (`expressions/**/*.json`) and the targets of their units"
+        }
         "file" => "files as such: names, references, links, encodings, packing",
         "filter" => "the labels by which assets are chosen (`selection_filter.json`)",
         "ink" => "ink layers of MPFB (`ink_layers/**/*.json`)",
@@ -72,17 +91,29 @@ fn about(family: &str) -> &'static str {
         "metadata" => "what MPFB knows of its base mesh besides the OBJ (`mesh_metadata/`)",
         "model" => "saved characters (`.mhm`)",
         "modelling" => "sliders: `modelling.json` and `target_cat.json`",
-        "modifiers" => "modifiers of MakeHuman 1 (`*_modifiers.json`) with their descriptions and sliders",
-        "numeric" => "the evaluated figure: shapes, joints and weights over the range of the sliders",
+        "modifiers" => {
+            "modifiers of MakeHuman 1 (`*_modifiers.json`) with their descriptions and sliders"
+        }
+        "numeric" => {
+            "the evaluated figure: shapes, joints and weights over the range of the sliders"
+        }
         "overlay" => "user data over system data",
-        "pack" => "zips of assets as MakeHuman 2 and MPFB import them, and the lists of packs of MPFB",
+        "pack" => {
+            "zips of assets as MakeHuman 2 and MPFB import them, and the lists of packs of MPFB"
+        }
         "parts" => "the macro settings of MPFB: `macro.json`, its parts and the targets it needs",
-        "pose" => "poses, expressions, what they are made of (`body-poses.json`, `face-poses.json`), and motions",
+        "pose" => {
+            "poses, expressions, what they are made of (`body-poses.json`, `face-poses.json`), and motions"
+        }
         "preset" => "saved characters of MPFB (`human.*.json`)",
         "program" => "files of the programs themselves",
         "proxy" => "clothes, hair, eyes and topologies (`.mhclo`, `.proxy`) with what they name",
-        "rig" => "rigs of MPFB: bones on the base mesh, those of users, and those of assets (`.mpfbskel`)",
-        "scene" => "scenes of MakeHuman 1 (`.mhscene`), and the lists of its libraries (`cache/*.mhc`)",
+        "rig" => {
+            "rigs of MPFB: bones on the base mesh, those of users, and those of assets (`.mpfbskel`)"
+        }
+        "scene" => {
+            "scenes of MakeHuman 1 (`.mhscene`), and the lists of its libraries (`cache/*.mhc`)"
+        }
         "skeleton" => "skeletons (`.mhskel`)",
         "target" => "targets (`.target`)",
         "uv" => "UV layers of MPFB (`uv_layers/*.json.gz`)",
@@ -95,7 +126,11 @@ fn about(family: &str) -> &'static str {
 fn readme_holds_the_help() {
     let help = String::from_utf8(mhlint(&project("."), &["--help"]).stdout).unwrap();
     let lines: Vec<&str> = help.lines().map(str::trim_end).collect();
-    check("README.md", "help", &format!("```text\n{}\n```\n", lines.join("\n").trim_end()));
+    check(
+        "README.md",
+        "help",
+        &format!("```text\n{}\n```\n", lines.join("\n").trim_end()),
+    );
 }
 
 /// On a terminal that draws; the test itself has none.
@@ -121,7 +156,11 @@ fn the_sample_of_the_readme_is_what_a_terminal_shows() {
     let mut sample = Vec::new();
     mhlint::report::write(mhlint::report::Format::Human, &outcome, &view, &mut sample).unwrap();
     let sample = String::from_utf8(sample).unwrap();
-    check("README.md", "sample", &format!("```text\n$ mhlint data\n{}\n```\n", sample.trim_end()));
+    check(
+        "README.md",
+        "sample",
+        &format!("```text\n$ mhlint data\n{}\n```\n", sample.trim_end()),
+    );
 }
 
 /// A fault of MPFB in a repository of all three applications.
@@ -151,10 +190,18 @@ fn the_samples_of_the_reports_are_what_is_written() {
     ];
     for (format, language) in formats {
         // These list every file that is loaded.
-        let path = if matches!(format, "json" | "sarif") { "data/target/figure/macro.json" } else { "data" };
+        let path = if matches!(format, "json" | "sarif") {
+            "data/target/figure/macro.json"
+        } else {
+            "data"
+        };
         let args = [path, "--only", "macro-steps-length", "--report", format];
         let sample = String::from_utf8(mhlint(repository.path(), &args).stdout).unwrap();
-        check("docs/reports.md", format, &format!("````{language}\n{}\n````\n", sample.trim_end()));
+        check(
+            "docs/reports.md",
+            format,
+            &format!("````{language}\n{}\n````\n", sample.trim_end()),
+        );
     }
 }
 
@@ -181,8 +228,12 @@ pub(crate) fn check(file: &str, name: &str, wanted: &str) {
     let path = project(file);
     let text = fs::read_to_string(&path).unwrap();
     let [open, close] = [format!("<!-- {name} -->\n"), format!("<!-- /{name} -->")];
-    let (before, rest) = text.split_once(&open).unwrap_or_else(|| panic!("{file} lacks {open}"));
-    let (found, after) = rest.split_once(&close).unwrap_or_else(|| panic!("{file} lacks {close}"));
+    let (before, rest) = text
+        .split_once(&open)
+        .unwrap_or_else(|| panic!("{file} lacks {open}"));
+    let (found, after) = rest
+        .split_once(&close)
+        .unwrap_or_else(|| panic!("{file} lacks {close}"));
     if found == wanted {
         return;
     }
@@ -193,5 +244,8 @@ pub(crate) fn check(file: &str, name: &str, wanted: &str) {
 #[track_caller]
 fn may_write(what: &str) {
     let may = std::env::var_os("UPDATE").is_some();
-    assert!(may, "{what} is not fresh: UPDATE=1 cargo test generated:: -- --test-threads 1");
+    assert!(
+        may,
+        "{what} is not fresh: UPDATE=1 cargo test generated:: -- --test-threads 1"
+    );
 }

@@ -1,5 +1,5 @@
-//! Bad input of every kind on the example repository: no panic, no failed rule, no hang; a finding with a
-//! place wherever something is lost, silence only where the loader does not mind.
+//! Bad input of every kind on the example repository: no panic, no failed rule, no hang; a finding
+//! with a place wherever something is lost, silence only where the loader does not mind.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -25,23 +25,44 @@ fn files() -> Files {
     listed
         .filter(|entry| entry.file_type().is_file())
         .map(|entry| {
-            let path = entry.path().strip_prefix(&root).unwrap().to_str().unwrap().replace('\\', "/");
+            let path = entry
+                .path()
+                .strip_prefix(&root)
+                .unwrap()
+                .to_str()
+                .unwrap()
+                .replace('\\', "/");
             (path, std::fs::read(entry.path()).unwrap().into())
         })
         .collect()
 }
 
 fn is_one_of(path: &str, kinds: &[&str]) -> bool {
-    Path::new(path).extension().is_some_and(|ext| kinds.iter().any(|kind| ext == *kind))
+    Path::new(path)
+        .extension()
+        .is_some_and(|ext| kinds.iter().any(|kind| ext == *kind))
 }
 
 /// The run on the example with one file replaced; every finding lies in the tree.
 fn run(files: &Files, path: &str, bytes: Vec<u8>) -> Outcome {
-    let shared = files.iter().map(|(path, bytes)| (path.clone(), Arc::clone(bytes)));
-    let changed = shared.filter(|(other, _)| other != path).chain([(path.to_owned(), bytes.into())]);
-    let options = Config { no_eval: true, ..Config::default() };
+    let shared = files
+        .iter()
+        .map(|(path, bytes)| (path.clone(), Arc::clone(bytes)));
+    let changed = shared
+        .filter(|(other, _)| other != path)
+        .chain([(path.to_owned(), bytes.into())]);
+    let options = Config {
+        no_eval: true,
+        ..Config::default()
+    };
     let outcome = lint_trees(vec![Tree::in_memory("", changed)], None, &options).unwrap();
-    let failed = || (&outcome.failed_rules, &outcome.failed_files, &outcome.failed_steps);
+    let failed = || {
+        (
+            &outcome.failed_rules,
+            &outcome.failed_files,
+            &outcome.failed_steps,
+        )
+    };
     assert!(outcome.is_whole(), "{path}: {:?}", failed());
     outcome
 }
@@ -54,7 +75,11 @@ fn speaks(outcome: &Outcome, path: &str) -> bool {
 #[test]
 fn the_example_is_silent_in_memory() {
     let files = files();
-    let outcome = run(&files, "base/figure/base.json", files["base/figure/base.json"].to_vec());
+    let outcome = run(
+        &files,
+        "base/figure/base.json",
+        files["base/figure/base.json"].to_vec(),
+    );
     assert_eq!(outcome.findings, []);
 }
 
@@ -75,16 +100,28 @@ fn truncation_of_json_is_always_a_finding() {
 fn truncation_of_lines_never_fails() {
     let files = files();
     let mut per_format: BTreeMap<&str, usize> = BTreeMap::new();
-    for (path, bytes) in files.iter().filter(|(path, _)| is_one_of(path, &TEXT) && !is_one_of(path, &JSON)) {
+    for (path, bytes) in files
+        .iter()
+        .filter(|(path, _)| is_one_of(path, &TEXT) && !is_one_of(path, &JSON))
+    {
         let kind = path.rsplit('.').next().unwrap();
         let seen = per_format.entry(kind).or_default();
         *seen += 1;
         if *seen > 4 {
             continue;
         }
-        for cut in [0, 1, bytes.len() / 2, bytes.len() / 2 + 1, bytes.len().saturating_sub(2)] {
+        for cut in [
+            0,
+            1,
+            bytes.len() / 2,
+            bytes.len() / 2 + 1,
+            bytes.len().saturating_sub(2),
+        ] {
             let outcome = run(&files, path, bytes[..cut].to_vec());
-            let placed = outcome.findings.iter().all(|finding| !finding.path.is_empty());
+            let placed = outcome
+                .findings
+                .iter()
+                .all(|finding| !finding.path.is_empty());
             assert!(placed, "{path} cut at {cut}");
         }
     }
@@ -98,9 +135,16 @@ fn a_packed_mesh_that_is_cut_or_changed_is_named_or_harmless() {
     let whole = packed(&files["base/figure/base.obj"]);
     assert_eq!(run(&files, path, whole.clone()).findings, []);
     let step = whole.len() / 40;
-    let cuts: Vec<usize> = (0..whole.len()).step_by(step).chain([1, whole.len() - 1]).collect();
+    let cuts: Vec<usize> = (0..whole.len())
+        .step_by(step)
+        .chain([1, whole.len() - 1])
+        .collect();
     cuts.par_iter().for_each(|cut| {
-        assert!(speaks(&run(&files, path, whole[..*cut].to_vec()), path), "cut at {cut} of {}", whole.len());
+        assert!(
+            speaks(&run(&files, path, whole[..*cut].to_vec()), path),
+            "cut at {cut} of {}",
+            whole.len()
+        );
     });
     cuts.par_iter().for_each(|at| {
         let mut changed = whole.clone();
@@ -115,7 +159,10 @@ fn pointers(value: &Value, at: &str, found: &mut Vec<String>) {
     found.push(at.to_owned());
     match value {
         Value::Array(items) => {
-            let chosen = items.iter().enumerate().filter(|(index, _)| *index < 2 || index + 1 == items.len());
+            let chosen = items
+                .iter()
+                .enumerate()
+                .filter(|(index, _)| *index < 2 || index + 1 == items.len());
             chosen.for_each(|(index, item)| pointers(item, &format!("{at}/{index}"), found));
         }
         Value::Object(members) => {
@@ -131,7 +178,14 @@ fn pointers(value: &Value, at: &str, found: &mut Vec<String>) {
 #[test]
 fn wrong_types_at_any_place_fail_no_rule() {
     let files = files();
-    let others = [json!(null), json!(true), json!(7), json!("x"), json!([]), json!({})];
+    let others = [
+        json!(null),
+        json!(true),
+        json!(7),
+        json!("x"),
+        json!([]),
+        json!({}),
+    ];
     let (mut loud, mut all, mut faults) = (0, 0, Vec::new());
     // What a pose is made of has no model yet.
     let is_checked = |path: &str| is_one_of(path, &JSON) && !path.ends_with("-poses.json");
@@ -139,13 +193,18 @@ fn wrong_types_at_any_place_fail_no_rule() {
         let whole: Value = serde_json::from_slice(bytes).unwrap();
         let mut places = Vec::new();
         pointers(&whole, "", &mut places);
-        let damages: Vec<(&String, &Value)> =
-            places.iter().flat_map(|place| others.iter().map(move |other| (place, other))).collect();
+        let damages: Vec<(&String, &Value)> = places
+            .iter()
+            .flat_map(|place| others.iter().map(move |other| (place, other)))
+            .collect();
         let results = damages.par_iter().map(|(place, other)| {
             let mut copy = whole.clone();
             *copy.pointer_mut(place).unwrap() = (*other).clone();
             let outcome = run(&files, path, serde_json::to_vec(&copy).unwrap());
-            let has_paths = outcome.findings.iter().all(|finding| !finding.path.is_empty());
+            let has_paths = outcome
+                .findings
+                .iter()
+                .all(|finding| !finding.path.is_empty());
             // What the loader reads is an object: whatever else the whole file is, it is named.
             let named = !place.is_empty() || other.is_object() || speaks(&outcome, path);
             let fault = (!has_paths || !named).then(|| format!("{path} with {other} at {place:?}"));
@@ -165,7 +224,11 @@ fn wrong_types_at_any_place_fail_no_rule() {
 #[test]
 fn line_ends_of_windows_are_silent() {
     let files = files();
-    for (path, bytes) in files.iter().filter(|(path, _)| is_one_of(path, &TEXT)).step_by(5) {
+    for (path, bytes) in files
+        .iter()
+        .filter(|(path, _)| is_one_of(path, &TEXT))
+        .step_by(5)
+    {
         let text = std::str::from_utf8(bytes).unwrap().replace('\n', "\r\n");
         let outcome = run(&files, path, text.into_bytes());
         assert_eq!(outcome.findings, [], "{path}");
@@ -185,7 +248,11 @@ fn bytes_that_do_not_belong_are_named_in_every_document() {
             behind_brace(b"\"n\": 1e400 1,"),
         ];
         for bytes in damaged {
-            assert!(speaks(&run(&files, path, bytes.clone()), path), "{path}: {:?}", bytes.get(..30));
+            assert!(
+                speaks(&run(&files, path, bytes.clone()), path),
+                "{path}: {:?}",
+                bytes.get(..30)
+            );
         }
     }
 }
@@ -219,7 +286,13 @@ fn a_million_brackets_are_refused() {
     let files = files();
     for (path, _) in files.iter().filter(|(path, _)| is_one_of(path, &JSON)) {
         for open in ["[", "{\"a\":"] {
-            assert!(speaks(&run(&files, path, open.repeat(1_000_000).into_bytes()), path), "{path}");
+            assert!(
+                speaks(
+                    &run(&files, path, open.repeat(1_000_000).into_bytes()),
+                    path
+                ),
+                "{path}"
+            );
         }
     }
 }
@@ -227,7 +300,10 @@ fn a_million_brackets_are_refused() {
 #[test]
 fn a_folder_where_a_file_is_expected_is_no_file() {
     let files = files();
-    for (path, _) in files.iter().filter(|(path, _)| path.starts_with("base/") || path.starts_with("rigs/")) {
+    for (path, _) in files
+        .iter()
+        .filter(|(path, _)| path.starts_with("base/") || path.starts_with("rigs/"))
+    {
         let mut rest = files.clone();
         rest.remove(path);
         run(&rest, &format!("{path}/inside.txt"), b"x".to_vec());
@@ -242,7 +318,11 @@ fn a_file_where_a_folder_is_expected_ends_with_a_verdict() {
         std::fs::remove_dir_all(&path).unwrap();
         std::fs::write(&path, "no folder").unwrap();
         let output = mhlint(root.path(), &["data", "--report", "concise", "--no-eval"]);
-        assert!(matches!(output.status.code(), Some(0..=2)), "{}", stderr(&output));
+        assert!(
+            matches!(output.status.code(), Some(0..=2)),
+            "{}",
+            stderr(&output)
+        );
     }
 }
 
@@ -258,27 +338,43 @@ fn four_gibibytes_of_zeros_in_four_megabytes_are_given_up() {
     let files = files();
     let path = "target/figure/head/zeros.target.gz";
     let outcome = run(&files, path, bomb());
-    let rules: Vec<_> = outcome.findings.iter().filter(|finding| finding.path == path).map(|f| f.rule).collect();
+    let rules: Vec<_> = outcome
+        .findings
+        .iter()
+        .filter(|finding| finding.path == path)
+        .map(|f| f.rule)
+        .collect();
     assert!(rules.contains(&"file-decompression-bomb"), "{rules:?}");
 }
 
-/// The shell takes the address space away that a program would need to unpack so much. Threads and the program
-/// itself take a few hundred megabytes of addresses, without using them.
+/// The shell takes the address space away that a program would need to unpack so much. Threads and
+/// the program itself take a few hundred megabytes of addresses, without using them.
 #[cfg(target_os = "linux")]
 #[test]
 fn four_gibibytes_of_zeros_need_no_memory() {
     let root = example();
-    std::fs::write(root.path().join("data/target/figure/head/zeros.target.gz"), bomb()).unwrap();
+    std::fs::write(
+        root.path().join("data/target/figure/head/zeros.target.gz"),
+        bomb(),
+    )
+    .unwrap();
     let limited = |megabytes: u32| {
-        let script = format!("ulimit -v {}; exec \"$0\" data --report concise", megabytes * 1024);
+        let script = format!(
+            "ulimit -v {}; exec \"$0\" data --report concise",
+            megabytes * 1024
+        );
         let mut command = std::process::Command::new("sh");
-        command.args(["-c", &script, env!("CARGO_BIN_EXE_mhlint")]).env("RAYON_NUM_THREADS", "2");
+        command
+            .args(["-c", &script, env!("CARGO_BIN_EXE_mhlint")])
+            .env("RAYON_NUM_THREADS", "2");
         command.current_dir(root.path()).output().unwrap()
     };
     let output = limited(768);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let lines = findings(&output);
-    let named = |line: &&String| line.contains("zeros.target.gz") && line.contains("[file-decompression-bomb]");
+    let named = |line: &&String| {
+        line.contains("zeros.target.gz") && line.contains("[file-decompression-bomb]")
+    };
     assert_eq!(lines.iter().filter(named).count(), 1, "{lines:?}");
     // That the limit is one: with too little room the program does not get anywhere.
     assert_ne!(limited(4).status.code(), Some(0));
@@ -300,11 +396,15 @@ fn files_without_permission_are_named_each() {
     for file in files {
         let root = example();
         let path = root.path().join("data").join(file);
-        let set = |path: &Path, mode| std::fs::set_permissions(path, PermissionsExt::from_mode(mode)).unwrap();
+        let set = |path: &Path, mode| {
+            std::fs::set_permissions(path, PermissionsExt::from_mode(mode)).unwrap()
+        };
         set(root.path(), 0o755);
         set(&path, 0o000);
         let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_mhlint"));
-        command.current_dir(root.path()).args(["data", "--report", "concise", "--no-eval"]);
+        command
+            .current_dir(root.path())
+            .args(["data", "--report", "concise", "--no-eval"]);
         if std::fs::read(&path).is_ok() {
             // Root reads everything; nobody does not.
             command.uid(65534).gid(65534);
@@ -315,8 +415,13 @@ fn files_without_permission_are_named_each() {
         };
         assert_eq!(output.status.code(), Some(1), "{file}: {}", stderr(&output));
         let lines = findings(&output);
-        let [line] = lines.as_slice() else { panic!("{file}: {lines:?}") };
-        assert!(line.starts_with(&format!("data/{file}")) && line.contains("error[file-unreadable]"), "{line}");
+        let [line] = lines.as_slice() else {
+            panic!("{file}: {lines:?}")
+        };
+        assert!(
+            line.starts_with(&format!("data/{file}")) && line.contains("error[file-unreadable]"),
+            "{line}"
+        );
     }
 }
 
@@ -327,7 +432,17 @@ fn links_in_a_circle_end_and_are_named() {
     let target = root.path().join("data/target/figure");
     std::os::unix::fs::symlink("..", target.join("up")).unwrap();
     std::os::unix::fs::symlink("self.target", target.join("self.target")).unwrap();
-    let output = mhlint(root.path(), &["data", "--report", "concise", "--only", "file-link-loop"]);
+    let output = mhlint(
+        root.path(),
+        &["data", "--report", "concise", "--only", "file-link-loop"],
+    );
     let lines = findings(&output);
-    assert_eq!(lines.iter().filter(|line| line.contains("[file-link-loop]")).count(), 2, "{lines:?}");
+    assert_eq!(
+        lines
+            .iter()
+            .filter(|line| line.contains("[file-link-loop]"))
+            .count(),
+        2,
+        "{lines:?}"
+    );
 }

@@ -1,6 +1,7 @@
-//! Bad input in rigs, weights, tables, poses and what is worn of MPFB: each value as something else, lists of another
-//! length, files that are empty, cut off or a pointer. No rule fails, every finding has a place, and what the loader
-//! stops at is reported. What is large or deep goes through the binary.
+//! Bad input in rigs, weights, tables, poses and what is worn of MPFB: each value as something
+//! else, lists of another length, files that are empty, cut off or a pointer. No rule fails, every
+//! finding has a place, and what the loader stops at is reported. What is large or deep goes
+//! through the binary.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -15,23 +16,52 @@ use serde_json::{Value, json};
 
 type Files = BTreeMap<String, Arc<[u8]>>;
 
-const RIGS: [&str; 2] = ["data/rigs/rigify/rig.cube_control.json", "user/data/rigs/stick.json"];
-const WEIGHTS: [&str; 2] = ["data/rigs/standard/weights.cube.json", "user/data/rigs/weights.stick.json"];
-const TABLES: [&str; 2] = ["data/mesh_metadata/basemesh_vertex_groups.json", "data/mesh_metadata/hm08_config.json"];
+const RIGS: [&str; 2] = [
+    "data/rigs/rigify/rig.cube_control.json",
+    "user/data/rigs/stick.json",
+];
+const WEIGHTS: [&str; 2] = [
+    "data/rigs/standard/weights.cube.json",
+    "user/data/rigs/weights.stick.json",
+];
+const TABLES: [&str; 2] = [
+    "data/mesh_metadata/basemesh_vertex_groups.json",
+    "data/mesh_metadata/hm08_config.json",
+];
 
 fn example() -> Files {
     let listed = content(&project("fixtures/mpfb")).into_iter();
-    listed.map(|(path, bytes)| (path.to_str().unwrap().replace('\\', "/"), bytes.into())).collect()
+    listed
+        .map(|(path, bytes)| (path.to_str().unwrap().replace('\\', "/"), bytes.into()))
+        .collect()
 }
 
 fn run(files: &Files, path: &str, bytes: Vec<u8>) -> Outcome {
-    let shared = files.iter().map(|(path, bytes)| (path.clone(), Arc::clone(bytes)));
-    let changed = shared.filter(|(other, _)| other != path).chain([(path.to_owned(), bytes.into())]);
-    let options = Config { no_eval: true, ..Config::default() };
+    let shared = files
+        .iter()
+        .map(|(path, bytes)| (path.clone(), Arc::clone(bytes)));
+    let changed = shared
+        .filter(|(other, _)| other != path)
+        .chain([(path.to_owned(), bytes.into())]);
+    let options = Config {
+        no_eval: true,
+        ..Config::default()
+    };
     let tree = Tree::in_memory("", changed);
     let outcome = trial::lint_trees(&[Application::Mpfb], vec![tree], None, &options).unwrap();
-    assert!(outcome.is_whole(), "{path}: {:?} {:?}", outcome.failed_rules, outcome.failed_files);
-    assert!(outcome.findings.iter().all(|finding| !finding.path.is_empty()), "{path}");
+    assert!(
+        outcome.is_whole(),
+        "{path}: {:?} {:?}",
+        outcome.failed_rules,
+        outcome.failed_files
+    );
+    assert!(
+        outcome
+            .findings
+            .iter()
+            .all(|finding| !finding.path.is_empty()),
+        "{path}"
+    );
     outcome
 }
 
@@ -39,20 +69,39 @@ fn run(files: &Files, path: &str, bytes: Vec<u8>) -> Outcome {
 fn reported(files: &Files, path: &str, others: &[Value]) -> (usize, usize) {
     let whole: Value = serde_json::from_slice(&files[path]).unwrap();
     let damages = exchanged(&whole, others);
-    let told =
-        damages.par_iter().filter(|(_, copy)| !run(files, path, serde_json::to_vec(copy).unwrap()).findings.is_empty());
+    let told = damages.par_iter().filter(|(_, copy)| {
+        !run(files, path, serde_json::to_vec(copy).unwrap())
+            .findings
+            .is_empty()
+    });
     (told.count(), damages.len())
 }
 
 #[test]
 fn every_value_of_rigs_and_tables_may_be_anything() {
     let files = example();
-    let others = [json!(null), json!("1"), json!(-1), json!(1e300), json!([]), json!({}), json!([1, 2]), json!([[]])];
+    let others = [
+        json!(null),
+        json!("1"),
+        json!(-1),
+        json!(1e300),
+        json!([]),
+        json!({}),
+        json!([1, 2]),
+        json!([[]]),
+    ];
     for path in RIGS.into_iter().chain(WEIGHTS).chain(TABLES) {
         let (told, all) = reported(&files, path, &others);
         // Of the dimensions only numbers of vertices are read.
-        let share = if path.ends_with("hm08_config.json") { 4 } else { 2 };
-        assert!(told * share > all, "{path}: {told} of {all} damages are reported");
+        let share = if path.ends_with("hm08_config.json") {
+            4
+        } else {
+            2
+        };
+        assert!(
+            told * share > all,
+            "{path}: {told} of {all} damages are reported"
+        );
     }
 }
 
@@ -64,11 +113,27 @@ fn lists_of_another_length_are_reported_in_bones_and_constraints() {
     let mut places = Vec::new();
     pointers(&whole, "", &mut places);
     let mut silent = Vec::new();
-    let list = |place: &&String| whole.pointer(place).unwrap().as_array().is_some_and(|list| !list.is_empty());
-    // Names of collections and of bones may be any number; a default position is read where nothing else is found.
-    let open = ["collections", "identifying_bones", "constraints", "default_position"];
+    let list = |place: &&String| {
+        whole
+            .pointer(place)
+            .unwrap()
+            .as_array()
+            .is_some_and(|list| !list.is_empty())
+    };
+    // Names of collections and of bones may be any number; a default position is read where nothing
+    // else is found.
+    let open = [
+        "collections",
+        "identifying_bones",
+        "constraints",
+        "default_position",
+    ];
     let is_open = |place: &&String| open.iter().any(|key| place.ends_with(key));
-    let lists: Vec<&String> = places.iter().filter(list).filter(|place| !is_open(place)).collect();
+    let lists: Vec<&String> = places
+        .iter()
+        .filter(list)
+        .filter(|place| !is_open(place))
+        .collect();
     assert!(!lists.is_empty());
     for place in lists {
         for longer in [false, true] {
@@ -79,8 +144,14 @@ fn lists_of_another_length_are_reported_in_bones_and_constraints() {
             } else {
                 drop(items.pop());
             }
-            if run(&files, path, serde_json::to_vec(&copy).unwrap()).findings.is_empty() {
-                silent.push(format!("{place} {}", if longer { "longer" } else { "shorter" }));
+            if run(&files, path, serde_json::to_vec(&copy).unwrap())
+                .findings
+                .is_empty()
+            {
+                silent.push(format!(
+                    "{place} {}",
+                    if longer { "longer" } else { "shorter" }
+                ));
             }
         }
     }
@@ -92,23 +163,41 @@ fn empty_and_cut_files_and_pointers_are_reported() {
     const POINTER: &[u8] = b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393\nsize 12345\n";
     let files = example();
     let checked = |path: &&String| {
-        [".json", ".mhclo", ".proxy", ".mhmat", ".obj", ".mirror", ".gz"].iter().any(|ending| path.ends_with(ending))
+        [
+            ".json", ".mhclo", ".proxy", ".mhmat", ".obj", ".mirror", ".gz",
+        ]
+        .iter()
+        .any(|ending| path.ends_with(ending))
     };
     let chosen: Vec<&String> = files.keys().filter(checked).collect();
     let quiet: Vec<String> = chosen
         .par_iter()
         .flat_map_iter(|path| {
             let bytes = &files[*path];
-            let cut = [Vec::new(), bytes[..bytes.len() / 2].to_vec(), POINTER.to_vec()];
-            cut.into_iter().enumerate().map(move |(at, bytes)| (*path, at, bytes))
+            let cut = [
+                Vec::new(),
+                bytes[..bytes.len() / 2].to_vec(),
+                POINTER.to_vec(),
+            ];
+            cut.into_iter()
+                .enumerate()
+                .map(move |(at, bytes)| (*path, at, bytes))
         })
         .filter(|(path, _, bytes)| run(&files, path, bytes.clone()).findings.is_empty())
         .map(|(path, at, _)| format!("{path} {at}"))
         .collect();
-    // A material and the table of counterparts may end after any line; a target of the macros may be empty.
-    let may_end = |line: &&String| [".mhmat 1", ".mirror 1"].iter().any(|end| line.ends_with(end));
+    // A material and the table of counterparts may end after any line; a target of the macros may
+    // be empty.
+    let may_end = |line: &&String| {
+        [".mhmat 1", ".mirror 1"]
+            .iter()
+            .any(|end| line.ends_with(end))
+    };
     let may_be_empty = |line: &&String| line.ends_with(".target.gz 0");
-    let lost: Vec<_> = quiet.iter().filter(|line| !may_end(line) && !may_be_empty(line)).collect();
+    let lost: Vec<_> = quiet
+        .iter()
+        .filter(|line| !may_end(line) && !may_be_empty(line))
+        .collect();
     assert!(lost.is_empty(), "{lost:#?}");
 }
 
@@ -142,7 +231,11 @@ fn with(path: &str, text: &str) -> (Option<i32>, Vec<String>) {
 fn a_hundred_thousand_bones_in_a_chain_end_with_a_verdict() {
     let mut text = String::from("{\n");
     for at in 0..100_000 {
-        let parent = if at == 0 { String::new() } else { format!("b{}", at - 1) };
+        let parent = if at == 0 {
+            String::new()
+        } else {
+            format!("b{}", at - 1)
+        };
         let comma = if at == 0 { "" } else { ",\n" };
         write!(text, "{comma}{}", bone(&format!("b{at}"), &parent)).unwrap();
     }
@@ -150,7 +243,12 @@ fn a_hundred_thousand_bones_in_a_chain_end_with_a_verdict() {
     let (code, found) = with("data/rigs/standard/rig.long.json", &text);
     // It has no weights.
     assert_eq!(code, Some(1), "{found:?}");
-    assert!(found.iter().any(|line| line.contains("rig-missing-weights")), "{found:?}");
+    assert!(
+        found
+            .iter()
+            .any(|line| line.contains("rig-missing-weights")),
+        "{found:?}"
+    );
     assert!(found.len() < 7, "{found:?}");
 }
 
@@ -159,19 +257,32 @@ fn a_name_of_64_bytes_is_reported_and_one_of_63_is_not() {
     for (length, is_told) in [(63, false), (64, true)] {
         let text = format!("{{{}}}", bone(&"b".repeat(length), ""));
         let (_, found) = with("data/rigs/standard/rig.one.json", &text);
-        assert_eq!(found.iter().any(|line| line.contains("rig-bone-name")), is_told, "{length}: {found:?}");
+        assert_eq!(
+            found.iter().any(|line| line.contains("rig-bone-name")),
+            is_told,
+            "{length}: {found:?}"
+        );
     }
 }
 
 #[test]
 fn deep_nesting_in_a_rig_and_in_weights_is_reported() {
-    for path in
-        ["data/rigs/standard/rig.cube.json", "data/rigs/standard/weights.cube.json", "user/data/rigs/stick.json"]
-    {
-        let text = format!("{{\"version\": 110, \"bones\": {}{}}}", "[".repeat(100_000), "]".repeat(100_000));
+    for path in [
+        "data/rigs/standard/rig.cube.json",
+        "data/rigs/standard/weights.cube.json",
+        "user/data/rigs/stick.json",
+    ] {
+        let text = format!(
+            "{{\"version\": 110, \"bones\": {}{}}}",
+            "[".repeat(100_000),
+            "]".repeat(100_000)
+        );
         let (code, found) = with(path, &text);
         assert_eq!(code, Some(1), "{path}: {found:?}");
-        assert!(found.iter().any(|line| line.contains("json-too-deep")), "{path}: {found:?}");
+        assert!(
+            found.iter().any(|line| line.contains("json-too-deep")),
+            "{path}: {found:?}"
+        );
     }
 }
 
@@ -187,5 +298,8 @@ fn weights_of_two_hundred_megabytes_end_with_a_verdict() {
     let (code, found) = with("data/rigs/standard/weights.cube.json", &text);
     // Nothing of it is worse than a warning.
     assert_eq!(code, Some(0), "{found:?}");
-    assert!(!found.is_empty() && found.iter().all(|line| line.contains("weights.cube.json")), "{found:?}");
+    assert!(
+        !found.is_empty() && found.iter().all(|line| line.contains("weights.cube.json")),
+        "{found:?}"
+    );
 }

@@ -1,6 +1,6 @@
-//! Bad input in everything a body wears, in the examples of both applications: files that are empty, cut off, in another
-//! encoding or a pointer, and each number as something else. No rule fails, every finding has a place, and what is lost is
-//! reported.
+//! Bad input in everything a body wears, in the examples of both applications: files that are
+//! empty, cut off, in another encoding or a pointer, and each number as something else. No rule
+//! fails, every finding has a place, and what is lost is reported.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -13,7 +13,9 @@ use rayon::prelude::*;
 type Files = BTreeMap<String, Arc<[u8]>>;
 
 /// Texts that are read line by line.
-const TEXT: [&str; 8] = ["mhclo", "proxy", "mhmat", "obj", "bvh", "meta", "mhm", "txt"];
+const TEXT: [&str; 8] = [
+    "mhclo", "proxy", "mhmat", "obj", "bvh", "meta", "mhm", "txt",
+];
 /// What else there is of a wardrobe.
 const OTHERS: [&str; 4] = ["mhw", "mhpose", "png", "thumb"];
 const POINTER: &[u8] = b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393\nsize 12345\n";
@@ -21,27 +23,61 @@ const POINTER: &[u8] = b"version https://git-lfs.github.com/spec/v1\noid sha256:
 /// An example, both its data folders, in memory.
 fn example(name: &str) -> Files {
     let listed = content(&project("fixtures").join(name)).into_iter();
-    listed.map(|(path, bytes)| (path.to_str().unwrap().replace('\\', "/"), bytes.into())).collect()
+    listed
+        .map(|(path, bytes)| (path.to_str().unwrap().replace('\\', "/"), bytes.into()))
+        .collect()
 }
 
 fn has_extension(path: &str, extensions: &[&str]) -> bool {
-    Path::new(path).extension().is_some_and(|own| extensions.iter().any(|one| own == *one))
+    Path::new(path)
+        .extension()
+        .is_some_and(|own| extensions.iter().any(|one| own == *one))
 }
 
 /// Files of a wardrobe: not the pictures of sliders, nor what the body is made of.
-fn worn<'f>(files: &'f Files, extensions: &'f [&str]) -> impl Iterator<Item = (&'f String, &'f Arc<[u8]>)> {
-    let folders = ["/base/", "/target/", "/contarget/", "/rigs/", "/shaders/", "/3dobjs/"];
+fn worn<'f>(
+    files: &'f Files,
+    extensions: &'f [&str],
+) -> impl Iterator<Item = (&'f String, &'f Arc<[u8]>)> {
+    let folders = [
+        "/base/",
+        "/target/",
+        "/contarget/",
+        "/rigs/",
+        "/shaders/",
+        "/3dobjs/",
+    ];
     let is_worn = move |path: &str| !folders.iter().any(|folder| path.contains(folder));
-    files.iter().filter(move |(path, _)| has_extension(path, extensions) && is_worn(path))
+    files
+        .iter()
+        .filter(move |(path, _)| has_extension(path, extensions) && is_worn(path))
 }
 
 fn run(files: &Files, path: &str, bytes: Vec<u8>) -> Outcome {
-    let shared = files.iter().map(|(path, bytes)| (path.clone(), Arc::clone(bytes)));
-    let changed = shared.filter(|(other, _)| other != path).chain([(path.to_owned(), bytes.into())]);
-    let options = Config { no_eval: true, ..Config::default() };
+    let shared = files
+        .iter()
+        .map(|(path, bytes)| (path.clone(), Arc::clone(bytes)));
+    let changed = shared
+        .filter(|(other, _)| other != path)
+        .chain([(path.to_owned(), bytes.into())]);
+    let options = Config {
+        no_eval: true,
+        ..Config::default()
+    };
     let outcome = lint_trees(vec![Tree::in_memory("", changed)], None, &options).unwrap();
-    assert!(outcome.is_whole(), "{path}: {:?} {:?}", outcome.failed_rules, outcome.failed_files);
-    assert!(outcome.findings.iter().all(|finding| !finding.path.is_empty()), "{path}");
+    assert!(
+        outcome.is_whole(),
+        "{path}: {:?} {:?}",
+        outcome.failed_rules,
+        outcome.failed_files
+    );
+    assert!(
+        outcome
+            .findings
+            .iter()
+            .all(|finding| !finding.path.is_empty()),
+        "{path}"
+    );
     outcome
 }
 
@@ -51,7 +87,9 @@ fn silent(extensions: &[&str], damage: impl Fn(&[u8]) -> Vec<u8> + Sync) -> Vec<
     for files in ["makehuman2", "makehuman1"].map(example) {
         let chosen: Vec<_> = worn(&files, extensions).collect();
         assert!(chosen.len() > 10, "{extensions:?}");
-        let quiet = chosen.par_iter().filter(|(path, bytes)| run(&files, path, damage(bytes)).findings.is_empty());
+        let quiet = chosen
+            .par_iter()
+            .filter(|(path, bytes)| run(&files, path, damage(bytes)).findings.is_empty());
         silent.extend(quiet.map(|(path, _)| (*path).clone()).collect::<Vec<_>>());
     }
     silent
@@ -75,17 +113,27 @@ fn files_that_end_early_fail_no_rule() {
     for part in [3, 2] {
         let quiet = silent(&all, |bytes| bytes[..bytes.len() / part].to_vec());
         // A material, a model or a description may end after any line.
-        let lost: Vec<_> = quiet.iter().filter(|path| !has_extension(path, &["mhmat", "mhm", "meta", "txt"])).collect();
+        let lost: Vec<_> = quiet
+            .iter()
+            .filter(|path| !has_extension(path, &["mhmat", "mhm", "meta", "txt"]))
+            .collect();
         assert!(lost.is_empty(), "cut at 1/{part}: {lost:?}");
     }
     for cut in [1, 2] {
-        silent(&all, |bytes| bytes[..bytes.len().saturating_sub(cut)].to_vec());
+        silent(&all, |bytes| {
+            bytes[..bytes.len().saturating_sub(cut)].to_vec()
+        });
     }
 }
 
 #[test]
 fn line_ends_of_windows_are_silent() {
-    let damage = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap().replace('\n', "\r\n").into_bytes();
+    let damage = |bytes: &[u8]| {
+        String::from_utf8(bytes.to_vec())
+            .unwrap()
+            .replace('\n', "\r\n")
+            .into_bytes()
+    };
     for files in ["makehuman2", "makehuman1"].map(example) {
         for (path, bytes) in worn(&files, &TEXT) {
             assert_eq!(run(&files, path, damage(bytes)).findings, [], "{path}");
@@ -101,13 +149,19 @@ fn bytes_of_another_encoding_are_reported() {
     };
     let quiet = silent(&TEXT, behind_first_line);
     // What a compiler of shaders makes of them is not known.
-    assert!(quiet.iter().all(|path| has_extension(path, &["txt"])), "{quiet:?}");
+    assert!(
+        quiet.iter().all(|path| has_extension(path, &["txt"])),
+        "{quiet:?}"
+    );
 }
 
 #[test]
 fn marks_in_front_are_reported() {
     let quiet = silent(&TEXT, |bytes| [b"\xef\xbb\xbf", bytes].concat());
-    assert!(quiet.iter().all(|path| has_extension(path, &["txt"])), "{quiet:?}");
+    assert!(
+        quiet.iter().all(|path| has_extension(path, &["txt"])),
+        "{quiet:?}"
+    );
 }
 
 /// Every number of the first lines of each keyword.
@@ -116,8 +170,14 @@ fn numbers(text: &str) -> Vec<std::ops::Range<usize>> {
     let mut found = Vec::new();
     for line in text.lines() {
         let words: Vec<&str> = line.split_whitespace().collect();
-        let Some(first) = words.first().filter(|first| !first.starts_with('#')) else { continue };
-        let keyword = if first.parse::<f64>().is_ok() { "" } else { first };
+        let Some(first) = words.first().filter(|first| !first.starts_with('#')) else {
+            continue;
+        };
+        let keyword = if first.parse::<f64>().is_ok() {
+            ""
+        } else {
+            first
+        };
         let count = seen.entry(keyword).or_default();
         *count += 1;
         if *count > 2 {
@@ -152,6 +212,9 @@ fn numbers_that_are_none_fail_no_rule() {
         });
         let (loud, all) = (loud.count(), damages.len());
         assert!(all > 300, "{name}: {all} damages");
-        assert!(loud as f64 > least * all as f64, "{name}: {loud} of {all} damages are reported");
+        assert!(
+            loud as f64 > least * all as f64,
+            "{name}: {loud} of {all} damages are reported"
+        );
     }
 }

@@ -1,5 +1,6 @@
-//! Every message with its consequences and its help, as the fixtures print them, in one text to be read line by line:
-//! `LISTING=target/listing.txt cargo test --test all listing::`. Without `LISTING` it is made and not kept.
+//! Every message with its consequences and its help, as the fixtures print them, in one text to be
+//! read line by line: `LISTING=target/listing.txt cargo test --test all listing::`. Without
+//! `LISTING` it is made and not kept.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -15,7 +16,11 @@ use rayon::prelude::*;
 fn every_message_can_be_listed() {
     assert!(MESSAGES.len() > 500, "{}", MESSAGES.len());
     if let Some(file) = std::env::var_os("LISTING") {
-        std::fs::write(file, MESSAGES.iter().map(String::as_str).collect::<String>()).unwrap();
+        std::fs::write(
+            file,
+            MESSAGES.iter().map(String::as_str).collect::<String>(),
+        )
+        .unwrap();
     }
 }
 
@@ -30,14 +35,21 @@ pub(crate) static MESSAGES: LazyLock<BTreeSet<String>> = LazyLock::new(|| {
 /// The findings of one fixture; none where it needs a disk.
 fn texts(folder: &Path) -> BTreeSet<String> {
     let case = Case::read(folder);
-    let Some(asked) = Asked::of(&case) else { return BTreeSet::new() };
+    let Some(asked) = Asked::of(&case) else {
+        return BTreeSet::new();
+    };
     let mut repository = Memory::example(&case);
     repository.apply(&case);
     asked.lint(&repository).findings.iter().map(text).collect()
 }
 
 fn text(finding: &Finding) -> String {
-    let mut text = format!("{} {}: {}\n", finding.rule, finding.level.word(), finding.message);
+    let mut text = format!(
+        "{} {}: {}\n",
+        finding.rule,
+        finding.level.word(),
+        finding.message
+    );
     for one in &finding.breaks {
         let _ = writeln!(text, "    {}: {}", one.application.title(), one.effect);
     }

@@ -1,7 +1,13 @@
-//! All tests through files and the binary, in one program: most of what a test program takes to build is linking it.
+//! All tests through files and the binary, in one program: most of what a test program takes to
+//! build is linking it.
 //!
-//! `cargo test compare::` runs those of one file, `cargo test -- --ignored` those over corpora (CONTRIBUTING.md).
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
+//! `cargo test compare::` runs those of one file, `cargo test -- --ignored` those over corpora
+//! (CONTRIBUTING.md).
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test may stop where it fails"
+)]
 
 mod advice;
 mod architecture;

@@ -1,5 +1,5 @@
-//! The tables of what running programs did with damaged assets (`fixtures/observed/`): every row is there once, and the
-//! fixtures that it names exist.
+//! The tables of what running programs did with damaged assets (`fixtures/observed/`): every row is
+//! there once, and the fixtures that it names exist.
 
 use std::fs;
 
@@ -9,7 +9,11 @@ use crate::scratch::project;
 fn rows(name: &str) -> Vec<((usize, usize), String)> {
     let text = fs::read_to_string(project("fixtures/observed").join(name)).unwrap();
     let lines = text.lines().filter_map(|line| {
-        let mut cells = line.strip_prefix('|')?.strip_suffix('|')?.split('|').map(str::trim);
+        let mut cells = line
+            .strip_prefix('|')?
+            .strip_suffix('|')?
+            .split('|')
+            .map(str::trim);
         let (section, row) = cells.next()?.split_once('.')?;
         let number = (section.parse().ok()?, row.parse().ok()?);
         Some((number, cells.next_back()?.to_owned()))
@@ -32,15 +36,25 @@ fn every_row_is_shown_by_fixtures_or_says_why_not() {
     ] {
         let rows = rows(name);
         let numbers: Vec<(usize, usize)> = rows.iter().map(|(number, _)| *number).collect();
-        let all = (1..).zip(sections).flat_map(|(section, count)| (1..=*count).map(move |row| (section, row)));
+        let all = (1..)
+            .zip(sections)
+            .flat_map(|(section, count)| (1..=*count).map(move |row| (section, row)));
         assert_eq!(numbers, all.collect::<Vec<_>>(), "{name}");
         for ((section, row), cell) in rows {
             let fixtures = named(&cell);
-            let is_told = ["no fault of data", "later", "needs numbers"].iter().any(|word| cell.contains(word));
-            assert!(!fixtures.is_empty() || is_told, "{name} {section}.{row} names no fixture and no reason");
+            let is_told = ["no fault of data", "later", "needs numbers"]
+                .iter()
+                .any(|word| cell.contains(word));
+            assert!(
+                !fixtures.is_empty() || is_told,
+                "{name} {section}.{row} names no fixture and no reason"
+            );
             for fixture in fixtures {
                 let case = project("fixtures/rules").join(fixture).join("case.toml");
-                assert!(case.is_file(), "{name} {section}.{row} names `{fixture}`, which does not exist");
+                assert!(
+                    case.is_file(),
+                    "{name} {section}.{row} names `{fixture}`, which does not exist"
+                );
             }
         }
     }

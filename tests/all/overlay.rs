@@ -1,9 +1,10 @@
-//! Who wins when contarget lies over target: the table of `docs/loaders/makehuman2/folders.md#overlays`, row by row,
-//! through the real binary.
+//! Who wins when contarget lies over target: the table of
+//! `docs/loaders/makehuman2/folders.md#overlays`, row by row, through the real binary.
 //!
-//! The base `imp` of the example repository is taken apart: mesh, rig and a full set of targets become the
-//! system's, and the user's folder holds `contarget/imp`. Probes tell the winners: each `macro.json` has a
-//! `steps` that does not fit its `values`, and a user slider clashes with the sliders that won.
+//! The base `imp` of the example repository is taken apart: mesh, rig and a full set of targets
+//! become the system's, and the user's folder holds `contarget/imp`. Probes tell the winners: each
+//! `macro.json` has a `steps` that does not fit its `values`, and a user slider clashes with the
+//! sliders that won.
 
 use std::fs;
 use std::path::Path;
@@ -37,8 +38,10 @@ struct Row<'e> {
 
 const MACRO_PROBE: &str = "!macro-steps-length contarget/imp/macro.json";
 const SYSTEM_PROBE: &str = "!macro-steps-length target/imp/macro.json";
-const OWN_SLIDERS: &str = "?overlay-user-key-clash target/imp/modelling.json < contarget/imp/modelling.json";
-const SYSTEM_SLIDERS: &str = "?overlay-user-key-clash target/imp/modelling.json < target/imp/modelling.json";
+const OWN_SLIDERS: &str =
+    "?overlay-user-key-clash target/imp/modelling.json < contarget/imp/modelling.json";
+const SYSTEM_SLIDERS: &str =
+    "?overlay-user-key-clash target/imp/modelling.json < target/imp/modelling.json";
 const BROKEN_MACRO: &str = "!overlay-broken-override contarget/imp/macro.json";
 const BROKEN_SLIDERS: &str = "!overlay-broken-override contarget/imp/modelling.json";
 const BROKEN_CATEGORIES: &str = "!overlay-broken-override contarget/imp/target_cat.json";
@@ -49,10 +52,17 @@ const DEAD_TARGETS: &str = "?overlay-partial-override contarget/imp/body/belly-s
 /// A `macro.json` in contarget that is taken for none.
 const fn no_macros(name: &str, change: fn(&Path)) -> Row<'_> {
     let alone: Expected<'_> = &[BROKEN_MACRO, OWN_SLIDERS];
-    Row { name, change, over_system: alone, alone, one_root: &[SYSTEM_PROBE, BROKEN_MACRO] }
+    Row {
+        name,
+        change,
+        over_system: alone,
+        alone,
+        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
+    }
 }
 
-/// A `modelling.json` in contarget that is taken for none: the system's sliders over contarget's targets.
+/// A `modelling.json` in contarget that is taken for none: the system's sliders over contarget's
+/// targets.
 const fn no_sliders(name: &str, change: fn(&Path)) -> Row<'_> {
     Row {
         name,
@@ -85,10 +95,16 @@ const ROWS: &[Row<'_>] = &[
     Row {
         name: "macro.json alone: the system's sliders search their targets in contarget",
         change: |contarget| {
-            remove_all(contarget, &["modelling.json", "target_cat.json", "body", "ears"]);
+            remove_all(
+                contarget,
+                &["modelling.json", "target_cat.json", "body", "ears"],
+            );
         },
         over_system: &[MACRO_PROBE, LOST_TARGETS, SYSTEM_SLIDERS],
-        alone: &[MACRO_PROBE, "?overlay-partial-override contarget/imp/macro.json"],
+        alone: &[
+            MACRO_PROBE,
+            "?overlay-partial-override contarget/imp/macro.json",
+        ],
         one_root: &[MACRO_PROBE, LOST_TARGETS],
     },
     Row {
@@ -101,49 +117,120 @@ const ROWS: &[Row<'_>] = &[
     Row {
         name: "modelling.json alone: its sliders take the system's targets",
         change: |contarget| {
-            remove_all(contarget, &["macro.json", "target_cat.json", "body", "ears", "macro_height"]);
+            remove_all(
+                contarget,
+                &[
+                    "macro.json",
+                    "target_cat.json",
+                    "body",
+                    "ears",
+                    "macro_height",
+                ],
+            );
         },
-        over_system: &[".overlay-partial-override contarget/imp/modelling.json", OWN_SLIDERS],
+        over_system: &[
+            ".overlay-partial-override contarget/imp/modelling.json",
+            OWN_SLIDERS,
+        ],
         alone: &[OWN_SLIDERS],
-        one_root: &[SYSTEM_PROBE, ".overlay-partial-override contarget/imp/modelling.json"],
+        one_root: &[
+            SYSTEM_PROBE,
+            ".overlay-partial-override contarget/imp/modelling.json",
+        ],
     },
     Row {
         name: "modelling.json with targets of its own and no macro.json: they are never read",
         change: |contarget| {
             remove_all(contarget, &["macro.json"]);
-            fs::rename(contarget.join("ears/r-ear-trans-out.target"), contarget.join("ears/wide.target")).unwrap();
-            edit(&contarget.join("modelling.json"), "ears/r-ear-trans-out", "ears/wide");
+            fs::rename(
+                contarget.join("ears/r-ear-trans-out.target"),
+                contarget.join("ears/wide.target"),
+            )
+            .unwrap();
+            edit(
+                &contarget.join("modelling.json"),
+                "ears/r-ear-trans-out",
+                "ears/wide",
+            );
         },
-        over_system: &["!overlay-targets-not-in-layer contarget/imp/modelling.json", OWN_SLIDERS],
+        over_system: &[
+            "!overlay-targets-not-in-layer contarget/imp/modelling.json",
+            OWN_SLIDERS,
+        ],
         alone: &[OWN_SLIDERS],
-        one_root: &[SYSTEM_PROBE, "!overlay-targets-not-in-layer contarget/imp/modelling.json"],
+        one_root: &[
+            SYSTEM_PROBE,
+            "!overlay-targets-not-in-layer contarget/imp/modelling.json",
+        ],
     },
     Row {
         name: "target_cat.json alone",
         change: |contarget| {
-            remove_all(contarget, &["macro.json", "modelling.json", "body", "ears", "macro_height"]);
+            remove_all(
+                contarget,
+                &[
+                    "macro.json",
+                    "modelling.json",
+                    "body",
+                    "ears",
+                    "macro_height",
+                ],
+            );
         },
-        over_system: &[".overlay-partial-override contarget/imp/target_cat.json", SYSTEM_SLIDERS],
+        over_system: &[
+            ".overlay-partial-override contarget/imp/target_cat.json",
+            SYSTEM_SLIDERS,
+        ],
         alone: &[".overlay-partial-override contarget/imp/target_cat.json"],
-        one_root: &[SYSTEM_PROBE, ".overlay-partial-override contarget/imp/target_cat.json"],
+        one_root: &[
+            SYSTEM_PROBE,
+            ".overlay-partial-override contarget/imp/target_cat.json",
+        ],
     },
-    no_macros("macro.json malformed: as if absent, without a word", |contarget| {
-        edit(&contarget.join("macro.json"), "\"macrodef\": [", "\"macrodef\": [,");
+    no_macros(
+        "macro.json malformed: as if absent, without a word",
+        |contarget| {
+            edit(
+                &contarget.join("macro.json"),
+                "\"macrodef\": [",
+                "\"macrodef\": [,",
+            );
+        },
+    ),
+    no_macros(
+        "macro.json with a byte order mark: as if absent",
+        |contarget| {
+            let text = fs::read_to_string(contarget.join("macro.json")).unwrap();
+            fs::write(contarget.join("macro.json"), format!("\u{feff}{text}")).unwrap();
+        },
+    ),
+    no_macros("macro.json empty: as if absent", |contarget| {
+        write(contarget, "macro.json", "{}")
     }),
-    no_macros("macro.json with a byte order mark: as if absent", |contarget| {
-        let text = fs::read_to_string(contarget.join("macro.json")).unwrap();
-        fs::write(contarget.join("macro.json"), format!("\u{feff}{text}")).unwrap();
-    }),
-    no_macros("macro.json empty: as if absent", |contarget| write(contarget, "macro.json", "{}")),
-    no_sliders("modelling.json malformed: the system's sliders over contarget's targets", |contarget| {
-        edit(&contarget.join("modelling.json"), "\"Height\": {", "\"Height\": {,");
-    }),
-    no_categories("target_cat.json empty: the system's categories", |contarget| {
-        write(contarget, "target_cat.json", "[]");
-    }),
+    no_sliders(
+        "modelling.json malformed: the system's sliders over contarget's targets",
+        |contarget| {
+            edit(
+                &contarget.join("modelling.json"),
+                "\"Height\": {",
+                "\"Height\": {,",
+            );
+        },
+    ),
+    no_categories(
+        "target_cat.json empty: the system's categories",
+        |contarget| {
+            write(contarget, "target_cat.json", "[]");
+        },
+    ),
     Row {
         name: "targets alone: never read",
-        change: |contarget| remove_all(contarget, &["macro.json", "modelling.json", "target_cat.json"]),
+        change: |contarget| {
+            remove_all(
+                contarget,
+                &["macro.json", "modelling.json", "target_cat.json"],
+            )
+        },
         over_system: &[DEAD_TARGETS, SYSTEM_SLIDERS],
         alone: &[DEAD_TARGETS],
         one_root: &[SYSTEM_PROBE, DEAD_TARGETS],
@@ -155,17 +242,33 @@ const ROWS: &[Row<'_>] = &[
         alone: &[MACRO_PROBE, OWN_SLIDERS],
         one_root: &[MACRO_PROBE, SHADOWED_MACRO],
     },
-    no_macros("macro.json is an empty list: as if absent", |contarget| write(contarget, "macro.json", "[]")),
-    no_macros("macro.json is null: as if absent", |contarget| write(contarget, "macro.json", "null")),
-    no_macros("macro.json is false: as if absent", |contarget| write(contarget, "macro.json", "false")),
-    no_macros("macro.json is a zero: as if absent", |contarget| write(contarget, "macro.json", "0")),
-    no_macros("macro.json is an empty text: as if absent", |contarget| write(contarget, "macro.json", "\"\"")),
-    no_sliders("modelling.json empty: the system's sliders over contarget's targets", |contarget| {
-        write(contarget, "modelling.json", "{}");
+    no_macros("macro.json is an empty list: as if absent", |contarget| {
+        write(contarget, "macro.json", "[]")
     }),
-    no_categories("target_cat.json malformed: the system's categories", |contarget| {
-        write(contarget, "target_cat.json", "{");
+    no_macros("macro.json is null: as if absent", |contarget| {
+        write(contarget, "macro.json", "null")
     }),
+    no_macros("macro.json is false: as if absent", |contarget| {
+        write(contarget, "macro.json", "false")
+    }),
+    no_macros("macro.json is a zero: as if absent", |contarget| {
+        write(contarget, "macro.json", "0")
+    }),
+    no_macros("macro.json is an empty text: as if absent", |contarget| {
+        write(contarget, "macro.json", "\"\"")
+    }),
+    no_sliders(
+        "modelling.json empty: the system's sliders over contarget's targets",
+        |contarget| {
+            write(contarget, "modelling.json", "{}");
+        },
+    ),
+    no_categories(
+        "target_cat.json malformed: the system's categories",
+        |contarget| {
+            write(contarget, "target_cat.json", "{");
+        },
+    ),
     Row {
         name: "nothing in contarget",
         change: |contarget| fs::remove_dir_all(contarget).unwrap(),
@@ -179,12 +282,20 @@ const ROWS: &[Row<'_>] = &[
 fn every_row_has_its_winners_and_findings() {
     let mut faults = Vec::new();
     for row in ROWS {
-        for (setting, expected) in [(OverSystem, row.over_system), (Alone, row.alone), (OneRoot, row.one_root)] {
-            let mut expected: Vec<String> = expected.iter().map(|text| (*text).to_owned()).collect();
+        for (setting, expected) in [
+            (OverSystem, row.over_system),
+            (Alone, row.alone),
+            (OneRoot, row.one_root),
+        ] {
+            let mut expected: Vec<String> =
+                expected.iter().map(|text| (*text).to_owned()).collect();
             expected.sort();
             let found = checked(setting, row.change);
             if found != expected {
-                faults.push(format!("{} / {setting:?}\n  expected {expected:#?}\n  found {found:#?}", row.name));
+                faults.push(format!(
+                    "{} / {setting:?}\n  expected {expected:#?}\n  found {found:#?}",
+                    row.name
+                ));
             }
         }
     }
@@ -195,23 +306,51 @@ fn every_row_has_its_winners_and_findings() {
 fn a_base_of_user_space_needs_a_macro_file() {
     let repository = example();
     fs::remove_file(repository.path().join("user/contarget/imp/macro.json")).unwrap();
-    let found = run(repository.path(), &["check", "user", "--system", "data"], "user/");
-    assert_eq!(found, ["!overlay-partial-override contarget/imp/modelling.json"]);
+    let found = run(
+        repository.path(),
+        &["check", "user", "--system", "data"],
+        "user/",
+    );
+    assert_eq!(
+        found,
+        ["!overlay-partial-override contarget/imp/modelling.json"]
+    );
     let empty = "{ \"components\": {}, \"macrodef\": [] }";
-    fs::write(repository.path().join("user/contarget/imp/macro.json"), empty).unwrap();
-    assert_eq!(run(repository.path(), &["check", "user", "--system", "data"], "user/"), Vec::<String>::new());
+    fs::write(
+        repository.path().join("user/contarget/imp/macro.json"),
+        empty,
+    )
+    .unwrap();
+    assert_eq!(
+        run(
+            repository.path(),
+            &["check", "user", "--system", "data"],
+            "user/"
+        ),
+        Vec::<String>::new()
+    );
 }
 
 /// Findings of the setting after `change` was made to contarget.
 fn checked(setting: Setting, change: fn(&Path)) -> Vec<String> {
     let repository = example();
     let root = repository.path();
-    for (from, to) in [("base/imp", "base/imp"), ("rigs/imp", "rigs/imp"), ("contarget/imp", "target/imp")] {
+    for (from, to) in [
+        ("base/imp", "base/imp"),
+        ("rigs/imp", "rigs/imp"),
+        ("contarget/imp", "target/imp"),
+    ] {
         copy_folder(&root.join("user").join(from), &root.join("data").join(to));
     }
     remove_all(&root.join("user"), &["base", "rigs", "target"]);
-    probe_macros(&root.join("user/contarget/imp/macro.json"), "[0.0, 0.5, 1.0]");
-    probe_macros(&root.join("data/target/imp/macro.json"), "[0.0, 0.2, 0.8, 1.0]");
+    probe_macros(
+        &root.join("user/contarget/imp/macro.json"),
+        "[0.0, 0.5, 1.0]",
+    );
+    probe_macros(
+        &root.join("data/target/imp/macro.json"),
+        "[0.0, 0.2, 0.8, 1.0]",
+    );
     change(&root.join("user/contarget/imp"));
     if setting == OneRoot {
         if root.join("user/contarget").exists() {
@@ -220,12 +359,20 @@ fn checked(setting: Setting, change: fn(&Path)) -> Vec<String> {
         return run(root, &["check", "data"], "data/");
     }
     probe_sliders(&root.join("user/target/imp"));
-    let args: &[&str] = if setting == Alone { &["check", "user"] } else { &["check", "user", "--system", "data"] };
+    let args: &[&str] = if setting == Alone {
+        &["check", "user"]
+    } else {
+        &["check", "user", "--system", "data"]
+    };
     run(root, args, "user/")
 }
 
 fn probe_macros(path: &Path, steps: &str) {
-    edit(path, "\"steps\": [0.0, 1.0]", &format!("\"steps\": {steps}"));
+    edit(
+        path,
+        "\"steps\": [0.0, 1.0]",
+        &format!("\"steps\": {steps}"),
+    );
 }
 
 fn probe_sliders(folder: &Path) {
@@ -237,22 +384,53 @@ fn probe_sliders(folder: &Path) {
 
 /// Runs overlay, JSON and probe rules; `prefix` is the checked root.
 fn run(folder: &Path, args: &[&str], prefix: &str) -> Vec<String> {
-    let only = ["--base", "imp", "--only", "overlay-*", "--only", "json-*", "--only", "macro-steps-length"];
-    let args: Vec<&str> = args.iter().chain(&only).chain(&["--report", "concise"]).copied().collect();
+    let only = [
+        "--base",
+        "imp",
+        "--only",
+        "overlay-*",
+        "--only",
+        "json-*",
+        "--only",
+        "macro-steps-length",
+    ];
+    let args: Vec<&str> = args
+        .iter()
+        .chain(&only)
+        .chain(&["--report", "concise"])
+        .copied()
+        .collect();
     let output = mhlint(folder, &args);
-    assert!(matches!(output.status.code(), Some(0 | 1)), "{args:?}: {}", stderr(&output));
-    let mut found: Vec<String> = findings(&output).iter().map(|line| short(line, prefix)).collect();
+    assert!(
+        matches!(output.status.code(), Some(0 | 1)),
+        "{args:?}: {}",
+        stderr(&output)
+    );
+    let mut found: Vec<String> = findings(&output)
+        .iter()
+        .map(|line| short(line, prefix))
+        .collect();
     found.sort();
     found
 }
 
-/// `path:1:2: error[rule] message` as `!rule path`, and for a clash the file that holds the other slider.
+/// `path:1:2: error[rule] message` as `!rule path`, and for a clash the file that holds the other
+/// slider.
 fn short(line: &str, prefix: &str) -> String {
     let (place, rest) = line.split_once(": ").unwrap();
-    let path = place.split(':').next().unwrap().strip_prefix(prefix).unwrap();
+    let path = place
+        .split(':')
+        .next()
+        .unwrap()
+        .strip_prefix(prefix)
+        .unwrap();
     let (level, rest) = rest.split_once('[').unwrap();
     let (rule, message) = rest.split_once(']').unwrap();
-    let mark = [("error", '!'), ("warning", '?'), ("info", '.')].iter().find(|(word, _)| *word == level).unwrap().1;
+    let mark = [("error", '!'), ("warning", '?'), ("info", '.')]
+        .iter()
+        .find(|(word, _)| *word == level)
+        .unwrap()
+        .1;
     match message.split_once(" in `") {
         Some((_, other)) if rule == "overlay-user-key-clash" => {
             let winner = other.trim_end_matches('`').split_once('/').unwrap().1;

@@ -1,8 +1,9 @@
 //! Places of every shape that data are found in: what each is taken for, and what is found there.
 //!
-//! `fixtures/places/<name>/place.toml` says in one sentence what the place is, and makes it: parts of the example repositories
-//! (`take`), large meshes (`mesh`), and edits as in `case.toml`. `expected.txt` holds what each data folder was taken for, the
-//! findings, and what was not checked. `UPDATE=1 cargo test places::` rewrites them; read the diff before you commit.
+//! `fixtures/places/<name>/place.toml` says in one sentence what the place is, and makes it: parts
+//! of the example repositories (`take`), large meshes (`mesh`), and edits as in `case.toml`.
+//! `expected.txt` holds what each data folder was taken for, the findings, and what was not
+//! checked. `UPDATE=1 cargo test places::` rewrites them; read the diff before you commit.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -62,11 +63,15 @@ impl Mesh {
 /// Makes the place of a fixture; gives it with the arguments.
 fn made(folder: &Path) -> (tempfile::TempDir, Vec<String>) {
     let text = fs::read_to_string(folder.join("place.toml")).unwrap();
-    let parts: Parts = toml::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let parts: Parts =
+        toml::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     let mut edits: toml::Table = toml::from_str(&text).unwrap();
-    ["args", "take", "gone", "mesh"].iter().for_each(|key| drop(edits.remove(*key)));
-    let edits: Case =
-        toml::Value::Table(edits).try_into().unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    ["args", "take", "gone", "mesh"]
+        .iter()
+        .for_each(|key| drop(edits.remove(*key)));
+    let edits: Case = toml::Value::Table(edits)
+        .try_into()
+        .unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     let place = tempfile::tempdir().unwrap();
     for [from, to] in &parts.take {
         let (from, to) = (project("fixtures").join(from), place.path().join(to));
@@ -78,19 +83,30 @@ fn made(folder: &Path) -> (tempfile::TempDir, Vec<String>) {
         }
     }
     edits.apply(place.path());
-    parts.gone.iter().for_each(|path| remove(&place.path().join(path)));
+    parts
+        .gone
+        .iter()
+        .for_each(|path| remove(&place.path().join(path)));
     for mesh in &parts.mesh {
         let path = place.path().join(&mesh.file);
         fs::create_dir_all(path.parent().unwrap()).unwrap();
         fs::write(path, mesh.text()).unwrap();
     }
-    let args = if parts.args.is_empty() { vec![".".to_owned()] } else { parts.args };
+    let args = if parts.args.is_empty() {
+        vec![".".to_owned()]
+    } else {
+        parts.args
+    };
     (place, args)
 }
 
 /// What a run says of a place.
 fn told(place: &Path, args: &[String]) -> String {
-    let args: Vec<&str> = args.iter().map(String::as_str).chain(["--report", "json"]).collect();
+    let args: Vec<&str> = args
+        .iter()
+        .map(String::as_str)
+        .chain(["--report", "json"])
+        .collect();
     let output = mhlint(place, &args);
     let mut text = format!("exit {}\n", output.status.code().unwrap());
     let Ok(report) = serde_json::from_slice::<Value>(&output.stdout) else {
@@ -100,20 +116,34 @@ fn told(place: &Path, args: &[String]) -> String {
     let word = |value: &Value| value.as_str().unwrap_or("-").to_owned();
     for root in list(&report["roots"]) {
         let (kind, version) = (word(&root["kind"]), word(&root["version"]));
-        writeln!(text, "{}: {kind} of {} {version}", word(&root["path"]), word(&root["application"])).unwrap();
+        writeln!(
+            text,
+            "{}: {kind} of {} {version}",
+            word(&root["path"]),
+            word(&root["application"])
+        )
+        .unwrap();
         for sign in list(&root["evidence"]) {
-            let [application, speaks, sign] = ["application", "speaks", "sign"].map(|key| word(&sign[key]));
+            let [application, speaks, sign] =
+                ["application", "speaks", "sign"].map(|key| word(&sign[key]));
             writeln!(text, "  {speaks} {application}: {sign}").unwrap();
         }
     }
     for finding in list(&report["findings"]) {
-        let [level, rule, path, message] = ["level", "rule", "path", "message"].map(|key| word(&finding[key]));
+        let [level, rule, path, message] =
+            ["level", "rule", "path", "message"].map(|key| word(&finding[key]));
         writeln!(text, "{path}: {level}[{rule}] {message}").unwrap();
     }
     for entry in list(&report["not_checked"]) {
         let examples: Vec<String> = list(&entry["examples"]).iter().map(word).collect();
         let (application, what) = (word(&entry["application"]), word(&entry["what"]));
-        writeln!(text, "not checked for {application}: {what} {}: {}", entry["count"], examples.join(", ")).unwrap();
+        writeln!(
+            text,
+            "not checked for {application}: {what} {}: {}",
+            entry["count"],
+            examples.join(", ")
+        )
+        .unwrap();
     }
     text
 }
@@ -134,16 +164,24 @@ fn every_place_is_taken_for_what_it_is() {
         let expected = fs::read_to_string(&path).unwrap_or_default();
         (told != expected).then(|| format!("{}:\n{told}\nexpected:\n{expected}", folder.display()))
     };
-    let chosen = places().into_iter().filter(|folder| folder.to_string_lossy().contains(&only));
-    let faults: Vec<String> = chosen.collect::<Vec<_>>().par_iter().filter_map(fault).collect();
+    let chosen = places()
+        .into_iter()
+        .filter(|folder| folder.to_string_lossy().contains(&only));
+    let faults: Vec<String> = chosen
+        .collect::<Vec<_>>()
+        .par_iter()
+        .filter_map(fault)
+        .collect();
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
 #[test]
 fn there_are_places_of_every_kind_for_every_application() {
     assert!(places().len() >= 40, "{}", places().len());
-    let all: Vec<String> =
-        places().iter().map(|folder| fs::read_to_string(folder.join("expected.txt")).unwrap()).collect();
+    let all: Vec<String> = places()
+        .iter()
+        .map(|folder| fs::read_to_string(folder.join("expected.txt")).unwrap())
+        .collect();
     for application in ["makehuman1", "makehuman2", "mpfb"] {
         for kind in ["program", "partial", "user", "pack", "asset", "loose"] {
             let wanted = format!(": {kind} of {application} ");

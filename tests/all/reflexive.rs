@@ -1,5 +1,5 @@
-//! Nothing changed is nothing new: whatever is damaged, compared with itself there is no finding, and a baseline hides all
-//! that one may hide.
+//! Nothing changed is nothing new: whatever is damaged, compared with itself there is no finding,
+//! and a baseline hides all that one may hide.
 
 use std::fs;
 use std::path::PathBuf;
@@ -16,8 +16,13 @@ const MIXED: u64 = 150;
 #[test]
 fn a_case_compared_with_itself_has_nothing_new() {
     let only = std::env::var("CASE").unwrap_or_default();
-    let cases: Vec<PathBuf> = folders(&project("fixtures/rules")).iter().flat_map(|rule| folders(rule)).collect();
-    let chosen = cases.par_iter().filter(|case| case.join("expected.txt").exists());
+    let cases: Vec<PathBuf> = folders(&project("fixtures/rules"))
+        .iter()
+        .flat_map(|rule| folders(rule))
+        .collect();
+    let chosen = cases
+        .par_iter()
+        .filter(|case| case.join("expected.txt").exists());
     let chosen = chosen.filter(|case| case.to_str().unwrap().contains(&only));
     let told = |folder: &PathBuf| {
         let case = Case::read(folder);
@@ -33,7 +38,10 @@ fn a_case_compared_with_itself_has_nothing_new() {
 
 #[test]
 fn damaged_trees_of_several_applications_compared_with_themselves_have_nothing_new() {
-    let faults: Vec<String> = (0..MIXED).into_par_iter().filter_map(not_reflexive).collect();
+    let faults: Vec<String> = (0..MIXED)
+        .into_par_iter()
+        .filter_map(not_reflexive)
+        .collect();
     assert!(faults.is_empty(), "\n{}", faults.join("\n"));
 }
 
@@ -43,7 +51,11 @@ fn not_reflexive(seed: u64) -> Option<String> {
     let mut tree = Memory::default();
     let is_one_folder = chance.below(2) == 0;
     for name in ["makehuman1", "mpfb", "makehuman2"] {
-        let folder = if is_one_folder { String::new() } else { format!("{name}/") };
+        let folder = if is_one_folder {
+            String::new()
+        } else {
+            format!("{name}/")
+        };
         tree.add(&Memory::of(name), &folder);
     }
     (0..2 + chance.below(6)).for_each(|_| damage(&mut tree, &mut chance));
@@ -58,11 +70,19 @@ fn not_reflexive(seed: u64) -> Option<String> {
 fn in_baseline(tree: &Memory) -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("known.json");
-    let config = |write_baseline| Config { baseline: Some(path.clone()), write_baseline, ..Config::default() };
+    let config = |write_baseline| Config {
+        baseline: Some(path.clone()),
+        write_baseline,
+        ..Config::default()
+    };
     let written = Asked::of_all(config(true)).lint(tree);
     fs::write(&path, written.baseline.unwrap().text()).unwrap();
     let again = Asked::of_all(config(false)).lint(tree);
-    let stale = again.compared_with_baseline.iter().map(|compared| compared.gone).sum::<usize>();
+    let stale = again
+        .compared_with_baseline
+        .iter()
+        .map(|compared| compared.gone)
+        .sum::<usize>();
     let mut told = lasting(&again);
     if stale > 0 {
         told.push(format!("{stale} gone"));
@@ -74,10 +94,20 @@ fn in_baseline(tree: &Memory) -> Vec<String> {
 fn lasting(outcome: &Outcome) -> Vec<String> {
     let rules = mhlint::trial::rule_infos();
     let is_lasting = |line: &String| {
-        let rule = line.split_once('[').and_then(|(_, rest)| rest.split_once(']')).map(|(rule, _)| rule);
-        rule.is_some_and(|rule| rules.iter().any(|one| one.id == rule && one.cannot_be_ignored))
+        let rule = line
+            .split_once('[')
+            .and_then(|(_, rest)| rest.split_once(']'))
+            .map(|(rule, _)| rule);
+        rule.is_some_and(|rule| {
+            rules
+                .iter()
+                .any(|one| one.id == rule && one.cannot_be_ignored)
+        })
     };
-    concise(outcome).into_iter().filter(|line| !is_lasting(line)).collect()
+    concise(outcome)
+        .into_iter()
+        .filter(|line| !is_lasting(line))
+        .collect()
 }
 
 /// Lines that loaders read in different ways, or not at all.
@@ -95,7 +125,9 @@ const LINES: [&str; 9] = [
 
 fn damage(tree: &mut Memory, chance: &mut Chance) {
     let paths = tree.paths();
-    let Some(path) = chance.of(&paths).cloned() else { return };
+    let Some(path) = chance.of(&paths).cloned() else {
+        return;
+    };
     let text = String::from_utf8_lossy(tree.bytes(&path)).into_owned();
     let mut lines: Vec<&str> = text.lines().collect();
     let at = chance.below(lines.len() + 1);
@@ -119,7 +151,10 @@ struct Chance(u64);
 
 impl Chance {
     fn below(&mut self, most: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         usize::try_from(self.0 >> 33).unwrap() % most
     }
 

@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use crate::scratch::{Case, copy_folder, edit, example, example_of, folders, mhlint, project, stdout};
+use crate::scratch::{
+    Case, copy_folder, edit, example, example_of, folders, mhlint, project, stdout,
+};
 use rayon::prelude::*;
 use serde_json::Value;
 
@@ -19,7 +21,9 @@ fn results(root: &Path, rule: &str) -> Vec<Value> {
 
 /// Replaces what the one fix of a result names, the last place first.
 fn replace(root: &Path, result: &Value) {
-    let [fix] = result["fixes"].as_array().unwrap().as_slice() else { panic!("{result}") };
+    let [fix] = result["fixes"].as_array().unwrap().as_slice() else {
+        panic!("{result}")
+    };
     for change in fix["artifactChanges"].as_array().unwrap() {
         let file = root.join(change["artifactLocation"]["uri"].as_str().unwrap());
         let mut text = fs::read_to_string(&file).unwrap();
@@ -43,8 +47,11 @@ fn offset(text: &str, [line, column]: [u64; 2]) -> usize {
             return offset;
         }
         let goes_on = character == '\r' && characters.peek().is_some_and(|(_, next)| *next == '\n');
-        (at_line, at_column) =
-            if matches!(character, '\n' | '\r') && !goes_on { (at_line + 1, 1) } else { (at_line, at_column + 1) };
+        (at_line, at_column) = if matches!(character, '\n' | '\r') && !goes_on {
+            (at_line + 1, 1)
+        } else {
+            (at_line, at_column + 1)
+        };
     }
     assert_eq!((at_line, at_column), (line, column), "in the text");
     text.len()
@@ -59,7 +66,9 @@ fn replaces_as_fix_does(rule: &str, folder: &Path) -> bool {
         case.apply(copy.path());
     }
     let results = results(repository.path(), rule);
-    let [result] = results.as_slice() else { return false };
+    let [result] = results.as_slice() else {
+        return false;
+    };
     if result["fixes"].is_null() {
         return false;
     }
@@ -74,11 +83,20 @@ fn replaces_as_fix_does(rule: &str, folder: &Path) -> bool {
 fn what_sarif_replaces_is_what_fix_writes() {
     let output = mhlint(&project("."), &["rules", "--format", "json"]);
     let rules: Value = serde_json::from_str(&stdout(&output)).unwrap();
-    let safe = rules.as_array().unwrap().iter().filter(|rule| rule["fix"] == "safe");
+    let safe = rules
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|rule| rule["fix"] == "safe");
     let safe: Vec<&str> = safe.map(|rule| rule["id"].as_str().unwrap()).collect();
     let cases = |rule: &str| folders(&project("fixtures/rules").join(rule));
-    let done =
-        safe.par_iter().filter(|rule| cases(rule).iter().filter(|case| replaces_as_fix_does(rule, case)).count() > 0);
+    let done = safe.par_iter().filter(|rule| {
+        cases(rule)
+            .iter()
+            .filter(|case| replaces_as_fix_does(rule, case))
+            .count()
+            > 0
+    });
     let done: BTreeSet<&str> = done.copied().collect();
     let expected = [
         "file-backslash-path",
@@ -88,32 +106,54 @@ fn what_sarif_replaces_is_what_fix_writes() {
         "weights-below-threshold",
         "weights-duplicate-vertex",
     ];
-    assert_eq!(done, BTreeSet::from(expected), "a byte order mark is no place in a text");
+    assert_eq!(
+        done,
+        BTreeSet::from(expected),
+        "a byte order mark is no place in a text"
+    );
 }
 
 #[test]
 fn columns_are_counted_in_characters_and_lines_as_the_applications_do() {
     let [repository, other] = [example(), example()];
     for copy in [&repository, &other] {
-        let rows = "339 0 .001 .001\n# \u{e4}\u{1f600}\r600 0 0 0\r\n601 0 0 0\n340 .001 0 0\n602 0 0 0\n";
+        let rows =
+            "339 0 .001 .001\n# \u{e4}\u{1f600}\r600 0 0 0\r\n601 0 0 0\n340 .001 0 0\n602 0 0 0\n";
         edit(copy.path(), OVAL, "339 0 .001 .001\n", rows);
     }
     let results = results(repository.path(), "target-zero-delta");
-    assert_eq!(results[0]["fixes"][0]["artifactChanges"][0]["replacements"].as_array().unwrap().len(), 2);
+    assert_eq!(
+        results[0]["fixes"][0]["artifactChanges"][0]["replacements"]
+            .as_array()
+            .unwrap()
+            .len(),
+        2
+    );
     replace(repository.path(), &results[0]);
     mhlint(other.path(), &["--only", "target-zero-delta", "--fix"]);
-    let [replaced, fixed] = [&repository, &other].map(|copy| fs::read(copy.path().join(OVAL)).unwrap());
+    let [replaced, fixed] =
+        [&repository, &other].map(|copy| fs::read(copy.path().join(OVAL)).unwrap());
     assert_eq!(replaced, fixed);
 }
 
 #[test]
 fn unsafe_fixes_and_those_of_large_files_are_left_out() {
     let repository = example();
-    edit(repository.path(), OVAL, "339 0 .001 .001\n", "339 0 .001 .001\n339 0 .001 .001\n");
+    edit(
+        repository.path(),
+        OVAL,
+        "339 0 .001 .001\n",
+        "339 0 .001 .001\n339 0 .001 .001\n",
+    );
     let found = results(repository.path(), "target-duplicate-vertex");
     assert!(found.len() == 1 && found[0]["fixes"].is_null(), "{found:?}");
     let large = format!("339 0 .001 .001\n600 0 0 0\n# {}\n", "x".repeat(1 << 20));
-    edit(repository.path(), OVAL, "339 0 .001 .001\n339 0 .001 .001\n", &large);
+    edit(
+        repository.path(),
+        OVAL,
+        "339 0 .001 .001\n339 0 .001 .001\n",
+        &large,
+    );
     let found = results(repository.path(), "target-zero-delta");
     assert!(found.len() == 1 && found[0]["fixes"].is_null(), "{found:?}");
 }
@@ -124,8 +164,14 @@ fn files_in_a_folder_of_the_workspace_are_named_from_its_top() {
     let inside = workspace.path().join("assets");
     copy_folder(example().path(), &inside);
     edit(&inside, OVAL, "339 0 .001 .001", "339 0 0 0");
-    let mut command = crate::scratch::command(&inside, &["--report", "sarif", "--only", "target-zero-delta"]);
-    let output = command.env("GITHUB_WORKSPACE", workspace.path()).output().unwrap();
+    let mut command = crate::scratch::command(
+        &inside,
+        &["--report", "sarif", "--only", "target-zero-delta"],
+    );
+    let output = command
+        .env("GITHUB_WORKSPACE", workspace.path())
+        .output()
+        .unwrap();
     let log: Value = serde_json::from_str(&stdout(&output)).unwrap();
     let change = &log["runs"][0]["results"][0]["fixes"][0]["artifactChanges"][0];
     assert_eq!(change["artifactLocation"]["uri"], format!("assets/{OVAL}"));

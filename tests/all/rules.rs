@@ -1,9 +1,11 @@
-//! Every rule on its fixtures: the whole set of findings is compared. They run in memory, through the library; those
-//! that need a disk (links, hidden files, a baseline) through the real binary, and one of each family both ways.
+//! Every rule on its fixtures: the whole set of findings is compared. They run in memory, through
+//! the library; those that need a disk (links, hidden files, a baseline) through the real binary,
+//! and one of each family both ways.
 //!
 //! `fixtures/rules/<id>/<case>/` holds `case.toml` (edits over the example repository) and, where
-//! something is found, `expected.txt`. Cases named `good…` must be silent, cases named `bad…` must show
-//! the rule. `UPDATE=1 cargo test rules::` rewrites the expectations; read the diff before you commit.
+//! something is found, `expected.txt`. Cases named `good…` must be silent, cases named `bad…` must
+//! show the rule. `UPDATE=1 cargo test rules::` rewrites the expectations; read the diff before you
+//! commit.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -26,21 +28,46 @@ struct Fixture {
 fn every_case_gives_exactly_its_findings() {
     let only = std::env::var("CASE").unwrap_or_default();
     let all = fixtures();
-    let chosen: Vec<&Fixture> = all.iter().filter(|f| format!("{}/{}", f.rule, f.name).contains(&only)).collect();
+    let chosen: Vec<&Fixture> = all
+        .iter()
+        .filter(|f| format!("{}/{}", f.rule, f.name).contains(&only))
+        .collect();
     assert!(!chosen.is_empty(), "no case fits CASE={only}");
-    let faults: Vec<String> = chosen.par_iter().filter_map(|fixture| check(fixture)).collect();
-    assert!(faults.is_empty(), "\n{}\n{} of {} cases", faults.join("\n"), faults.len(), chosen.len());
+    let faults: Vec<String> = chosen
+        .par_iter()
+        .filter_map(|fixture| check(fixture))
+        .collect();
+    assert!(
+        faults.is_empty(),
+        "\n{}\n{} of {} cases",
+        faults.join("\n"),
+        faults.len(),
+        chosen.len()
+    );
 }
 
 #[test]
 fn every_rule_has_cases_and_every_folder_a_rule() {
-    let ids: BTreeSet<String> = trial::rule_infos().into_iter().map(|rule| rule.id.to_owned()).collect();
+    let ids: BTreeSet<String> = trial::rule_infos()
+        .into_iter()
+        .map(|rule| rule.id.to_owned())
+        .collect();
     let folders: BTreeSet<String> = fixtures().into_iter().map(|fixture| fixture.rule).collect();
     assert_eq!(folders, ids);
     for id in &ids {
-        let names: Vec<String> = fixtures().into_iter().filter(|f| f.rule == *id).map(|f| f.name).collect();
-        assert!(names.iter().any(|name| name == "bad"), "{id} has no case `bad`");
-        assert!(names.iter().any(|name| name.starts_with("good")), "{id} has no good case");
+        let names: Vec<String> = fixtures()
+            .into_iter()
+            .filter(|f| f.rule == *id)
+            .map(|f| f.name)
+            .collect();
+        assert!(
+            names.iter().any(|name| name == "bad"),
+            "{id} has no case `bad`"
+        );
+        assert!(
+            names.iter().any(|name| name.starts_with("good")),
+            "{id} has no good case"
+        );
     }
 }
 
@@ -48,7 +75,10 @@ fn every_rule_has_cases_and_every_folder_a_rule() {
 fn memory_and_binary_find_the_same() {
     let mut families = BTreeSet::new();
     let mut faults = Vec::new();
-    for fixture in fixtures().into_iter().filter(|fixture| fixture.name == "bad") {
+    for fixture in fixtures()
+        .into_iter()
+        .filter(|fixture| fixture.name == "bad")
+    {
         let case = Case::read(&fixture.folder);
         let family = fixture.rule.split('-').next().unwrap().to_owned();
         if case.application.is_none() && Asked::of(&case).is_some() && families.insert(family) {
@@ -73,7 +103,9 @@ fn the_example_repositories_are_silent() {
 /// Those of what is worn: the weights of its rigs are not checked yet.
 #[test]
 fn weights_are_checked_as_makehuman_1_reads_them() {
-    let weights = |pair: &str| format!(r#"{{"name": "w", "version": 1, "license": "CC0", "weights": {{{pair}}}}}"#);
+    let weights = |pair: &str| {
+        format!(r#"{{"name": "w", "version": 1, "license": "CC0", "weights": {{{pair}}}}}"#)
+    };
     let negative = weights(r#""root": [[0, 1], [1, 1.25], [2, 1]], "tip": [[1, -0.25]]"#);
     let skeleton = |file: &str| {
         let bone = r#"{"head": "a", "tail": "b", "parent": null}"#;
@@ -96,9 +128,21 @@ fn weights_are_checked_as_makehuman_1_reads_them() {
         ("clothes/hat/hat.mhw", negative.clone()),
         ("clothes/hat/old.mhw", negative),
     ];
-    let tree = Tree::in_memory("", files.map(|(path, text)| (path.to_owned(), text.into_bytes())));
-    let config = mhlint::Config { only: vec!["weights".to_owned()], ..mhlint::Config::default() };
-    let outcome = trial::lint_trees(&[mhlint::Application::Makehuman1], vec![tree], None, &config).unwrap();
+    let tree = Tree::in_memory(
+        "",
+        files.map(|(path, text)| (path.to_owned(), text.into_bytes())),
+    );
+    let config = mhlint::Config {
+        only: vec!["weights".to_owned()],
+        ..mhlint::Config::default()
+    };
+    let outcome = trial::lint_trees(
+        &[mhlint::Application::Makehuman1],
+        vec![tree],
+        None,
+        &config,
+    )
+    .unwrap();
     let expected = [
         "clothes/hat/hat.mhw:1:104: warning[weights-negative] bone `tip` has the negative weight -0.25 for vertex 1",
         "rigs/default_weights.mhw:1:96: warning[weights-unknown-bone] bone `tip` does not exist in the skeleton",
@@ -112,11 +156,26 @@ fn weights_are_checked_as_makehuman_1_reads_them() {
 #[test]
 #[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
 fn the_data_of_mpfb_have_their_known_defects() {
-    let tree = Tree::on_disk("", crate::scratch::corpus("mpfb").join("data"), |_, _, _| false);
-    let outcome =
-        trial::lint_trees(&[mhlint::Application::Mpfb], vec![tree], None, &mhlint::Config::default()).unwrap();
+    let tree = Tree::on_disk(
+        "",
+        crate::scratch::corpus("mpfb").join("data"),
+        |_, _, _| false,
+    );
+    let outcome = trial::lint_trees(
+        &[mhlint::Application::Mpfb],
+        vec![tree],
+        None,
+        &mhlint::Config::default(),
+    )
+    .unwrap();
     assert!(outcome.is_whole());
-    assert_eq!(outcome.checked().map(|root| root.bases.clone()).collect::<Vec<_>>(), [["hm08"]]);
+    assert_eq!(
+        outcome
+            .checked()
+            .map(|root| root.bases.clone())
+            .collect::<Vec<_>>(),
+        [["hm08"]]
+    );
     let gap = |line: u32, text: &str| {
         format!("targets/macrodetails/macro.json:{line}:31: warning[parts-gap] no part of {text}")
     };
@@ -129,30 +188,65 @@ fn the_data_of_mpfb_have_their_known_defects() {
         "`cupsize` covers 0.49998 to 0.49999 (336 slider values)",
         "`firmness` covers 0.4998 to 0.4999 (3355 slider values)",
     ];
-    let gaps: Vec<String> =
-        [26, 32, 50, 68, 122, 140].into_iter().zip(expected).map(|(line, text)| gap(line, text)).collect();
-    let (others, found): (Vec<String>, Vec<String>) = found.into_iter().partition(|line| !line.contains("[parts-gap]"));
+    let gaps: Vec<String> = [26, 32, 50, 68, 122, 140]
+        .into_iter()
+        .zip(expected)
+        .map(|(line, text)| gap(line, text))
+        .collect();
+    let (others, found): (Vec<String>, Vec<String>) = found
+        .into_iter()
+        .partition(|line| !line.contains("[parts-gap]"));
     assert_eq!(found, gaps);
     // What else is known of them, and what the copy lacks: rule, and what the finding says.
     let known = [
-        ("catalog-duplicate-target", "34 targets exist in several folders"),
+        (
+            "catalog-duplicate-target",
+            "34 targets exist in several folders",
+        ),
         ("catalog-empty-section", "section `measure` is empty"),
         ("catalog-unlisted-target", "62 targets in `targets/asym`"),
-        ("catalog-unlisted-target", "34 targets in `targets/expression/units/african`"),
-        ("catalog-unlisted-target", "34 targets in `targets/expression/units/asian`"),
-        ("catalog-unlisted-target", "34 targets in `targets/expression/units/caucasian`"),
-        ("file-duplicate-content", "`targets/legs/measure-lowerleg-height-decr.target.gz`"),
-        ("file-duplicate-content", "`targets/legs/measure-lowerleg-height-incr.target.gz`"),
-        ("file-duplicate-content", "`targets/legs/upperlegs-height-incr.target.gz`"),
-        ("metadata-table", "`helper-l-eyelashes` is not a vertex group (5 such names)"),
+        (
+            "catalog-unlisted-target",
+            "34 targets in `targets/expression/units/african`",
+        ),
+        (
+            "catalog-unlisted-target",
+            "34 targets in `targets/expression/units/asian`",
+        ),
+        (
+            "catalog-unlisted-target",
+            "34 targets in `targets/expression/units/caucasian`",
+        ),
+        (
+            "file-duplicate-content",
+            "`targets/legs/measure-lowerleg-height-decr.target.gz`",
+        ),
+        (
+            "file-duplicate-content",
+            "`targets/legs/measure-lowerleg-height-incr.target.gz`",
+        ),
+        (
+            "file-duplicate-content",
+            "`targets/legs/upperlegs-height-incr.target.gz`",
+        ),
+        (
+            "metadata-table",
+            "`helper-l-eyelashes` is not a vertex group (5 such names)",
+        ),
         ("parts-end-share", "16 of 16 ends"),
         ("program-missing-file", "folder `targets/_images`"),
         ("program-missing-file", "folder `textures`"),
         ("rig-asymmetric", "`mixamorig:LeftHand`"),
         ("rig-default-position-drift", "rig.game_engine.json"),
-        ("rig-default-position-drift", "rig.game_engine_with_breast.json"),
+        (
+            "rig-default-position-drift",
+            "rig.game_engine_with_breast.json",
+        ),
         ("rig-default-position-drift", "rig.mixamo.json"),
-        ("rig-missing-weights", "`weights.human.json` does not exist, which rig `human` needs"),
+        (
+            "rig-missing-weights",
+            "`weights.human.json` does not exist, which rig `human` needs",
+        ),
         (
             "rig-missing-weights",
             "`weights.default.json` does not exist, which rigs `default` and `default_no_toes` need",
@@ -162,11 +256,17 @@ fn the_data_of_mpfb_have_their_known_defects() {
         ("target-asymmetric-pair", "`r-foot-trans-backward`"),
         ("target-asymmetric-pair", "`r-foot-trans-forward`"),
         ("target-zero-delta", "35326 zero rows in 635 targets"),
-        ("weights-not-normalized", "weights.game_engine_with_breast.json"),
+        (
+            "weights-not-normalized",
+            "weights.game_engine_with_breast.json",
+        ),
         ("weights-not-normalized", "weights.mixamo.json"),
     ];
     for (rule, text) in known {
-        let told = others.iter().filter(|line| line.contains(&format!("[{rule}]")) && line.contains(text)).count();
+        let told = others
+            .iter()
+            .filter(|line| line.contains(&format!("[{rule}]")) && line.contains(text))
+            .count();
         assert_eq!(told, 1, "{rule}: {text}: {others:#?}");
     }
     assert_eq!(others.len(), known.len(), "{others:#?}");
@@ -177,7 +277,11 @@ fn fixtures() -> Vec<Fixture> {
     for rule in folders(&project("fixtures/rules")) {
         for folder in folders(&rule) {
             let name = |path: &Path| path.file_name().unwrap().to_str().unwrap().to_owned();
-            all.push(Fixture { rule: name(&rule), name: name(&folder), folder });
+            all.push(Fixture {
+                rule: name(&rule),
+                name: name(&folder),
+                folder,
+            });
         }
     }
     all
@@ -191,7 +295,9 @@ fn check(fixture: &Fixture) -> Option<String> {
         Ok(found) => found,
         Err(fault) => return Some(format!("{title}: {fault}")),
     };
-    let shows_rule = found.iter().any(|line| line.contains(&format!("[{}]", fixture.rule)));
+    let shows_rule = found
+        .iter()
+        .any(|line| line.contains(&format!("[{}]", fixture.rule)));
     if fixture.name.starts_with("bad") != shows_rule {
         return Some(format!(
             "{title}: `bad` means that the rule fires, `good` that it does not\n  {}",
@@ -203,14 +309,19 @@ fn check(fixture: &Fixture) -> Option<String> {
 
 /// The findings of a case by the library, or by the binary where it needs a disk.
 fn by_library(case: &Case) -> Result<Vec<String>, String> {
-    let Some(asked) = Asked::of(case) else { return by_binary(case) };
+    let Some(asked) = Asked::of(case) else {
+        return by_binary(case);
+    };
     let mut repository = Memory::example(case);
     repository.apply(case);
     let outcome = asked.lint(&repository);
     if outcome.is_whole() && outcome.checked_anything() {
         Ok(concise(&outcome))
     } else {
-        Err(format!("failed {:?} {:?}", outcome.failed_rules, outcome.failed_files))
+        Err(format!(
+            "failed {:?} {:?}",
+            outcome.failed_rules, outcome.failed_files
+        ))
     }
 }
 
@@ -226,7 +337,11 @@ fn by_binary(case: &Case) -> Result<Vec<String>, String> {
     let output = mhlint(repository.path(), &args);
     match output.status.code() {
         Some(0 | 1) => Ok(findings(&output)),
-        _ => Err(format!("{:?} {}", output.status, String::from_utf8_lossy(&output.stderr))),
+        _ => Err(format!(
+            "{:?} {}",
+            output.status,
+            String::from_utf8_lossy(&output.stderr)
+        )),
     }
 }
 
@@ -238,10 +353,17 @@ fn compare(title: &str, path: &Path, found: &[String]) -> Option<String> {
         return None;
     }
     if std::env::var_os("UPDATE").is_some() {
-        if text.is_empty() { fs::remove_file(path) } else { fs::write(path, &text) }.unwrap();
+        if text.is_empty() {
+            fs::remove_file(path)
+        } else {
+            fs::write(path, &text)
+        }
+        .unwrap();
         return None;
     }
-    Some(format!("{title}:\n--- expected\n{expected}--- found\n{text}"))
+    Some(format!(
+        "{title}:\n--- expected\n{expected}--- found\n{text}"
+    ))
 }
 
 /// Two applications have one data root: each is told of what it reads itself, and at its own level.
@@ -252,22 +374,52 @@ fn a_file_is_a_matter_of_the_applications_that_read_it() {
     let files = [
         ("base/cube/base.json", b"{}".as_slice()),
         ("target/cube/head/a.target.gz", broken),
-        ("targets/target.json", b"{\"nose\": {\"label\": \"nose\", \"categories\": []}}"),
+        (
+            "targets/target.json",
+            b"{\"nose\": {\"label\": \"nose\", \"categories\": []}}",
+        ),
         ("targets/nose/b.target.gz", broken),
     ];
-    let tree = Tree::in_memory("", files.map(|(path, bytes)| (path.to_owned(), bytes.to_vec())));
-    let config = mhlint::Config { only: vec!["file-gzip-corrupt".to_owned()], ..mhlint::Config::default() };
+    let tree = Tree::in_memory(
+        "",
+        files.map(|(path, bytes)| (path.to_owned(), bytes.to_vec())),
+    );
+    let config = mhlint::Config {
+        only: vec!["file-gzip-corrupt".to_owned()],
+        ..mhlint::Config::default()
+    };
     let outcome = trial::lint_trees(&[Makehuman2, Mpfb], vec![tree], None, &config).unwrap();
     let told = |finding: &mhlint::Finding| {
-        let breaks: Vec<_> = finding.breaks.iter().map(|one| (one.application, one.level)).collect();
+        let breaks: Vec<_> = finding
+            .breaks
+            .iter()
+            .map(|one| (one.application, one.level))
+            .collect();
         (finding.path.clone(), finding.level, breaks)
     };
     let expected = [
-        ("target/cube/head/a.target.gz", mhlint::Level::Info, Makehuman2),
+        (
+            "target/cube/head/a.target.gz",
+            mhlint::Level::Info,
+            Makehuman2,
+        ),
         ("targets/nose/b.target.gz", mhlint::Level::Error, Mpfb),
     ];
     let expected = expected.map(|(path, level, of)| (path.to_owned(), level, vec![(of, level)]));
-    assert_eq!(outcome.findings.iter().map(told).collect::<Vec<_>>(), expected);
-    let verdicts: Vec<_> = outcome.applications.iter().map(|one| (one.application, one.verdict)).collect();
-    assert_eq!(verdicts, [(Makehuman2, mhlint::diag::Verdict::Pass), (Mpfb, mhlint::diag::Verdict::Fail)]);
+    assert_eq!(
+        outcome.findings.iter().map(told).collect::<Vec<_>>(),
+        expected
+    );
+    let verdicts: Vec<_> = outcome
+        .applications
+        .iter()
+        .map(|one| (one.application, one.verdict))
+        .collect();
+    assert_eq!(
+        verdicts,
+        [
+            (Makehuman2, mhlint::diag::Verdict::Pass),
+            (Mpfb, mhlint::diag::Verdict::Fail)
+        ]
+    );
 }

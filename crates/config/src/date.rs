@@ -10,11 +10,14 @@ pub struct Date(pub i64, pub u8, pub u8);
 impl Date {
     /// Today in UTC; a clock before 1970 counts as 1970.
     pub fn today() -> Self {
-        let seconds = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
+        let seconds = SystemTime::now()
+            .duration_since(UNIX_EPOCH)
+            .map_or(0, |since| since.as_secs());
         Self::after_epoch(i64::try_from(seconds / 86_400).unwrap_or(0))
     }
 
-    /// The day so many days after 1970-01-01. Years are counted from March, so that the leap day is their last.
+    /// The day so many days after 1970-01-01. Years are counted from March, so that the leap day is
+    /// their last.
     fn after_epoch(days: i64) -> Self {
         let days = days + 719_468;
         let (era, of_era) = (days.div_euclid(146_097), days.rem_euclid(146_097));
@@ -22,9 +25,17 @@ impl Date {
         let of_year = of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
         let shifted = (5 * of_year + 2) / 153;
         let day = of_year - (153 * shifted + 2) / 5 + 1;
-        let month = if shifted < 10 { shifted + 3 } else { shifted - 9 };
+        let month = if shifted < 10 {
+            shifted + 3
+        } else {
+            shifted - 9
+        };
         let year = year_of_era + era * 400 + i64::from(month <= 2);
-        Self(year, u8::try_from(month).unwrap_or(1), u8::try_from(day).unwrap_or(1))
+        Self(
+            year,
+            u8::try_from(month).unwrap_or(1),
+            u8::try_from(day).unwrap_or(1),
+        )
     }
 }
 
@@ -41,6 +52,15 @@ mod tests {
     #[test]
     fn days_after_1970() {
         let shown = [0, 59, 10_956, 11_016, 20_632].map(|days| Date::after_epoch(days).to_string());
-        assert_eq!(shown, ["1970-01-01", "1970-03-01", "1999-12-31", "2000-02-29", "2026-06-28"]);
+        assert_eq!(
+            shown,
+            [
+                "1970-01-01",
+                "1970-03-01",
+                "1999-12-31",
+                "2000-02-29",
+                "2026-06-28"
+            ]
+        );
     }
 }

@@ -32,21 +32,36 @@ impl Error {
     pub(super) fn unreadable(path: &str, reason: &str) -> Self {
         let fault = Fault {
             message: format!("cannot be read: {reason}"),
-            help: "use an existing file with `--config`, or create one with `mhlint init`".to_owned(),
+            help: "use an existing file with `--config`, or create one with `mhlint init`"
+                .to_owned(),
             place: None,
             quoted: String::new(),
         };
-        Self { path: path.to_owned(), faults: vec![fault] }
+        Self {
+            path: path.to_owned(),
+            faults: vec![fault],
+        }
     }
 }
 
 impl Fault {
-    pub(super) fn new(lines: &Lines<'_>, span: Range<usize>, message: String, help: String) -> Self {
+    pub(super) fn new(
+        lines: &Lines<'_>,
+        span: Range<usize>,
+        message: String,
+        help: String,
+    ) -> Self {
         let at = lines.position(span.start);
         let quoted = quote(lines, span).unwrap_or_default();
-        // A name in quotes may hold line breaks, and what stands behind one must not look like a line of its own.
+        // A name in quotes may hold line breaks, and what stands behind one must not look like a
+        // line of its own.
         let [message, help] = [message, help].map(|text| text.replace(['\n', '\r'], " "));
-        Self { message, help, place: Some((at.line, at.column)), quoted }
+        Self {
+            message,
+            help,
+            place: Some((at.line, at.column)),
+            quoted,
+        }
     }
 }
 
@@ -56,10 +71,20 @@ fn quote(lines: &Lines<'_>, span: Range<usize>) -> Option<String> {
     let start = before.rfind('\n').map_or(0, |at| at + 1);
     let line = found.text.get(start..)?.lines().next()?.replace('\t', " ");
     let indent = found.text.get(start..found.mark.start)?.chars().count();
-    let marked = found.text.get(found.mark)?.chars().take_while(|c| *c != '\n').count().max(1);
+    let marked = found
+        .text
+        .get(found.mark)?
+        .chars()
+        .take_while(|c| *c != '\n')
+        .count()
+        .max(1);
     let number = lines.position(span.start).line.to_string();
     let margin = " ".repeat(number.len());
-    Some(format!("  {number} | {line}\n  {margin} | {}{}", " ".repeat(indent), "^".repeat(marked)))
+    Some(format!(
+        "  {number} | {line}\n  {margin} | {}{}",
+        " ".repeat(indent),
+        "^".repeat(marked)
+    ))
 }
 
 impl fmt::Display for Error {
@@ -95,9 +120,17 @@ mod tests {
         let before = PASSED.get();
         let faults = Config::parse(&text, "mhlint.toml", &[]).unwrap_err().faults;
         assert!(faults.len() >= 10_000);
-        assert!(faults.iter().any(|fault| fault.place.is_some_and(|(line, _)| line == 10_000)));
+        assert!(
+            faults
+                .iter()
+                .any(|fault| fault.place.is_some_and(|(line, _)| line == 10_000))
+        );
         // The text twice, and a few thousand bytes for each fault.
         let passed = PASSED.get() - before;
-        assert!(passed < 2 * text.len() + faults.len() * 5 * 4100, "{passed} bytes for {} faults", faults.len());
+        assert!(
+            passed < 2 * text.len() + faults.len() * 5 * 4100,
+            "{passed} bytes for {} faults",
+            faults.len()
+        );
     }
 }

@@ -28,7 +28,8 @@ pub struct PathGlob {
     glob: Option<GlobMatcher>,
 }
 
-/// Characters that mean something in a glob. Without them it fits itself alone, and comparing is much faster.
+/// Characters that mean something in a glob. Without them it fits itself alone, and comparing is
+/// much faster.
 const SPECIAL: [char; 8] = ['*', '?', '[', ']', '{', '}', '!', '\\'];
 
 /// Most bytes of a glob: no system has longer paths.
@@ -49,10 +50,17 @@ fn compiled(text: &str, star_stops_at_slash: bool) -> Result<Option<GlobMatcher>
         return Ok(None);
     }
     if depth(text) > DEEPEST {
-        return Err(format!("its braces are nested deeper than {DEEPEST} levels"));
+        return Err(format!(
+            "its braces are nested deeper than {DEEPEST} levels"
+        ));
     }
-    let glob = GlobBuilder::new(text).literal_separator(star_stops_at_slash).build();
-    Ok(Some(glob.map_err(|error| error.kind().to_string())?.compile_matcher()))
+    let glob = GlobBuilder::new(text)
+        .literal_separator(star_stops_at_slash)
+        .build();
+    Ok(Some(
+        glob.map_err(|error| error.kind().to_string())?
+            .compile_matcher(),
+    ))
 }
 
 /// How many braces are open at once, at most.
@@ -75,7 +83,11 @@ impl Selector {
     /// # Errors
     /// What is wrong with the glob.
     pub fn new(text: &str, span: Range<usize>) -> Result<Self, String> {
-        Ok(Self { text: text.to_owned(), span, glob: compiled(text, false)? })
+        Ok(Self {
+            text: text.to_owned(),
+            span,
+            glob: compiled(text, false)?,
+        })
     }
 
     /// Characters that had to be compiled.
@@ -85,8 +97,15 @@ impl Selector {
 
     /// Whether it fits a rule: by its name, the name of its family, or the glob.
     pub fn fits(&self, rule: &str) -> bool {
-        let is_named = || self.text == rule || rule.split_once('-').is_some_and(|(family, _)| family == self.text);
-        self.glob.as_ref().map_or_else(is_named, |glob| glob.is_match(rule))
+        let is_named = || {
+            self.text == rule
+                || rule
+                    .split_once('-')
+                    .is_some_and(|(family, _)| family == self.text)
+        };
+        self.glob
+            .as_ref()
+            .map_or_else(is_named, |glob| glob.is_match(rule))
     }
 }
 
@@ -97,7 +116,11 @@ impl PathGlob {
     /// What is wrong with the glob.
     pub fn new(text: &str, span: Range<usize>) -> Result<Self, String> {
         let plain = text.trim_start_matches("./").trim_end_matches('/');
-        Ok(Self { text: plain.to_owned(), span, glob: compiled(plain, true)? })
+        Ok(Self {
+            text: plain.to_owned(),
+            span,
+            glob: compiled(plain, true)?,
+        })
     }
 
     /// Characters that had to be compiled; none of a plain path.
@@ -105,7 +128,8 @@ impl PathGlob {
         self.glob.as_ref().map_or(0, |_| self.text.len())
     }
 
-    /// Whether it fits a path. Without a wildcard it names a file, or a folder with everything in it.
+    /// Whether it fits a path. Without a wildcard it names a file, or a folder with everything in
+    /// it.
     pub fn fits(&self, path: &str) -> bool {
         match &self.glob {
             None => self.text == path || is_below(path, &self.text),
@@ -120,13 +144,21 @@ impl PathGlob {
 
     /// The glob, if it has wildcards.
     pub(super) fn wild(&self) -> Option<&Glob> {
-        self.glob.as_ref().map(GlobMatcher::glob).filter(|_| self.is_wild())
+        self.glob
+            .as_ref()
+            .map(GlobMatcher::glob)
+            .filter(|_| self.is_wild())
     }
 
     /// The folders in front of the first wildcard: everything that fits lies there.
     pub fn folder(&self) -> &str {
-        let Some(wild) = self.text.find(['*', '?', '[', '{']) else { return &self.text };
-        self.text.get(..wild).and_then(|text| text.rsplit_once('/')).map_or("", |(folder, _)| folder)
+        let Some(wild) = self.text.find(['*', '?', '[', '{']) else {
+            return &self.text;
+        };
+        self.text
+            .get(..wild)
+            .and_then(|text| text.rsplit_once('/'))
+            .map_or("", |(folder, _)| folder)
     }
 
     fn is_wild(&self) -> bool {
@@ -144,7 +176,11 @@ mod tests {
         assert!(fits("rigs/*/a.mhw", "rigs/hm08/a.mhw") && !fits("rigs/*", "rigs/hm08/a.mhw"));
         assert!(fits("rigs/**", "rigs/hm08/a.mhw") && fits("**/a.mhw", "rigs/hm08/a.mhw"));
         assert!(fits("rigs/a.mhw", "rigs/a.mhw") && !fits("rigs/a.mhw", "rigs/b.mhw"));
-        assert!(fits("rigs", "rigs/hm08/a.mhw") && fits("./rigs/", "rigs/a") && !fits("rigs", "rigs2/a"));
+        assert!(
+            fits("rigs", "rigs/hm08/a.mhw")
+                && fits("./rigs/", "rigs/a")
+                && !fits("rigs", "rigs2/a")
+        );
     }
 
     #[test]
@@ -159,13 +195,24 @@ mod tests {
         assert!(PathGlob::new(&nested(10), 0..0).unwrap().fits("a"));
         assert!(PathGlob::new(&"{a}".repeat(300), 0..0).is_ok());
         let long = "a*".repeat(2049);
-        assert_eq!(Selector::new(&long, 0..0).unwrap_err(), "it is longer than 4096 bytes");
+        assert_eq!(
+            Selector::new(&long, 0..0).unwrap_err(),
+            "it is longer than 4096 bytes"
+        );
         assert!(Selector::new(&long[2..], 0..0).is_ok());
     }
 
     #[test]
     fn everything_that_fits_lies_in_its_folder() {
         let folder = |glob: &str| PathGlob::new(glob, 0..0).unwrap().folder().to_owned();
-        assert_eq!([folder("a/b*/c"), folder("a/b"), folder("**"), folder("a/**")], ["a", "a/b", "", "a"]);
+        assert_eq!(
+            [
+                folder("a/b*/c"),
+                folder("a/b"),
+                folder("**"),
+                folder("a/**")
+            ],
+            ["a", "a/b", "", "a"]
+        );
     }
 }

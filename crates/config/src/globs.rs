@@ -1,8 +1,9 @@
 //! Many globs of paths, asked at once which of them fit.
 //!
-//! Plain paths are looked up, however many there are. Those with wildcards are tried in small sets, ten times faster than
-//! one after the other; how many there may be is limited where the settings are read (`read.rs`). One automaton for all
-//! of them would be faster for sound settings, and takes much memory and time for others.
+//! Plain paths are looked up, however many there are. Those with wildcards are tried in small sets,
+//! ten times faster than one after the other; how many there may be is limited where the settings
+//! are read (`read.rs`). One automaton for all of them would be faster for sound settings, and
+//! takes much memory and time for others.
 
 use std::collections::HashMap;
 
@@ -39,14 +40,23 @@ impl Globs {
     /// Whether one of them fits a path.
     pub fn fits(&self, path: &str) -> bool {
         let is_alone = || self.alone_fitting(path).next().is_some();
-        self.plain_fitting(path).next().is_some() || self.wild.iter().any(|(set, _)| set.is_match(path)) || is_alone()
+        self.plain_fitting(path).next().is_some()
+            || self.wild.iter().any(|(set, _)| set.is_match(path))
+            || is_alone()
     }
 
     /// Numbers of those that fit a path, in order of the file.
     pub fn fitting(&self, path: &str) -> Vec<usize> {
-        let mut fitting: Vec<usize> = self.plain_fitting(path).chain(self.alone_fitting(path)).collect();
+        let mut fitting: Vec<usize> = self
+            .plain_fitting(path)
+            .chain(self.alone_fitting(path))
+            .collect();
         for (set, numbers) in &self.wild {
-            fitting.extend(set.matches(path).into_iter().filter_map(|place| numbers.get(place)));
+            fitting.extend(
+                set.matches(path)
+                    .into_iter()
+                    .filter_map(|place| numbers.get(place)),
+            );
         }
         fitting.sort_unstable();
         fitting
@@ -54,25 +64,38 @@ impl Globs {
 
     /// A plain path is that of the file, or of a folder above it.
     fn plain_fitting(&self, path: &str) -> impl Iterator<Item = usize> {
-        let folders = path.match_indices('/').filter_map(|(end, _)| path.get(..end));
+        let folders = path
+            .match_indices('/')
+            .filter_map(|(end, _)| path.get(..end));
         // Nothing at all names the folder of the settings.
         let names = std::iter::once("").chain(folders.filter(|folder| !folder.is_empty()));
         let names = names.chain(std::iter::once(path).filter(|path| !path.is_empty()));
-        names.filter_map(|name| self.plain.get(name)).flatten().copied()
+        names
+            .filter_map(|name| self.plain.get(name))
+            .flatten()
+            .copied()
     }
 
     fn alone_fitting(&self, path: &str) -> impl Iterator<Item = usize> {
-        self.alone.iter().copied().filter(move |number| self.list.get(*number).is_some_and(|glob| glob.fits(path)))
+        self.alone
+            .iter()
+            .copied()
+            .filter(move |number| self.list.get(*number).is_some_and(|glob| glob.fits(path)))
     }
 }
 
 impl FromIterator<PathGlob> for Globs {
     fn from_iter<I: IntoIterator<Item = PathGlob>>(globs: I) -> Self {
-        let mut all = Self { list: globs.into_iter().collect(), ..Self::default() };
+        let mut all = Self {
+            list: globs.into_iter().collect(),
+            ..Self::default()
+        };
         let mut wild = Vec::new();
         for (number, glob) in all.list.iter().enumerate() {
             match glob.wild() {
-                _ if glob.is_plain() => all.plain.entry(glob.text.clone()).or_default().push(number),
+                _ if glob.is_plain() => {
+                    all.plain.entry(glob.text.clone()).or_default().push(number)
+                }
                 Some(compiled) => wild.push((number, compiled)),
                 None => all.alone.push(number),
             }
@@ -102,18 +125,27 @@ mod tests {
     use super::*;
 
     fn globs(texts: &[String]) -> Globs {
-        texts.iter().map(|text| PathGlob::new(text, 0..0).unwrap()).collect()
+        texts
+            .iter()
+            .map(|text| PathGlob::new(text, 0..0).unwrap())
+            .collect()
     }
 
     #[test]
     fn all_together_fit_as_each_of_them_does() {
-        let mut texts =
-            ["a", "./a/", "a/b", "a/*", "**/b", ".", "{a,c}/b", "ab", "a/b/c", "/a", "b!"].map(str::to_owned).to_vec();
+        let mut texts = [
+            "a", "./a/", "a/b", "a/*", "**/b", ".", "{a,c}/b", "ab", "a/b/c", "/a", "b!",
+        ]
+        .map(str::to_owned)
+        .to_vec();
         // More than share an automaton.
         texts.extend((0..20).map(|number| format!("?{}", "*".repeat(number % 3))));
         let all = globs(&texts);
         for path in ["a", "a/b", "a/b/c", "ab", "c/b", "", "/a/b", "b!/x", "../a"] {
-            let each = texts.iter().enumerate().filter(|(_, text)| PathGlob::new(text, 0..0).unwrap().fits(path));
+            let each = texts
+                .iter()
+                .enumerate()
+                .filter(|(_, text)| PathGlob::new(text, 0..0).unwrap().fits(path));
             let each: Vec<usize> = each.map(|(number, _)| number).collect();
             assert_eq!(all.fitting(path), each, "{path}");
             assert_eq!(all.fits(path), !each.is_empty(), "{path}");
@@ -122,7 +154,9 @@ mod tests {
 
     #[test]
     fn plain_paths_are_looked_up_and_not_tried() {
-        let texts: Vec<String> = (0..10_000).map(|number| format!("target/{number}")).collect();
+        let texts: Vec<String> = (0..10_000)
+            .map(|number| format!("target/{number}"))
+            .collect();
         let all = globs(&texts);
         assert!(all.wild.is_empty() && all.alone.is_empty());
         assert_eq!(all.fitting("target/77/a.target"), [77]);

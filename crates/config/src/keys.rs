@@ -57,48 +57,131 @@ pub(super) enum Shape {
 }
 
 const fn key(name: &'static str, shape: Shape, docs: &'static str) -> Key {
-    Key { name, shape, required: false, docs }
+    Key {
+        name,
+        shape,
+        required: false,
+        docs,
+    }
 }
 
 const fn required(name: &'static str, shape: Shape, docs: &'static str) -> Key {
-    Key { name, shape, required: true, docs }
+    Key {
+        name,
+        shape,
+        required: true,
+        docs,
+    }
 }
 
 /// Keys of the file.
 pub(super) static FILE: &[Key] = &[
-    key("fail-on", Shape::FailOn, "Lowest level of findings that makes the exit code 1; default: `error`."),
-    key("max-warnings", Shape::Count, "The exit code is 1 if there are more warnings than this."),
-    key("select", Shape::Rules, "Run only these rules; default: all."),
+    key(
+        "fail-on",
+        Shape::FailOn,
+        "Lowest level of findings that makes the exit code 1; default: `error`.",
+    ),
+    key(
+        "max-warnings",
+        Shape::Count,
+        "The exit code is 1 if there are more warnings than this.",
+    ),
+    key(
+        "select",
+        Shape::Rules,
+        "Run only these rules; default: all.",
+    ),
     key("skip", Shape::Rules, "Do not run these rules."),
-    key("exclude", Shape::Globs, "Report nothing for these files and folders; they are still read to resolve names."),
+    key(
+        "exclude",
+        Shape::Globs,
+        "Report nothing for these files and folders; they are still read to resolve names.",
+    ),
     key(
         "system",
         Shape::Paths,
         "Data of the applications themselves, one folder or a list: read to resolve references, not reported.",
     ),
-    key("apps", Shape::Applications, "Check only what these applications load; default: all."),
-    key("bases", Shape::Texts, "Report only these base meshes; default: all."),
-    key("baseline", Shape::Path, "File of known findings, which are not reported."),
-    key("level", Shape::Levels, "Change the level of rules; the last entry that matches a rule counts."),
-    key("rule", Shape::Options, "Options of rules; `mhlint explain RULE` lists them."),
-    key("path", Shape::Tables(PATH), "Other rules and levels for a part of the repository."),
-    key("ignore", Shape::Tables(IGNORE), "Findings of a rule to ignore in some files, with a reason."),
-    key("eval", Shape::Table(EVAL), "How much of the slider space is evaluated."),
+    key(
+        "apps",
+        Shape::Applications,
+        "Check only what these applications load; default: all.",
+    ),
+    key(
+        "bases",
+        Shape::Texts,
+        "Report only these base meshes; default: all.",
+    ),
+    key(
+        "baseline",
+        Shape::Path,
+        "File of known findings, which are not reported.",
+    ),
+    key(
+        "level",
+        Shape::Levels,
+        "Change the level of rules; the last entry that matches a rule counts.",
+    ),
+    key(
+        "rule",
+        Shape::Options,
+        "Options of rules; `mhlint explain RULE` lists them.",
+    ),
+    key(
+        "path",
+        Shape::Tables(PATH),
+        "Other rules and levels for a part of the repository.",
+    ),
+    key(
+        "ignore",
+        Shape::Tables(IGNORE),
+        "Findings of a rule to ignore in some files, with a reason.",
+    ),
+    key(
+        "eval",
+        Shape::Table(EVAL),
+        "How much of the slider space is evaluated.",
+    ),
 ];
 
 /// Keys of `[[path]]`.
 static PATH: &[Key] = &[
-    required("glob", Shape::Glob, "The files and folders that the block applies to."),
+    required(
+        "glob",
+        Shape::Glob,
+        "The files and folders that the block applies to.",
+    ),
     key("skip", Shape::Rules, "Do not run these rules here."),
-    key("level", Shape::Levels, "Change the level of rules here; this also turns on a rule that is skipped elsewhere."),
+    key(
+        "level",
+        Shape::Levels,
+        "Change the level of rules here; this also turns on a rule that is skipped elsewhere.",
+    ),
 ];
 
-/// Keys of `[[ignore]]`. Without a `reason` the ignore is a finding, so the reader does not insist on it.
+/// Keys of `[[ignore]]`. Without a `reason` the ignore is a finding, so the reader does not insist
+/// on it.
 static IGNORE: &[Key] = &[
-    required("rule", Shape::Rule, "The rule to ignore, or a glob of rules."),
-    required("path", Shape::Glob, "The files and folders to ignore it in."),
-    key("reason", Shape::Text, "Why; without a reason the `[[ignore]]` has no effect."),
-    key("until", Shape::Date, "Last day on which the `[[ignore]]` applies, such as 2027-06-30."),
+    required(
+        "rule",
+        Shape::Rule,
+        "The rule to ignore, or a glob of rules.",
+    ),
+    required(
+        "path",
+        Shape::Glob,
+        "The files and folders to ignore it in.",
+    ),
+    key(
+        "reason",
+        Shape::Text,
+        "Why; without a reason the `[[ignore]]` has no effect.",
+    ),
+    key(
+        "until",
+        Shape::Date,
+        "Last day on which the `[[ignore]]` applies, such as 2027-06-30.",
+    ),
 ];
 
 /// Keys of `[eval]`.
@@ -108,5 +191,9 @@ static EVAL: &[Key] = &[
         Shape::CountTo(MOST_SAMPLES),
         "Number of random slider settings to evaluate besides the fixed ones, at most 100000.",
     ),
-    key("exhaustive", Shape::Flag, "Evaluate every corner of the slider space."),
+    key(
+        "exhaustive",
+        Shape::Flag,
+        "Evaluate every corner of the slider space.",
+    ),
 ];

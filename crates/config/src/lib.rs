@@ -1,7 +1,7 @@
 //! What a run is asked to do: the model and the loader of `mhlint.toml`.
 //!
-//! Gets the text of the file and the declared halves of the rules, gives a [`Config`] or all that is wrong
-//! with the file, with spans. Knows no rule by name and looks for no asset.
+//! Gets the text of the file and the declared halves of the rules, gives a [`Config`] or all that
+//! is wrong with the file, with spans. Knows no rule by name and looks for no asset.
 
 // Files, streams and surroundings have few doors, and who may use them says so; tests are free.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
@@ -38,8 +38,9 @@ pub const MOST_SAMPLES: usize = 100_000;
 
 /// What a run is asked to do.
 ///
-/// The fields are the values in effect for the whole run. What the configuration file says on single rules
-/// and paths stays apart in [`Config::file`], because the fields [`only`](Config::only),
+/// The fields are the values in effect for the whole run. What the configuration file says on
+/// single rules and paths stays apart in [`Config::file`], because the fields
+/// [`only`](Config::only),
 /// [`skip`](Config::skip) and [`levels`](Config::levels) go before it, as the command line does.
 ///
 /// ```
@@ -63,13 +64,15 @@ pub struct Config {
     pub only: Vec<String>,
     /// Globs of rule ids not to run, besides those of the file.
     pub skip: Vec<String>,
-    /// Levels by rule id or glob, `None` for off; the last one that fits counts, and goes before the file.
+    /// Levels by rule id or glob, `None` for off; the last one that fits counts, and goes before
+    /// the file.
     pub levels: Vec<(String, Option<Level>)>,
     /// Options of rules, by rule and name.
     pub rule_options: BTreeMap<(String, String), f64>,
     /// Leave out everything that needs evaluation.
     pub no_eval: bool,
-    /// Random settings of the sliders to look at besides the deliberate ones, at most 100000; `None` for the default.
+    /// Random settings of the sliders to look at besides the deliberate ones, at most 100000;
+    /// `None` for the default.
     pub samples: Option<usize>,
     /// Visit every corner of the slider space.
     pub exhaustive: bool,
@@ -79,7 +82,8 @@ pub struct Config {
     pub max_warnings: Option<usize>,
     /// File with known findings, which are hidden.
     pub baseline: Option<PathBuf>,
-    /// Make a new baseline of what is found instead: [`Outcome::baseline`](mhlint_diag::Outcome::baseline).
+    /// Make a new baseline of what is found instead:
+    /// [`Outcome::baseline`](mhlint_diag::Outcome::baseline).
     pub write_baseline: bool,
     /// What the configuration file says on rules and paths.
     pub file: Option<ConfigFile>,
@@ -96,8 +100,8 @@ pub struct Compare {
     pub with: String,
     /// The data as they were.
     pub before: Before,
-    /// Contents that are checked in place of those that lie in the folders, by absolute path without links; `None` for
-    /// no such file.
+    /// Contents that are checked in place of those that lie in the folders, by absolute path
+    /// without links; `None` for no such file.
     pub now: BTreeMap<PathBuf, Option<Vec<u8>>>,
     /// Files that are not compared, because their contents are not at hand.
     pub missing: Vec<PathBuf>,
@@ -108,7 +112,8 @@ pub struct Compare {
 pub enum Before {
     /// They lie in another folder.
     Folder(PathBuf),
-    /// They lie where they are checked, but for these contents, by absolute path without links; `None` for no such file.
+    /// They lie where they are checked, but for these contents, by absolute path without links;
+    /// `None` for no such file.
     Contents(BTreeMap<PathBuf, Option<Vec<u8>>>),
 }
 
@@ -203,8 +208,8 @@ impl Config {
         find::load(path, rules)
     }
 
-    /// The same for a text; `path` is what messages call it. Globs and paths in it are relative to the
-    /// trees of `lint_trees`.
+    /// The same for a text; `path` is what messages call it. Globs and paths in it are relative to
+    /// the trees of `lint_trees`.
     ///
     /// ```
     /// use mhlint_config::Config;
@@ -227,8 +232,16 @@ impl Config {
 
     /// The applications that are asked for by name.
     pub fn editions(&self) -> impl Iterator<Item = Edition> {
-        let version = |application| self.versions.iter().find(move |one| one.application() == application).copied();
-        self.applications.iter().map(move |one| Edition { application: *one, version: version(*one) })
+        let version = |application| {
+            self.versions
+                .iter()
+                .find(move |one| one.application() == application)
+                .copied()
+        };
+        self.applications.iter().map(move |one| Edition {
+            application: *one,
+            version: version(*one),
+        })
     }
 
     /// Whether data of an application are to be checked.
@@ -243,13 +256,19 @@ impl Config {
 
     /// Whether the file excludes anything.
     pub fn has_exclude(&self) -> bool {
-        self.file.as_ref().is_some_and(|file| !file.exclude.is_empty())
+        self.file
+            .as_ref()
+            .is_some_and(|file| !file.exclude.is_empty())
     }
 
     /// Whether nothing is to be reported for a printed path.
     pub fn excludes(&self, path: &str) -> bool {
-        let Some(file) = self.file.as_ref().filter(|_| self.has_exclude()) else { return false };
-        let Some(rel) = file.folder.relative(path) else { return false };
+        let Some(file) = self.file.as_ref().filter(|_| self.has_exclude()) else {
+            return false;
+        };
+        let Some(rel) = file.folder.relative(path) else {
+            return false;
+        };
         file.exclude.fits(&rel)
     }
 }

@@ -9,9 +9,17 @@ use mhlint_diag::{Edition, RuleInfo};
 pub fn schema(rules: &[&RuleInfo]) -> Value {
     let mut schema = object(FILE, rules);
     let head = [
-        ("$schema", json!("https://json-schema.org/draft/2020-12/schema")),
+        (
+            "$schema",
+            json!("https://json-schema.org/draft/2020-12/schema"),
+        ),
         ("title", json!("mhlint.toml")),
-        ("description", json!("Configuration of mhlint. Globs and paths are relative to the folder of this file.")),
+        (
+            "description",
+            json!(
+                "Configuration of mhlint. Globs and paths are relative to the folder of this file."
+            ),
+        ),
     ];
     let mut all = Map::new();
     all.extend(head.map(|(key, value)| (key.to_owned(), value)));
@@ -31,9 +39,17 @@ pub fn schema(rules: &[&RuleInfo]) -> Value {
 }
 
 fn object(keys: &[Key], rules: &[&RuleInfo]) -> Value {
-    let properties: Map<String, Value> = keys.iter().map(|key| (key.name.to_owned(), property(key, rules))).collect();
-    let required: Vec<&str> = keys.iter().filter(|key| key.required).map(|key| key.name).collect();
-    let mut object = json!({ "type": "object", "properties": properties, "additionalProperties": false });
+    let properties: Map<String, Value> = keys
+        .iter()
+        .map(|key| (key.name.to_owned(), property(key, rules)))
+        .collect();
+    let required: Vec<&str> = keys
+        .iter()
+        .filter(|key| key.required)
+        .map(|key| key.name)
+        .collect();
+    let mut object =
+        json!({ "type": "object", "properties": properties, "additionalProperties": false });
     if !required.is_empty()
         && let Some(members) = object.as_object_mut()
     {
@@ -58,7 +74,9 @@ fn shape(shape: Shape, rules: &[&RuleInfo]) -> Value {
         Shape::CountTo(most) => json!({ "type": "integer", "minimum": 0, "maximum": most }),
         Shape::Flag => json!({ "type": "boolean" }),
         Shape::Text | Shape::Path | Shape::Glob => json!({ "type": "string" }),
-        Shape::Paths => json!({ "anyOf": [{ "type": "string" }, { "type": "array", "items": { "type": "string" } }] }),
+        Shape::Paths => {
+            json!({ "anyOf": [{ "type": "string" }, { "type": "array", "items": { "type": "string" } }] })
+        }
         Shape::Globs | Shape::Texts => json!({ "type": "array", "items": { "type": "string" } }),
         Shape::Rule => rule,
         Shape::Rules => json!({ "type": "array", "items": rule }),

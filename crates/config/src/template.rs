@@ -60,12 +60,17 @@ pub const TEMPLATE: &str = r#"# Settings of mhlint for this repository, all comm
 #exhaustive = false
 "#;
 
-/// Text of a new `mhlint.toml` beside loose assets: these applications, these system data, the rest as in [`TEMPLATE`].
+/// Text of a new `mhlint.toml` beside loose assets: these applications, these system data, the rest
+/// as in [`TEMPLATE`].
 pub fn template_for(applications: &[&str], system: Option<&str>) -> String {
-    let names: Vec<String> = applications.iter().map(|name| format!("\"{name}\"")).collect();
+    let names: Vec<String> = applications
+        .iter()
+        .map(|name| format!("\"{name}\""))
+        .collect();
     let apps = format!("apps = [{}]", names.join(", "));
     let found = system.map(|system| format!("system = {}", toml::Value::from(system)));
-    let line = |line: &str| match line {
+    let line = |line: &str| {
+        match line {
         ALL_COMMENTED => {
             "# Settings of mhlint for the assets in this folder. Other settings are commented out: remove the `#`\n\
             # of a line to set it."
@@ -77,12 +82,12 @@ pub fn template_for(applications: &[&str], system: Option<&str>) -> String {
         SYSTEM => found.clone().unwrap_or_else(|| line.to_owned()),
         APPS => apps.clone(),
         _ => line.to_owned(),
+    }
     };
     TEMPLATE.lines().map(|text| line(text) + "\n").collect()
 }
 
-const ALL_COMMENTED: &str =
-    "# Settings of mhlint for this repository, all commented out: remove the `#` of a line to set it.";
+const ALL_COMMENTED: &str = "# Settings of mhlint for this repository, all commented out: remove the `#` of a line to set it.";
 const DATA_COMMENT: &str = "# MakeHuman's own data: read to resolve references, not reported.";
 const SYSTEM: &str = "#system = \"../makehuman2/data\"";
 const APPS: &str = "#apps = [\"makehuman2\"]";
@@ -94,12 +99,24 @@ mod tests {
     use mhlint_diag::{Level, OptionInfo, RuleInfo};
 
     fn rules() -> Vec<&'static RuleInfo> {
-        static RATIO: [OptionInfo; 1] = [OptionInfo { name: "ratio", default: 10.0, docs: "" }];
-        static OVERSIZED: RuleInfo =
-            RuleInfo { options: &RATIO, ..RuleInfo::new("target-oversized-delta", Level::Warning, "") };
-        static DISTANCE: [OptionInfo; 1] = [OptionInfo { name: "distance", default: 10.0, docs: "" }];
-        static LOST: RuleInfo =
-            RuleInfo { options: &DISTANCE, ..RuleInfo::new("weights-lost-after-threshold", Level::Warning, "") };
+        static RATIO: [OptionInfo; 1] = [OptionInfo {
+            name: "ratio",
+            default: 10.0,
+            docs: "",
+        }];
+        static OVERSIZED: RuleInfo = RuleInfo {
+            options: &RATIO,
+            ..RuleInfo::new("target-oversized-delta", Level::Warning, "")
+        };
+        static DISTANCE: [OptionInfo; 1] = [OptionInfo {
+            name: "distance",
+            default: 10.0,
+            docs: "",
+        }];
+        static LOST: RuleInfo = RuleInfo {
+            options: &DISTANCE,
+            ..RuleInfo::new("weights-lost-after-threshold", Level::Warning, "")
+        };
         vec![&OVERSIZED, &LOST]
     }
 
@@ -108,11 +125,21 @@ mod tests {
         let text = template_for(&["makehuman2", "makehuman1"], Some("../a \"b\"/data"));
         let config = Config::parse(&text, "mhlint.toml", &rules()).unwrap();
         assert_eq!(config.applications.len(), 2);
-        assert!(config.systems.first().is_some_and(|system| system.ends_with("../a \"b\"/data")));
+        assert!(
+            config
+                .systems
+                .first()
+                .is_some_and(|system| system.ends_with("../a \"b\"/data"))
+        );
         for line in [ALL_COMMENTED, DATA_COMMENT, SYSTEM, APPS] {
             assert!(TEMPLATE.lines().any(|known| known == line), "{line}");
         }
-        let config = Config::parse(&template_for(&["makehuman1"], None), "mhlint.toml", &rules()).unwrap();
+        let config = Config::parse(
+            &template_for(&["makehuman1"], None),
+            "mhlint.toml",
+            &rules(),
+        )
+        .unwrap();
         assert_eq!((config.applications.len(), config.systems), (1, Vec::new()));
     }
 
@@ -127,9 +154,16 @@ mod tests {
         let all: Vec<String> = TEMPLATE.lines().map(bare).collect();
         let config = Config::parse(&all.join("\n"), "mhlint.toml", &rules()).unwrap();
         let file = config.file.unwrap();
-        assert_eq!((file.blocks.len(), file.ignores.len(), config.samples), (1, 1, Some(64)));
+        assert_eq!(
+            (file.blocks.len(), file.ignores.len(), config.samples),
+            (1, 1, Some(64))
+        );
         for key in crate::keys::FILE {
-            assert!(TEMPLATE.contains(key.name), "the template lacks `{}`", key.name);
+            assert!(
+                TEMPLATE.contains(key.name),
+                "the template lacks `{}`",
+                key.name
+            );
         }
     }
 }

@@ -22,15 +22,23 @@ impl Baseline {
         entries.sort();
         let line = |entry: &Entry| serde_json::to_string(entry).unwrap_or_default();
         let lines: Vec<String> = entries.iter().map(line).collect();
-        let list = if lines.is_empty() { "[]".to_owned() } else { format!("[\n{}\n]", lines.join(",\n")) };
-        format!("{{\"format\": \"{}\", \"entries\": {list}}}\n", Self::FORMAT)
+        let list = if lines.is_empty() {
+            "[]".to_owned()
+        } else {
+            format!("[\n{}\n]", lines.join(",\n"))
+        };
+        format!(
+            "{{\"format\": \"{}\", \"entries\": {list}}}\n",
+            Self::FORMAT
+        )
     }
 }
 
 /// One known finding.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Entry {
-    /// The asset, relative to the folder of the file. For people, and to tell equal data roots apart.
+    /// The asset, relative to the folder of the file. For people, and to tell equal data roots
+    /// apart.
     pub path: String,
     /// Id of the rule.
     pub rule: String,
@@ -39,13 +47,16 @@ pub struct Entry {
     pub key: String,
     /// What it is recognised by.
     pub fingerprint: String,
-    /// How bad it was by its consequence, whatever the settings made of it. What has become worse is not known.
+    /// How bad it was by its consequence, whatever the settings made of it. What has become worse
+    /// is not known.
     #[serde(default = "worst")]
     pub level: Level,
-    /// How much of the fault there was; what has grown since is not known. Without it any amount is.
+    /// How much of the fault there was; what has grown since is not known. Without it any amount
+    /// is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub measure: Option<Figure>,
-    /// Everything it spoke for, by name, numbers in a row as `first-last`; empty where that is one thing.
+    /// Everything it spoke for, by name, numbers in a row as `first-last`; empty where that is one
+    /// thing.
     #[serde(default, skip_serializing_if = "Parts::is_empty")]
     pub parts: Parts,
 }

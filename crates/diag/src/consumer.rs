@@ -101,20 +101,28 @@ impl From<Level> for Fares {
 impl Consumed {
     /// Says that `application` has a finding of this level about it.
     fn concern(&mut self, application: Application, level: Level) {
-        for one in self.by.iter_mut().filter(|one| one.application == application) {
+        for one in self
+            .by
+            .iter_mut()
+            .filter(|one| one.application == application)
+        {
             one.fares = one.fares.max(level.into());
         }
     }
 }
 
-/// Tells files how they fare. `consumed` is sorted by path. What is found at a folder concerns the files that it names.
+/// Tells files how they fare. `consumed` is sorted by path. What is found at a folder concerns the
+/// files that it names.
 pub fn grade_consumers(consumed: &mut [Consumed], findings: &[Finding]) {
     for finding in findings {
         let named = [finding.path.as_str(), finding.asset_path()].into_iter();
         for path in named.chain(finding.files().iter().map(String::as_str)) {
             let place = consumed.binary_search_by(|row| row.path.as_str().cmp(path));
             if let Some(row) = place.ok().and_then(|place| consumed.get_mut(place)) {
-                finding.breaks.iter().for_each(|one| row.concern(one.application, one.level));
+                finding
+                    .breaks
+                    .iter()
+                    .for_each(|one| row.concern(one.application, one.level));
             }
         }
     }
@@ -132,17 +140,26 @@ mod tests {
             archive: None,
             fares: Fares::Fine,
         });
-        Consumed { path: path.to_owned(), group: AssetGroup::Clothes, by: by.to_vec() }
+        Consumed {
+            path: path.to_owned(),
+            group: AssetGroup::Clothes,
+            by: by.to_vec(),
+        }
     }
 
     fn fares(rows: &[Consumed]) -> Vec<Vec<Fares>> {
-        rows.iter().map(|row| row.by.iter().map(|one| one.fares).collect()).collect()
+        rows.iter()
+            .map(|row| row.by.iter().map(|one| one.fares).collect())
+            .collect()
     }
 
     #[test]
     fn a_finding_concerns_its_file_in_the_applications_that_it_breaks() {
         let mut rows = ["data/a", "data/b", "data/b/c"].map(row);
-        grade_consumers(&mut rows, &[Finding::new(&RULE, "data/b", Place::File, "it")]);
+        grade_consumers(
+            &mut rows,
+            &[Finding::new(&RULE, "data/b", Place::File, "it")],
+        );
         let none = vec![Fares::Fine; 3];
         let order = Application::ALL.map(|application| match application {
             Application::Makehuman2 => Fares::Error,
@@ -155,8 +172,14 @@ mod tests {
     #[test]
     fn one_at_a_folder_concerns_the_files_that_it_names() {
         let mut rows = ["data/a/x", "data/a/y", "data/b"].map(row);
-        grade_consumers(&mut rows, &[Finding::new(&RULE, "data/a", Place::File, "it").parts_in([("p", "data/a/y")])]);
+        grade_consumers(
+            &mut rows,
+            &[Finding::new(&RULE, "data/a", Place::File, "it").parts_in([("p", "data/a/y")])],
+        );
         let is_touched = |row: &Vec<Fares>| row.contains(&Fares::Error);
-        assert_eq!(fares(&rows).iter().map(is_touched).collect::<Vec<_>>(), [false, true, false]);
+        assert_eq!(
+            fares(&rows).iter().map(is_touched).collect::<Vec<_>>(),
+            [false, true, false]
+        );
     }
 }

@@ -18,7 +18,8 @@ pub struct Evidence {
     pub of: Option<u64>,
     /// The first few.
     pub examples: Vec<String>,
-    /// Where the examples stand for groups of the counted elements (patterns, files): how many groups.
+    /// Where the examples stand for groups of the counted elements (patterns, files): how many
+    /// groups.
     #[serde(skip)]
     pub groups: Option<u64>,
     /// The worst value and where it is.
@@ -34,11 +35,13 @@ pub struct Worst {
     pub place: String,
 }
 
-/// Evidence with the names of everything that was counted, for the [`super::Subject`] of its finding.
+/// Evidence with the names of everything that was counted, for the [`super::Subject`] of its
+/// finding.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Cases {
     pub(super) evidence: Evidence,
-    /// None where they are told by line, by number or in words: a later run cannot know them by these again.
+    /// None where they are told by line, by number or in words: a later run cannot know them by
+    /// these again.
     pub(super) parts: Parts,
 }
 
@@ -46,7 +49,10 @@ impl Evidence {
     /// Evidence from all cases by name; keeps the first few as examples.
     pub fn of_cases<T: ToString + Into<Name>>(cases: impl IntoIterator<Item = T>) -> Cases {
         let mut evidence = Self::default();
-        let parts = cases.into_iter().inspect(|case| evidence.add(case)).collect();
+        let parts = cases
+            .into_iter()
+            .inspect(|case| evidence.add(case))
+            .collect();
         Cases { evidence, parts }
     }
 
@@ -60,12 +66,19 @@ impl Evidence {
     /// Evidence on `count` elements that are told in groups: by pattern, by file.
     pub fn of_groups<T: ToString>(groups: impl IntoIterator<Item = T>, count: u64) -> Self {
         let told = Self::of_unnamed(groups);
-        Self { count, groups: Some(told.count), ..told }
+        Self {
+            count,
+            groups: Some(told.count),
+            ..told
+        }
     }
 
     /// Evidence on `count` elements, without examples.
     pub fn counted(count: usize) -> Self {
-        Self { count: count as u64, ..Self::default() }
+        Self {
+            count: count as u64,
+            ..Self::default()
+        }
     }
 
     fn add(&mut self, case: &impl ToString) {
@@ -85,13 +98,19 @@ impl Evidence {
     /// Adds the worst value.
     #[must_use]
     pub fn with_worst(mut self, value: f64, place: impl Into<String>) -> Self {
-        self.worst = Some(Worst { value, place: place.into() });
+        self.worst = Some(Worst {
+            value,
+            place: place.into(),
+        });
         self
     }
 
     /// With the names of everything that was counted.
     pub fn naming<T: Into<Name>>(self, names: impl IntoIterator<Item = T>) -> Cases {
-        Cases { evidence: self, parts: names.into_iter().collect() }
+        Cases {
+            evidence: self,
+            parts: names.into_iter().collect(),
+        }
     }
 }
 
@@ -106,19 +125,28 @@ impl Cases {
     /// As [`Evidence::out_of`].
     #[must_use]
     pub fn out_of(self, total: usize) -> Self {
-        Self { evidence: self.evidence.out_of(total), ..self }
+        Self {
+            evidence: self.evidence.out_of(total),
+            ..self
+        }
     }
 
     /// As [`Evidence::with_worst`].
     #[must_use]
     pub fn with_worst(self, value: f64, place: impl Into<String>) -> Self {
-        Self { evidence: self.evidence.with_worst(value, place), ..self }
+        Self {
+            evidence: self.evidence.with_worst(value, place),
+            ..self
+        }
     }
 }
 
 impl From<Evidence> for Cases {
     fn from(evidence: Evidence) -> Self {
-        Self { evidence, parts: Parts::default() }
+        Self {
+            evidence,
+            parts: Parts::default(),
+        }
     }
 }
 
@@ -159,7 +187,10 @@ impl<T> Few<T> {
 
 impl<T> Default for Few<T> {
     fn default() -> Self {
-        Self { names: Vec::new(), bytes: 0 }
+        Self {
+            names: Vec::new(),
+            bytes: 0,
+        }
     }
 }
 
@@ -191,8 +222,17 @@ impl Tally {
 
     /// As evidence out of `total` rows, the indices as examples.
     pub fn evidence(&self, total: usize) -> Cases {
-        let examples = self.first.iter().map(|(_, index)| index.to_string()).collect();
-        let evidence = Evidence { count: self.count, of: Some(total as u64), examples, ..Evidence::default() };
+        let examples = self
+            .first
+            .iter()
+            .map(|(_, index)| index.to_string())
+            .collect();
+        let evidence = Evidence {
+            count: self.count,
+            of: Some(total as u64),
+            examples,
+            ..Evidence::default()
+        };
         evidence.naming(self.indices.names())
     }
 }

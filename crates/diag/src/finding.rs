@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::{
-    Application, Case, Cases, Confidence, EXAMPLES, Evidence, Figure, Fix, Grown, Grows, Level, Location, Measure,
-    MeasureKind, Name, Parts, Place, RuleInfo, Subject,
+    Application, Case, Cases, Confidence, EXAMPLES, Evidence, Figure, Fix, Grown, Grows, Level,
+    Location, Measure, MeasureKind, Name, Parts, Place, RuleInfo, Subject,
 };
 
 /// Something wrong in an asset repository.
@@ -14,7 +14,8 @@ use super::{
 pub struct Finding {
     /// Id of the rule.
     pub rule: &'static str,
-    /// The worst level in the applications of [`Finding::breaks`], after everything that lowers or raises it.
+    /// The worst level in the applications of [`Finding::breaks`], after everything that lowers or
+    /// raises it.
     pub level: Level,
     /// How sure the rule is.
     pub confidence: Confidence,
@@ -40,10 +41,11 @@ pub struct Finding {
     pub fix: Option<Fix>,
     /// What it is about: its identity.
     pub subject: Subject,
-    /// The other files of some that do not fit one another: where its own file is not the one that is checked, the
-    /// finding belongs to the first of these that is.
+    /// The other files of some that do not fit one another: where its own file is not the one that
+    /// is checked, the finding belongs to the first of these that is.
     pub against: Vec<String>,
-    /// Files that have one fault between them, written as paths are: it is gone when fewer than two are left.
+    /// Files that have one fault between them, written as paths are: it is gone when fewer than two
+    /// are left.
     pub between: Vec<String>,
     /// Where only some of [`Finding::files`] are ignored; filled by the engine.
     pub ignored: Option<IgnoredFiles>,
@@ -104,8 +106,14 @@ pub struct Related {
 }
 
 impl Finding {
-    /// A finding of `rule` at `place` of the file `path`, with the levels and consequences of the rule.
-    pub fn new(rule: &RuleInfo, path: impl Into<String>, place: Place, message: impl Into<String>) -> Self {
+    /// A finding of `rule` at `place` of the file `path`, with the levels and consequences of the
+    /// rule.
+    pub fn new(
+        rule: &RuleInfo,
+        path: impl Into<String>,
+        place: Place,
+        message: impl Into<String>,
+    ) -> Self {
         let breaks = rule.breaks.iter().map(|(application, effect)| Break {
             application: *application,
             level: rule.level_in(*application),
@@ -138,13 +146,21 @@ impl Finding {
         finding.at_worst()
     }
 
-    /// How much of the fault there is: the worst value, or how many show it where they have no names.
+    /// How much of the fault there is: the worst value, or how many show it where they have no
+    /// names.
     pub fn measure(&self) -> Option<Measure> {
         let evidence = self.evidence.as_ref()?;
-        let worst = self.grows.zip(evidence.worst.as_ref()).map(|(grows, worst)| (grows, worst.value));
+        let worst = self
+            .grows
+            .zip(evidence.worst.as_ref())
+            .map(|(grows, worst)| (grows, worst.value));
         let counted = || Some((Grows::more(MeasureKind::Count)?, evidence.count as f64));
-        let (grows, value) = worst.or_else(|| counted().filter(|_| self.subject.parts.is_empty()))?;
-        Some(Measure { grows, value: Figure(value) })
+        let (grows, value) =
+            worst.or_else(|| counted().filter(|_| self.subject.parts.is_empty()))?;
+        Some(Measure {
+            grows,
+            value: Figure(value),
+        })
     }
 
     /// Says what to do.
@@ -154,7 +170,8 @@ impl Finding {
         self
     }
 
-    /// Names the fault inside the asset: bone, pattern, combination. Must not depend on order or layout.
+    /// Names the fault inside the asset: bone, pattern, combination. Must not depend on order or
+    /// layout.
     #[must_use]
     pub fn key(mut self, key: impl Into<String>) -> Self {
         self.subject.key = key.into();
@@ -168,29 +185,37 @@ impl Finding {
         self
     }
 
-    /// Names everything the finding is about, in place of the cases of its evidence. Neither numbers that
-    /// count something nor wording may be in a name.
+    /// Names everything the finding is about, in place of the cases of its evidence. Neither
+    /// numbers that count something nor wording may be in a name.
     #[must_use]
     pub fn parts<T: Into<Name>>(mut self, parts: impl IntoIterator<Item = T>) -> Self {
         self.subject.parts = parts.into_iter().collect::<Parts>().if_few();
         self
     }
 
-    /// The same where the parts lie in files, each with a fault of its own. Ignores are for files: the finding stays
-    /// until all of them are ignored.
+    /// The same where the parts lie in files, each with a fault of its own. Ignores are for files:
+    /// the finding stays until all of them are ignored.
     #[must_use]
-    pub fn parts_in<T: Into<Name>, F: AsRef<str>>(mut self, parts: impl IntoIterator<Item = (T, F)>) -> Self {
+    pub fn parts_in<T: Into<Name>, F: AsRef<str>>(
+        mut self,
+        parts: impl IntoIterator<Item = (T, F)>,
+    ) -> Self {
         self.subject.parts = Parts::in_files(parts).if_few();
         self
     }
 
     /// The same where it is known at what place in its file each part stands.
     #[must_use]
-    pub fn parts_at<'f, T: Into<Name>>(mut self, parts: impl IntoIterator<Item = (T, &'f String, Place)>) -> Self {
+    pub fn parts_at<'f, T: Into<Name>>(
+        mut self,
+        parts: impl IntoIterator<Item = (T, &'f String, Place)>,
+    ) -> Self {
         let mut named = Vec::new();
         for (name, file, place) in parts {
             let name = name.into();
-            self.places.entry((file.clone(), name.to_string())).or_insert(place);
+            self.places
+                .entry((file.clone(), name.to_string()))
+                .or_insert(place);
             named.push((name, file));
         }
         self.parts_in(named)
@@ -206,12 +231,19 @@ impl Finding {
     /// Names the files that have the fault between them.
     #[must_use]
     pub fn between<T: Into<String>>(self, files: impl IntoIterator<Item = T>) -> Self {
-        Self { between: files.into_iter().map(Into::into).collect(), ..self }
+        Self {
+            between: files.into_iter().map(Into::into).collect(),
+            ..self
+        }
     }
 
     /// The files that it is about, where that is not only the one at which it stands.
     pub fn files(&self) -> &[String] {
-        if self.between.is_empty() { self.subject.parts.files() } else { &self.between }
+        if self.between.is_empty() {
+            self.subject.parts.files()
+        } else {
+            &self.between
+        }
     }
 
     /// What the fault belongs to, written as paths are.
@@ -230,42 +262,60 @@ impl Finding {
     /// Lowers the level in every application to this one, where a case is less bad for all of them.
     #[must_use]
     pub fn at_most(mut self, level: Level) -> Self {
-        self.breaks.iter_mut().for_each(|one| one.level = one.level.min(level));
+        self.breaks
+            .iter_mut()
+            .for_each(|one| one.level = one.level.min(level));
         self.at_worst()
     }
 
     /// Another level in one application.
     #[must_use]
     pub fn level_in(mut self, application: Application, level: Level) -> Self {
-        self.breaks.iter_mut().filter(|one| one.application == application).for_each(|one| one.level = level);
+        self.breaks
+            .iter_mut()
+            .filter(|one| one.application == application)
+            .for_each(|one| one.level = level);
         self.at_worst()
     }
 
-    /// Makes more than an info one in an application for which it takes effect later, and says when.
+    /// Makes more than an info one in an application for which it takes effect later, and says
+    /// when.
     pub fn wait_in(&mut self, application: Application, until: &str) {
         let waits = |one: &&mut Break| one.application == application && one.level > Level::Info;
         for one in self.breaks.iter_mut().filter(waits) {
             (one.level, one.effect) = (Level::Info, until.to_owned());
         }
-        self.level = self.breaks.iter().map(|one| one.level).max().unwrap_or(self.level);
+        self.level = self
+            .breaks
+            .iter()
+            .map(|one| one.level)
+            .max()
+            .unwrap_or(self.level);
     }
 
     /// What the applications of a case do with it; the others do the usual.
     #[must_use]
     pub fn case(self, case: Case) -> Self {
-        let told = |finding: Self, own: &(_, _, _)| finding.level_in(own.0, own.1).effect_in(own.0, own.2);
+        let told =
+            |finding: Self, own: &(_, _, _)| finding.level_in(own.0, own.1).effect_in(own.0, own.2);
         case.iter().fold(self, told)
     }
 
     /// Keeps the consequences in these applications.
     #[must_use]
     pub fn only_in(mut self, applications: &[Application]) -> Self {
-        self.breaks.retain(|one| applications.contains(&one.application));
+        self.breaks
+            .retain(|one| applications.contains(&one.application));
         self.at_worst()
     }
 
     fn at_worst(mut self) -> Self {
-        self.level = self.breaks.iter().map(|one| one.level).max().unwrap_or(self.level);
+        self.level = self
+            .breaks
+            .iter()
+            .map(|one| one.level)
+            .max()
+            .unwrap_or(self.level);
         self
     }
 
@@ -304,14 +354,20 @@ impl Finding {
     #[must_use]
     pub fn effect(mut self, effect: impl Into<String>) -> Self {
         let effect = effect.into();
-        self.breaks.iter_mut().for_each(|other| other.effect.clone_from(&effect));
+        self.breaks
+            .iter_mut()
+            .for_each(|other| other.effect.clone_from(&effect));
         self
     }
 
     /// Another consequence in one application.
     #[must_use]
     pub fn effect_in(mut self, application: Application, effect: impl Into<String>) -> Self {
-        if let Some(own) = self.breaks.iter_mut().find(|one| one.application == application) {
+        if let Some(own) = self
+            .breaks
+            .iter_mut()
+            .find(|one| one.application == application)
+        {
             own.effect = effect.into();
         }
         self
@@ -326,53 +382,94 @@ impl Finding {
 
     /// Adds another place.
     #[must_use]
-    pub fn related(mut self, path: impl Into<String>, place: Place, message: impl Into<String>) -> Self {
+    pub fn related(
+        mut self,
+        path: impl Into<String>,
+        place: Place,
+        message: impl Into<String>,
+    ) -> Self {
         self.add_related(path, place, message);
         self
     }
 
     /// The same for a finding that is made already.
-    pub fn add_related(&mut self, path: impl Into<String>, place: Place, message: impl Into<String>) {
-        self.related.push(Related { path: path.into(), place, location: Location::default(), message: message.into() });
+    pub fn add_related(
+        &mut self,
+        path: impl Into<String>,
+        place: Place,
+        message: impl Into<String>,
+    ) {
+        self.related.push(Related {
+            path: path.into(),
+            place,
+            location: Location::default(),
+            message: message.into(),
+        });
     }
 
     /// Without the parts in files in which it is ignored.
     #[must_use]
     pub fn without_ignored(mut self) -> Self {
         if let Some(ignored) = &self.ignored {
-            self.subject.parts = self.subject.parts.in_kept(|file| !ignored.files.iter().any(|other| other == file));
+            self.subject.parts = self
+                .subject
+                .parts
+                .in_kept(|file| !ignored.files.iter().any(|other| other == file));
         }
         self
     }
 
-    /// Leaves these of its parts, at the place of the first of them; all of it where these are none. Gives whether
-    /// anything is left: files in which it is ignored are no place for it.
+    /// Leaves these of its parts, at the place of the first of them; all of it where these are
+    /// none. Gives whether anything is left: files in which it is ignored are no place for it.
     pub fn narrow(&mut self, new: &Parts) -> bool {
         if new.count() == self.subject.parts.count() {
             return true;
         }
-        let ignored = self.ignored.take().map(|ignored| ignored.files).unwrap_or_default();
+        let ignored = self
+            .ignored
+            .take()
+            .map(|ignored| ignored.files)
+            .unwrap_or_default();
         let parts = new.in_kept(|file| !ignored.iter().any(|other| other == file));
         if parts.is_empty() {
             return new.is_empty();
         }
         let all = self.files().to_vec();
         // What is between files is of no use without the others.
-        let is_needed = |path: &String| !self.between.is_empty() || !all.contains(path) || parts.files().contains(path);
+        let is_needed = |path: &String| {
+            !self.between.is_empty() || !all.contains(path) || parts.files().contains(path)
+        };
         self.related.retain(|one| is_needed(&one.path));
         self.stand_at(&parts);
         if let Some(evidence) = &mut self.evidence {
-            let examples = parts.iter().take(EXAMPLES).map(|(name, _)| name.to_string()).collect();
-            // What it was counted out of belongs to a count of parts only: not to one of rows or targets.
-            let of = evidence.of.filter(|_| evidence.count == self.subject.parts.count());
-            *evidence = Evidence { count: parts.count(), examples, of, groups: None, worst: None };
+            let examples = parts
+                .iter()
+                .take(EXAMPLES)
+                .map(|(name, _)| name.to_string())
+                .collect();
+            // What it was counted out of belongs to a count of parts only: not to one of rows or
+            // targets.
+            let of = evidence
+                .of
+                .filter(|_| evidence.count == self.subject.parts.count());
+            *evidence = Evidence {
+                count: parts.count(),
+                examples,
+                of,
+                groups: None,
+                worst: None,
+            };
         }
-        self.new_parts = Some(NewParts { count: parts.count(), of: self.subject.parts.count() });
+        self.new_parts = Some(NewParts {
+            count: parts.count(),
+            of: self.subject.parts.count(),
+        });
         self.subject.parts = parts;
         true
     }
 
-    /// Stands in a file that is asked for, if one of its parts does and it is not about something between files.
+    /// Stands in a file that is asked for, if one of its parts does and it is not about something
+    /// between files.
     pub fn stand_where(&mut self, is_asked: impl Fn(&str) -> bool) {
         if self.between.is_empty() && !is_asked(&self.path) {
             let asked = self.subject.parts.in_kept(is_asked);
@@ -380,14 +477,25 @@ impl Finding {
         }
     }
 
-    /// Moves it to the first of these parts, unless nothing is known of where in the same file that is.
+    /// Moves it to the first of these parts, unless nothing is known of where in the same file that
+    /// is.
     fn stand_at(&mut self, parts: &Parts) {
-        let Some((name, Some(file))) = parts.iter().next() else { return };
-        let known = self.places.get(&(file.to_owned(), name.to_string())).cloned();
+        let Some((name, Some(file))) = parts.iter().next() else {
+            return;
+        };
+        let known = self
+            .places
+            .get(&(file.to_owned(), name.to_string()))
+            .cloned();
         if known.is_none() && parts.files().contains(&self.path) {
             return;
         }
-        let related = || self.related.iter().find(|one| one.path == file).map(|one| one.place.clone());
+        let related = || {
+            self.related
+                .iter()
+                .find(|one| one.path == file)
+                .map(|one| one.place.clone())
+        };
         self.place = known.or_else(related).unwrap_or(Place::File);
         let old = std::mem::replace(&mut self.path, file.to_owned());
         for one in self.related.iter_mut().filter(|one| one.path == file) {
@@ -413,8 +521,14 @@ mod tests {
         let between = counted(finding().between(["x", "y"]));
         assert_eq!((names(&between).len(), between.files().len()), (2, 2));
         let each = counted(finding().parts_in([("p", "x"), ("q", "y"), ("r", "y")]));
-        assert_eq!((names(&each).len(), each.files()), (3, &["x".to_owned(), "y".to_owned()][..]));
-        assert_eq!(names(&finding().evidence(Evidence::of_unnamed(["line 3"]))), [""; 0]);
+        assert_eq!(
+            (names(&each).len(), each.files()),
+            (3, &["x".to_owned(), "y".to_owned()][..])
+        );
+        assert_eq!(
+            names(&finding().evidence(Evidence::of_unnamed(["line 3"]))),
+            [""; 0]
+        );
     }
 
     #[test]
@@ -422,24 +536,51 @@ mod tests {
         let rule = RuleInfo::new("a-b", Level::Info, "");
         let parts = [("p", "x"), ("q", "y"), ("r", "z"), ("s", "x")];
         let [x, y, z] = ["x", "y", "z"].map(str::to_owned);
-        let known = [("p", &x, Place::Line(3)), ("q", &y, Place::Line(7)), ("s", &x, Place::Line(7))];
-        let all = Finding::new(&rule, "x", Place::Line(3), "").parts_at(known).parts_in(parts);
-        let all = all.related("x", Place::File, "").related("z", Place::Line(5), "");
+        let known = [
+            ("p", &x, Place::Line(3)),
+            ("q", &y, Place::Line(7)),
+            ("s", &x, Place::Line(7)),
+        ];
+        let all = Finding::new(&rule, "x", Place::Line(3), "")
+            .parts_at(known)
+            .parts_in(parts);
+        let all = all
+            .related("x", Place::File, "")
+            .related("z", Place::Line(5), "");
         let narrowed = |names: &[&str], ignored: &[&str]| {
             let ignored = ignored.iter().map(|file| (*file).to_owned()).collect();
-            let mut finding = Finding { ignored: Some(IgnoredFiles { files: ignored, of: 3 }), ..all.clone() };
+            let mut finding = Finding {
+                ignored: Some(IgnoredFiles {
+                    files: ignored,
+                    of: 3,
+                }),
+                ..all.clone()
+            };
             let new = Parts::in_files(parts.into_iter().filter(|(name, _)| names.contains(name)));
             finding.narrow(&new).then_some(finding)
         };
         let one = narrowed(&["q", "r"], &[]).unwrap();
-        assert_eq!((one.path.as_str(), &one.place, one.asset_path()), ("y", &Place::Line(7), "x"));
-        assert_eq!((one.related.len(), one.new_parts), (1, Some(NewParts { count: 2, of: 4 })));
+        assert_eq!(
+            (one.path.as_str(), &one.place, one.asset_path()),
+            ("y", &Place::Line(7), "x")
+        );
+        assert_eq!(
+            (one.related.len(), one.new_parts),
+            (1, Some(NewParts { count: 2, of: 4 }))
+        );
         let related = narrowed(&["q", "r"], &["y"]).unwrap();
         assert_eq!((related.path, related.place), (z, Place::Line(5)));
         assert_eq!(narrowed(&["p", "q"], &[]).unwrap().place, Place::Line(3));
-        assert_eq!(narrowed(&["s"], &[]).unwrap().place, Place::Line(7), "in the same file");
+        assert_eq!(
+            narrowed(&["s"], &[]).unwrap().place,
+            Place::Line(7),
+            "in the same file"
+        );
         assert_eq!(narrowed(&["q"], &["y"]), None);
-        assert_eq!(narrowed(&["p", "q", "r", "s"], &[]).unwrap().new_parts, None);
+        assert_eq!(
+            narrowed(&["p", "q", "r", "s"], &[]).unwrap().new_parts,
+            None
+        );
     }
 
     #[test]
@@ -447,11 +588,28 @@ mod tests {
         let rule = RuleInfo::new("a-b", Level::Info, "");
         let new: Parts = ["q"].into_iter().collect();
         let left = |evidence: Evidence| {
-            let mut finding = Finding::new(&rule, "x", Place::File, "").parts(["p", "q"]).evidence(evidence);
+            let mut finding = Finding::new(&rule, "x", Place::File, "")
+                .parts(["p", "q"])
+                .evidence(evidence);
             assert!(finding.narrow(&new));
-            finding.evidence.map(|evidence| (evidence.count, evidence.of))
+            finding
+                .evidence
+                .map(|evidence| (evidence.count, evidence.of))
         };
-        assert_eq!(left(Evidence { of: Some(9), ..Evidence::counted(2) }), Some((1, Some(9))));
-        assert_eq!(left(Evidence { of: Some(9), ..Evidence::counted(5) }), Some((1, None)), "rows of these parts");
+        assert_eq!(
+            left(Evidence {
+                of: Some(9),
+                ..Evidence::counted(2)
+            }),
+            Some((1, Some(9)))
+        );
+        assert_eq!(
+            left(Evidence {
+                of: Some(9),
+                ..Evidence::counted(5)
+            }),
+            Some((1, None)),
+            "rows of these parts"
+        );
     }
 }

@@ -1,7 +1,8 @@
 //! What can be done about a finding without a person: plain words, and steps that name a place.
 //!
-//! A step describes a change and holds no bytes of the file: a target with a thousand rows to remove is one
-//! step. The bytes to change ([`Edit`]) are computed from the file when somebody asks for them.
+//! A step describes a change and holds no bytes of the file: a target with a thousand rows to
+//! remove is one step. The bytes to change ([`Edit`]) are computed from the file when somebody asks
+//! for them.
 
 use std::ops::Range;
 
@@ -16,9 +17,11 @@ pub struct Fix {
     pub title: String,
     /// What is changed; all of it or nothing.
     pub steps: Vec<Step>,
-    /// Files of the steps that are not to be written, because of an ignore or of the PATHs; filled by the engine.
+    /// Files of the steps that are not to be written, because of an ignore or of the PATHs; filled
+    /// by the engine.
     pub left_out: Vec<String>,
-    /// The texts that it replaces, by file and place; filled by the engine where somebody asks for them.
+    /// The texts that it replaces, by file and place; filled by the engine where somebody asks for
+    /// them.
     pub replaced: Vec<Replaced>,
 }
 
@@ -98,13 +101,22 @@ pub struct Edit {
 impl Fix {
     /// A fix of the kind that a rule declares, without steps.
     pub fn new(kind: FixKind, title: impl Into<String>) -> Self {
-        Self { kind, title: title.into(), steps: Vec::new(), left_out: Vec::new(), replaced: Vec::new() }
+        Self {
+            kind,
+            title: title.into(),
+            steps: Vec::new(),
+            left_out: Vec::new(),
+            replaced: Vec::new(),
+        }
     }
 
     /// Adds a step.
     #[must_use]
     pub fn step(mut self, path: impl Into<String>, change: Change) -> Self {
-        self.steps.push(Step { path: path.into(), change });
+        self.steps.push(Step {
+            path: path.into(),
+            change,
+        });
         self
     }
 }
@@ -112,11 +124,17 @@ impl Fix {
 impl Edit {
     /// Takes bytes away.
     pub fn removal(range: Range<usize>) -> Self {
-        Self { range, text: Vec::new() }
+        Self {
+            range,
+            text: Vec::new(),
+        }
     }
 
     /// Puts `text` in the place of bytes.
     pub fn replacement(range: Range<usize>, text: impl Into<Vec<u8>>) -> Self {
-        Self { range, text: text.into() }
+        Self {
+            range,
+            text: text.into(),
+        }
     }
 }

@@ -5,8 +5,8 @@ use std::cmp::Ordering;
 
 /// Values by key, the keys in order and the values of each in theirs.
 ///
-/// A sorted list: it is asked for with a type of its own at more than a hundred places, and a tree for each of them would
-/// be a quarter of all that the compiler translates.
+/// A sorted list: it is asked for with a type of its own at more than a hundred places, and a tree
+/// for each of them would be a quarter of all that the compiler translates.
 #[derive(Debug, Clone)]
 pub struct Grouped<K, V>(Vec<(K, Vec<V>)>);
 
@@ -17,7 +17,9 @@ pub fn grouped<K: Ord, V>(pairs: impl IntoIterator<Item = (K, V)>) -> Grouped<K,
     let order = ordered(pairs.len(), &|one, other| key(one).cmp(&key(other)));
     let mut groups: Vec<(K, Vec<V>)> = Vec::new();
     for at in order {
-        let Some((key, value)) = pairs.get_mut(at).and_then(Option::take) else { continue };
+        let Some((key, value)) = pairs.get_mut(at).and_then(Option::take) else {
+            continue;
+        };
         match groups.last_mut() {
             Some((last, values)) if *last == key => values.push(value),
             _ => groups.push((key, vec![value])),
@@ -45,7 +47,10 @@ impl<K, V> Grouped<K, V> {
     where
         K: Borrow<Q>,
     {
-        let at = self.0.binary_search_by(|(own, _)| own.borrow().cmp(key)).ok()?;
+        let at = self
+            .0
+            .binary_search_by(|(own, _)| own.borrow().cmp(key))
+            .ok()?;
         self.0.get(at).map(|(_, values)| values)
     }
 
@@ -54,7 +59,10 @@ impl<K, V> Grouped<K, V> {
     where
         K: Borrow<Q>,
     {
-        let at = self.0.binary_search_by(|(own, _)| own.borrow().cmp(key)).ok()?;
+        let at = self
+            .0
+            .binary_search_by(|(own, _)| own.borrow().cmp(key))
+            .ok()?;
         Some(self.0.remove(at).1)
     }
 

@@ -16,8 +16,11 @@ pub fn fingerprint(rule: &str, asset: &str, key: &str, ordinal: u32) -> String {
 
 /// A JSON pointer without positions in lists, which shift when an element before them goes away.
 pub fn structural(pointer: &str) -> String {
-    let is_position = |part: &&str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
-    let parts = pointer.split('/').map(|part| if is_position(&part) { "*" } else { part });
+    let is_position =
+        |part: &&str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+    let parts = pointer
+        .split('/')
+        .map(|part| if is_position(&part) { "*" } else { part });
     parts.collect::<Vec<_>>().join("/")
 }
 
@@ -28,7 +31,10 @@ mod tests {
     #[test]
     fn parts_do_not_run_into_each_other() {
         assert_ne!(fingerprint("a", "bc", "", 0), fingerprint("ab", "c", "", 0));
-        assert_eq!(structural("/macrodef/2/targets/17/t"), "/macrodef/*/targets/*/t");
+        assert_eq!(
+            structural("/macrodef/2/targets/17/t"),
+            "/macrodef/*/targets/*/t"
+        );
         assert_ne!(fingerprint("a", "b", "c", 0), fingerprint("a", "b", "c", 1));
     }
 }

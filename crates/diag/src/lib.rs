@@ -42,8 +42,8 @@ pub use measure::{Figure, Grown, Grows, Measure, MeasureKind, Towards};
 pub use nearest::{Sought, Suggestions, nearest};
 pub use note::Note;
 pub use outcome::{
-    ApplicationVerdict, Compared, FailedStep, NotChecked, Outcome, Phase, RootSummary, Scope, Summary, TakenOver,
-    Timed, Timing, Unchecked, Untouched, Verdict,
+    ApplicationVerdict, Compared, FailedStep, NotChecked, Outcome, Phase, RootSummary, Scope,
+    Summary, TakenOver, Timed, Timing, Unchecked, Untouched, Verdict,
 };
 pub use parts::{Name, NameIndex, Parts};
 pub use place::{Element, Excerpt, Folder, Location, Place, add_step, pointer, steps};

@@ -49,17 +49,26 @@ pub struct Grows {
 impl Grows {
     /// A measure that becomes worse as it becomes more.
     pub const fn more(of: MeasureKind) -> Option<Self> {
-        Some(Self { of, towards: Towards::More })
+        Some(Self {
+            of,
+            towards: Towards::More,
+        })
     }
 
     /// One that becomes worse as it becomes less.
     pub const fn less(of: MeasureKind) -> Option<Self> {
-        Some(Self { of, towards: Towards::Less })
+        Some(Self {
+            of,
+            towards: Towards::Less,
+        })
     }
 
     /// One that should be one.
     pub const fn from_one(of: MeasureKind) -> Option<Self> {
-        Some(Self { of, towards: Towards::AwayFromOne })
+        Some(Self {
+            of,
+            towards: Towards::AwayFromOne,
+        })
     }
 
     /// How bad a value is.
@@ -89,18 +98,27 @@ pub struct Measure {
 impl Measure {
     /// Whether it is worse than a value before, by more than a tenth and more than rounding.
     pub fn is_worse_than(self, before: Figure) -> bool {
-        let (before, now) = (self.grows.badness(before.0), self.grows.badness(self.value.0));
+        let (before, now) = (
+            self.grows.badness(before.0),
+            self.grows.badness(self.value.0),
+        );
         now > before * A_TENTH && now - before > ROUNDING
     }
 
     /// Whether it is better than a value before, by as much.
     pub fn is_better_than(self, before: Figure) -> bool {
-        Self { value: before, ..self }.is_worse_than(self.value)
+        Self {
+            value: before,
+            ..self
+        }
+        .is_worse_than(self.value)
     }
 
     /// Which of two values is worse.
     pub fn compare(self, one: Figure, other: Figure) -> Ordering {
-        self.grows.badness(one.0).total_cmp(&self.grows.badness(other.0))
+        self.grows
+            .badness(one.0)
+            .total_cmp(&self.grows.badness(other.0))
     }
 }
 
@@ -145,15 +163,29 @@ mod tests {
     use super::*;
 
     fn is_worse(grows: Option<Grows>, before: f64, now: f64) -> bool {
-        Measure { grows: grows.unwrap(), value: Figure(now) }.is_worse_than(Figure(before))
+        Measure {
+            grows: grows.unwrap(),
+            value: Figure(now),
+        }
+        .is_worse_than(Figure(before))
     }
 
     #[test]
     fn worse_is_more_than_a_tenth_and_more_than_rounding() {
         let count = Grows::more(MeasureKind::Count);
-        assert!(!is_worse(count, 10.0, 11.0) && is_worse(count, 10.0, 12.0) && !is_worse(count, 10.0, 5.0));
-        assert!(!is_worse(Grows::more(MeasureKind::Distance), 1e-7, 5e-7), "rounding");
-        assert!(is_worse(Grows::more(MeasureKind::Weight), -0.1, -0.2), "away from zero");
+        assert!(
+            !is_worse(count, 10.0, 11.0)
+                && is_worse(count, 10.0, 12.0)
+                && !is_worse(count, 10.0, 5.0)
+        );
+        assert!(
+            !is_worse(Grows::more(MeasureKind::Distance), 1e-7, 5e-7),
+            "rounding"
+        );
+        assert!(
+            is_worse(Grows::more(MeasureKind::Weight), -0.1, -0.2),
+            "away from zero"
+        );
     }
 
     #[test]
@@ -167,7 +199,9 @@ mod tests {
     #[test]
     fn what_is_no_number_is_worse_only_than_numbers() {
         let more = Grows::more(MeasureKind::Factor);
-        assert!(!is_worse(more, f64::NAN, f64::NAN) && !is_worse(more, f64::INFINITY, f64::INFINITY));
+        assert!(
+            !is_worse(more, f64::NAN, f64::NAN) && !is_worse(more, f64::INFINITY, f64::INFINITY)
+        );
         assert!(is_worse(more, 1.0, f64::INFINITY));
     }
 }

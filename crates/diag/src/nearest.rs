@@ -4,18 +4,20 @@ use std::cell::Cell;
 
 /// The candidate most like `name`, if it is near enough to be a slip of the pen.
 ///
-/// Case and separators are forgiven first; then edit distance up to a third of the length counts, and of each word
-/// where both have as many: `waist-circ` is no slip for `hips-circ`, however long what they share.
-/// Ties go to the smaller candidate, so the answer does not depend on order. The other side or the other direction of
-/// `name` is never the answer: it is near by its name and wrong for certain.
+/// Case and separators are forgiven first; then edit distance up to a third of the length counts,
+/// and of each word where both have as many: `waist-circ` is no slip for `hips-circ`, however long
+/// what they share. Ties go to the smaller candidate, so the answer does not depend on order. The
+/// other side or the other direction of `name` is never the answer: it is near by its name and
+/// wrong for certain.
 ///
 /// For one name. Who looks for many asks [`Suggestions`].
 pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     Suggestions::default().nearest(name, candidates)
 }
 
-/// Letters compared for the suggestions of one rule: a twentieth of a second. Thousands of names that are looked for among
-/// thousands are no slips of the pen, and nobody reads that many suggestions.
+/// Letters compared for the suggestions of one rule: a twentieth of a second. Thousands of names
+/// that are looked for among thousands are no slips of the pen, and nobody reads that many
+/// suggestions.
 const COMPARED: usize = 1 << 23;
 /// What a candidate costs beside its letters: the count of its letters is compared.
 const COST_OF_CANDIDATE: usize = LETTERS;
@@ -35,22 +37,43 @@ impl Suggestions {
     }
 
     /// As [`nearest`]; nothing more when too much was compared before.
-    pub fn nearest<'a>(&self, name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    pub fn nearest<'a>(
+        &self,
+        name: &str,
+        candidates: impl IntoIterator<Item = &'a str>,
+    ) -> Option<&'a str> {
         self.best(name, candidates, |_| (None, 0))
     }
 
-    /// As [`nearest`](Self::nearest) among files of every kind: one with another suffix is another file, not another name.
-    pub fn nearest_of_kind<'a>(&self, name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-        self.nearest(name, candidates.into_iter().filter(|candidate| is_of_kind(name, candidate)))
+    /// As [`nearest`](Self::nearest) among files of every kind: one with another suffix is another
+    /// file, not another name.
+    pub fn nearest_of_kind<'a>(
+        &self,
+        name: &str,
+        candidates: impl IntoIterator<Item = &'a str>,
+    ) -> Option<&'a str> {
+        self.nearest(
+            name,
+            candidates
+                .into_iter()
+                .filter(|candidate| is_of_kind(name, candidate)),
+        )
     }
 
-    /// The same for files, named with or without folders: one that has all words of `name`, or only words of it, is nearer
-    /// than one that differs by more than a letter. `head-side-in` means `side-in`, not `head-wide`.
-    pub fn nearest_file<'a>(&self, name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    /// The same for files, named with or without folders: one that has all words of `name`, or only
+    /// words of it, is nearer than one that differs by more than a letter. `head-side-in` means
+    /// `side-in`, not `head-wide`.
+    pub fn nearest_file<'a>(
+        &self,
+        name: &str,
+        candidates: impl IntoIterator<Item = &'a str>,
+    ) -> Option<&'a str> {
         let words = words_of_file(name);
         // Longer ones are not names of files.
         let is_short = name.len() <= LONGEST_PATH;
-        let candidates = candidates.into_iter().filter(|candidate| is_of_kind(name, candidate));
+        let candidates = candidates
+            .into_iter()
+            .filter(|candidate| is_of_kind(name, candidate));
         self.best(name, candidates, |candidate| {
             let other = words_of_file(candidate);
             let cost = candidate.len() + words.len() * other.len();
@@ -63,7 +86,8 @@ impl Suggestions {
         })
     }
 
-    /// The best candidate. `between` says how many words a candidate has more or less, if that is all, and what it cost.
+    /// The best candidate. `between` says how many words a candidate has more or less, if that is
+    /// all, and what it cost.
     fn best<'a>(
         &self,
         name: &str,
@@ -83,9 +107,13 @@ impl Suggestions {
             // Nothing farther than the best so far is worth measuring.
             let limit = best.map_or(sought.limit, |(rank, _)| rank.limit());
             let (distance, cost) = sought.distance(candidate, limit);
-            let (words, cost_of_words) =
-                if distance.is_some_and(|distance| distance <= 1) { (None, 0) } else { between(candidate) };
-            self.compared.set(self.compared.get() + cost + cost_of_words);
+            let (words, cost_of_words) = if distance.is_some_and(|distance| distance <= 1) {
+                (None, 0)
+            } else {
+                between(candidate)
+            };
+            self.compared
+                .set(self.compared.get() + cost + cost_of_words);
             if let Some(rank) = Rank::of(distance, words)
                 && best.is_none_or(|best| (rank, candidate) < best)
                 && sought.is_other(candidate)
@@ -139,22 +167,35 @@ fn suffix(name: &str) -> &str {
     name.split_once('.').map_or("", |(_, suffix)| suffix)
 }
 
-/// Whether a file ends as a name does, but for a slip of the pen; a name may lack its suffix. `x.png.import` is no picture.
+/// Whether a file ends as a name does, but for a slip of the pen; a name may lack its suffix.
+/// `x.png.import` is no picture.
 fn is_of_kind(name: &str, candidate: &str) -> bool {
     let last = |path: &str| -> Option<String> {
         let name = path.rsplit('/').next()?;
-        name.rsplit_once('.').filter(|(stem, _)| !stem.is_empty()).map(|(_, suffix)| suffix.to_lowercase())
+        name.rsplit_once('.')
+            .filter(|(stem, _)| !stem.is_empty())
+            .map(|(_, suffix)| suffix.to_lowercase())
     };
-    let Some(wanted) = last(name) else { return true };
+    let Some(wanted) = last(name) else {
+        return true;
+    };
     last(candidate).is_some_and(|own| own == wanted || Sought::new(&wanted).may_mean(&own))
 }
 
-/// How many words one name has more than the other, if these come before or after all words of the other and are no more
-/// than they.
+/// How many words one name has more than the other, if these come before or after all words of the
+/// other and are no more than they.
 fn words_between(one: &[&str], other: &[&str]) -> Option<usize> {
-    let (long, short) = if one.len() > other.len() { (one, other) } else { (other, one) };
+    let (long, short) = if one.len() > other.len() {
+        (one, other)
+    } else {
+        (other, one)
+    };
     let more = long.len() - short.len();
-    let same = |run: &[&str]| run.iter().zip(short).all(|(one, other)| one.eq_ignore_ascii_case(other));
+    let same = |run: &[&str]| {
+        run.iter()
+            .zip(short)
+            .all(|(one, other)| one.eq_ignore_ascii_case(other))
+    };
     (0 < more && more <= short.len() && long.windows(short.len()).any(same)).then_some(more)
 }
 
@@ -167,7 +208,8 @@ pub struct Sought<'n> {
     letters: [i32; LETTERS],
 }
 
-/// Bytes in which names may differ and still be compared: the time grows with the square, and nobody slips in that many.
+/// Bytes in which names may differ and still be compared: the time grows with the square, and
+/// nobody slips in that many.
 const LONGEST: usize = 64;
 
 /// Bytes of the longest path of a file that is worth comparing word by word.
@@ -180,8 +222,14 @@ impl<'n> Sought<'n> {
     /// Counts the letters of a name.
     pub fn new(name: &'n str) -> Self {
         let mut letters = [0; LETTERS];
-        name.chars().for_each(|letter| letters[kind_of_letter(letter)] += 1);
-        Self { name, folded: fold(name).collect(), limit: limit(name), letters }
+        name.chars()
+            .for_each(|letter| letters[kind_of_letter(letter)] += 1);
+        Self {
+            name,
+            folded: fold(name).collect(),
+            limit: limit(name),
+            letters,
+        }
     }
 
     /// Whether `candidate` alone would be the [`nearest`] one.
@@ -209,14 +257,19 @@ impl<'n> Sought<'n> {
         }
         let distance = strsim::damerau_levenshtein(name, other).max(1);
         let is_slip = distance <= limit && (distance == 1 || words_are_slips(self.name, candidate));
-        (is_slip.then_some(distance), cost + COST_OF_PAIR * name.len() * other.len())
+        (
+            is_slip.then_some(distance),
+            cost + COST_OF_PAIR * name.len() * other.len(),
+        )
     }
 
-    /// What the edit distance is at least: each edit adds, removes or replaces one letter, or moves some. Most
-    /// names are out of reach by this alone.
+    /// What the edit distance is at least: each edit adds, removes or replaces one letter, or moves
+    /// some. Most names are out of reach by this alone.
     fn least(&self, candidate: &str) -> usize {
         let mut letters = self.letters;
-        candidate.chars().for_each(|letter| letters[kind_of_letter(letter)] -= 1);
+        candidate
+            .chars()
+            .for_each(|letter| letters[kind_of_letter(letter)] -= 1);
         let missing: i32 = letters.iter().filter(|count| **count > 0).sum();
         let surplus: i32 = letters.iter().filter(|count| **count < 0).sum();
         missing.max(-surplus).unsigned_abs() as usize
@@ -229,10 +282,14 @@ fn limit(name: &str) -> usize {
     if letters < 3 { 0 } else { (letters / 3).max(1) }
 }
 
-/// Two names without what they have in common at both ends, which does not count for their distance.
+/// Two names without what they have in common at both ends, which does not count for their
+/// distance.
 fn without_common_ends<'s>(mut one: &'s str, mut other: &'s str) -> (&'s str, &'s str) {
     let common = |pairs: &mut dyn Iterator<Item = (char, char)>| -> usize {
-        pairs.take_while(|(one, other)| one == other).map(|(letter, _)| letter.len_utf8()).sum()
+        pairs
+            .take_while(|(one, other)| one == other)
+            .map(|(letter, _)| letter.len_utf8())
+            .sum()
     };
     let start = common(&mut one.chars().zip(other.chars()));
     (one, other) = (&one[start..], &other[start..]);
@@ -240,8 +297,8 @@ fn without_common_ends<'s>(mut one: &'s str, mut other: &'s str) -> (&'s str, &'
     (&one[..one.len() - end], &other[..other.len() - end])
 }
 
-/// Whether each word is near the one in its place. Names with other numbers of words are compared as a whole, and the
-/// extension of a file is no word: `skin.jpg` may well be meant by `skin.png`.
+/// Whether each word is near the one in its place. Names with other numbers of words are compared
+/// as a whole, and the extension of a file is no word: `skin.jpg` may well be meant by `skin.png`.
 fn words_are_slips(one: &str, other: &str) -> bool {
     let (one, other) = match (one.rsplit_once('.'), other.rsplit_once('.')) {
         (Some((one, _)), Some((other, _))) => (one, other),
@@ -252,22 +309,31 @@ fn words_are_slips(one: &str, other: &str) -> bool {
     let is_slip = |(one, other): (&&str, &&str)| {
         let limit = (one.chars().count() / 3).max(1);
         let (one, other) = without_common_ends(one, other);
-        one.len().abs_diff(other.len()) <= 4 * limit && strsim::damerau_levenshtein(one, other) <= limit
+        one.len().abs_diff(other.len()) <= 4 * limit
+            && strsim::damerau_levenshtein(one, other) <= limit
     };
     if one.len() == other.len() {
         return one.iter().zip(&other).all(is_slip);
     }
     // A word is missing: `torso/belly-in` is a slip for `torso/belly-trans-in`.
-    let (long, short) = if one.len() > other.len() { (&one, &other) } else { (&other, &one) };
+    let (long, short) = if one.len() > other.len() {
+        (&one, &other)
+    } else {
+        (&other, &one)
+    };
     let mut words = long.iter();
     if short.len() > 1 && short.iter().all(|word| words.any(|other| other == word)) {
         return true;
     }
     // As a whole: one begins with the other, or few letters differ.
     let (one, other) = (one.concat(), other.concat());
-    let (is_start, limit) = (one.starts_with(&other) || other.starts_with(&one), one.chars().count() / 6);
+    let (is_start, limit) = (
+        one.starts_with(&other) || other.starts_with(&one),
+        one.chars().count() / 6,
+    );
     let (one, other) = without_common_ends(&one, &other);
-    is_start || one.len().max(other.len()) <= LONGEST && strsim::damerau_levenshtein(one, other) <= limit
+    is_start
+        || one.len().max(other.len()) <= LONGEST && strsim::damerau_levenshtein(one, other) <= limit
 }
 
 const fn kind_of_letter(letter: char) -> usize {
@@ -286,21 +352,35 @@ const OPPOSITES: [[&str; 2]; 8] = [
     ["male", "female"],
 ];
 
-/// Whether two names differ by opposite words alone: `l-knee` and `r-knee`, `young-minmuscle` and `young-maxmuscle`.
+/// Whether two names differ by opposite words alone: `l-knee` and `r-knee`, `young-minmuscle` and
+/// `young-maxmuscle`.
 fn is_opposite(one: &str, other: &str) -> bool {
     let words = |name: &str| -> Vec<String> {
-        name.split(|c: char| !c.is_alphanumeric()).map(str::to_lowercase).collect::<Vec<_>>()
+        name.split(|c: char| !c.is_alphanumeric())
+            .map(str::to_lowercase)
+            .collect::<Vec<_>>()
     };
     let (one, other) = (words(one), words(other));
-    let mut differing = one.iter().zip(&other).filter(|(one, other)| one != other).peekable();
-    one.len() == other.len() && differing.peek().is_some() && differing.all(|(one, other)| are_opposites(one, other))
+    let mut differing = one
+        .iter()
+        .zip(&other)
+        .filter(|(one, other)| one != other)
+        .peekable();
+    one.len() == other.len()
+        && differing.peek().is_some()
+        && differing.all(|(one, other)| are_opposites(one, other))
 }
 
 fn are_opposites(one: &str, other: &str) -> bool {
     let is_pair = |[a, b]: &[&str; 2]| (one, other) == (*a, *b) || (one, other) == (*b, *a);
-    let range =
-        |low: &str, high: &str| low.strip_prefix("min").is_some_and(|rest| high.strip_prefix("max") == Some(rest));
-    OPPOSITES.iter().any(is_pair) || range(one, other) || range(other, one) || are_numbered(one, other)
+    let range = |low: &str, high: &str| {
+        low.strip_prefix("min")
+            .is_some_and(|rest| high.strip_prefix("max") == Some(rest))
+    };
+    OPPOSITES.iter().any(is_pair)
+        || range(one, other)
+        || range(other, one)
+        || are_numbered(one, other)
 }
 
 /// Whether two words differ in their number alone, as `spine01` and `spine02`.
@@ -311,7 +391,9 @@ fn are_numbered(one: &str, other: &str) -> bool {
 }
 
 fn fold(name: &str) -> impl Iterator<Item = char> {
-    name.chars().filter(|c| !matches!(c, '-' | '_' | '.' | ' ')).flat_map(char::to_lowercase)
+    name.chars()
+        .filter(|c| !matches!(c, '-' | '_' | '.' | ' '))
+        .flat_map(char::to_lowercase)
 }
 
 #[cfg(test)]
@@ -320,35 +402,67 @@ mod tests {
 
     #[test]
     fn slips_are_found_and_strangers_are_not() {
-        let names = ["shapes|male hormonal", "shapes|female hormonal", "face|nose"];
-        assert_eq!(nearest("shapes|fale hormonal", names), Some("shapes|male hormonal"));
+        let names = [
+            "shapes|male hormonal",
+            "shapes|female hormonal",
+            "face|nose",
+        ];
+        assert_eq!(
+            nearest("shapes|fale hormonal", names),
+            Some("shapes|male hormonal")
+        );
         assert_eq!(nearest("clothes", names), None);
         assert_eq!(nearest("Face|Nose", names), Some("face|nose"));
     }
 
     #[test]
     fn names_of_another_thing_are_no_suggestions() {
-        for (name, other) in [("c", "a"), ("l1", "r1"), ("torso/belly-trans-in|out", "ears/l-ear-trans-in|out")] {
+        for (name, other) in [
+            ("c", "a"),
+            ("l1", "r1"),
+            ("torso/belly-trans-in|out", "ears/l-ear-trans-in|out"),
+        ] {
             assert_eq!(nearest(name, [other]), None, "{name}");
         }
         assert_eq!(nearest("c", ["C"]), Some("C"));
-        assert_eq!(nearest("vertexboneweights", ["vertexboneweights_file"]), Some("vertexboneweights_file"));
-        assert_eq!(nearest("torso/belly-trans-in", ["torso/belly-in"]), Some("torso/belly-in"));
-        assert_eq!(nearest("macrodetailsCoastal", ["macrodetails/Coastal"]), Some("macrodetails/Coastal"));
+        assert_eq!(
+            nearest("vertexboneweights", ["vertexboneweights_file"]),
+            Some("vertexboneweights_file")
+        );
+        assert_eq!(
+            nearest("torso/belly-trans-in", ["torso/belly-in"]),
+            Some("torso/belly-in")
+        );
+        assert_eq!(
+            nearest("macrodetailsCoastal", ["macrodetails/Coastal"]),
+            Some("macrodetails/Coastal")
+        );
     }
 
     #[test]
     fn a_file_of_another_kind_is_no_suggestion() {
-        let of_kind = |name: &str, other: &'static str| Suggestions::default().nearest_of_kind(name, [other]).is_some();
+        let of_kind = |name: &str, other: &'static str| {
+            Suggestions::default()
+                .nearest_of_kind(name, [other])
+                .is_some()
+        };
         for (name, other) in [
             ("long_blond_hair.png", "long_blond_hair.png.import"),
             ("young_african.mhmat", "young_african.png"),
             ("a-long-name.target", "a-long-name.target.gz"),
         ] {
             assert!(!of_kind(name, other), "{name}");
-            assert_eq!(Suggestions::default().nearest_file(name, [other]), None, "{name}");
+            assert_eq!(
+                Suggestions::default().nearest_file(name, [other]),
+                None,
+                "{name}"
+            );
         }
-        for (name, other) in [("skin.mhmt", "skin.mhmat"), ("skin.PNG", "skin.png"), ("long_skin", "long_skim")] {
+        for (name, other) in [
+            ("skin.mhmt", "skin.mhmat"),
+            ("skin.PNG", "skin.png"),
+            ("long_skin", "long_skim"),
+        ] {
             assert!(of_kind(name, other), "{name}");
         }
     }
@@ -382,17 +496,30 @@ mod tests {
 
     #[test]
     fn however_many_names_are_sought_only_so_much_is_compared() {
-        let groups: Vec<String> = (0..20_000).map(|at| format!("group {at}|{}", at * 7919 % 20_011)).collect();
+        let groups: Vec<String> = (0..20_000)
+            .map(|at| format!("group {at}|{}", at * 7919 % 20_011))
+            .collect();
         let suggestions = Suggestions::default();
         let touched = Cell::new(0);
         for at in 0..20_000 {
-            let candidates = groups.iter().inspect(|_| touched.set(touched.get() + 1)).map(String::as_str);
+            let candidates = groups
+                .iter()
+                .inspect(|_| touched.set(touched.get() + 1))
+                .map(String::as_str);
             suggestions.nearest(&format!("grop {at}"), candidates);
         }
         // Each name that is sought in vain asks for one candidate more.
-        assert!(touched.get() < COMPARED / COST_OF_CANDIDATE + 20_000, "{}", touched.get());
+        assert!(
+            touched.get() < COMPARED / COST_OF_CANDIDATE + 20_000,
+            "{}",
+            touched.get()
+        );
         let most = COMPARED + COST_OF_CANDIDATE + COST_OF_PAIR * LONGEST * LONGEST;
-        assert!(suggestions.compared.get() < most, "{}", suggestions.compared.get());
+        assert!(
+            suggestions.compared.get() < most,
+            "{}",
+            suggestions.compared.get()
+        );
     }
 
     #[test]
@@ -405,41 +532,87 @@ mod tests {
 
     #[test]
     fn long_names_cost_no_more_than_the_bound() {
-        let names: Vec<String> = (0..400).map(|bone| format!("{}{bone:03}", "ab".repeat(98))).collect();
+        let names: Vec<String> = (0..400)
+            .map(|bone| format!("{}{bone:03}", "ab".repeat(98)))
+            .collect();
         let suggestions = Suggestions::default();
         for name in &names {
             let parent: String = name.chars().rev().collect();
             suggestions.nearest(&parent, names.iter().map(String::as_str));
         }
         let most = COST_OF_CANDIDATE + 199 + COST_OF_PAIR * LONGEST * LONGEST;
-        assert!(suggestions.compared.get() <= COMPARED + most, "{}", suggestions.compared.get());
+        assert!(
+            suggestions.compared.get() <= COMPARED + most,
+            "{}",
+            suggestions.compared.get()
+        );
     }
 
     #[test]
     fn another_word_is_no_slip() {
         for (name, other) in [
             ("macrodetails/Gender", "macrodetails/Age"),
-            ("measure/measure-waist-circ-decr|incr", "measure/measure-hips-circ-decr|incr"),
-            ("legs/r-upperleg-thick-decr|incr", "legs/r-lowerleg-thick-decr|incr"),
+            (
+                "measure/measure-waist-circ-decr|incr",
+                "measure/measure-hips-circ-decr|incr",
+            ),
+            (
+                "legs/r-upperleg-thick-decr|incr",
+                "legs/r-lowerleg-thick-decr|incr",
+            ),
         ] {
             assert_eq!(nearest(name, [other]), None, "{name}");
         }
-        assert_eq!(nearest("skin_diffuse.png", ["skin_diffuse.jpg"]), Some("skin_diffuse.jpg"));
-        assert_eq!(nearest("macrodetails/Gendr", ["macrodetails/Gender"]), Some("macrodetails/Gender"));
+        assert_eq!(
+            nearest("skin_diffuse.png", ["skin_diffuse.jpg"]),
+            Some("skin_diffuse.jpg")
+        );
+        assert_eq!(
+            nearest("macrodetails/Gendr", ["macrodetails/Gender"]),
+            Some("macrodetails/Gender")
+        );
     }
 
     #[test]
     fn a_file_with_the_same_words_is_nearer_than_one_with_the_same_letters() {
         for (name, candidates, meant) in [
-            ("head-side-in.target", ["head-wide.target", "side-in.target"], Some("side-in.target")),
-            ("a/side-in.target", ["a/side-inch.target", "a/head_Side_in.target"], Some("a/head_Side_in.target")),
-            ("head-side-in.target", ["side-in.target", "head-side-im.target"], Some("head-side-im.target")),
-            ("head-side-in.target", ["in.target", "headside.target"], Some("headside.target")),
-            ("head-side-in.target", ["head-side-out.target", "in-side.target"], None),
+            (
+                "head-side-in.target",
+                ["head-wide.target", "side-in.target"],
+                Some("side-in.target"),
+            ),
+            (
+                "a/side-in.target",
+                ["a/side-inch.target", "a/head_Side_in.target"],
+                Some("a/head_Side_in.target"),
+            ),
+            (
+                "head-side-in.target",
+                ["side-in.target", "head-side-im.target"],
+                Some("head-side-im.target"),
+            ),
+            (
+                "head-side-in.target",
+                ["in.target", "headside.target"],
+                Some("headside.target"),
+            ),
+            (
+                "head-side-in.target",
+                ["head-side-out.target", "in-side.target"],
+                None,
+            ),
         ] {
             let backwards = candidates.iter().rev().copied();
-            assert_eq!(Suggestions::default().nearest_file(name, candidates), meant, "{name}");
-            assert_eq!(Suggestions::default().nearest_file(name, backwards), meant, "{name}");
+            assert_eq!(
+                Suggestions::default().nearest_file(name, candidates),
+                meant,
+                "{name}"
+            );
+            assert_eq!(
+                Suggestions::default().nearest_file(name, backwards),
+                meant,
+                "{name}"
+            );
         }
         let long = "a-".repeat(LONGEST_PATH);
         assert_eq!(Suggestions::default().nearest_file(&long, ["a-a-a"]), None);
@@ -447,13 +620,19 @@ mod tests {
 
     #[test]
     fn files_with_many_words_cost_no_more_than_the_bound() {
-        let names: Vec<String> = (0..400).map(|at| format!("{}{at:03}", "a-".repeat(120))).collect();
+        let names: Vec<String> = (0..400)
+            .map(|at| format!("{}{at:03}", "a-".repeat(120)))
+            .collect();
         let suggestions = Suggestions::default();
         for name in &names {
             suggestions.nearest_file(&format!("b-{name}"), names.iter().map(String::as_str));
         }
         let most = COST_OF_CANDIDATE + 2 * 243 + 122 * 122 + COST_OF_PAIR * LONGEST * LONGEST;
-        assert!(suggestions.compared.get() <= COMPARED + most, "{}", suggestions.compared.get());
+        assert!(
+            suggestions.compared.get() <= COMPARED + most,
+            "{}",
+            suggestions.compared.get()
+        );
     }
 
     #[test]

@@ -10,7 +10,8 @@ pub enum Note {
         /// Their path as printed.
         path: String,
     },
-    /// A checked folder is the data of a program as well, so that those of `--system` are not laid below it.
+    /// A checked folder is the data of a program as well, so that those of `--system` are not laid
+    /// below it.
     StandsAlone {
         /// Its path as printed.
         path: String,

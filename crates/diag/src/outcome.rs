@@ -17,7 +17,8 @@ pub struct Outcome {
     pub roots: Vec<RootSummary>,
     /// How the run ended for each application of which something was checked.
     pub applications: Vec<ApplicationVerdict>,
-    /// The files that some application loads, by path, and how they fare in each: the matrix of consumers.
+    /// The files that some application loads, by path, and how they fare in each: the matrix of
+    /// consumers.
     pub consumers: Vec<Consumed>,
     /// What was not checked, and why.
     pub not_checked: Vec<NotChecked>,
@@ -153,11 +154,13 @@ pub enum Unchecked {
     NotCompared,
     /// All of what is in it: there is more than is kept of a file of its kind.
     Part,
-    /// What is in a member of a zip: it is packed in a way that the applications read and this program does not.
+    /// What is in a member of a zip: it is packed in a way that the applications read and this
+    /// program does not.
     Packed,
     /// What all of the macros do: there are more, or more settings of them, than are looked at.
     TooManyMacros,
-    /// All that a base mesh comes to: there are more settings of its sliders, or joints, than are evaluated.
+    /// All that a base mesh comes to: there are more settings of its sliders, or joints, than are
+    /// evaluated.
     Evaluation,
 }
 
@@ -260,7 +263,13 @@ impl NotChecked {
     /// An entry for these files, or names of files.
     pub fn of(application: Option<Application>, what: Unchecked, paths: BTreeSet<String>) -> Self {
         let examples = paths.iter().take(EXAMPLES).cloned().collect();
-        Self { application, what, count: paths.len(), examples, paths }
+        Self {
+            application,
+            what,
+            count: paths.len(),
+            examples,
+            paths,
+        }
     }
 }
 

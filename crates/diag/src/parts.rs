@@ -8,13 +8,15 @@ use serde::{Deserialize, Serialize};
 /// What a part is called. Must not depend on order, layout or wording.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Name {
-    /// Elements with numbers in a row, from the first to the last: vertices are many, and mostly neighbours.
+    /// Elements with numbers in a row, from the first to the last: vertices are many, and mostly
+    /// neighbours.
     Numbers(u64, u64),
     /// A bone, a pattern, a file.
     Text(String),
 }
 
-/// The parts of a finding, in order, each once. None where it is about one thing, or about more than can be told apart.
+/// The parts of a finding, in order, each once. None where it is about one thing, or about more
+/// than can be told apart.
 #[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(into = "Vec<String>", from = "Vec<String>")]
 pub struct Parts {
@@ -30,10 +32,19 @@ const MOST: u64 = 65_536;
 impl Name {
     /// A name as it was written.
     fn read(text: &str) -> Self {
-        let number = |text: &str| text.parse::<u64>().ok().filter(|number| number.to_string() == text);
-        let run = text.split_once('-').and_then(|(first, last)| Some((number(first)?, number(last)?)));
+        let number = |text: &str| {
+            text.parse::<u64>()
+                .ok()
+                .filter(|number| number.to_string() == text)
+        };
+        let run = text
+            .split_once('-')
+            .and_then(|(first, last)| Some((number(first)?, number(last)?)));
         let alone = || number(text).map(|number| (number, number));
-        run.or_else(alone).map_or_else(|| Self::Text(text.to_owned()), |(first, last)| Self::Numbers(first, last))
+        run.or_else(alone).map_or_else(
+            || Self::Text(text.to_owned()),
+            |(first, last)| Self::Numbers(first, last),
+        )
     }
 
     const fn count(&self) -> u64 {
@@ -56,8 +67,14 @@ impl Parts {
                 files.len() - 1
             })
         };
-        let named = parts.into_iter().map(|(name, file)| (name.into(), Some(number_of(file.as_ref())))).collect();
-        Self { named: merged(named), files }
+        let named = parts
+            .into_iter()
+            .map(|(name, file)| (name.into(), Some(number_of(file.as_ref()))))
+            .collect();
+        Self {
+            named: merged(named),
+            files,
+        }
     }
 
     /// Those that lie in no file, or in one that is to be kept; with no other files.
@@ -94,12 +111,20 @@ impl Parts {
 
     /// How many there are.
     pub fn count(&self) -> u64 {
-        self.named.iter().fold(0, |count, (name, _)| name.count().saturating_add(count))
+        self.named
+            .iter()
+            .fold(0, |count, (name, _)| name.count().saturating_add(count))
     }
 
     /// Each name with its file, where that is not the one at which the finding stands.
     pub fn iter(&self) -> impl Iterator<Item = (&Name, Option<&str>)> {
-        self.named.iter().map(|(name, file)| (name, file.and_then(|file| self.files.get(file)).map(String::as_str)))
+        self.named.iter().map(|(name, file)| {
+            (
+                name,
+                file.and_then(|file| self.files.get(file))
+                    .map(String::as_str),
+            )
+        })
     }
 
     /// The files that they lie in, where that is not only the one at which the finding stands.
@@ -107,23 +132,41 @@ impl Parts {
         &self.files
     }
 
-    /// Those whose names are in none of the `known`. Where both lie in files, it is the name in that file.
+    /// Those whose names are in none of the `known`. Where both lie in files, it is the name in
+    /// that file.
     #[must_use]
     pub fn without<'p>(&self, known: impl IntoIterator<Item = &'p Self>) -> Self {
         let known = NameIndex::of(known);
         let rest = |(name, number): &(Name, Option<usize>)| {
-            let file = number.and_then(|number| self.files.get(number)).map(String::as_str);
+            let file = number
+                .and_then(|number| self.files.get(number))
+                .map(String::as_str);
             let number = *number;
-            known.rest_of(name, file).into_iter().map(move |name| (name, number)).collect::<Vec<_>>()
+            known
+                .rest_of(name, file)
+                .into_iter()
+                .map(move |name| (name, number))
+                .collect::<Vec<_>>()
         };
-        Self { named: self.named.iter().flat_map(rest).collect(), files: self.files.clone() }
+        Self {
+            named: self.named.iter().flat_map(rest).collect(),
+            files: self.files.clone(),
+        }
     }
 
-    /// What of a name is not among these. They may have been read: a text of digits is the number, too.
+    /// What of a name is not among these. They may have been read: a text of digits is the number,
+    /// too.
     fn rest_of(&self, name: Name) -> Vec<Name> {
         match name {
             Name::Numbers(first, last) => self.gaps(first, last),
-            Name::Text(_) if self.named.binary_search_by(|(known, _)| known.cmp(&name)).is_ok() => Vec::new(),
+            Name::Text(_)
+                if self
+                    .named
+                    .binary_search_by(|(known, _)| known.cmp(&name))
+                    .is_ok() =>
+            {
+                Vec::new()
+            }
             Name::Text(ref text) => match Name::read(text) {
                 Name::Numbers(first, last) if self.gaps(first, last).is_empty() => Vec::new(),
                 _ => vec![name],
@@ -133,11 +176,15 @@ impl Parts {
 
     /// The numbers of a row that are not among these.
     fn gaps(&self, first: u64, last: u64) -> Vec<Name> {
-        let start = self.named.partition_point(|(name, _)| matches!(name, Name::Numbers(_, end) if *end < first));
+        let start = self
+            .named
+            .partition_point(|(name, _)| matches!(name, Name::Numbers(_, end) if *end < first));
         let mut gaps = Vec::new();
         let mut next = Some(first);
         for (name, _) in self.named.iter().skip(start) {
-            let (Name::Numbers(from, to), Some(missing)) = (name, next) else { break };
+            let (Name::Numbers(from, to), Some(missing)) = (name, next) else {
+                break;
+            };
             if *from > last {
                 break;
             }
@@ -146,7 +193,10 @@ impl Parts {
             }
             next = to.checked_add(1);
         }
-        gaps.extend(next.filter(|next| *next <= last).map(|next| Name::Numbers(next, last)));
+        gaps.extend(
+            next.filter(|next| *next <= last)
+                .map(|next| Name::Numbers(next, last)),
+        );
         gaps
     }
 }
@@ -162,7 +212,8 @@ pub struct NameIndex<'p> {
 impl<'p> NameIndex<'p> {
     /// The names of all these parts.
     pub fn of(parts: impl IntoIterator<Item = &'p Parts>) -> Self {
-        let (mut anywhere, mut free, mut inside) = (Vec::new(), Vec::new(), BTreeMap::<&str, Vec<Name>>::new());
+        let (mut anywhere, mut free, mut inside) =
+            (Vec::new(), Vec::new(), BTreeMap::<&str, Vec<Name>>::new());
         for (name, file) in parts.into_iter().flat_map(Parts::iter) {
             anywhere.push(name.clone());
             match file {
@@ -170,20 +221,37 @@ impl<'p> NameIndex<'p> {
                 None => free.push(name.clone()),
             }
         }
-        let inside = inside.into_iter().map(|(file, names)| (file, names.into_iter().collect())).collect();
-        Self { anywhere: anywhere.into_iter().collect(), free: free.into_iter().collect(), inside }
+        let inside = inside
+            .into_iter()
+            .map(|(file, names)| (file, names.into_iter().collect()))
+            .collect();
+        Self {
+            anywhere: anywhere.into_iter().collect(),
+            free: free.into_iter().collect(),
+            inside,
+        }
     }
 
-    /// Whether one of the names is among these. Where both lie in files, it is the name in that file.
+    /// Whether one of the names is among these. Where both lie in files, it is the name in that
+    /// file.
     pub fn has_one_of(&self, parts: &Parts) -> bool {
-        parts.iter().any(|(name, file)| self.rest_of(name, file) != [name.clone()])
+        parts
+            .iter()
+            .any(|(name, file)| self.rest_of(name, file) != [name.clone()])
     }
 
     /// What of a name in a file is not among these.
     fn rest_of(&self, name: &Name, file: Option<&str>) -> Vec<Name> {
-        let Some(file) = file else { return self.anywhere.rest_of(name.clone()) };
-        let own = self.inside.get(file).map_or_else(|| vec![name.clone()], |own| own.rest_of(name.clone()));
-        own.into_iter().flat_map(|name| self.free.rest_of(name)).collect()
+        let Some(file) = file else {
+            return self.anywhere.rest_of(name.clone());
+        };
+        let own = self
+            .inside
+            .get(file)
+            .map_or_else(|| vec![name.clone()], |own| own.rest_of(name.clone()));
+        own.into_iter()
+            .flat_map(|name| self.free.rest_of(name))
+            .collect()
     }
 }
 
@@ -204,7 +272,10 @@ fn merged(mut named: Vec<(Name, Option<usize>)>) -> Vec<(Name, Option<usize>)> {
 
 impl<N: Into<Name>> FromIterator<N> for Parts {
     fn from_iter<I: IntoIterator<Item = N>>(names: I) -> Self {
-        Self { named: merged(names.into_iter().map(|name| (name.into(), None)).collect()), files: Vec::new() }
+        Self {
+            named: merged(names.into_iter().map(|name| (name.into(), None)).collect()),
+            files: Vec::new(),
+        }
     }
 }
 
@@ -216,7 +287,11 @@ impl From<Vec<String>> for Parts {
 
 impl From<Parts> for Vec<String> {
     fn from(parts: Parts) -> Self {
-        let mut written: Self = parts.named.iter().map(|(name, _)| name.to_string()).collect();
+        let mut written: Self = parts
+            .named
+            .iter()
+            .map(|(name, _)| name.to_string())
+            .collect();
         written.dedup();
         written
     }
@@ -277,7 +352,11 @@ mod tests {
     use super::*;
 
     fn read(names: &[&str]) -> Parts {
-        names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>().into()
+        names
+            .iter()
+            .map(|name| (*name).to_owned())
+            .collect::<Vec<_>>()
+            .into()
     }
 
     fn written(parts: Parts) -> Vec<String> {
@@ -287,7 +366,10 @@ mod tests {
     #[test]
     fn numbers_in_a_row_are_one_name() {
         let parts: Parts = [10_u32, 11, 12, 3, 5, 11].into_iter().collect();
-        assert_eq!((parts.count(), written(parts)), (5, vec!["3".to_owned(), "5".to_owned(), "10-12".to_owned()]));
+        assert_eq!(
+            (parts.count(), written(parts)),
+            (5, vec!["3".to_owned(), "5".to_owned(), "10-12".to_owned()])
+        );
         let mixed: Parts = [-2_i64, 1, 2].into_iter().collect();
         assert_eq!(written(mixed), ["1-2", "-2"]);
     }
@@ -296,12 +378,29 @@ mod tests {
     fn what_was_written_is_known_again_and_nothing_else() {
         let known = read(&["3", "10-12", "18446744073709551615", "toe.L", "01", "7-9"]);
         let left = |names: &[&str]| written(names.iter().collect::<Parts>().without([&known]));
-        assert_eq!(left(&["3", "10", "12", "18446744073709551615", "toe.L", "01", "7-9"]), [""; 0]);
+        assert_eq!(
+            left(&[
+                "3",
+                "10",
+                "12",
+                "18446744073709551615",
+                "toe.L",
+                "01",
+                "7-9"
+            ]),
+            [""; 0]
+        );
         assert_eq!(left(&["2", "4", "13", "011", "-3", ""]).len(), 6);
-        let rest = [2_u32, 3, 4, 9, 10, 11, 12, 13].into_iter().collect::<Parts>().without([&known]);
+        let rest = [2_u32, 3, 4, 9, 10, 11, 12, 13]
+            .into_iter()
+            .collect::<Parts>()
+            .without([&known]);
         assert_eq!(written(rest), ["2", "4", "13"]);
         let whole: Parts = [Name::Numbers(0, u64::MAX)].into_iter().collect();
-        assert_eq!(written(whole.without([&known])), ["0-2", "4-6", "13-18446744073709551614"]);
+        assert_eq!(
+            written(whole.without([&known])),
+            ["0-2", "4-6", "13-18446744073709551614"]
+        );
         let both = read(&["1-3"]).without([&read(&["1"]), &read(&["3"])]);
         assert_eq!(written(both), ["2"]);
     }
@@ -311,11 +410,23 @@ mod tests {
         let parts = Parts::in_files([("y", "b"), ("x", "a"), ("z", "b"), ("x", "b")]);
         assert_eq!(parts.files(), ["b", "a"]);
         let left = parts.without([&read(&["x"])]);
-        let left: Vec<(String, Option<&str>)> = left.iter().map(|(name, file)| (name.to_string(), file)).collect();
-        assert_eq!(left, [("y".to_owned(), Some("b")), ("z".to_owned(), Some("b"))]);
+        let left: Vec<(String, Option<&str>)> = left
+            .iter()
+            .map(|(name, file)| (name.to_string(), file))
+            .collect();
+        assert_eq!(
+            left,
+            [("y".to_owned(), Some("b")), ("z".to_owned(), Some("b"))]
+        );
         let elsewhere = parts.without([&Parts::in_files([("y", "a"), ("x", "a"), ("z", "b")])]);
-        let left: Vec<(String, Option<&str>)> = elsewhere.iter().map(|(name, file)| (name.to_string(), file)).collect();
-        assert_eq!(left, [("x".to_owned(), Some("b")), ("y".to_owned(), Some("b"))]);
+        let left: Vec<(String, Option<&str>)> = elsewhere
+            .iter()
+            .map(|(name, file)| (name.to_string(), file))
+            .collect();
+        assert_eq!(
+            left,
+            [("x".to_owned(), Some("b")), ("y".to_owned(), Some("b"))]
+        );
     }
 
     #[test]

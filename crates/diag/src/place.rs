@@ -57,7 +57,8 @@ pub struct Location {
 /// A folder in the place of a file.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Folder {
-    /// A file that stands in for it where a reader of the report knows only files; none if the folder has none.
+    /// A file that stands in for it where a reader of the report knows only files; none if the
+    /// folder has none.
     pub file: Option<String>,
 }
 
@@ -105,7 +106,10 @@ pub fn add_step(pointer: &mut String, part: &str) {
 
 /// The parts of a JSON pointer, unescaped.
 pub fn steps(pointer: &str) -> impl Iterator<Item = String> {
-    pointer.split('/').skip(1).map(|step| step.replace("~1", "/").replace("~0", "~"))
+    pointer
+        .split('/')
+        .skip(1)
+        .map(|step| step.replace("~1", "/").replace("~0", "~"))
 }
 
 #[cfg(test)]
@@ -114,8 +118,14 @@ mod tests {
 
     #[test]
     fn pointer_parts_are_escaped() {
-        assert_eq!(Place::pointer(["a/b", "c~d", "0"]), Place::Pointer("/a~1b/c~0d/0".to_owned()));
-        assert_eq!(steps("/a~1b/c~0d/0").collect::<Vec<_>>(), ["a/b", "c~d", "0"]);
+        assert_eq!(
+            Place::pointer(["a/b", "c~d", "0"]),
+            Place::Pointer("/a~1b/c~0d/0".to_owned())
+        );
+        assert_eq!(
+            steps("/a~1b/c~0d/0").collect::<Vec<_>>(),
+            ["a/b", "c~d", "0"]
+        );
         assert_eq!((steps("").count(), steps("/").count()), (0, 1));
     }
 }

@@ -6,7 +6,10 @@ use super::{Application, Grows, Level};
 
 /// The declared half of a rule; everything public (table, `explain`, reports) is derived from it.
 #[derive(Debug, Clone, Copy)]
-#[expect(clippy::struct_excessive_bools, reason = "each is a declared property of its own, most of them rare")]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a declared property of its own, most of them rare"
+)]
 pub struct RuleInfo {
     /// `family-fault`, kebab-case; never reused, never renamed without an alias.
     pub id: &'static str,
@@ -20,10 +23,11 @@ pub struct RuleInfo {
     pub fix: FixKind,
     /// Cannot be ignored or lowered: a matter of safety.
     pub cannot_be_ignored: bool,
-    /// A fingerprint names the file at which a finding stands in place of its asset: several findings may have one asset
-    /// and key, and are told apart by their parts.
+    /// A fingerprint names the file at which a finding stands in place of its asset: several
+    /// findings may have one asset and key, and are told apart by their parts.
     pub told_apart: bool,
-    /// Says how things stand in a library or a data folder: it is not asked of assets that lie in none.
+    /// Says how things stand in a library or a data folder: it is not asked of assets that lie in
+    /// none.
     pub of_library: bool,
     /// Takes the data of a program for a whole: it is not asked of a part of them.
     pub of_whole: bool,
@@ -37,12 +41,13 @@ pub struct RuleInfo {
     pub counts: &'static str,
     /// Typed options with their defaults.
     pub options: &'static [OptionInfo],
-    /// What it means, why it matters, what to do: paragraphs as they lie in a file beside the rule, lines wrapped.
+    /// What it means, why it matters, what to do: paragraphs as they lie in a file beside the rule,
+    /// lines wrapped.
     pub docs: &'static str,
 }
 
-/// What a case of a rule comes to where that is not what the rule says in general: in these applications alone, so that no
-/// other one is told their words.
+/// What a case of a rule comes to where that is not what the rule says in general: in these
+/// applications alone, so that no other one is told their words.
 pub type Case = &'static [(Application, Level, &'static str)];
 
 /// Whether a rule can repair what it finds.
@@ -79,13 +84,22 @@ pub struct OptionInfo {
 }
 
 impl RuleInfo {
-    /// What the rule reports and why, in paragraphs of one line each; lists and tables keep their lines.
+    /// What the rule reports and why, in paragraphs of one line each; lists and tables keep their
+    /// lines.
     pub fn documentation(&self) -> String {
         let is_kept = |line: &str| line.starts_with(['-', '|']);
         let unwrapped = |paragraph: &str| {
-            if paragraph.lines().any(is_kept) { paragraph.to_owned() } else { paragraph.replace('\n', " ") }
+            if paragraph.lines().any(is_kept) {
+                paragraph.to_owned()
+            } else {
+                paragraph.replace('\n', " ")
+            }
         };
-        self.docs.split("\n\n").map(unwrapped).collect::<Vec<_>>().join("\n\n")
+        self.docs
+            .split("\n\n")
+            .map(unwrapped)
+            .collect::<Vec<_>>()
+            .join("\n\n")
     }
 
     /// A rule with nothing but the obligatory parts; the rest by struct update.
@@ -127,7 +141,10 @@ impl RuleInfo {
 /// A rule that is an error for one application and an info for another one, for tests.
 #[cfg(test)]
 pub(crate) const OF_TWO: RuleInfo = RuleInfo {
-    breaks: &[(Application::Makehuman2, "stops"), (Application::Mpfb, "ignores it")],
+    breaks: &[
+        (Application::Makehuman2, "stops"),
+        (Application::Mpfb, "ignores it"),
+    ],
     levels: &[(Application::Mpfb, Level::Info)],
     ..RuleInfo::new("a-rule", Level::Error, "a fault")
 };

@@ -13,8 +13,9 @@ pub struct Upkeep {
     pub idle: Vec<IdleGlob>,
     /// The baseline, if there is one.
     pub baseline: Option<BaselineUse>,
-    /// Whether errors were found that neither an ignore nor the baseline hides. A file that cannot be read hides what
-    /// else was found in it and of it, so what is not found any more need not be fixed.
+    /// Whether errors were found that neither an ignore nor the baseline hides. A file that cannot
+    /// be read hides what else was found in it and of it, so what is not found any more need not be
+    /// fixed.
     pub errors: bool,
 }
 

@@ -13,14 +13,15 @@ pub struct Version {
     rank: usize,
 }
 
-/// Versions of MakeHuman 1, the oldest first. Those before 1.0 wrote data that nobody loads any more.
+/// Versions of MakeHuman 1, the oldest first. Those before 1.0 wrote data that nobody loads any
+/// more.
 const MAKEHUMAN1: [&str; 7] = ["alpha 6", "alpha 7", "alpha 8", "1.0", "1.1", "1.2", "1.3"];
 /// Versions of MakeHuman 2, which has no numbers: years, and days of changes to what is loaded.
 const MAKEHUMAN2: [&str; 4] = ["2024", "2025", "2026-08-05", "2026-08-20"];
 /// Versions of MPFB.
 const MPFB: [&str; 13] = [
-    "2.0.5", "2.0.6", "2.0.7", "2.0.8", "2.0.9", "2.0.10", "2.0.11", "2.0.12", "2.0.13", "2.0.14", "2.0.15", "2.0.16",
-    "2.0.17",
+    "2.0.5", "2.0.6", "2.0.7", "2.0.8", "2.0.9", "2.0.10", "2.0.11", "2.0.12", "2.0.13", "2.0.14",
+    "2.0.15", "2.0.16", "2.0.17",
 ];
 
 const fn all(application: Application) -> &'static [&'static str] {
@@ -40,7 +41,10 @@ impl Version {
 
     /// Those that a run can be asked for: programs that load data of today.
     pub fn names(application: Application) -> impl Iterator<Item = &'static str> {
-        all(application).iter().copied().filter(|name| !name.starts_with("alpha"))
+        all(application)
+            .iter()
+            .copied()
+            .filter(|name| !name.starts_with("alpha"))
     }
 
     /// Whose version it is.
@@ -50,13 +54,19 @@ impl Version {
 
     /// What it is called.
     pub fn name(self) -> &'static str {
-        all(self.application).get(self.rank).copied().unwrap_or_default()
+        all(self.application)
+            .get(self.rank)
+            .copied()
+            .unwrap_or_default()
     }
 
-    /// The application in this version as people say it: `MakeHuman 1.2`, `MakeHuman 2 of 2024`, `MPFB 2.0.14`.
+    /// The application in this version as people say it: `MakeHuman 1.2`, `MakeHuman 2 of 2024`,
+    /// `MPFB 2.0.14`.
     pub fn title(self) -> String {
         match (self.application, self.name()) {
-            (Application::Makehuman1, name) if name.starts_with("1.") => format!("MakeHuman {name}"),
+            (Application::Makehuman1, name) if name.starts_with("1.") => {
+                format!("MakeHuman {name}")
+            }
             (Application::Mpfb, name) => format!("MPFB {name}"),
             (application, name) => format!("{application} of {name}"),
         }
@@ -97,27 +107,45 @@ impl Edition {
     /// # Errors
     /// For a name that no application or version has.
     pub fn parse(text: &str) -> Result<Self, EditionFault> {
-        let (word, name) = text.split_once('@').map_or((text, None), |(word, name)| (word, Some(name)));
-        let application = Application::ALL.into_iter().find(|known| known.word() == word);
+        let (word, name) = text
+            .split_once('@')
+            .map_or((text, None), |(word, name)| (word, Some(name)));
+        let application = Application::ALL
+            .into_iter()
+            .find(|known| known.word() == word);
         let application = application.ok_or(EditionFault::Application)?;
-        let Some(name) = name else { return Ok(Self { application, version: None }) };
+        let Some(name) = name else {
+            return Ok(Self {
+                application,
+                version: None,
+            });
+        };
         let known = Version::names(application).any(|known| known == name);
         let version = Version::named(application, name).filter(|_| known);
-        version.map(|version| Self { application, version: Some(version) }).ok_or(EditionFault::Version(application))
+        version
+            .map(|version| Self {
+                application,
+                version: Some(version),
+            })
+            .ok_or(EditionFault::Version(application))
     }
 
     /// Everything that can be asked for.
     pub fn all() -> Vec<String> {
-        let versions = |one: Application| Version::names(one).map(move |name| format!("{}@{name}", one.word()));
+        let versions = |one: Application| {
+            Version::names(one).map(move |name| format!("{}@{name}", one.word()))
+        };
         let all = Application::ALL.into_iter();
-        all.flat_map(|one| std::iter::once(one.word().to_owned()).chain(versions(one))).collect()
+        all.flat_map(|one| std::iter::once(one.word().to_owned()).chain(versions(one)))
+            .collect()
     }
 }
 
 impl fmt::Display for Edition {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         out.write_str(self.application.word())?;
-        self.version.map_or(Ok(()), |version| write!(out, "@{}", version.name()))
+        self.version
+            .map_or(Ok(()), |version| write!(out, "@{}", version.name()))
     }
 }
 
@@ -134,14 +162,30 @@ mod tests {
     #[test]
     fn versions_of_one_application_are_ordered() {
         let of = |name| Version::named(Application::Makehuman1, name).unwrap();
-        assert!(of("1.1").is_before("1.3") && !of("1.3").is_before("1.3") && of("alpha 8").is_before("1.0"));
+        assert!(
+            of("1.1").is_before("1.3")
+                && !of("1.3").is_before("1.3")
+                && of("alpha 8").is_before("1.0")
+        );
         assert!(of("1.3").is_newest() && !of("1.2").is_newest());
-        assert!(!of("1.1").is_before("2.0.5"), "a name of another application");
+        assert!(
+            !of("1.1").is_before("2.0.5"),
+            "a name of another application"
+        );
         assert_eq!(Version::named(Application::Mpfb, "1.1"), None);
         let edition = |text| Edition::parse(text).map(|one| one.version.map(Version::name));
-        assert_eq!((edition("mpfb"), edition("mpfb@2.0.14")), (Ok(None), Ok(Some("2.0.14"))));
-        assert_eq!(edition("makehuman1@alpha 7"), Err(EditionFault::Version(Application::Makehuman1)));
+        assert_eq!(
+            (edition("mpfb"), edition("mpfb@2.0.14")),
+            (Ok(None), Ok(Some("2.0.14")))
+        );
+        assert_eq!(
+            edition("makehuman1@alpha 7"),
+            Err(EditionFault::Version(Application::Makehuman1))
+        );
         assert_eq!(edition("makehuman@1.1"), Err(EditionFault::Application));
-        assert_eq!(Version::names(Application::Makehuman1).collect::<Vec<_>>(), ["1.0", "1.1", "1.2", "1.3"]);
+        assert_eq!(
+            Version::names(Application::Makehuman1).collect::<Vec<_>>(),
+            ["1.0", "1.1", "1.2", "1.3"]
+        );
     }
 }

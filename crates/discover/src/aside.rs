@@ -36,7 +36,10 @@ pub fn aside(listing: &Listing<'_>) -> BTreeMap<String, Aside> {
 fn is_helper(listing: &Listing<'_>, folder: &str, name: &str) -> bool {
     let has = |wanted: &str| listing.has(&at(folder, wanted));
     let beside = |is_wanted: &dyn Fn(&str) -> bool| {
-        listing.below(folder).map(folder_and_name).any(|(own, name)| own == folder && is_wanted(name))
+        listing
+            .below(folder)
+            .map(folder_and_name)
+            .any(|(own, name)| own == folder && is_wanted(name))
     };
     match extension(name) {
         "config" => name == "hm08.config" && has("tags.json"),
@@ -58,23 +61,32 @@ pub struct TestData {
 }
 
 /// The test data of MPFB.
-pub const TEST_DATA: TestData =
-    TestData { folder: "test/testdata", source: "src/mpfb", application: Application::Mpfb };
+pub const TEST_DATA: TestData = TestData {
+    folder: "test/testdata",
+    source: "src/mpfb",
+    application: Application::Mpfb,
+};
 
 /// The folder of test data that a file lies in.
 fn test_data(listing: &Listing<'_>, file: &str) -> Option<String> {
     let TestData { folder, source, .. } = TEST_DATA;
     let start = format!("/{file}").find(&format!("/{folder}/"))?;
     let above = file.get(..start)?.trim_end_matches('/');
-    listing.has_folder(&at(above, source)).then(|| at(above, folder))
+    listing
+        .has_folder(&at(above, source))
+        .then(|| at(above, folder))
 }
 
-/// Whether what should be an asset is a table for fitting others: it has rows, and neither a name nor a mesh of its own, not
-/// even in a comment.
+/// Whether what should be an asset is a table for fitting others: it has rows, and neither a name
+/// nor a mesh of its own, not even in a comment.
 pub fn is_fitting_table(text: &[u8]) -> bool {
     let words = |line: &'_ [u8]| -> Vec<String> {
         let line = String::from_utf8_lossy(line);
-        line.trim_start_matches(['#', ' ', '\t']).split_whitespace().take(4).map(str::to_owned).collect()
+        line.trim_start_matches(['#', ' ', '\t'])
+            .split_whitespace()
+            .take(4)
+            .map(str::to_owned)
+            .collect()
     };
     let mut rows = 0;
     for line in text.split(|byte| *byte == b'\n') {
@@ -96,23 +108,37 @@ mod tests {
     use super::*;
 
     fn found(files: &[&str]) -> Vec<(String, Aside)> {
-        aside(&Listing::of(files.iter().copied(), [])).into_iter().collect()
+        aside(&Listing::of(files.iter().copied(), []))
+            .into_iter()
+            .collect()
     }
 
     #[test]
     fn signs_tell_and_names_of_folders_do_not() {
         let helpers = |folder: &str| vec![(folder.to_owned(), Aside::Helpers)];
-        assert_eq!(found(&["x/data/hm08.config", "x/data/tags.json"]), helpers("x/data"));
         assert_eq!(
-            found(&["maketarget/data/hm08helper.mhclo", "maketarget/data/hm08.mirror"]),
+            found(&["x/data/hm08.config", "x/data/tags.json"]),
+            helpers("x/data")
+        );
+        assert_eq!(
+            found(&[
+                "maketarget/data/hm08helper.mhclo",
+                "maketarget/data/hm08.mirror"
+            ]),
             helpers("maketarget/data")
         );
-        assert_eq!(found(&["maketarget/data/helper.mhclo", "makeclothes/data/tags.json"]), []);
+        assert_eq!(
+            found(&["maketarget/data/helper.mhclo", "makeclothes/data/tags.json"]),
+            []
+        );
         assert_eq!(
             found(&["test/testdata/a.mhclo", "src/mpfb/__init__.py"]),
             [("test/testdata".to_owned(), Aside::Tests)]
         );
-        assert_eq!(found(&["test/testdata/a.mhclo", "src/other/__init__.py"]), []);
+        assert_eq!(
+            found(&["test/testdata/a.mhclo", "src/other/__init__.py"]),
+            []
+        );
     }
 
     #[test]

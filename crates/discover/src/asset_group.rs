@@ -56,9 +56,11 @@ impl Kind {
             | Self::UvLayer
             | Self::NodeTree => AssetGroup::Materials,
             Self::Image | Self::TargetIcon | Self::PictureList => AssetGroup::Pictures,
-            Self::Model | Self::HumanPreset | Self::ImporterPreset | Self::MakeupPreset | Self::RandomizationPreset => {
-                AssetGroup::Models
-            }
+            Self::Model
+            | Self::HumanPreset
+            | Self::ImporterPreset
+            | Self::MakeupPreset
+            | Self::RandomizationPreset => AssetGroup::Models,
             Self::Language
             | Self::SelectionFilter
             | Self::Version

@@ -1,5 +1,5 @@
-//! Folders that look like data of several applications: one stray file makes nobody's data those of another program
-//! (`docs/loaders/versions.md#whose-data-a-folder-is`).
+//! Folders that look like data of several applications: one stray file makes nobody's data those of
+//! another program (`docs/loaders/versions.md#whose-data-a-folder-is`).
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,9 +16,10 @@ struct Claim {
     evidence: Evidence,
 }
 
-/// Leaves each folder to the applications of which there is much, or something certain; of several with something certain
-/// alone to those whose data are at hand, and where there is nothing certain to these as well. One that is asked for by name
-/// keeps what it has. Gives the folders of users that two applications share for certain.
+/// Leaves each folder to the applications of which there is much, or something certain; of several
+/// with something certain alone to those whose data are at hand, and where there is nothing certain
+/// to these as well. One that is asked for by name keeps what it has. Gives the folders of users
+/// that two applications share for certain.
 pub(super) fn settle(
     signs: &mut BTreeMap<DataRoot, Sign>,
     listing: &Listing<'_>,
@@ -26,14 +27,24 @@ pub(super) fn settle(
 ) -> BTreeSet<DataRoot> {
     let mut by_path: BTreeMap<&str, Vec<(Application, Sign)>> = BTreeMap::new();
     for (root, sign) in &*signs {
-        by_path.entry(&root.path).or_default().push((root.application, *sign));
+        by_path
+            .entry(&root.path)
+            .or_default()
+            .push((root.application, *sign));
     }
     let (mut lost, mut shared) = (Vec::new(), BTreeSet::new());
     for (path, own) in by_path.into_iter().filter(|(_, own)| is_contested(own)) {
-        let claim = |(application, sign)| Claim { application, sign, evidence: evidence(listing, path, application) };
+        let claim = |(application, sign)| Claim {
+            application,
+            sign,
+            evidence: evidence(listing, path, application),
+        };
         let claims: Vec<Claim> = own.into_iter().map(claim).collect();
         let winners = winners(&claims, meant);
-        let root = |application| DataRoot { path: path.to_owned(), application };
+        let root = |application| DataRoot {
+            path: path.to_owned(),
+            application,
+        };
         for claim in &claims {
             let is_certain = claim.evidence.is_certain && winners.contains(&claim.application);
             if is_certain && claims.iter().all(|claim| claim.sign < Sign::Strong) {
@@ -46,7 +57,10 @@ pub(super) fn settle(
     }
     for (root, winners) in lost {
         // Who shares folders of users with a winner may have some there.
-        if winners.iter().any(|winner| share_users(*winner, root.application)) {
+        if winners
+            .iter()
+            .any(|winner| share_users(*winner, root.application))
+        {
             signs.entry(root).and_modify(|sign| *sign = Sign::Faint);
         } else {
             signs.remove(&root);
@@ -55,10 +69,12 @@ pub(super) fn settle(
     shared
 }
 
-/// Whether it matters whose it is: of what two share where neither has anything better what is in it tells them apart.
+/// Whether it matters whose it is: of what two share where neither has anything better what is in
+/// it tells them apart.
 fn is_contested(claims: &[(Application, Sign)]) -> bool {
     let is_faint = claims.iter().all(|(_, sign)| *sign == Sign::Faint);
-    claims.len() > 1 && !(is_faint && are_two_that_share(claims.iter().map(|(application, _)| *application)))
+    claims.len() > 1
+        && !(is_faint && are_two_that_share(claims.iter().map(|(application, _)| *application)))
 }
 
 fn are_two_that_share(applications: impl Iterator<Item = Application>) -> bool {
@@ -72,27 +88,45 @@ fn share_users(one: Application, other: Application) -> bool {
 /// Whom a folder is left to. Beside much of one what there is little of of a third is a stray.
 fn winners(claims: &[Claim], meant: Meant<'_>) -> BTreeSet<Application> {
     let is_stray = |claim: &&Claim| {
-        let mut others = claims.iter().filter(|other| other.application != claim.application);
+        let mut others = claims
+            .iter()
+            .filter(|other| other.application != claim.application);
         let is_third = |other: &Claim| !share_users(other.application, claim.application);
-        !claim.is_much(claims) && others.any(|other| is_third(other) && other.evidence.found >= other.much())
+        !claim.is_much(claims)
+            && others.any(|other| is_third(other) && other.evidence.found >= other.much())
     };
     let left: Vec<&Claim> = claims.iter().filter(|claim| !is_stray(claim)).collect();
-    winners_of(&if left.is_empty() { claims.iter().collect() } else { left }, meant)
+    winners_of(
+        &if left.is_empty() {
+            claims.iter().collect()
+        } else {
+            left
+        },
+        meant,
+    )
 }
 
 fn winners_of(claims: &[&Claim], meant: Meant<'_>) -> BTreeSet<Application> {
     let all = || claims.iter().map(|claim| claim.application);
-    let is_shared = are_two_that_share(all()) && claims.iter().all(|claim| claim.sign < Sign::Strong);
+    let is_shared =
+        are_two_that_share(all()) && claims.iter().all(|claim| claim.sign < Sign::Strong);
     let are_much: BTreeSet<Application> = claims
         .iter()
         .filter(|claim| !is_shared && claim.is_much(claims.iter().copied()))
         .map(|claim| claim.application)
         .collect();
-    let certain = claims.iter().copied().filter(|claim| claim.evidence.is_certain);
+    let certain = claims
+        .iter()
+        .copied()
+        .filter(|claim| claim.evidence.is_certain);
     if !are_much.is_empty() {
-        // Beside much of one a single file of another program is a stray, and what users of both have is not.
+        // Beside much of one a single file of another program is a stray, and what users of both
+        // have is not.
         let is_of_user = |claim: &&Claim| {
-            claim.sign < Sign::Strong && are_much.iter().any(|one| share_users(*one, claim.application))
+            claim.sign < Sign::Strong
+                && are_much
+                    .iter()
+                    .any(|one| share_users(*one, claim.application))
         };
         let of_users = certain.filter(is_of_user).map(|claim| claim.application);
         return of_users.chain(are_much.iter().copied()).collect();
@@ -101,10 +135,21 @@ fn winners_of(claims: &[&Claim], meant: Meant<'_>) -> BTreeSet<Application> {
     if certain.is_empty() && is_shared {
         return all().collect();
     }
-    let left = if certain.is_empty() { all().collect() } else { certain };
-    let known: BTreeSet<Application> =
-        left.iter().copied().filter(|one| meant.asked.contains(one) || meant.at_hand.contains(one)).collect();
-    if known.is_empty() || is_shared { left } else { known }
+    let left = if certain.is_empty() {
+        all().collect()
+    } else {
+        certain
+    };
+    let known: BTreeSet<Application> = left
+        .iter()
+        .copied()
+        .filter(|one| meant.asked.contains(one) || meant.at_hand.contains(one))
+        .collect();
+    if known.is_empty() || is_shared {
+        left
+    } else {
+        known
+    }
 }
 
 /// Signs of which there are so many that no stray file made them.
@@ -115,13 +160,19 @@ const MUCH_OF_MAKEHUMAN2: usize = 2;
 impl Claim {
     /// Whether there is much of the application beside these others.
     fn is_much<'c>(&self, claims: impl IntoIterator<Item = &'c Self>) -> bool {
-        let has_partner = claims.into_iter().any(|other| share_users(self.application, other.application));
+        let has_partner = claims
+            .into_iter()
+            .any(|other| share_users(self.application, other.application));
         let Evidence { found, alike, .. } = self.evidence;
         found - if has_partner { alike } else { 0 } >= self.much()
     }
 
     /// How many signs are much.
     const fn much(&self) -> usize {
-        if matches!(self.application, Application::Makehuman2) { MUCH_OF_MAKEHUMAN2 } else { MUCH }
+        if matches!(self.application, Application::Makehuman2) {
+            MUCH_OF_MAKEHUMAN2
+        } else {
+            MUCH
+        }
     }
 }

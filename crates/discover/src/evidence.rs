@@ -25,7 +25,14 @@ pub struct Evidence {
 }
 
 /// Signs that the folders of users of two applications have alike.
-const OF_USERS: [&str; 6] = ["custom/", "proxymeshes/", META, DIRECTLY_IN_LIBRARIES, "targets/custom/", "packs/"];
+const OF_USERS: [&str; 6] = [
+    "custom/",
+    "proxymeshes/",
+    META,
+    DIRECTLY_IN_LIBRARIES,
+    "targets/custom/",
+    "packs/",
+];
 /// What ends the signs that lie beside the data.
 const BESIDE: &str = " beside it";
 const META: &str = ".meta";
@@ -42,8 +49,15 @@ struct Root<'l> {
 /// What speaks for the data root at a path being that of an application.
 pub fn evidence(listing: &Listing<'_>, path: &str, application: Application) -> Evidence {
     let start = if path.is_empty() { 0 } else { path.len() + 1 };
-    let files = listing.below(path).filter_map(|file| file.get(start..)).collect();
-    let root = Root { listing, path, files };
+    let files = listing
+        .below(path)
+        .filter_map(|file| file.get(start..))
+        .collect();
+    let root = Root {
+        listing,
+        path,
+        files,
+    };
     let (certain, others) = match application {
         Application::Makehuman2 => of_makehuman2(&root),
         Application::Makehuman1 => of_makehuman1(&root),
@@ -55,9 +69,21 @@ pub fn evidence(listing: &Listing<'_>, path: &str, application: Application) -> 
     let is_said = |sign: &&str| certain_starts(&signs, sign);
     let others: Vec<&str> = others.into_iter().filter(|sign| !is_said(sign)).collect();
     signs.extend(others.into_iter().map(str::to_owned));
-    let (found, alike) = (signs.len(), signs.iter().filter(|sign| OF_USERS.contains(&sign.as_str())).count());
+    let (found, alike) = (
+        signs.len(),
+        signs
+            .iter()
+            .filter(|sign| OF_USERS.contains(&sign.as_str()))
+            .count(),
+    );
     signs.truncate(SIGNS);
-    Evidence { signs, is_certain, is_certain_beside, found, alike }
+    Evidence {
+        signs,
+        is_certain,
+        is_certain_beside,
+        found,
+        alike,
+    }
 }
 
 /// What speaks against it, in a word.
@@ -65,23 +91,42 @@ pub fn lacks(listing: &Listing<'_>, path: &str, application: Application) -> Str
     let start = if path.is_empty() { 0 } else { path.len() + 1 };
     let mut files = listing.below(path).filter_map(|file| file.get(start..));
     match application {
-        Application::Makehuman2 if files.any(|file| matches!(parts(file).as_slice(), ["base", _, "base.json"])) => {
+        Application::Makehuman2
+            if files.any(|file| matches!(parts(file).as_slice(), ["base", _, "base.json"])) =>
+        {
             "no targets for its base mesh".to_owned()
         }
         Application::Makehuman2 => "no base.json".to_owned(),
         Application::Makehuman1 if has_base_folders(&mut files) => {
             "its libraries have a folder for each base mesh".to_owned()
         }
-        Application::Makehuman1 => missing(listing, path, &["modifiers", "custom", "3dobjs", "proxymeshes"]),
-        Application::Mpfb => missing(listing, path, &["mesh_metadata", "packs", "node_trees", "ink_layers"]),
+        Application::Makehuman1 => missing(
+            listing,
+            path,
+            &["modifiers", "custom", "3dobjs", "proxymeshes"],
+        ),
+        Application::Mpfb => missing(
+            listing,
+            path,
+            &["mesh_metadata", "packs", "node_trees", "ink_layers"],
+        ),
     }
 }
 
 /// The first two folders that are not there.
 fn missing(listing: &Listing<'_>, path: &str, folders: &[&str]) -> String {
-    let missing = folders.iter().filter(|folder| listing.below(&at(path, folder)).next().is_none());
-    let missing: Vec<String> = missing.take(2).map(|folder| format!("no {folder}/")).collect();
-    if missing.is_empty() { "more of another application".to_owned() } else { missing.join(", ") }
+    let missing = folders
+        .iter()
+        .filter(|folder| listing.below(&at(path, folder)).next().is_none());
+    let missing: Vec<String> = missing
+        .take(2)
+        .map(|folder| format!("no {folder}/"))
+        .collect();
+    if missing.is_empty() {
+        "more of another application".to_owned()
+    } else {
+        missing.join(", ")
+    }
 }
 
 /// Signs that are named.
@@ -118,13 +163,21 @@ impl Root<'_> {
 
     /// Those of the folders that are there, as people write them.
     fn folders(&self, names: &[&'static str]) -> Vec<&'static str> {
-        names.iter().copied().filter(|name| self.has_folder(name.trim_end_matches('/'))).collect()
+        names
+            .iter()
+            .copied()
+            .filter(|name| self.has_folder(name.trim_end_matches('/')))
+            .collect()
     }
 
     /// Whether something of this kind lies beside the data folder.
     fn has_beside(&self, folder: &str, is_wanted: impl Fn(&str) -> bool) -> bool {
         let (above, name) = folder_and_name(self.path);
-        name == "data" && self.listing.below(&at(above, folder)).any(|file| is_wanted(folder_and_name(file).1))
+        name == "data"
+            && self
+                .listing
+                .below(&at(above, folder))
+                .any(|file| is_wanted(folder_and_name(file).1))
     }
 }
 
@@ -132,14 +185,35 @@ type Signs = (Vec<String>, Vec<&'static str>);
 
 fn of_makehuman2(root: &Root<'_>) -> Signs {
     let mut certain = Vec::new();
-    let settings = root.files.iter().find(|file| matches!(parts(file).as_slice(), ["base", _, "base.json"]));
+    let settings = root
+        .files
+        .iter()
+        .find(|file| matches!(parts(file).as_slice(), ["base", _, "base.json"]));
     certain.extend(settings.map(|file| (*file).to_owned()));
-    let is_database = |file: &&&str| matches!(parts(file).as_slice(), ["dbcache", _, "repository.db"]);
-    certain.extend(root.files.iter().find(is_database).map(|file| (*file).to_owned()));
-    certain.extend(base_of_many_libraries(root).map(|base| format!("a folder {base}/ in each library")));
+    let is_database =
+        |file: &&&str| matches!(parts(file).as_slice(), ["dbcache", _, "repository.db"]);
+    certain.extend(
+        root.files
+            .iter()
+            .find(is_database)
+            .map(|file| (*file).to_owned()),
+    );
+    certain.extend(
+        base_of_many_libraries(root).map(|base| format!("a folder {base}/ in each library")),
+    );
     let mut others = Vec::new();
-    others.extend(root.has("makehuman2_version.json").then_some("makehuman2_version.json"));
-    others.extend(root.folders(&["target/", "contarget/", "dbcache/", "downloads/", "exports/", "grab/"]));
+    others.extend(
+        root.has("makehuman2_version.json")
+            .then_some("makehuman2_version.json"),
+    );
+    others.extend(root.folders(&[
+        "target/",
+        "contarget/",
+        "dbcache/",
+        "downloads/",
+        "exports/",
+        "grab/",
+    ]));
     (certain, others)
 }
 
@@ -155,15 +229,16 @@ fn base_of_many_libraries(root: &Root<'_>) -> Option<String> {
             libraries.entry(base).or_default().insert(library);
         }
     }
-    let (base, _) = libraries.into_iter().find(|(base, libraries)| libraries.len() >= 3 && *base != "materials")?;
+    let (base, _) = libraries
+        .into_iter()
+        .find(|(base, libraries)| libraries.len() >= 3 && *base != "materials")?;
     Some(base.to_owned())
 }
 
 fn of_makehuman1(root: &Root<'_>) -> Signs {
     let mut certain = Vec::new();
     // MPFB has the same, with its targets packed.
-    let is_target =
-        |file: &[&str]| matches!(file, ["targets", "macrodetails", .., name] if extension(name) == "target");
+    let is_target = |file: &[&str]| matches!(file, ["targets", "macrodetails", .., name] if extension(name) == "target");
     if root.has("3dobjs/base.obj") && root.any(is_target) {
         certain.push("3dobjs/base.obj with targets/macrodetails/".to_owned());
     }
@@ -182,31 +257,51 @@ fn of_makehuman1(root: &Root<'_>) -> Signs {
         root.any(|file| matches!(file, ["modifiers", name] if name.ends_with("_modifiers.json")))
             .then_some("modifiers/"),
     );
-    others.extend(root.has("rigs/default.mhskel").then_some("rigs/default.mhskel"));
+    others.extend(
+        root.has("rigs/default.mhskel")
+            .then_some("rigs/default.mhskel"),
+    );
     others.extend(root.folders(&["custom/", "proxymeshes/", "poseunits/", "litspheres/"]));
-    others.extend(root.any(|file| file.last().is_some_and(|name| extension(name) == "mhpxy")).then_some(".mhpxy"));
-    others.extend(root.any(|file| file.last().is_some_and(|name| extension(name) == "meta")).then_some(META));
-    let is_asset =
-        |file: &[&str]| matches!(file, [library, _, name] if WORN.contains(library) && extension(name) == "mhclo");
+    others.extend(
+        root.any(|file| file.last().is_some_and(|name| extension(name) == "mhpxy"))
+            .then_some(".mhpxy"),
+    );
+    others.extend(
+        root.any(|file| file.last().is_some_and(|name| extension(name) == "meta"))
+            .then_some(META),
+    );
+    let is_asset = |file: &[&str]| matches!(file, [library, _, name] if WORN.contains(library) && extension(name) == "mhclo");
     others.extend(root.any(is_asset).then_some(DIRECTLY_IN_LIBRARIES));
     (certain, others)
 }
 
 fn of_mpfb(root: &Root<'_>) -> Signs {
     let mut certain = Vec::new();
-    certain.extend(root.has("mesh_metadata/hm08_config.json").then(|| "mesh_metadata/hm08_config.json".to_owned()));
-    if root.has_beside("config", |name| name.starts_with("human.") && extension(name) == "json") {
+    certain.extend(
+        root.has("mesh_metadata/hm08_config.json")
+            .then(|| "mesh_metadata/hm08_config.json".to_owned()),
+    );
+    if root.has_beside("config", |name| {
+        name.starts_with("human.") && extension(name) == "json"
+    }) {
         certain.push(format!("config/human.*.json{BESIDE}"));
     }
     let says = |file: &str, word: &str| root.listing.says(&at(root.path, file), &[word]);
-    let of =
-        |folder: &'static str| root.files.iter().filter(move |file| parts(file).len() == 2 && file.starts_with(folder));
-    let rig = of("rigs/").find(|file| extension(file) == "json" && says(file, "\"identifying_bones\""));
+    let of = |folder: &'static str| {
+        root.files
+            .iter()
+            .filter(move |file| parts(file).len() == 2 && file.starts_with(folder))
+    };
+    let rig =
+        of("rigs/").find(|file| extension(file) == "json" && says(file, "\"identifying_bones\""));
     certain.extend(rig.map(|file| format!("{file} with `identifying_bones`")));
     let pack = of("packs/").find(|file| extension(file) == "json" && says(file, "\"license\""));
     certain.extend(pack.map(|file| (*file).to_owned()));
     let mut others = Vec::new();
-    others.extend(root.has("targets/target.json").then_some("targets/target.json"));
+    others.extend(
+        root.has("targets/target.json")
+            .then_some("targets/target.json"),
+    );
     others.extend(root.folders(&[
         "mesh_metadata/",
         "node_trees/",
@@ -215,8 +310,10 @@ fn of_mpfb(root: &Root<'_>) -> Signs {
         "uv_layers/",
         "packs/",
     ]));
-    others
-        .extend(root.any(|file| file.last().is_some_and(|name| name.ends_with(".target.gz"))).then_some(".target.gz"));
+    others.extend(
+        root.any(|file| file.last().is_some_and(|name| name.ends_with(".target.gz")))
+            .then_some(".target.gz"),
+    );
     others.extend(root.folders(&["targets/custom/"]));
     (certain, others)
 }

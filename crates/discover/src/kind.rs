@@ -1,6 +1,7 @@
 //! What a file is: a format in a role.
 
-/// Kinds of files, those that say more before those that say less. What follows from them is in the table of formats.
+/// Kinds of files, those that say more before those that say less. What follows from them is in the
+/// table of formats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
     /// `base.json` of MakeHuman 2: settings of a base mesh.
@@ -135,7 +136,8 @@ pub enum Kind {
     LibraryCache,
     /// `*.mhbin`, `*.mhpxy`, `*.npz` of an asset, `*.zip` of assets.
     Packed,
-    /// What has the extension of something worn where no list looks, and `*.mhp`, a pose of older versions.
+    /// What has the extension of something worn where no list looks, and `*.mhp`, a pose of older
+    /// versions.
     Unlisted,
     /// Any other JSON.
     Json,
@@ -161,7 +163,12 @@ const BY_EXTENSION: [(Kind, &[&str]); 15] = [
     (Kind::Scene, &["mhscene"]),
     (Kind::LibraryCache, &["mhc"]),
     (Kind::Packed, &["npz", "mhbin", "mhpxy", "zip"]),
-    (Kind::Image, &["png", "jpg", "jpeg", "tif", "tiff", "bmp", "gif", "tga", "webp", "thumb"]),
+    (
+        Kind::Image,
+        &[
+            "png", "jpg", "jpeg", "tif", "tiff", "bmp", "gif", "tga", "webp", "thumb",
+        ],
+    ),
 ];
 
 impl Kind {
@@ -191,11 +198,14 @@ impl Kind {
 
     /// Whether it is a base mesh, in whatever form.
     pub const fn is_base_mesh(self) -> bool {
-        matches!(self, Self::BaseMesh | Self::MeshArchive | Self::PackedBaseMesh)
+        matches!(
+            self,
+            Self::BaseMesh | Self::MeshArchive | Self::PackedBaseMesh
+        )
     }
 
-    /// The kind of a file of which nothing but its name counts. Extensions are compared as the applications do:
-    /// `X.TARGET` is no target, but `X.OBJ` is a mesh.
+    /// The kind of a file of which nothing but its name counts. Extensions are compared as the
+    /// applications do: `X.TARGET` is no target, but `X.OBJ` is a mesh.
     pub fn by_extension(file: &str) -> Self {
         let extension = extension(file);
         let is_own = |kind: Self, own: &str| match kind {
@@ -205,7 +215,9 @@ impl Kind {
             Self::Scene => own.eq_ignore_ascii_case(extension),
             _ => own == extension,
         };
-        let row = BY_EXTENSION.iter().find(|(kind, extensions)| extensions.iter().any(|own| is_own(*kind, own)));
+        let row = BY_EXTENSION
+            .iter()
+            .find(|(kind, extensions)| extensions.iter().any(|own| is_own(*kind, own)));
         row.map_or(Self::Other, |(kind, _)| *kind)
     }
 
@@ -220,20 +232,33 @@ impl Kind {
 }
 
 /// What the files of a shader of MakeHuman 1 end in; a shader is any of them.
-pub const SHADER_FILES: [&str; 3] = ["_vertex_shader.txt", "_fragment_shader.txt", "_geometry_shader.txt"];
+pub const SHADER_FILES: [&str; 3] = [
+    "_vertex_shader.txt",
+    "_fragment_shader.txt",
+    "_geometry_shader.txt",
+];
 
 /// Whether a file is an asset wherever it lies: no other program has files of its extension.
 pub fn is_asset_anywhere(rel: &str) -> bool {
-    matches!(extension(rel), "mhclo" | "mhmat" | "mhm" | "mhpose" | "mhbin" | "mhpxy")
+    matches!(
+        extension(rel),
+        "mhclo" | "mhmat" | "mhm" | "mhpose" | "mhbin" | "mhpxy"
+    )
 }
 
-/// The extension of an asset as its author meant it: no application lists one in capitals, and yet it is one.
+/// The extension of an asset as its author meant it: no application lists one in capitals, and yet
+/// it is one.
 pub fn meant_extension(rel: &str) -> &str {
     const OF_ASSETS: [&str; 7] = ["mhclo", "proxy", "mhskel", "mhpose", "bvh", "mhm", "mhmat"];
     // Windows shows `vest.mhclo.txt` as `vest.mhclo`.
-    let shown = rel.strip_suffix(".txt").filter(|shown| OF_ASSETS.contains(&extension(shown)));
+    let shown = rel
+        .strip_suffix(".txt")
+        .filter(|shown| OF_ASSETS.contains(&extension(shown)));
     let written = extension(shown.unwrap_or(rel));
-    OF_ASSETS.into_iter().find(|known| known.eq_ignore_ascii_case(written)).unwrap_or(written)
+    OF_ASSETS
+        .into_iter()
+        .find(|known| known.eq_ignore_ascii_case(written))
+        .unwrap_or(written)
 }
 
 /// What is behind the last point of a name, as written.
@@ -246,26 +271,46 @@ pub fn extension(rel: &str) -> &str {
 mod tests {
     use super::*;
 
-    /// What changes a verdict besides `BY_EXTENSION`: targets, the configuration, sources of shaders, the list of pictures.
+    /// What changes a verdict besides `BY_EXTENSION`: targets, the configuration, sources of
+    /// shaders, the list of pictures.
     const FURTHER: [&str; 5] = ["target", "gz", "toml", "txt", "list"];
 
     #[test]
     fn hooks_start_on_every_extension_that_is_checked() {
-        let mut checked: Vec<&str> = BY_EXTENSION.iter().flat_map(|(_, extensions)| *extensions).copied().collect();
+        let mut checked: Vec<&str> = BY_EXTENSION
+            .iter()
+            .flat_map(|(_, extensions)| *extensions)
+            .copied()
+            .collect();
         checked.extend(FURTHER);
         checked.sort_unstable();
         let files = format!("files: '(?i)\\.({})$'", checked.join("|"));
         for (file, hooks, text) in [
-            (".pre-commit-hooks.yaml", 3, include_str!("../../../.pre-commit-hooks.yaml")),
-            ("mirror", 1, include_str!("../../../packaging/pre-commit-mirror/.pre-commit-hooks.yaml")),
+            (
+                ".pre-commit-hooks.yaml",
+                3,
+                include_str!("../../../.pre-commit-hooks.yaml"),
+            ),
+            (
+                "mirror",
+                1,
+                include_str!("../../../packaging/pre-commit-mirror/.pre-commit-hooks.yaml"),
+            ),
         ] {
-            let lines: Vec<&str> = text.lines().map(str::trim).filter(|line| line.starts_with("files:")).collect();
+            let lines: Vec<&str> = text
+                .lines()
+                .map(str::trim)
+                .filter(|line| line.starts_with("files:"))
+                .collect();
             assert_eq!(lines, vec![files.as_str(); hooks], "{file}");
         }
         // The README has the help as it is printed.
-        let help: Vec<&str> = include_str!("../../../README.md").split_whitespace().collect();
+        let help: Vec<&str> = include_str!("../../../README.md")
+            .split_whitespace()
+            .collect();
         assert!(
-            help.join(" ").contains(&format!("are read: {}.", checked.join(" "))),
+            help.join(" ")
+                .contains(&format!("are read: {}.", checked.join(" "))),
             "`--help` names other extensions"
         );
     }

@@ -1,7 +1,9 @@
-//! What is where: data roots in a listing, what each path in them is for. Looks at paths only, opens nothing.
+//! What is where: data roots in a listing, what each path in them is for. Looks at paths only,
+//! opens nothing.
 //!
-//! What an application makes of paths is its [`Layout`]; nothing else here or further up matches parts of paths to find
-//! out what a file is for. The code of one application builds the paths of files that it opens by name.
+//! What an application makes of paths is its [`Layout`]; nothing else here or further up matches
+//! parts of paths to find out what a file is for. The code of one application builds the paths of
+//! files that it opens by name.
 
 // Files, streams and surroundings have few doors, and who may use them says so; tests are free.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
@@ -22,9 +24,13 @@ pub use aside::{Aside, TEST_DATA, aside, is_fitting_table};
 pub use candidate::{Candidate, Use, candidates, is_of_macos, kind_in, owner_of, uses_of};
 pub use evidence::{Evidence, evidence, lacks};
 pub use kind::{Kind, SHADER_FILES, extension, is_asset_anywhere, meant_extension};
-pub use layout::makehuman1::{TARGETS_NPZ, archive_library_of, libraries, library_extension, library_of};
+pub use layout::makehuman1::{
+    TARGETS_NPZ, archive_library_of, libraries, library_extension, library_of,
+};
 pub use layout::makehuman2::importer::{Loss, import, loss, meant_for, new_base, top_folder};
-pub use layout::makehuman2::opened::{SKY_SIDES, in_place_of, is_in_override_folder, listed_in, material_of};
+pub use layout::makehuman2::opened::{
+    SKY_SIDES, in_place_of, is_in_override_folder, listed_in, material_of,
+};
 pub use layout::mpfb::importer::Refusal;
 pub use layout::mpfb::{SAVED_CHARACTER, SKIN_MAPS, STORED_POSE};
 pub use layout::{Layout, Role, Single, is_read_though_hidden};

@@ -1,4 +1,5 @@
-//! What is in a tree, asked by path: what lies around a sign of a data root decides what it is worth.
+//! What is in a tree, asked by path: what lies around a sign of a data root decides what it is
+//! worth.
 
 use std::collections::BTreeSet;
 use std::ops::Bound;
@@ -19,9 +20,17 @@ pub struct Listing<'l> {
 
 impl<'l> Listing<'l> {
     /// Of these files and folders.
-    pub fn of(files: impl IntoIterator<Item = &'l str>, folders: impl IntoIterator<Item = &'l str>) -> Self {
+    pub fn of(
+        files: impl IntoIterator<Item = &'l str>,
+        folders: impl IntoIterator<Item = &'l str>,
+    ) -> Self {
         let (files, folders) = (files.into_iter().collect(), folders.into_iter().collect());
-        Self { files, folders, bases: BTreeSet::new(), peek: &|_| None }
+        Self {
+            files,
+            folders,
+            bases: BTreeSet::new(),
+            peek: &|_| None,
+        }
     }
 
     /// The same where files can be looked into.
@@ -33,7 +42,10 @@ impl<'l> Listing<'l> {
     /// The same where the run knows base meshes of these names.
     #[must_use]
     pub fn with_bases(self, bases: impl IntoIterator<Item = &'l str>) -> Self {
-        Self { bases: bases.into_iter().collect(), ..self }
+        Self {
+            bases: bases.into_iter().collect(),
+            ..self
+        }
     }
 
     /// All files.
@@ -53,7 +65,11 @@ impl<'l> Listing<'l> {
 
     /// The files below a folder; of the top all.
     pub fn below(&self, folder: &str) -> impl Iterator<Item = &'l str> + use<'_, 'l> {
-        let prefix = if folder.is_empty() { String::new() } else { format!("{folder}/") };
+        let prefix = if folder.is_empty() {
+            String::new()
+        } else {
+            format!("{folder}/")
+        };
         self.files
             .range::<str, _>((Bound::Included(prefix.as_str()), Bound::Unbounded))
             .copied()
@@ -67,12 +83,22 @@ impl<'l> Listing<'l> {
 
     /// Whether one of these words stands in the file at a path.
     pub(super) fn says(&self, path: &str, words: &[&str]) -> bool {
-        let Some(bytes) = (self.peek)(path) else { return false };
-        words.iter().any(|word| bytes.windows(word.len()).any(|part| part == word.as_bytes()))
+        let Some(bytes) = (self.peek)(path) else {
+            return false;
+        };
+        words.iter().any(|word| {
+            bytes
+                .windows(word.len())
+                .any(|part| part == word.as_bytes())
+        })
     }
 }
 
 /// A path below a folder; the top of a tree has no name.
 pub(super) fn at(folder: &str, rel: &str) -> String {
-    if folder.is_empty() { rel.to_owned() } else { format!("{folder}/{rel}") }
+    if folder.is_empty() {
+        rel.to_owned()
+    } else {
+        format!("{folder}/{rel}")
+    }
 }

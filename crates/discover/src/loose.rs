@@ -1,14 +1,15 @@
 //! Assets outside of data roots, put where a user's data root would have them.
 //!
-//! The folder with an asset becomes its folder in the library, with everything below it. What the asset names outside of
-//! that folder keeps its place beside it.
+//! The folder with an asset becomes its folder in the library, with everything below it. What the
+//! asset names outside of that folder keeps its place beside it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Candidate, Kind, Layout, extension, meant_extension};
 use mhlint_source::{Entry, EntryKind, Tree, folder_and_name, folders_above, normalized};
 
-/// The base mesh that a loose file is for, if that is known; `None` for a file that is none of ours.
+/// The base mesh that a loose file is for, if that is known; `None` for a file that is none of
+/// ours.
 pub type Binding = Option<Option<String>>;
 
 /// What a run knows of the files of a tree besides their paths.
@@ -19,7 +20,8 @@ pub struct Known<'k> {
     pub is_asked: &'k dyn Fn(&Entry) -> bool,
     /// Whether only the files at the top and what these name are to be looked at.
     pub is_shallow: bool,
-    /// Asked for files with the name of an asset, with the names of the folders above it, the nearest first.
+    /// Asked for files with the name of an asset, with the names of the folders above it, the
+    /// nearest first.
     pub bind: &'k dyn Fn(&Entry, &[&str]) -> Binding,
     /// The list that the content of an asset speaks for, where no folder does.
     pub list: &'k dyn Fn(&Entry) -> Option<&'static str>,
@@ -36,7 +38,8 @@ pub struct Loose<'t> {
 }
 
 impl<'t> Loose<'t> {
-    /// What belongs to the file at a path: what it names, what that names, and what lies beside each under the same name.
+    /// What belongs to the file at a path: what it names, what that names, and what lies beside
+    /// each under the same name.
     pub fn belonging_to(&self, path: &'t str) -> BTreeSet<&'t str> {
         let mut all = BTreeSet::from([path]);
         let mut open = vec![path];
@@ -53,7 +56,10 @@ impl<'t> Loose<'t> {
 
 /// Whether a file is an asset of its own wherever it lies. A material may be a part of one.
 fn is_asset(path: &str) -> bool {
-    matches!(meant_extension(path), "mhclo" | "proxy" | "mhskel" | "mhpose" | "bvh" | "mhm" | "target")
+    matches!(
+        meant_extension(path),
+        "mhclo" | "proxy" | "mhskel" | "mhpose" | "bvh" | "mhm" | "target"
+    )
 }
 
 /// A path without its extension.
@@ -63,7 +69,10 @@ fn stem(path: &str) -> &str {
 
 /// Puts the loose files of a tree where `layout` has them.
 pub fn loose<'t>(tree: &'t Tree, layout: &'static Layout, known: &Known<'_>) -> Loose<'t> {
-    let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File && (known.is_asked)(entry));
+    let files = tree
+        .entries()
+        .iter()
+        .filter(|entry| entry.kind == EntryKind::File && (known.is_asked)(entry));
     let mut placing = Placing {
         tree,
         layout,
@@ -79,7 +88,13 @@ pub fn loose<'t>(tree: &'t Tree, layout: &'static Layout, known: &Known<'_>) -> 
     placing.place_assets(|extension| extension == MATERIAL);
     placing.place_single();
     let (named, at) = (placing.named, placing.at);
-    Loose { files: at.into_iter().map(|(rel, entry)| Candidate::loose(entry, rel, layout)).collect(), named }
+    Loose {
+        files: at
+            .into_iter()
+            .map(|(rel, entry)| Candidate::loose(entry, rel, layout))
+            .collect(),
+        named,
+    }
 }
 
 /// Extension of materials.
@@ -134,26 +149,41 @@ impl<'t, 'k> Placing<'t, 'k> {
         let with_worn = self.folders_with_worn();
         for entry in self.files.clone() {
             let (folder, _) = folder_and_name(&entry.path);
-            let is_open = is_wanted(meant_extension(&entry.path)) && !self.placed.contains(entry.path.as_str());
+            let is_open = is_wanted(meant_extension(&entry.path))
+                && !self.placed.contains(entry.path.as_str());
             let is_near = !self.known.is_shallow || folder.is_empty();
             // A material below something to wear is no skin, even if that is none of ours.
             let is_part = || {
-                meant_extension(&entry.path) == MATERIAL && folders_above(folder).any(|above| with_worn.contains(above))
+                meant_extension(&entry.path) == MATERIAL
+                    && folders_above(folder).any(|above| with_worn.contains(above))
             };
             if !(is_open && is_near) || is_part() || self.has_text(entry) {
                 continue;
             }
             let above = self.above(folder);
-            let lists: Vec<&str> = above.iter().copied().chain((self.known.list)(entry)).collect();
-            let Some(library) = (self.layout.shelf)(meant_extension(&entry.path), &lists) else { continue };
-            let Some(base) = (self.known.bind)(entry, &above) else { continue };
+            let lists: Vec<&str> = above
+                .iter()
+                .copied()
+                .chain((self.known.list)(entry))
+                .collect();
+            let Some(library) = (self.layout.shelf)(meant_extension(&entry.path), &lists) else {
+                continue;
+            };
+            let Some(base) = (self.known.bind)(entry, &above) else {
+                continue;
+            };
             let above = match base.filter(|_| self.layout.has_bases) {
                 Some(base) => format!("{library}/{base}"),
                 None if self.layout.has_bases => format!("{library}/{UNKNOWN_BASE}"),
                 None => library.to_owned(),
             };
-            let home = homes.entry((folder, above.clone())).or_insert_with(|| self.new_home(library, &above, folder));
-            assets.entry(folder).or_default().push(Asset { entry, home: home.clone() });
+            let home = homes
+                .entry((folder, above.clone()))
+                .or_insert_with(|| self.new_home(library, &above, folder));
+            assets.entry(folder).or_default().push(Asset {
+                entry,
+                home: home.clone(),
+            });
         }
         assets
     }
@@ -162,13 +192,16 @@ impl<'t, 'k> Placing<'t, 'k> {
     fn has_text(&self, entry: &Entry) -> bool {
         let stem = entry.path.strip_suffix(ARCHIVE);
         stem.is_some_and(|stem| {
-            ["mhclo", "proxy"].iter().any(|text| self.tree.entry(&format!("{stem}{text}")).is_some())
+            ["mhclo", "proxy"]
+                .iter()
+                .any(|text| self.tree.entry(&format!("{stem}{text}")).is_some())
         })
     }
 
     /// The folders with something to wear.
     fn folders_with_worn(&self) -> BTreeSet<&'t str> {
-        let is_worn = |entry: &&&Entry| matches!(meant_extension(&entry.path), "mhclo" | "proxy" | ARCHIVE);
+        let is_worn =
+            |entry: &&&Entry| matches!(meant_extension(&entry.path), "mhclo" | "proxy" | ARCHIVE);
         let worn = self.files.iter().filter(is_worn);
         worn.map(|entry| folder_and_name(&entry.path).0).collect()
     }
@@ -180,7 +213,11 @@ impl<'t, 'k> Placing<'t, 'k> {
     {
         // Of what lies above the tree the folder that holds its top still says what this is.
         let top = self.known.top.rsplit('/').take(2);
-        folder.rsplit('/').chain(top).filter(|name| !name.is_empty()).collect()
+        folder
+            .rsplit('/')
+            .chain(top)
+            .filter(|name| !name.is_empty())
+            .collect()
     }
 
     /// A folder for an asset with the name of its own, which no other asset has.
@@ -188,22 +225,44 @@ impl<'t, 'k> Placing<'t, 'k> {
         if library == self.layout.flat && self.homes.insert(above.to_owned()) {
             return above.to_owned();
         }
-        let own = if folder.is_empty() { self.known.top } else { folder };
+        let own = if folder.is_empty() {
+            self.known.top
+        } else {
+            folder
+        };
         // A hidden folder would be another matter.
         let (_, name) = folder_and_name(own.trim_end_matches('/'));
-        let name = Some(name.trim_start_matches('.')).filter(|name| !name.is_empty()).unwrap_or("asset");
-        let numbered = (1..).map(|number| if number == 1 { name.to_owned() } else { format!("{name}_{number}") });
+        let name = Some(name.trim_start_matches('.'))
+            .filter(|name| !name.is_empty())
+            .unwrap_or("asset");
+        let numbered = (1..).map(|number| {
+            if number == 1 {
+                name.to_owned()
+            } else {
+                format!("{name}_{number}")
+            }
+        });
         let mut homes = numbered.map(|name| format!("{above}/{name}"));
-        homes.find(|home| self.homes.insert(home.clone())).unwrap_or_default()
+        homes
+            .find(|home| self.homes.insert(home.clone()))
+            .unwrap_or_default()
     }
 
-    /// Where a file comes to lie that no list shows: beside the asset of its name, else with the first of the nearest
-    /// folder with assets.
-    fn place_beside(&self, assets: &BTreeMap<&str, Vec<Asset<'t>>>, entry: &Entry) -> Option<String> {
+    /// Where a file comes to lie that no list shows: beside the asset of its name, else with the
+    /// first of the nearest folder with assets.
+    fn place_beside(
+        &self,
+        assets: &BTreeMap<&str, Vec<Asset<'t>>>,
+        entry: &Entry,
+    ) -> Option<String> {
         let (folder, name) = folder_and_name(&entry.path);
-        let (nearest, all) = folders_above(folder).find_map(|folder| assets.get_key_value(folder))?;
+        let (nearest, all) =
+            folders_above(folder).find_map(|folder| assets.get_key_value(folder))?;
         let is_direct = *nearest == folder;
-        if is_asset(&entry.path) || !is_direct && (self.known.is_shallow || !is_of_asset(name)) || is_json(name) {
+        if is_asset(&entry.path)
+            || !is_direct && (self.known.is_shallow || !is_of_asset(name))
+            || is_json(name)
+        {
             return None;
         }
         let is_partner = |asset: &&Asset<'_>| stem(&asset.entry.path) == stem(&entry.path);
@@ -225,13 +284,19 @@ impl<'t, 'k> Placing<'t, 'k> {
     /// Places what these files name, each as seen from the file that names it.
     fn follow(&mut self, mut open: Vec<(&'t Entry, String)>) {
         while let Some((from, rel)) = open.pop() {
-            if !matches!(meant_extension(&rel), "mhclo" | "proxy" | "mhmat" | "mhskel") {
+            if !matches!(
+                meant_extension(&rel),
+                "mhclo" | "proxy" | "mhmat" | "mhskel"
+            ) {
                 continue;
             }
             let ((own, _), (supposed, _)) = (folder_and_name(&from.path), folder_and_name(&rel));
             for name in (self.known.names)(from) {
-                let there = normalized(&format!("{own}/{name}")).and_then(|path| self.tree.entry(&path));
-                let Some(to) = there.filter(|to| to.kind == EntryKind::File && (self.known.is_asked)(to)) else {
+                let there =
+                    normalized(&format!("{own}/{name}")).and_then(|path| self.tree.entry(&path));
+                let Some(to) =
+                    there.filter(|to| to.kind == EntryKind::File && (self.known.is_asked)(to))
+                else {
                     continue;
                 };
                 self.named.entry(&from.path).or_default().insert(&to.path);
@@ -251,8 +316,12 @@ impl<'t, 'k> Placing<'t, 'k> {
                 continue;
             }
             let above = self.above(folder_and_name(&entry.path).0);
-            let Some(base) = (self.known.bind)(entry, &above) else { continue };
-            let Some(rel) = (self.layout.loose_place)(&entry.path, base.as_deref()) else { continue };
+            let Some(base) = (self.known.bind)(entry, &above) else {
+                continue;
+            };
+            let Some(rel) = (self.layout.loose_place)(&entry.path, base.as_deref()) else {
+                continue;
+            };
             let rel = self.free(rel, &mut doubles);
             self.put(entry, rel);
         }
@@ -275,14 +344,21 @@ impl<'t, 'k> Placing<'t, 'k> {
     }
 }
 
-/// Stands for the base mesh where nothing says which one it is; no application has one of this name.
+/// Stands for the base mesh where nothing says which one it is; no application has one of this
+/// name.
 pub const UNKNOWN_BASE: &str = "(loose)";
 
-/// Whether a file below the folder of an asset may be a part of it: what else there is belongs to other programs.
+/// Whether a file below the folder of an asset may be a part of it: what else there is belongs to
+/// other programs.
 fn is_of_asset(name: &str) -> bool {
     matches!(
         Kind::by_extension(name),
-        Kind::Material | Kind::AssetMesh | Kind::AssetWeights | Kind::Image | Kind::UvMap | Kind::Packed
+        Kind::Material
+            | Kind::AssetMesh
+            | Kind::AssetWeights
+            | Kind::Image
+            | Kind::UvMap
+            | Kind::Packed
     )
 }
 

@@ -19,7 +19,11 @@ impl<'p> Paths<'p> {
         mesh: (usize, usize),
         peek: &'p dyn Fn(&str) -> Option<Vec<u8>>,
     ) -> Self {
-        Self { all: all.collect(), mesh, peek }
+        Self {
+            all: all.collect(),
+            mesh,
+            peek,
+        }
     }
 
     /// All of them.
@@ -29,7 +33,9 @@ impl<'p> Paths<'p> {
 
     /// The first that begins so.
     pub fn first(&self, start: &str) -> Option<&'p str> {
-        let mut from = self.all.range::<str, _>((Bound::Included(start), Bound::Unbounded));
+        let mut from = self
+            .all
+            .range::<str, _>((Bound::Included(start), Bound::Unbounded));
         from.next().copied().filter(|path| path.starts_with(start))
     }
 
@@ -40,11 +46,14 @@ impl<'p> Paths<'p> {
 
     /// Whether one begins and ends so.
     pub fn has_kind(&self, start: &str, end: &str) -> bool {
-        self.all.iter().any(|path| path.starts_with(start) && path.ends_with(end))
+        self.all
+            .iter()
+            .any(|path| path.starts_with(start) && path.ends_with(end))
     }
 
     /// Whether a word stands in the file at a path.
     pub fn says(&self, rel: &str, word: &str) -> bool {
-        (self.peek)(rel).is_some_and(|text| text.windows(word.len()).any(|part| part == word.as_bytes()))
+        (self.peek)(rel)
+            .is_some_and(|text| text.windows(word.len()).any(|part| part == word.as_bytes()))
     }
 }

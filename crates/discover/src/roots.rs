@@ -32,12 +32,18 @@ pub struct Meant<'a> {
 /// All data roots in a listing, sorted by path.
 pub fn find_roots(listing: &Listing<'_>, meant: Meant<'_>) -> Vec<DataRoot> {
     let Meant { asked, at_hand, .. } = meant;
-    let Signs { mut signs, confirmed } = Signs::in_listing(listing);
+    let Signs {
+        mut signs,
+        confirmed,
+    } = Signs::in_listing(listing);
     let shared = contest::settle(&mut signs, listing, meant);
-    // An application that shares its users' folders with another one claims none of them alone: it has to be asked for, to
-    // have a root of its own at hand, or files beside the folder that no other has.
+    // An application that shares its users' folders with another one claims none of them alone: it
+    // has to be asked for, to have a root of its own at hand, or files beside the folder that no
+    // other has.
     let is_at_hand = |application: Application| {
-        let own = |(root, sign): (&DataRoot, &Sign)| root.application == application && *sign == Sign::Strong;
+        let own = |(root, sign): (&DataRoot, &Sign)| {
+            root.application == application && *sign == Sign::Strong
+        };
         asked.contains(&application) || at_hand.contains(&application) || signs.iter().any(own)
     };
     let company: Vec<Application> = Application::ALL
@@ -46,55 +52,85 @@ pub fn find_roots(listing: &Listing<'_>, meant: Meant<'_>) -> Vec<DataRoot> {
         .collect();
     // A folder that a file beside it confirms is of none whose users' folders are not shared.
     let is_confirmed_of_other = |root: &DataRoot| {
-        let mut others =
-            confirmed.iter().filter(|other| other.path == root.path && other.application != root.application);
+        let mut others = confirmed
+            .iter()
+            .filter(|other| other.path == root.path && other.application != root.application);
         others.any(|other| Layout::of(other.application).shares_roots_of != Some(root.application))
     };
     let told = Told::of(&signs, &is_at_hand);
     signs.retain(|root, sign| {
-        let is_own = company.contains(&root.application) || confirmed.contains(root) || told.alone.contains(root);
+        let is_own = company.contains(&root.application)
+            || confirmed.contains(root)
+            || told.alone.contains(root);
         *sign == Sign::Strong || is_own && !is_confirmed_of_other(root)
     });
     leave_out_misplaced(&mut signs, listing);
-    // What is of another application lies in or around the data of one to which files beside them belong.
+    // What is of another application lies in or around the data of one to which files beside them
+    // belong.
     let are_data = RefCell::new(BTreeMap::new());
     let is_stray = |root: &DataRoot, other: &DataRoot| {
         let look = || evidence(listing, &root.path, root.application).is_certain_beside;
-        let is_certain = || *are_data.borrow_mut().entry(root.clone()).or_insert_with(look);
+        let is_certain = || {
+            *are_data
+                .borrow_mut()
+                .entry(root.clone())
+                .or_insert_with(look)
+        };
         root.application != other.application && has_beside(root.application) && is_certain()
     };
     // One that is near a better one does not count, unless it is as good.
     let count = |sign, better: &[DataRoot]| -> Vec<DataRoot> {
-        let own = signs.iter().filter(|(_, own)| **own == sign).map(|(root, _)| root);
+        let own = signs
+            .iter()
+            .filter(|(_, own)| **own == sign)
+            .map(|(root, _)| root);
         let is_near = |root: &DataRoot, other: &DataRoot| {
             let is_nested = nested(&other.path, &root.path);
             let are_two = || is_beside_own(root, other, &signs) || told.are_apart(root, other);
             is_nested && !are_two() && !is_stray(root, other)
         };
-        own.filter(|root| !better.iter().any(|other| is_near(root, other))).cloned().collect()
+        own.filter(|root| !better.iter().any(|other| is_near(root, other)))
+            .cloned()
+            .collect()
     };
     let mut roots = count(Sign::Strong, &[]);
     // Neither of these makes the other one near: they are as good.
-    roots.extend([Sign::OfUser, Sign::Weak].map(|sign| count(sign, &roots)).concat());
+    roots.extend(
+        [Sign::OfUser, Sign::Weak]
+            .map(|sign| count(sign, &roots))
+            .concat(),
+    );
     roots.extend(count(Sign::Faint, &roots));
     let has_data = |application: Application| {
         at_hand.contains(&application)
-            || signs.iter().any(|(root, sign)| root.application == application && *sign == Sign::Strong)
+            || signs
+                .iter()
+                .any(|(root, sign)| root.application == application && *sign == Sign::Strong)
     };
     for application in Application::ALL {
-        let Some(other) = Layout::of(application).shares_roots_of else { continue };
-        let own = |root: &DataRoot| DataRoot { path: root.path.clone(), application };
-        // Signs that others have, too, are those of a user. Of an application that is asked for all but a system's are.
-        let is_users = |sign: Sign| sign == Sign::Faint || sign < Sign::Strong && asked.contains(&application);
+        let Some(other) = Layout::of(application).shares_roots_of else {
+            continue;
+        };
+        let own = |root: &DataRoot| DataRoot {
+            path: root.path.clone(),
+            application,
+        };
+        // Signs that others have, too, are those of a user. Of an application that is asked for all
+        // but a system's are.
+        let is_users =
+            |sign: Sign| sign == Sign::Faint || sign < Sign::Strong && asked.contains(&application);
         let is_shared = |root: &&DataRoot| {
             let is_meant = company.contains(&application) || told.shared.contains(&own(root));
             is_meant && root.application == other && signs.get(*root).copied().is_some_and(is_users)
         };
         let shared: Vec<DataRoot> = roots.iter().filter(is_shared).map(own).collect();
-        // Where files beside it confirm the one, whose data are at hand, and nothing says the other, that is not meant.
+        // Where files beside it confirm the one, whose data are at hand, and nothing says the
+        // other, that is not meant.
         if has_data(application) && !has_data(other) && !asked.contains(&other) {
             let is_confirmed = |root: &DataRoot| confirmed.contains(&own(root));
-            let is_other = |root: &DataRoot| root.application == other && signs.get(root) == Some(&Sign::Faint);
+            let is_other = |root: &DataRoot| {
+                root.application == other && signs.get(root) == Some(&Sign::Faint)
+            };
             roots.retain(|root| !is_other(root) || !is_confirmed(root));
         }
         roots.extend(shared);
@@ -112,25 +148,48 @@ pub fn find_roots(listing: &Listing<'_>, meant: Meant<'_>) -> Vec<DataRoot> {
 fn leave_out_misplaced(signs: &mut BTreeMap<DataRoot, Sign>, listing: &Listing<'_>) {
     // What lies in data by mistake makes no folder `data` in them where there is none.
     let is_supposed = |root: &DataRoot| {
-        let above = root.path.strip_suffix("data").map(|above| above.trim_end_matches('/'));
-        !listing.has_folder(&root.path) && signs.keys().any(|other| Some(other.path.as_str()) == above)
+        let above = root
+            .path
+            .strip_suffix("data")
+            .map(|above| above.trim_end_matches('/'));
+        !listing.has_folder(&root.path)
+            && signs.keys().any(|other| Some(other.path.as_str()) == above)
     };
-    let supposed: BTreeSet<DataRoot> = signs.keys().filter(|root| is_supposed(root)).cloned().collect();
+    let supposed: BTreeSet<DataRoot> = signs
+        .keys()
+        .filter(|root| is_supposed(root))
+        .cloned()
+        .collect();
     signs.retain(|root, _| !supposed.contains(root));
     // A folder `data` in one that is called so is a copy that went astray.
     let astray = |root: &DataRoot| {
-        let above = root.path.strip_suffix("/data").filter(|above| is_data(above));
-        above.is_some_and(|above| signs.contains_key(&DataRoot { path: above.to_owned(), ..root.clone() }))
+        let above = root
+            .path
+            .strip_suffix("/data")
+            .filter(|above| is_data(above));
+        above.is_some_and(|above| {
+            signs.contains_key(&DataRoot {
+                path: above.to_owned(),
+                ..root.clone()
+            })
+        })
     };
-    let astray: BTreeSet<DataRoot> =
-        signs.keys().filter(|root| has_beside(root.application) && astray(root)).cloned().collect();
+    let astray: BTreeSet<DataRoot> = signs
+        .keys()
+        .filter(|root| has_beside(root.application) && astray(root))
+        .cloned()
+        .collect();
     signs.retain(|root, _| !astray.contains(root));
     // What lies beside a folder called `data` does not make a root of the one above it.
     let is_above_data = |root: &DataRoot| {
         let below = data_in(&root.path, root.application);
         has_beside(root.application) && signs.contains_key(&below)
     };
-    let above_data: BTreeSet<DataRoot> = signs.keys().filter(|root| is_above_data(root)).cloned().collect();
+    let above_data: BTreeSet<DataRoot> = signs
+        .keys()
+        .filter(|root| is_above_data(root))
+        .cloned()
+        .collect();
     signs.retain(|root, _| !above_data.contains(root));
 }
 
@@ -156,10 +215,18 @@ impl Signs {
                 found.confirmed.extend(beside_of(file, application));
                 let layout = Layout::of(application);
                 if let Some((path, sign)) = layout.sign(file, listing) {
-                    found.add(DataRoot { path: path.to_owned(), application }, sign);
+                    found.add(
+                        DataRoot {
+                            path: path.to_owned(),
+                            application,
+                        },
+                        sign,
+                    );
                 }
                 // A user's folder may hold nothing but what lies beside the data.
-                let above = layout.above_data(file).map(|above| data_in(above, application));
+                let above = layout
+                    .above_data(file)
+                    .map(|above| data_in(above, application));
                 if let Some(data) = above {
                     // And without that folder, where its content says whose it is.
                     if listing.has_folder(&data.path) {
@@ -179,27 +246,46 @@ impl Signs {
     }
 }
 
-/// Roots of users of an application that shares these with another one, told by what is in them where neither has data
-/// at hand.
+/// Roots of users of an application that shares these with another one, told by what is in them
+/// where neither has data at hand.
 #[derive(Default)]
 struct Told {
     /// Those with files that nobody else has: the other one is not meant.
     alone: BTreeSet<DataRoot>,
-    /// Those with assets of both, and files that say more of the one than of the other: either may be meant.
+    /// Those with assets of both, and files that say more of the one than of the other: either may
+    /// be meant.
     shared: BTreeSet<DataRoot>,
 }
 
 impl Told {
     fn of(signs: &BTreeMap<DataRoot, Sign>, is_at_hand: &dyn Fn(Application) -> bool) -> Self {
         let mut told = Self::default();
-        for (root, sign) in signs.iter().filter(|(_, sign)| matches!(sign, Sign::Weak | Sign::OfUser)) {
-            let Some(partner) = Layout::of(root.application).shares_roots_of else { continue };
-            let sign_of = |application| signs.get(&DataRoot { path: root.path.clone(), application }).copied();
-            let mut third = Application::ALL.into_iter().filter(|one| *one != root.application && *one != partner);
+        for (root, sign) in signs
+            .iter()
+            .filter(|(_, sign)| matches!(sign, Sign::Weak | Sign::OfUser))
+        {
+            let Some(partner) = Layout::of(root.application).shares_roots_of else {
+                continue;
+            };
+            let sign_of = |application| {
+                signs
+                    .get(&DataRoot {
+                        path: root.path.clone(),
+                        application,
+                    })
+                    .copied()
+            };
+            let mut third = Application::ALL
+                .into_iter()
+                .filter(|one| *one != root.application && *one != partner);
             let mut is_of_third = || third.any(|other| sign_of(other).is_some());
             // In `custom/` of the partner folders may be called anything.
             let is_in_custom = || root.path.split('/').any(|name| name == "custom");
-            if is_at_hand(root.application) || is_at_hand(partner) || is_in_custom() || is_of_third() {
+            if is_at_hand(root.application)
+                || is_at_hand(partner)
+                || is_in_custom()
+                || is_of_third()
+            {
                 continue;
             }
             match (sign, sign_of(partner)) {
@@ -215,15 +301,17 @@ impl Told {
         told
     }
 
-    /// Whether a root and a better one are two although the one lies inside the other: the better one has files that only
-    /// its application has, or the root is told and the better one is of a third application.
+    /// Whether a root and a better one are two although the one lies inside the other: the better
+    /// one has files that only its application has, or the root is told and the better one is of a
+    /// third application.
     fn are_apart(&self, root: &DataRoot, better: &DataRoot) -> bool {
         let is_apart = |told: &DataRoot| {
             let is_third = better.application != told.application
                 && Layout::of(told.application).shares_roots_of != Some(better.application);
             told.path == root.path && is_third
         };
-        root.path != better.path && (self.alone.contains(better) || self.alone.iter().chain(&self.shared).any(is_apart))
+        root.path != better.path
+            && (self.alone.contains(better) || self.alone.iter().chain(&self.shared).any(is_apart))
     }
 }
 
@@ -241,28 +329,39 @@ fn beside_of(file: &str, application: Application) -> Option<DataRoot> {
     let layout = Layout::of(application);
     let (folder, name) = file.rsplit_once('/')?;
     let (above, folder) = folder.rsplit_once('/').unwrap_or(("", folder));
-    let is_telling =
-        layout.beside.contains(&folder) && (layout.is_telling)(layout.use_of(&format!("{folder}/{name}")).kind);
+    let is_telling = layout.beside.contains(&folder)
+        && (layout.is_telling)(layout.use_of(&format!("{folder}/{name}")).kind);
     is_telling.then(|| data_in(above, application))
 }
 
 /// A folder `data` as the data root of an application.
 fn data_in(above: &str, application: Application) -> DataRoot {
-    let path = if above.is_empty() { "data".to_owned() } else { format!("{above}/data") };
+    let path = if above.is_empty() {
+        "data".to_owned()
+    } else {
+        format!("{above}/data")
+    };
     DataRoot { path, application }
 }
 
-/// Whether a root inside that of another application lies beside data of its own, nearer than the top of that one.
+/// Whether a root inside that of another application lies beside data of its own, nearer than the
+/// top of that one.
 fn is_beside_own(root: &DataRoot, outer: &DataRoot, signs: &BTreeMap<DataRoot, Sign>) -> bool {
     let shared = |other: &DataRoot| {
         let pairs = root.path.split('/').zip(other.path.split('/'));
         pairs.take_while(|(one, another)| one == another).count()
     };
-    let depth = if outer.path.is_empty() { 0 } else { outer.path.split('/').count() };
+    let depth = if outer.path.is_empty() {
+        0
+    } else {
+        outer.path.split('/').count()
+    };
     let is_own = |(other, sign): (&DataRoot, &Sign)| {
         other.application == root.application && *sign == Sign::Strong && shared(other) > depth
     };
-    outer.application != root.application && is_below(&root.path, &outer.path) && signs.iter().any(is_own)
+    outer.application != root.application
+        && is_below(&root.path, &outer.path)
+        && signs.iter().any(is_own)
 }
 
 fn nested(a: &str, b: &str) -> bool {
@@ -278,7 +377,10 @@ mod tests {
     }
 
     fn found(files: &[&str]) -> Vec<(String, Application)> {
-        find_roots(&of(files), Meant::default()).into_iter().map(|root| (root.path, root.application)).collect()
+        find_roots(&of(files), Meant::default())
+            .into_iter()
+            .map(|root| (root.path, root.application))
+            .collect()
     }
 
     #[test]
@@ -287,11 +389,23 @@ mod tests {
             found(&["data/base/hm08/base.json", "data/target/hm08/a/b.target"]),
             [("data".to_owned(), Application::Makehuman2)]
         );
-        assert_eq!(found(&["base/hm08/base.obj"]), [(String::new(), Application::Makehuman2)]);
-        assert_eq!(found(&["base/hm08/base.mhbin"]), [(String::new(), Application::Makehuman2)]);
-        assert_eq!(found(&["x/targets/target.json", "x/mesh_metadata/a.json"]), [("x".to_owned(), Application::Mpfb)]);
         assert_eq!(
-            found(&["data/modifiers/modeling_modifiers.json", "data/3dobjs/base.obj"]),
+            found(&["base/hm08/base.obj"]),
+            [(String::new(), Application::Makehuman2)]
+        );
+        assert_eq!(
+            found(&["base/hm08/base.mhbin"]),
+            [(String::new(), Application::Makehuman2)]
+        );
+        assert_eq!(
+            found(&["x/targets/target.json", "x/mesh_metadata/a.json"]),
+            [("x".to_owned(), Application::Mpfb)]
+        );
+        assert_eq!(
+            found(&[
+                "data/modifiers/modeling_modifiers.json",
+                "data/3dobjs/base.obj"
+            ]),
             [("data".to_owned(), Application::Makehuman1)]
         );
     }
@@ -299,82 +413,199 @@ mod tests {
     #[test]
     fn a_build_folder_called_target_is_no_root() {
         assert_eq!(
-            found(&["target/corpora/mh/data/base/hm08/base.json", "target/corpora/mh/data/target/hm08/x.target"]),
+            found(&[
+                "target/corpora/mh/data/base/hm08/base.json",
+                "target/corpora/mh/data/target/hm08/x.target"
+            ]),
             [("target/corpora/mh/data".to_owned(), Application::Makehuman2)]
         );
     }
 
     #[test]
     fn a_library_alone_is_a_faint_sign() {
-        assert_eq!(found(&["pack/clothes/hat/hat.mhclo"]), [("pack".to_owned(), Application::Makehuman1)]);
-        for path in ["pack/clothes/hm08/hat/hat.mhclo", "pack/hair/mh2bot/bob.mhclo", "pack/skins/hm08/tan/tan.mhmat"] {
-            assert_eq!(found(&[path]), [("pack".to_owned(), Application::Makehuman2)], "{path}");
+        assert_eq!(
+            found(&["pack/clothes/hat/hat.mhclo"]),
+            [("pack".to_owned(), Application::Makehuman1)]
+        );
+        for path in [
+            "pack/clothes/hm08/hat/hat.mhclo",
+            "pack/hair/mh2bot/bob.mhclo",
+            "pack/skins/hm08/tan/tan.mhmat",
+        ] {
+            assert_eq!(
+                found(&[path]),
+                [("pack".to_owned(), Application::Makehuman2)],
+                "{path}"
+            );
         }
         assert_eq!(found(&["pack/clothes/hm08/notes.txt"]), []);
         assert_eq!(
-            found(&["user/clothes/figure/hat.mhclo", "user/target/figure/mine/x.target"]),
+            found(&[
+                "user/clothes/figure/hat.mhclo",
+                "user/target/figure/mine/x.target"
+            ]),
             [("user".to_owned(), Application::Makehuman2)]
         );
     }
 
     #[test]
     fn a_library_is_that_of_two_applications_where_the_other_one_is_at_hand() {
-        let both = |path: &str| [(path.to_owned(), Application::Makehuman1), (path.to_owned(), Application::Mpfb)];
+        let both = |path: &str| {
+            [
+                (path.to_owned(), Application::Makehuman1),
+                (path.to_owned(), Application::Mpfb),
+            ]
+        };
         let library = "user/clothes/hat/hat.mhclo";
         let with_system = found(&["data/targets/target.json", library]);
-        assert_eq!(with_system.iter().skip(1).cloned().collect::<Vec<_>>(), both("user"));
-        let with_presets =
-            found(&["data/targets/target.json", "user/config/human.a.json", "user/data/clothes/a/a.mhclo"]);
-        assert_eq!(with_presets.get(1), Some(&("user/data".to_owned(), Application::Mpfb)), "{with_presets:?}");
+        assert_eq!(
+            with_system.iter().skip(1).cloned().collect::<Vec<_>>(),
+            both("user")
+        );
+        let with_presets = found(&[
+            "data/targets/target.json",
+            "user/config/human.a.json",
+            "user/data/clothes/a/a.mhclo",
+        ]);
+        assert_eq!(
+            with_presets.get(1),
+            Some(&("user/data".to_owned(), Application::Mpfb)),
+            "{with_presets:?}"
+        );
         assert_eq!(with_presets.len(), 2);
-        let asked = find_roots(&of(&[library]), Meant { asked: &[Application::Mpfb], ..Meant::default() });
-        assert_eq!(asked.into_iter().map(|root| (root.path, root.application)).collect::<Vec<_>>(), both("user"));
-        // Without its company a folder of packs, expressions or custom targets is nobody's; with assets it is that of the
-        // other one, and of both where the other one has no use for what is in it.
-        assert_eq!(found(&["src/packs/mine.json", "src/expressions/a.json", "src/custom/x.target.gz"]), []);
+        let asked = find_roots(
+            &of(&[library]),
+            Meant {
+                asked: &[Application::Mpfb],
+                ..Meant::default()
+            },
+        );
+        assert_eq!(
+            asked
+                .into_iter()
+                .map(|root| (root.path, root.application))
+                .collect::<Vec<_>>(),
+            both("user")
+        );
+        // Without its company a folder of packs, expressions or custom targets is nobody's; with
+        // assets it is that of the other one, and of both where the other one has no use for what
+        // is in it.
+        assert_eq!(
+            found(&[
+                "src/packs/mine.json",
+                "src/expressions/a.json",
+                "src/custom/x.target.gz"
+            ]),
+            []
+        );
         for path in ["user/expressions/a.json", "user/custom/x.target"] {
-            assert_eq!(found(&[library, path]), [("user".to_owned(), Application::Makehuman1)], "{path}");
+            assert_eq!(
+                found(&[library, path]),
+                [("user".to_owned(), Application::Makehuman1)],
+                "{path}"
+            );
         }
         for path in ["user/packs/mine.json", "user/targets/a/b.target"] {
-            assert_eq!(found(&[library, path, "other/hair/bob.mhclo"])[1..], both("user"), "{path}");
-        }
-        for path in ["user/targets/custom/x.target", "user/targets/mine/x.target.gz"] {
-            for files in [&[path][..], &[path, library]] {
-                assert_eq!(found(files), [("user".to_owned(), Application::Mpfb)], "{path}");
-            }
-            let of_asked =
-                find_roots(&of(&[path, library]), Meant { asked: &[Application::Makehuman1], ..Meant::default() });
             assert_eq!(
-                of_asked.into_iter().map(|root| root.application).collect::<Vec<_>>(),
+                found(&[library, path, "other/hair/bob.mhclo"])[1..],
+                both("user"),
+                "{path}"
+            );
+        }
+        for path in [
+            "user/targets/custom/x.target",
+            "user/targets/mine/x.target.gz",
+        ] {
+            for files in [&[path][..], &[path, library]] {
+                assert_eq!(
+                    found(files),
+                    [("user".to_owned(), Application::Mpfb)],
+                    "{path}"
+                );
+            }
+            let of_asked = find_roots(
+                &of(&[path, library]),
+                Meant {
+                    asked: &[Application::Makehuman1],
+                    ..Meant::default()
+                },
+            );
+            assert_eq!(
+                of_asked
+                    .into_iter()
+                    .map(|root| root.application)
+                    .collect::<Vec<_>>(),
                 [Application::Makehuman1]
             );
-            // Where there are data of MakeHuman 1 a target in such a folder is one in the wrong place.
+            // Where there are data of MakeHuman 1 a target in such a folder is one in the wrong
+            // place.
             let beside = found(&["data/modifiers/a_modifiers.json", path, library]);
-            assert_eq!(beside[1..], [("user".to_owned(), Application::Makehuman1)], "{path}");
+            assert_eq!(
+                beside[1..],
+                [("user".to_owned(), Application::Makehuman1)],
+                "{path}"
+            );
             // And no file of one makes a folder of MakeHuman 2 that of another application.
             let of_other = found(&["user/target/hm08/a/b.target", path]);
-            assert_eq!(of_other, [("user".to_owned(), Application::Makehuman2)], "{path}");
+            assert_eq!(
+                of_other,
+                [("user".to_owned(), Application::Makehuman2)],
+                "{path}"
+            );
             // Those of the one inside those of the other are two.
             let around = format!("pack/{path}");
-            let both = [("pack".to_owned(), Application::Makehuman1), ("pack/user".to_owned(), Application::Mpfb)];
-            assert_eq!(found(&["pack/clothes/hat/hat.mhclo", &around]), both, "{path}");
+            let both = [
+                ("pack".to_owned(), Application::Makehuman1),
+                ("pack/user".to_owned(), Application::Mpfb),
+            ];
+            assert_eq!(
+                found(&["pack/clothes/hat/hat.mhclo", &around]),
+                both,
+                "{path}"
+            );
         }
         // Around the data of a third application they are roots all the same.
-        let third = ["packs/a.json", "hair/bob.mhclo", "tools/data/base/hm08/base.json"];
+        let third = [
+            "packs/a.json",
+            "hair/bob.mhclo",
+            "tools/data/base/hm08/base.json",
+        ];
         assert_eq!(found(&third).len(), 3, "{:?}", found(&third));
-        let of_program = ["data/modifiers/a_modifiers.json", "data/packs/a.json", "data/targets/a/x.target.gz"];
-        assert_eq!(found(&of_program), [("data".to_owned(), Application::Makehuman1)]);
+        let of_program = [
+            "data/modifiers/a_modifiers.json",
+            "data/packs/a.json",
+            "data/targets/a/x.target.gz",
+        ];
+        assert_eq!(
+            found(&of_program),
+            [("data".to_owned(), Application::Makehuman1)]
+        );
     }
 
     #[test]
     fn what_lies_beside_a_folder_tells_whose_it_is() {
-        let files = ["user/config/human.ada.json", "user/data/custom/x.target", "user/data/clothes/hat/hat.mhclo"];
+        let files = [
+            "user/config/human.ada.json",
+            "user/data/custom/x.target",
+            "user/data/clothes/hat/hat.mhclo",
+        ];
         let of_mpfb = vec![("user/data".to_owned(), Application::Mpfb)];
-        assert_eq!(found(&["user/config/human.ada.json", "user/data/packs/mine.json"]), of_mpfb);
+        assert_eq!(
+            found(&["user/config/human.ada.json", "user/data/packs/mine.json"]),
+            of_mpfb
+        );
         assert!(found(&files).contains(&of_mpfb[0]));
-        assert_eq!(found(&["user/config/studio.json", "user/data/packs/mine.json"]), []);
-        // A folder at the top is as good as one below, and what lies above `data` by mistake is no root.
-        let stray = ["config/human.ada.json", "data/targets/a/b.target", "targets/a/b.target"];
+        assert_eq!(
+            found(&["user/config/studio.json", "user/data/packs/mine.json"]),
+            []
+        );
+        // A folder at the top is as good as one below, and what lies above `data` by mistake is no
+        // root.
+        let stray = [
+            "config/human.ada.json",
+            "data/targets/a/b.target",
+            "targets/a/b.target",
+        ];
         assert_eq!(found(&stray), [("data".to_owned(), Application::Mpfb)]);
     }
 
@@ -382,14 +613,34 @@ mod tests {
     fn a_folder_that_went_astray_makes_no_root() {
         let config = "user/config/human.ada.json";
         let of_user = vec![("user/data".to_owned(), Application::Mpfb)];
-        assert_eq!(found(&[config, "user/data/packs/a.json", "user/data/data/custom/x.target.gz"]), of_user);
-        assert_eq!(found(&[config, "user/data/packs/a.json", "user/data/target/mine/x.target"]), of_user);
-        let own = ["data/mesh_metadata/hm08.mirror", "data/target/macrodetails/macro.json"];
+        assert_eq!(
+            found(&[
+                config,
+                "user/data/packs/a.json",
+                "user/data/data/custom/x.target.gz"
+            ]),
+            of_user
+        );
+        assert_eq!(
+            found(&[
+                config,
+                "user/data/packs/a.json",
+                "user/data/target/mine/x.target"
+            ]),
+            of_user
+        );
+        let own = [
+            "data/mesh_metadata/hm08.mirror",
+            "data/target/macrodetails/macro.json",
+        ];
         assert_eq!(found(&own), [("data".to_owned(), Application::Mpfb)]);
     }
 
     #[test]
     fn targets_alone_are_a_weak_sign() {
-        assert_eq!(found(&["user/target/hm08/mine/x.target"]), [("user".to_owned(), Application::Makehuman2)]);
+        assert_eq!(
+            found(&["user/target/hm08/mine/x.target"]),
+            [("user".to_owned(), Application::Makehuman2)]
+        );
     }
 }

@@ -6,10 +6,14 @@ use mhlint_repo::makehuman1::is_checked;
 use mhlint_rules::{Check, RULES, Rule};
 
 /// The applications whose data are checked. Any that has a layout can be loaded.
-pub(super) const CHECKED: [Application; 3] = [Application::Makehuman2, Application::Makehuman1, Application::Mpfb];
+pub(super) const CHECKED: [Application; 3] = [
+    Application::Makehuman2,
+    Application::Makehuman1,
+    Application::Mpfb,
+];
 
-/// Whether rules are about what is in files of this kind, for an application. Of other files only the name, the
-/// encoding and the syntax are checked.
+/// Whether rules are about what is in files of this kind, for an application. Of other files only
+/// the name, the encoding and the syntax are checked.
 pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
     match application {
         Application::Makehuman2 => matches!(
@@ -73,7 +77,11 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
 
 /// The rules that concern an application that is checked. To users there are no others.
 pub(super) fn listed() -> impl Iterator<Item = &'static Rule> {
-    let concerns = |rule: &&Rule| CHECKED.iter().any(|application| rule.concerns(*application));
+    let concerns = |rule: &&Rule| {
+        CHECKED
+            .iter()
+            .any(|application| rule.concerns(*application))
+    };
     RULES.iter().copied().filter(concerns)
 }
 
@@ -101,8 +109,14 @@ mod tests {
     fn what_is_checked_has_rules_on_its_files_and_on_its_data() {
         for application in CHECKED {
             let own = || RULES.iter().filter(|rule| rule.concerns(application));
-            assert!(own().any(|rule| matches!(rule.check, Check::File(_))), "{application:?}");
-            assert!(own().any(|rule| matches!(rule.check, Check::Body(_) | Check::Repository(_))), "{application:?}");
+            assert!(
+                own().any(|rule| matches!(rule.check, Check::File(_))),
+                "{application:?}"
+            );
+            assert!(
+                own().any(|rule| matches!(rule.check, Check::Body(_) | Check::Repository(_))),
+                "{application:?}"
+            );
             assert!(own().count() > 20, "{application:?}");
         }
     }

@@ -12,7 +12,8 @@ pub struct CoveredKind {
     pub kind: String,
     /// What its files are parts of, if an application is known to load them.
     pub group: Option<AssetGroup>,
-    /// Whether rules are about what is in such files; of others only the name, the encoding and the syntax are checked.
+    /// Whether rules are about what is in such files; of others only the name, the encoding and the
+    /// syntax are checked.
     pub has_rules: bool,
     /// What becomes of one that cannot be read.
     pub unread: Vec<Unread>,
@@ -26,5 +27,6 @@ pub fn covered_kinds(application: Application) -> Vec<CoveredKind> {
         has_rules: has_rules(application, format.kind),
         unread: unread(application, format.kind),
     });
-    all.filter(|one| one.has_rules || !one.unread.is_empty()).collect()
+    all.filter(|one| one.has_rules || !one.unread.is_empty())
+        .collect()
 }

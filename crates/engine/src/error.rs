@@ -117,13 +117,22 @@ pub enum BaselineFault {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Path { path, fault: fault @ (PathFault::NoDataOf(_) | PathFault::SecondSystem { .. }) } => {
+            Self::Path {
+                path,
+                fault: fault @ (PathFault::NoDataOf(_) | PathFault::SecondSystem { .. }),
+            } => {
                 write!(f, "`{path}` {fault}")
             }
             Self::Path { path, fault } => write!(f, "cannot read `{path}`: {fault}"),
-            Self::UnknownBase { name, known } if known.is_empty() => write!(f, "unknown base mesh `{name}`"),
+            Self::UnknownBase { name, known } if known.is_empty() => {
+                write!(f, "unknown base mesh `{name}`")
+            }
             Self::UnknownBase { name, known } => {
-                write!(f, "unknown base mesh `{name}`; use one of: {}", known.join(", "))
+                write!(
+                    f,
+                    "unknown base mesh `{name}`; use one of: {}",
+                    known.join(", ")
+                )
             }
             Self::SeveralBases { file } => write!(
                 f,
@@ -146,12 +155,20 @@ impl fmt::Display for PathFault {
             Self::Unreadable(reason) => f.write_str(reason),
             Self::NoDataOf(applications) => {
                 let shape = |application: &Application| Layout::of(*application).shape;
-                let wanted =
-                    applications.iter().map(|one| format!("{one} data (expected a folder with {} in it)", shape(one)));
-                write!(f, "contains no {}", wanted.collect::<Vec<_>>().join(", and no "))
+                let wanted = applications
+                    .iter()
+                    .map(|one| format!("{one} data (expected a folder with {} in it)", shape(one)));
+                write!(
+                    f,
+                    "contains no {}",
+                    wanted.collect::<Vec<_>>().join(", and no ")
+                )
             }
             Self::SecondSystem { application, first } => {
-                write!(f, "and `{first}` are both given with `--system` as data of {application}; name one of them")
+                write!(
+                    f,
+                    "and `{first}` are both given with `--system` as data of {application}; name one of them"
+                )
             }
         }
     }
@@ -182,17 +199,28 @@ impl fmt::Display for BaselineFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let anew = "create a new one with `--write-baseline`";
         match self {
-            Self::Unreadable(reason) => write!(f, "cannot be read: {reason}; create one with `--write-baseline`"),
+            Self::Unreadable(reason) => write!(
+                f,
+                "cannot be read: {reason}; create one with `--write-baseline`"
+            ),
             Self::TooLarge => f.write_str("is too large; use another file with `--baseline`"),
             Self::Conflict => write!(
                 f,
                 "has an unresolved merge conflict; keep the entries of both sides, or remove the file and {anew}"
             ),
-            Self::Damaged(reason) => write!(f, "is damaged ({reason}); restore it, or remove it and {anew}"),
+            Self::Damaged(reason) => write!(
+                f,
+                "is damaged ({reason}); restore it, or remove it and {anew}"
+            ),
             Self::Format { found, read } => {
-                write!(f, "has the format `{found}`, but this version reads `{read}`; remove it and {anew}")
+                write!(
+                    f,
+                    "has the format `{found}`, but this version reads `{read}`; remove it and {anew}"
+                )
             }
-            Self::Other => f.write_str("is not a baseline of mhlint; use another file with `--baseline`"),
+            Self::Other => {
+                f.write_str("is not a baseline of mhlint; use another file with `--baseline`")
+            }
             Self::Foreign { first } => write!(
                 f,
                 "seems to belong to another repository: none of its paths exist here, neither `{first}` nor its \

@@ -1,4 +1,5 @@
-//! The order of things: read all files in parallel, connect layers, run rules, place and sort findings.
+//! The order of things: read all files in parallel, connect layers, run rules, place and sort
+//! findings.
 //!
 //! Has the threads, as `evaluate` has some. Prints nothing and checks nothing.
 

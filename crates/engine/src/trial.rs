@@ -1,5 +1,5 @@
-//! Runs for applications that are not checked for users yet, and comparisons of trees in memory: rules are tried on
-//! examples before they count.
+//! Runs for applications that are not checked for users yet, and comparisons of trees in memory:
+//! rules are tried on examples before they count.
 //!
 //! For the tests of this crate alone; it may change with any version.
 
@@ -25,7 +25,10 @@ pub fn lint_trees(
     options: &Config,
 ) -> Result<Outcome, Error> {
     // Who tries an application asks for it by name.
-    let options = Config { applications: applications.to_vec(), ..options.clone() };
+    let options = Config {
+        applications: applications.to_vec(),
+        ..options.clone()
+    };
     lint_sides(&Side::of(trees, system), None, &options, applications)
 }
 
@@ -40,8 +43,16 @@ pub fn lint_beside(
 ) -> Result<Outcome, Error> {
     let [now, before] = [Side::of(now, system), Side::of(before, system_before)];
     let (contents, nothing) = (Before::Contents(BTreeMap::new()), BTreeMap::new());
-    let compare = Compare { with: "before".to_owned(), before: contents, now: nothing, missing: Vec::new() };
-    let options = Config { compare: Some(compare), ..options.clone() };
+    let compare = Compare {
+        with: "before".to_owned(),
+        before: contents,
+        now: nothing,
+        missing: Vec::new(),
+    };
+    let options = Config {
+        compare: Some(compare),
+        ..options.clone()
+    };
     lint_sides(&now, Some(&before), &options, &CHECKED)
 }
 

@@ -1,12 +1,13 @@
-//! Vertices of what is worn, and the skin that they lie on: over the slider space they stay together.
+//! Vertices of what is worn, and the skin that they lie on: over the slider space they stay
+//! together.
 
 use super::fit::{Reference, fit};
 use super::scene::WornAsset;
 use super::surveyor::Anchor;
 use super::vector::{Point, Vec3, distance, dot, narrow, sub};
 
-/// Vertices of an asset that are looked at: half of them evenly spread, half of them those tied to vertices that lie
-/// farthest apart, in proportion to their weights.
+/// Vertices of an asset that are looked at: half of them evenly spread, half of them those tied to
+/// vertices that lie farthest apart, in proportion to their weights.
 const PROBES: usize = 64;
 
 /// A vertex of an asset with the skin around it.
@@ -27,7 +28,8 @@ pub(super) struct Probe {
 impl Probe {
     /// By how many times its stand the vertex has moved away from the nearest of its skin.
     pub(super) fn drift(&self, positions: &[Point]) -> f64 {
-        (from_nearest(self.place(positions), &self.anchor.skin, positions) - self.near) / self.anchor.stand
+        (from_nearest(self.place(positions), &self.anchor.skin, positions) - self.near)
+            / self.anchor.stand
     }
 
     /// In float32: this is looked at in every setting.
@@ -44,7 +46,11 @@ impl Probe {
 
     /// The vertices of the base mesh that it depends on.
     pub(super) fn vertices(&self) -> impl Iterator<Item = u32> {
-        self.reference.vertices.iter().chain(&self.anchor.skin).copied()
+        self.reference
+            .vertices
+            .iter()
+            .chain(&self.anchor.skin)
+            .copied()
     }
 
     /// Those that its row names.
@@ -62,18 +68,36 @@ pub(super) fn probes(
     let mut probes = Vec::new();
     for (asset, worn) in (0..).zip(worn) {
         // An asset whose rows leave the mesh has findings of its own.
-        let Ok(fitted) = fit(rest, &worn.references, worn.scales) else { continue };
+        let Ok(fitted) = fit(rest, &worn.references, worn.scales) else {
+            continue;
+        };
         for vertex in chosen(&worn.references, rest) {
-            let Some((place, reference)) = fitted.get(vertex).copied().zip(worn.references.get(vertex).copied()) else {
+            let Some((place, reference)) = fitted
+                .get(vertex)
+                .copied()
+                .zip(worn.references.get(vertex).copied())
+            else {
                 continue;
             };
             if place.iter().any(|part| !part.is_finite()) {
                 continue;
             }
-            let Some(anchor) = anchor(vertex, place) else { return probes };
-            let (shift, near) = (shift(&reference, worn.scales), from_nearest(place, &anchor.skin, rest));
+            let Some(anchor) = anchor(vertex, place) else {
+                return probes;
+            };
+            let (shift, near) = (
+                shift(&reference, worn.scales),
+                from_nearest(place, &anchor.skin, rest),
+            );
             let vertex = u32::try_from(vertex).unwrap_or(u32::MAX);
-            probes.push(Probe { asset, vertex, reference, shift, near, anchor });
+            probes.push(Probe {
+                asset,
+                vertex,
+                reference,
+                shift,
+                near,
+                anchor,
+            });
         }
     }
     probes
@@ -81,8 +105,12 @@ pub(super) fn probes(
 
 /// In float32, as it is asked for in every setting.
 fn from_nearest(place: Point, skin: &[u32], positions: &[Point]) -> f64 {
-    let points = skin.iter().filter_map(|vertex| positions.get(*vertex as usize));
-    let squares = points.map(|point| sub(*point, place)).map(|way| dot(way, way));
+    let points = skin
+        .iter()
+        .filter_map(|vertex| positions.get(*vertex as usize));
+    let squares = points
+        .map(|point| sub(*point, place))
+        .map(|way| dot(way, way));
     f64::from(squares.fold(f32::MAX, f32::min).sqrt())
 }
 
@@ -94,11 +122,18 @@ fn shift(reference: &Reference, scales: Option<Vec3>) -> Point {
 /// The vertices of an asset to look at, in order.
 fn chosen(references: &[Reference], rest: &[Point]) -> Vec<usize> {
     let half = PROBES / 2;
-    let mut chosen: Vec<usize> = (0..references.len()).step_by(references.len().div_ceil(half).max(1)).collect();
-    let mut spans: Vec<(f64, usize)> =
-        references.iter().enumerate().map(|(vertex, reference)| (span(reference, rest), vertex)).collect();
+    let mut chosen: Vec<usize> = (0..references.len())
+        .step_by(references.len().div_ceil(half).max(1))
+        .collect();
+    let mut spans: Vec<(f64, usize)> = references
+        .iter()
+        .enumerate()
+        .map(|(vertex, reference)| (span(reference, rest), vertex))
+        .collect();
     if spans.len() > half {
-        spans.select_nth_unstable_by(half, |one, other| other.0.total_cmp(&one.0).then(one.1.cmp(&other.1)));
+        spans.select_nth_unstable_by(half, |one, other| {
+            other.0.total_cmp(&one.0).then(one.1.cmp(&other.1))
+        });
         spans.truncate(half);
     }
     chosen.extend(spans.into_iter().map(|(_, vertex)| vertex));
@@ -124,7 +159,11 @@ mod tests {
     fn spread_and_far_tied_vertices_are_looked_at() {
         let rest: Vec<Point> = (0..10_u8).map(|at| [f32::from(at), 0.0, 0.0]).collect();
         let mut references = vec![Reference::exact(3); 1000];
-        references[777] = Reference { vertices: [0, 5, 9], weights: [0.4, 0.3, 0.3], offset: [0.0; 3] };
+        references[777] = Reference {
+            vertices: [0, 5, 9],
+            weights: [0.4, 0.3, 0.3],
+            offset: [0.0; 3],
+        };
         let chosen = chosen(&references, &rest);
         assert!(chosen.len() <= PROBES && chosen.contains(&777) && chosen.contains(&0));
         assert_eq!(super::chosen(&[], &rest), [0; 0]);
@@ -133,7 +172,11 @@ mod tests {
     #[test]
     fn a_vertex_that_follows_its_skin_does_not_drift() {
         let rest = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
-        let reference = Reference { vertices: [0, 1, 2], weights: [0.0, 0.5, 0.5], offset: [0.0, 0.0, 0.1] };
+        let reference = Reference {
+            vertices: [0, 1, 2],
+            weights: [0.0, 0.5, 0.5],
+            offset: [0.0, 0.0, 0.1],
+        };
         let worn = [WornAsset {
             path: String::new(),
             references: vec![reference],
@@ -142,10 +185,17 @@ mod tests {
         }];
         let anchor = |joint, place| {
             let skin = vec![0, 1, 2, 3];
-            Some(Anchor { joint, distance: from_nearest(place, &skin, &rest), stand: 0.5, skin })
+            Some(Anchor {
+                joint,
+                distance: from_nearest(place, &skin, &rest),
+                stand: 0.5,
+                skin,
+            })
         };
         let probes = probes(&worn, &rest, anchor);
-        let [probe] = probes.as_slice() else { panic!("{probes:?}") };
+        let [probe] = probes.as_slice() else {
+            panic!("{probes:?}")
+        };
         assert!((probe.near - 0.54f64.sqrt()).abs() < 1e-6, "{}", probe.near);
         let moved = rest.map(|p| [p[0] + 3.0, p[1], p[2] - 1.0]);
         assert!(probe.drift(&moved).abs() < 1e-6);

@@ -31,7 +31,10 @@ pub enum EvalError {
 
 impl EvalError {
     pub(super) fn vertex(vertex: u32, count: usize) -> Self {
-        Self::VertexOutOfRange { vertex: i64::from(vertex), count }
+        Self::VertexOutOfRange {
+            vertex: i64::from(vertex),
+            count,
+        }
     }
 }
 
@@ -45,9 +48,15 @@ impl fmt::Display for EvalError {
             Self::BoneOutOfRange(bone) => write!(f, "bone number {bone} does not exist"),
             Self::EmptyJoint => f.write_str("a joint without vertices has no position"),
             Self::NoRoot => f.write_str("every bone has a parent, so there is no root"),
-            Self::SecondRoot(bone) => write!(f, "bone number {bone} is a second bone without parent"),
+            Self::SecondRoot(bone) => {
+                write!(f, "bone number {bone} is a second bone without parent")
+            }
             Self::IncompleteScale { axis } => {
-                write!(f, "the scale of the {} axis is missing", ["x", "y", "z"].get(*axis).unwrap_or(&"?"))
+                write!(
+                    f,
+                    "the scale of the {} axis is missing",
+                    ["x", "y", "z"].get(*axis).unwrap_or(&"?")
+                )
             }
         }
     }

@@ -6,8 +6,8 @@ use super::lists::Lists;
 use super::steps::step;
 use super::vector::{Point, distance};
 
-/// A place with more vertices around it than this is not searched: meshes from strangers may have all vertices in one
-/// place.
+/// A place with more vertices around it than this is not searched: meshes from strangers may have
+/// all vertices in one place.
 const CROWD: usize = 256;
 
 /// Vertices sorted into cubes of twice the tolerance, the cubes into hash buckets.
@@ -25,14 +25,23 @@ impl<'a> Grid<'a> {
     pub(super) fn new(positions: &'a [Point], tolerance: f32) -> Self {
         let tolerance = f64::from(tolerance).max(f64::MIN_POSITIVE);
         let buckets = positions.len().next_power_of_two().max(2);
-        let mut grid = Self { positions, tolerance, cell: tolerance * 2.0, buckets, vertices: Lists::default() };
-        let places: Vec<usize> = positions.iter().map(|p| grid.bucket(grid.cell_of(p.map(f64::from)))).collect();
+        let mut grid = Self {
+            positions,
+            tolerance,
+            cell: tolerance * 2.0,
+            buckets,
+            vertices: Lists::default(),
+        };
+        let places: Vec<usize> = positions
+            .iter()
+            .map(|p| grid.bucket(grid.cell_of(p.map(f64::from))))
+            .collect();
         grid.vertices = Lists::new(buckets, places.iter().copied().zip(0..));
         grid
     }
 
-    /// Vertices within the tolerance of `p` and their distances, in ascending order of vertices. False if the place
-    /// is so crowded that the search was given up; `found` is then incomplete.
+    /// Vertices within the tolerance of `p` and their distances, in ascending order of vertices.
+    /// False if the place is so crowded that the search was given up; `found` is then incomplete.
     pub(super) fn near(&self, p: Point, found: &mut Vec<(u32, f64)>) -> bool {
         found.clear();
         let wide = p.map(f64::from);
@@ -84,8 +93,9 @@ impl<'a> Grid<'a> {
 
     #[expect(clippy::cast_sign_loss, reason = "a hash: any bits will do")]
     fn bucket(&self, cell: Cell) -> usize {
-        let mixed =
-            cell.iter().fold(0_u64, |hash, c| (hash.rotate_left(21) ^ (*c as u64)).wrapping_mul(0x9E37_79B9_7F4A_7C15));
+        let mixed = cell.iter().fold(0_u64, |hash, c| {
+            (hash.rotate_left(21) ^ (*c as u64)).wrapping_mul(0x9E37_79B9_7F4A_7C15)
+        });
         (mixed >> 32) as usize & (self.buckets - 1)
     }
 }
@@ -110,7 +120,11 @@ mod tests {
         };
         let mesh: Vec<Point> = (0..2000).map(|_| [axis(), axis(), axis()]).collect();
         for p in mesh.iter().step_by(97) {
-            let plain: Vec<u32> = (0..).zip(&mesh).filter(|(_, q)| distance(*p, **q) <= 0.1).map(|(i, _)| i).collect();
+            let plain: Vec<u32> = (0..)
+                .zip(&mesh)
+                .filter(|(_, q)| distance(*p, **q) <= 0.1)
+                .map(|(i, _)| i)
+                .collect();
             assert_eq!(near(&mesh, 0.1, *p), plain);
             assert!(plain.len() > 1);
         }
@@ -126,7 +140,10 @@ mod tests {
 
     #[test]
     fn cells_across_zero_are_neighbours() {
-        assert_eq!(near(&[[-0.01, 0.0, 0.0], [0.01, 0.0, 0.0]], 0.05, [0.0; 3]), [0, 1]);
+        assert_eq!(
+            near(&[[-0.01, 0.0, 0.0], [0.01, 0.0, 0.0]], 0.05, [0.0; 3]),
+            [0, 1]
+        );
     }
 
     #[test]

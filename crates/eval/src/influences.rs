@@ -1,7 +1,8 @@
-//! Weights seen from the vertices: which bones move a vertex, and what is lost when only N of them may.
+//! Weights seen from the vertices: which bones move a vertex, and what is lost when only N of them
+//! may.
 //!
-//! Gets weights per bone, returns them per vertex. Source of the reduction: MakeHuman 2, glTF export
-//! (`docs/loaders/makehuman2/skeletons.md#references`).
+//! Gets weights per bone, returns them per vertex. Source of the reduction: MakeHuman 2, glTF
+//! export (`docs/loaders/makehuman2/skeletons.md#references`).
 
 use super::error::EvalError;
 use super::lists::Lists;
@@ -15,15 +16,21 @@ pub type Influence = (usize, f32);
 pub struct Influences(Lists<Influence>);
 
 impl Influences {
-    /// Turns weights per bone around. Bones stay in their order; duplicates of a vertex within a bone stay apart, one
-    /// after the other.
+    /// Turns weights per bone around. Bones stay in their order; duplicates of a vertex within a
+    /// bone stay apart, one after the other.
     ///
     /// # Errors
     /// A vertex at or beyond `vertex_count`.
     pub fn new(bones: &[BoneWeights], vertex_count: usize) -> Result<Self, EvalError> {
-        let entry = |bone: usize| move |(vertex, weight): &Entry| (*vertex as usize, (bone, *weight));
-        let pairs = bones.iter().flat_map(|list| list.entries.iter().map(entry(list.bone)));
-        let mut vertices = bones.iter().flat_map(|list| &list.entries).map(|(vertex, _)| *vertex);
+        let entry =
+            |bone: usize| move |(vertex, weight): &Entry| (*vertex as usize, (bone, *weight));
+        let pairs = bones
+            .iter()
+            .flat_map(|list| list.entries.iter().map(entry(list.bone)));
+        let mut vertices = bones
+            .iter()
+            .flat_map(|list| &list.entries)
+            .map(|(vertex, _)| *vertex);
         if let Some(outside) = vertices.find(|vertex| *vertex as usize >= vertex_count) {
             return Err(EvalError::vertex(outside, vertex_count));
         }
@@ -40,11 +47,16 @@ impl Influences {
         self.0.iter()
     }
 
-    /// Keeps the `limit` largest weights of every vertex, largest first (equal ones in bone order), scaled to sum 1.
+    /// Keeps the `limit` largest weights of every vertex, largest first (equal ones in bone order),
+    /// scaled to sum 1.
     ///
-    /// Duplicates within a bone are added up first. Vertices whose kept weights sum to 0 are not scaled.
+    /// Duplicates within a bone are added up first. Vertices whose kept weights sum to 0 are not
+    /// scaled.
     pub fn reduce(&self, limit: usize) -> Reduction {
-        let mut result = Reduction { influences: Self(Lists::new(0, std::iter::empty())), ..Reduction::default() };
+        let mut result = Reduction {
+            influences: Self(Lists::new(0, std::iter::empty())),
+            ..Reduction::default()
+        };
         for (vertex, influences) in (0..).zip(self.iter()) {
             let mut merged = merged(influences);
             merged.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -60,7 +72,10 @@ impl Influences {
             }
             let kept = sum(&merged);
             let factor = if kept == 0.0 { 1.0 } else { 1.0 / kept };
-            result.influences.0.push(merged.iter().map(|(bone, weight)| (*bone, weight * factor)));
+            result
+                .influences
+                .0
+                .push(merged.iter().map(|(bone, weight)| (*bone, weight * factor)));
         }
         result
     }
@@ -99,7 +114,14 @@ mod tests {
     use super::*;
 
     fn bones(lists: &[&[(u32, f32)]]) -> Vec<BoneWeights> {
-        lists.iter().enumerate().map(|(bone, entries)| BoneWeights { bone, entries: entries.to_vec() }).collect()
+        lists
+            .iter()
+            .enumerate()
+            .map(|(bone, entries)| BoneWeights {
+                bone,
+                entries: entries.to_vec(),
+            })
+            .collect()
     }
 
     #[test]
@@ -112,7 +134,11 @@ mod tests {
 
     #[test]
     fn largest_weights_are_kept_and_scaled() {
-        let all = Influences::new(&bones(&[&[(0, 0.1)], &[(0, 0.6)], &[(0, 0.1)], &[(0, 0.2)]]), 1).unwrap();
+        let all = Influences::new(
+            &bones(&[&[(0, 0.1)], &[(0, 0.6)], &[(0, 0.1)], &[(0, 0.2)]]),
+            1,
+        )
+        .unwrap();
         let reduced = all.reduce(2);
         let kept: Vec<usize> = reduced.influences.of(0).iter().map(|i| i.0).collect();
         assert_eq!(kept, [1, 3]);
@@ -124,14 +150,25 @@ mod tests {
     #[test]
     fn equal_weights_keep_bone_order() {
         let all = Influences::new(&bones(&[&[(0, 0.25)], &[(0, 0.25)], &[(0, 0.5)]]), 1).unwrap();
-        assert_eq!(all.reduce(2).influences.of(0).iter().map(|i| i.0).collect::<Vec<_>>(), [2, 0]);
+        assert_eq!(
+            all.reduce(2)
+                .influences
+                .of(0)
+                .iter()
+                .map(|i| i.0)
+                .collect::<Vec<_>>(),
+            [2, 0]
+        );
     }
 
     #[test]
     fn duplicates_count_as_one_influence() {
         let all = Influences::new(&bones(&[&[(0, 0.25), (0, 0.25)], &[(0, 0.5)]]), 1).unwrap();
         let reduced = all.reduce(4);
-        assert_eq!((reduced.most, reduced.reduced.len(), reduced.worst), (2, 0, None));
+        assert_eq!(
+            (reduced.most, reduced.reduced.len(), reduced.worst),
+            (2, 0, None)
+        );
         assert_eq!(reduced.influences.of(0), [(0, 0.5), (1, 0.5)]);
     }
 
@@ -145,6 +182,9 @@ mod tests {
 
     #[test]
     fn vertex_outside_the_mesh_is_an_error() {
-        assert_eq!(Influences::new(&bones(&[&[(3, 1.0)]]), 3), Err(EvalError::vertex(3, 3)));
+        assert_eq!(
+            Influences::new(&bones(&[&[(3, 1.0)]]), 3),
+            Err(EvalError::vertex(3, 3))
+        );
     }
 }

@@ -1,14 +1,15 @@
-//! The numbers that exist only once several files meet: macro factors, morphed meshes, joints, rest matrices,
-//! weights, fitted assets.
+//! The numbers that exist only once several files meet: macro factors, morphed meshes, joints, rest
+//! matrices, weights, fitted assets.
 //!
-//! Gets plain slices, returns plain numbers; imports nothing but `std`. No paths, no file formats, no diagnostics, no
-//! I/O. Points and deltas are `[f32; 3]` in mesh units (one unit is one decimetre), as the applications store them;
-//! sums and matrices are `f64`. Matrices are rows, points are columns. Data that would stop the application is an
-//! `Err`; data that the application skips is skipped, and the function says so. Non-finite numbers pass through: what
-//! the application would turn into NaN is NaN here.
+//! Gets plain slices, returns plain numbers; imports nothing but `std`. No paths, no file formats,
+//! no diagnostics, no I/O. Points and deltas are `[f32; 3]` in mesh units (one unit is one
+//! decimetre), as the applications store them; sums and matrices are `f64`. Matrices are rows,
+//! points are columns. Data that would stop the application is an `Err`; data that the application
+//! skips is skipped, and the function says so. Non-finite numbers pass through: what the
+//! application would turn into NaN is NaN here.
 //!
-//! What applications calculate alike, and what is measured on it, is here; where they differ, each has a folder with
-//! its formulas (`makehuman1`, `makehuman2`, `mpfb`).
+//! What applications calculate alike, and what is measured on it, is here; where they differ, each
+//! has a folder with its formulas (`makehuman1`, `makehuman2`, `mpfb`).
 //!
 //! ```
 //! use mhlint_eval::makehuman2::joints::joint_position;

@@ -8,7 +8,8 @@ pub(super) struct Lists<T> {
 }
 
 impl<T: Clone + Default> Lists<T> {
-    /// `count` lists of what comes with their numbers, in that order. What comes with another number is left out.
+    /// `count` lists of what comes with their numbers, in that order. What comes with another
+    /// number is left out.
     pub(super) fn new(count: usize, pairs: impl Iterator<Item = (usize, T)> + Clone) -> Self {
         let mut starts = vec![0; count + 1];
         for (list, _) in pairs.clone() {
@@ -31,13 +32,15 @@ impl<T: Clone + Default> Lists<T> {
     /// Adds a list.
     pub(super) fn push(&mut self, entries: impl IntoIterator<Item = T>) {
         self.entries.extend(entries);
-        self.starts.push(u32::try_from(self.entries.len()).unwrap_or(u32::MAX));
+        self.starts
+            .push(u32::try_from(self.entries.len()).unwrap_or(u32::MAX));
     }
 
     /// A list; an empty one beyond the last.
     pub(super) fn of(&self, list: usize) -> &[T] {
         let ends = self.starts.get(list).zip(self.starts.get(list + 1));
-        ends.and_then(|(start, end)| self.entries.get(*start as usize..*end as usize)).unwrap_or_default()
+        ends.and_then(|(start, end)| self.entries.get(*start as usize..*end as usize))
+            .unwrap_or_default()
     }
 
     /// All lists in order.

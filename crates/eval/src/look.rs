@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::skeleton::PARALLEL_SINE;
 use super::survey::{
-    DETACHED_DIAGONALS, DETACHED_STANDS, DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, Fault, SHORTEST_BONE,
-    Survey, Trouble, Worst, add,
+    DETACHED_DIAGONALS, DETACHED_STANDS, DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, Fault,
+    SHORTEST_BONE, Survey, Trouble, Worst, add,
 };
 use super::surveyor::{Anchor, FaceAtRest, Surveyor, flatness, stand};
 use super::vector::{Point, distance, dot, sub};
@@ -103,12 +103,21 @@ impl<'s> Look<'s> {
         self.step += 1;
         for vertex in self.walk.moved() {
             let at = vertex as usize;
-            mark(&mut self.strays, vertex, !positions.get(at).is_some_and(|point| surveyor.in_range(*point)));
+            mark(
+                &mut self.strays,
+                vertex,
+                !positions
+                    .get(at)
+                    .is_some_and(|point| surveyor.in_range(*point)),
+            );
             holds_joint |= surveyor.holds_joint.get(at).is_some_and(|holds| *holds);
             holds_probe |= surveyor.holds_probe.get(at).is_some_and(|holds| *holds);
             for number in surveyor.faces_of(vertex) {
                 let at = *number as usize;
-                let Some((face, judged)) = surveyor.faces.get(at).zip(self.judged.get_mut(at)) else { continue };
+                let Some((face, judged)) = surveyor.faces.get(at).zip(self.judged.get_mut(at))
+                else {
+                    continue;
+                };
                 if *judged != self.step {
                     *judged = self.step;
                     let state = state(surveyor, positions, face);
@@ -130,9 +139,15 @@ impl<'s> Look<'s> {
         let positions = self.walk.positions();
         for (element, probe) in self.surveyor.probes.iter().enumerate() {
             let value = probe.drift(positions);
-            let is_far = value * probe.anchor.stand > f64::from(self.surveyor.diagonal * DETACHED_DIAGONALS);
+            let is_far =
+                value * probe.anchor.stand > f64::from(self.surveyor.diagonal * DETACHED_DIAGONALS);
             if value > DETACHED_STANDS && is_far {
-                add_one(&mut self.worn, Trouble::Detached(probe.asset), value, element);
+                add_one(
+                    &mut self.worn,
+                    Trouble::Detached(probe.asset),
+                    value,
+                    element,
+                );
             }
         }
     }
@@ -140,29 +155,54 @@ impl<'s> Look<'s> {
     fn skeleton(&mut self) {
         self.skeleton.clear();
         let positions = self.walk.positions();
-        let Some((skeleton, joints)) = self.surveyor.scene.skeleton.as_ref().zip(self.surveyor.joints(positions))
+        let Some((skeleton, joints)) = self
+            .surveyor
+            .scene
+            .skeleton
+            .as_ref()
+            .zip(self.surveyor.joints(positions))
         else {
             return;
         };
         for (anchor, helper) in self.surveyor.anchors.iter().zip(&self.surveyor.helpers) {
-            let Some(joint) = joints.get(anchor.joint) else { continue };
-            let drift = |anchor: &Anchor| (stand(*joint, &anchor.skin, positions) - anchor.distance) / anchor.stand;
+            let Some(joint) = joints.get(anchor.joint) else {
+                continue;
+            };
+            let drift = |anchor: &Anchor| {
+                (stand(*joint, &anchor.skin, positions) - anchor.distance) / anchor.stand
+            };
             let value = drift(anchor);
-            if value > DRIFT_STANDS && helper.as_ref().is_none_or(|helper| drift(helper) > DRIFT_STANDS) {
+            if value > DRIFT_STANDS
+                && helper
+                    .as_ref()
+                    .is_none_or(|helper| drift(helper) > DRIFT_STANDS)
+            {
                 add_one(&mut self.skeleton, Trouble::Drifted, value, anchor.joint);
             }
         }
         for (element, bone) in skeleton.bones.iter().enumerate() {
-            let Some((head, tail)) = joints.get(bone.head).zip(joints.get(bone.tail)) else { continue };
+            let Some((head, tail)) = joints.get(bone.head).zip(joints.get(bone.tail)) else {
+                continue;
+            };
             let length = distance(*head, *tail);
             let known = |list: &[bool]| list.get(element).is_some_and(|known| *known);
             if length < SHORTEST_BONE && !known(&self.surveyor.short_at_rest) {
-                add_one(&mut self.skeleton, Trouble::ShortBone, 1.0 / length, element);
+                add_one(
+                    &mut self.skeleton,
+                    Trouble::ShortBone,
+                    1.0 / length,
+                    element,
+                );
             }
             let sine = bone.plane.map_or(1.0, |plane| flatness(&joints, plane));
             // A coincidence of joints is not finite: it counts as in line.
             if !(sine > PARALLEL_SINE || known(&self.surveyor.flat_at_rest)) {
-                add_one(&mut self.skeleton, Trouble::FlatPlane, 1.0 / sine.max(0.0), element);
+                add_one(
+                    &mut self.skeleton,
+                    Trouble::FlatPlane,
+                    1.0 / sine.max(0.0),
+                    element,
+                );
             }
         }
     }
@@ -176,7 +216,12 @@ impl<'s> Look<'s> {
         let collapsed = Faces::of(self.surveyor, &self.collapsed);
         if collapsed.count > 0 {
             let worst = collapsed.worst(f64::from(collapsed.count), setting);
-            add(&mut self.survey, Trouble::Collapsed, worst, numbers(self.surveyor, &self.collapsed));
+            add(
+                &mut self.survey,
+                Trouble::Collapsed,
+                worst,
+                numbers(self.surveyor, &self.collapsed),
+            );
         }
         let flipped = Faces::of(self.surveyor, &self.flipped);
         let share = flipped.area / self.surveyor.area;
@@ -190,21 +235,41 @@ impl<'s> Look<'s> {
         }
         self.explosion(setting);
         for (trouble, Fault { worst, elements }) in self.skeleton.iter().chain(&self.worn) {
-            let worst = worst.iter().map(|worst| Worst { setting, ..worst.clone() });
-            worst.for_each(|worst| add(&mut self.survey, *trouble, worst, elements.iter().copied()));
+            let worst = worst.iter().map(|worst| Worst {
+                setting,
+                ..worst.clone()
+            });
+            worst
+                .for_each(|worst| add(&mut self.survey, *trouble, worst, elements.iter().copied()));
         }
     }
 
     fn strays(&self) -> impl Iterator<Item = (usize, Point)> {
         let positions = self.walk.positions();
-        self.strays.iter().filter_map(|vertex| Some((*vertex as usize, *positions.get(*vertex as usize)?)))
+        self.strays
+            .iter()
+            .filter_map(|vertex| Some((*vertex as usize, *positions.get(*vertex as usize)?)))
     }
 
     fn non_finite(&mut self, setting: usize) -> bool {
-        let bad = self.strays().filter(|(_, point)| !(point[0] + point[1] + point[2]).is_finite());
+        let bad = self
+            .strays()
+            .filter(|(_, point)| !(point[0] + point[1] + point[2]).is_finite());
         let bad: Vec<usize> = bad.map(|(vertex, _)| vertex).collect();
-        let (Some(element), count) = (bad.first().copied(), bad.len()) else { return false };
-        add(&mut self.survey, Trouble::NonFinite, Worst { value: count as f64, element, count, setting }, bad);
+        let (Some(element), count) = (bad.first().copied(), bad.len()) else {
+            return false;
+        };
+        add(
+            &mut self.survey,
+            Trouble::NonFinite,
+            Worst {
+                value: count as f64,
+                element,
+                count,
+                setting,
+            },
+            bad,
+        );
         true
     }
 
@@ -214,7 +279,9 @@ impl<'s> Look<'s> {
         for (vertex, point) in self.strays() {
             let mut outside = 0.0_f32;
             for axis in 0..3 {
-                outside = outside.max(surveyor.low[axis] - point[axis]).max(point[axis] - surveyor.high[axis]);
+                outside = outside
+                    .max(surveyor.low[axis] - point[axis])
+                    .max(point[axis] - surveyor.high[axis]);
             }
             if outside > surveyor.diagonal * EXPLOSION_DIAGONALS {
                 outside_by.insert(vertex, outside);
@@ -222,24 +289,41 @@ impl<'s> Look<'s> {
         }
         self.leave_what_grew(&mut outside_by);
         // Of equals the first.
-        let worst = outside_by.iter().rev().max_by(|one, other| one.1.total_cmp(other.1));
+        let worst = outside_by
+            .iter()
+            .rev()
+            .max_by(|one, other| one.1.total_cmp(other.1));
         if let Some((element, outside)) = worst.map(|(vertex, outside)| (*vertex, *outside)) {
             let (value, count) = (f64::from(outside / surveyor.diagonal), outside_by.len());
-            let worst = Worst { value, element, count, setting };
-            add(&mut self.survey, Trouble::Exploded, worst, outside_by.into_keys());
+            let worst = Worst {
+                value,
+                element,
+                count,
+                setting,
+            };
+            add(
+                &mut self.survey,
+                Trouble::Exploded,
+                worst,
+                outside_by.into_keys(),
+            );
         }
     }
 
-    /// Takes out what is not drawn and moves as what is next to it does: a helper that grows, such as a tail.
+    /// Takes out what is not drawn and moves as what is next to it does: a helper that grows, such
+    /// as a tail.
     fn leave_what_grew(&self, outside_by: &mut BTreeMap<usize, f32>) {
         let is_drawn = |vertex: u32| !self.surveyor.faces_of(vertex).is_empty();
-        let hidden = outside_by.keys().filter_map(|vertex| u32::try_from(*vertex).ok());
+        let hidden = outside_by
+            .keys()
+            .filter_map(|vertex| u32::try_from(*vertex).ok());
         let hidden: BTreeSet<u32> = hidden.filter(|vertex| !is_drawn(*vertex)).collect();
         if hidden.is_empty() || hidden.len() > MOST_HIDDEN {
             return;
         }
         let (rest, now) = (&self.surveyor.scene.positions, self.walk.positions());
-        let moved = |vertex: u32| Some(sub(*now.get(vertex as usize)?, *rest.get(vertex as usize)?));
+        let moved =
+            |vertex: u32| Some(sub(*now.get(vertex as usize)?, *rest.get(vertex as usize)?));
         let torn = self.surveyor.neighbours().torn(&hidden, 0.0, moved);
         for vertex in hidden.difference(&torn) {
             outside_by.remove(&(*vertex as usize));
@@ -248,7 +332,17 @@ impl<'s> Look<'s> {
 }
 
 fn add_one(survey: &mut Survey, trouble: Trouble, value: f64, element: usize) {
-    add(survey, trouble, Worst { value, element, count: 1, setting: 0 }, [element]);
+    add(
+        survey,
+        trouble,
+        Worst {
+            value,
+            element,
+            count: 1,
+            setting: 0,
+        },
+        [element],
+    );
 }
 
 fn mark(set: &mut BTreeSet<u32>, number: u32, is_in: bool) {
@@ -300,17 +394,30 @@ impl Faces {
     }
 
     fn worst(&self, value: f64, setting: usize) -> Worst {
-        Worst { value, element: self.largest.1 as usize, count: self.count as usize, setting }
+        Worst {
+            value,
+            element: self.largest.1 as usize,
+            count: self.count as usize,
+            setting,
+        }
     }
 }
 
 /// Faces by their places among the visible ones.
-fn faces<'a>(surveyor: &'a Surveyor<'_>, places: &'a BTreeSet<u32>) -> impl Iterator<Item = &'a FaceAtRest> {
-    places.iter().filter_map(|place| surveyor.faces.get(*place as usize))
+fn faces<'a>(
+    surveyor: &'a Surveyor<'_>,
+    places: &'a BTreeSet<u32>,
+) -> impl Iterator<Item = &'a FaceAtRest> {
+    places
+        .iter()
+        .filter_map(|place| surveyor.faces.get(*place as usize))
 }
 
 /// Their numbers in the mesh.
-fn numbers<'a>(surveyor: &'a Surveyor<'_>, places: &'a BTreeSet<u32>) -> impl Iterator<Item = usize> + 'a {
+fn numbers<'a>(
+    surveyor: &'a Surveyor<'_>,
+    places: &'a BTreeSet<u32>,
+) -> impl Iterator<Item = usize> + 'a {
     faces(surveyor, places).map(|face| face.face as usize)
 }
 
@@ -330,17 +437,30 @@ mod tests {
         let corner = |row: u32, column: u32| 10 * row + column;
         let quads = (0..9).flat_map(|row| (0..9).map(move |column| (row, column)));
         let corners = quads.flat_map(|(row, column)| {
-            [corner(row, column), corner(row, column + 1), corner(row + 1, column + 1), corner(row + 1, column)]
+            [
+                corner(row, column),
+                corner(row, column + 1),
+                corner(row + 1, column + 1),
+                corner(row + 1, column),
+            ]
         });
         let slider = |incr| SceneSlider {
             pattern: String::new(),
-            kind: SliderKind::Detail { incr: Some(incr), decr: None, two_sided: false },
+            kind: SliderKind::Detail {
+                incr: Some(incr),
+                decr: None,
+                two_sided: false,
+            },
             default: 0.0,
         };
-        let target =
-            |rows: &&[(u32, Point)]| MorphTarget { rows: Some(Arc::new(rows.to_vec())), ..MorphTarget::default() };
+        let target = |rows: &&[(u32, Point)]| MorphTarget {
+            rows: Some(Arc::new(rows.to_vec())),
+            ..MorphTarget::default()
+        };
         Scene {
-            positions: (0..100_u8).map(|at| [f32::from(at % 10), f32::from(at / 10), 0.0]).collect(),
+            positions: (0..100_u8)
+                .map(|at| [f32::from(at % 10), f32::from(at / 10), 0.0])
+                .collect(),
             corners: corners.collect(),
             face_starts: (0..=81).map(|face| 4 * face).collect(),
             face_groups: vec![0; 81],
@@ -348,7 +468,12 @@ mod tests {
             targets: targets.iter().map(target).collect(),
             sliders: (0..targets.len()).map(slider).collect(),
             skeleton: Some(SceneSkeleton {
-                bones: vec![Bone { parent: None, head: 0, tail: 1, plane: None }],
+                bones: vec![Bone {
+                    parent: None,
+                    head: 0,
+                    tail: 1,
+                    plane: None,
+                }],
                 joints: vec![vec![98], vec![99]],
                 ..SceneSkeleton::default()
             }),
@@ -362,12 +487,22 @@ mod tests {
             details: (0..).zip(details.iter().copied()).collect(),
         };
         let settings = settings.iter().map(setting).enumerate();
-        settings.map(|(at, setting)| surveyor.stop(at, &setting, &mut MacroWork::default()).unwrap()).collect()
+        settings
+            .map(|(at, setting)| {
+                surveyor
+                    .stop(at, &setting, &mut MacroWork::default())
+                    .unwrap()
+            })
+            .collect()
     }
 
     /// Collapses the first face, throws a vertex far away, folds the bone.
     const FAULTS: [&[(u32, Point)]; 3] = [
-        &[(1, [-1.0, 0.0, 0.0]), (10, [0.0, -1.0, 0.0]), (11, [-1.0, -1.0, 0.0])],
+        &[
+            (1, [-1.0, 0.0, 0.0]),
+            (10, [0.0, -1.0, 0.0]),
+            (11, [-1.0, -1.0, 0.0]),
+        ],
         &[(55, [0.0, 0.0, 30.0])],
         &[(99, [-1.0, 0.0, 0.0])],
     ];
@@ -376,7 +511,12 @@ mod tests {
     fn each_fault_is_seen_at_its_setting_and_gone_at_the_next() {
         let scene = scene(&FAULTS);
         let surveyor = Surveyor::new(&scene).unwrap();
-        let settings: [&[f64]; 4] = [&[1.0, 0.0, 0.0], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0], &[0.0, 0.0, 0.0]];
+        let settings: [&[f64]; 4] = [
+            &[1.0, 0.0, 0.0],
+            &[0.0, 1.0, 0.0],
+            &[0.0, 0.0, 1.0],
+            &[0.0, 0.0, 0.0],
+        ];
         let survey = look(&surveyor, &stops(&surveyor, &settings));
         let seen = |trouble| {
             survey
@@ -397,8 +537,9 @@ mod tests {
         let scene = scene(&FAULTS);
         let surveyor = Surveyor::new(&scene).unwrap();
         let values = [0.0, 0.5, 0.9999, 1.0, 2.0];
-        let settings: Vec<Vec<f64>> =
-            (0..125).map(|at| vec![values[at % 5], values[at / 5 % 5], values[at / 25]]).collect();
+        let settings: Vec<Vec<f64>> = (0..125)
+            .map(|at| vec![values[at % 5], values[at / 5 % 5], values[at / 25]])
+            .collect();
         let settings: Vec<&[f64]> = settings.iter().map(Vec::as_slice).collect();
         let mut alone = Survey::new();
         for stop in stops(&surveyor, &settings) {
@@ -409,7 +550,10 @@ mod tests {
                 .iter()
                 .all(|trouble| alone.contains_key(trouble))
         );
-        assert_eq!(look(&surveyor, &in_order(stops(&surveyor, &settings))), alone);
+        assert_eq!(
+            look(&surveyor, &in_order(stops(&surveyor, &settings))),
+            alone
+        );
     }
 
     #[test]
@@ -417,7 +561,9 @@ mod tests {
         let scene = scene(&[&[(1, [f32::INFINITY, 0.0, 0.0])], FAULTS[0]]);
         let surveyor = Surveyor::new(&scene).unwrap();
         let survey = look(&surveyor, &stops(&surveyor, &[&[1.0, 1.0]]));
-        let seen = survey.get(&Trouble::NonFinite).and_then(|fault| fault.worst.as_ref());
+        let seen = survey
+            .get(&Trouble::NonFinite)
+            .and_then(|fault| fault.worst.as_ref());
         assert_eq!(seen.map(|worst| (worst.element, worst.count)), Some((1, 1)));
         assert_eq!(survey.len(), 1);
     }

@@ -1,6 +1,8 @@
-//! The macros of a scene: positions of sliders to targets with factors, by the formulas of their application.
+//! The macros of a scene: positions of sliders to targets with factors, by the formulas of their
+//! application.
 //!
-//! Surveys ask nothing else of them. Where an application calculates macros in another way, that is another variant.
+//! Surveys ask nothing else of them. Where an application calculates macros in another way, that is
+//! another variant.
 
 use super::makehuman1::Modifiers;
 use super::makehuman1::modifiers::ModifierResult;
@@ -43,10 +45,16 @@ impl Macros {
     ///
     /// # Errors
     /// Where the macros stop the application.
-    pub fn factors<'w>(&self, settings: &[f64], work: &'w mut MacroWork) -> Result<&'w [(u32, f64)], MacroFault> {
+    pub fn factors<'w>(
+        &self,
+        settings: &[f64],
+        work: &'w mut MacroWork,
+    ) -> Result<&'w [(u32, f64)], MacroFault> {
         match self {
             Self::Makehuman2(table) => {
-                table.evaluate(settings, &mut work.makehuman2).map_err(MacroFault::Makehuman2)?;
+                table
+                    .evaluate(settings, &mut work.makehuman2)
+                    .map_err(MacroFault::Makehuman2)?;
                 Ok(&work.makehuman2.factors)
             }
             Self::Makehuman1(modifiers) => {
@@ -55,9 +63,15 @@ impl Macros {
             }
             Self::Mpfb(loops) => {
                 // Settings are stored in 32 bits.
-                let stored: Vec<f64> = settings.iter().map(|value| f64::from(round_to_f32(*value))).collect();
+                let stored: Vec<f64> = settings
+                    .iter()
+                    .map(|value| f64::from(round_to_f32(*value)))
+                    .collect();
                 loops.evaluate(&stored, CUT_OFF, &mut work.mpfb);
-                work.mpfb.weights.iter_mut().for_each(|(_, weight)| *weight = key_value(*weight));
+                work.mpfb
+                    .weights
+                    .iter_mut()
+                    .for_each(|(_, weight)| *weight = key_value(*weight));
                 Ok(&work.mpfb.weights)
             }
         }
@@ -72,7 +86,8 @@ impl Macros {
         }
     }
 
-    /// What the macros of a scene do over the range of their sliders; what is thrown away is looked for in `settings`.
+    /// What the macros of a scene do over the range of their sliders; what is thrown away is looked
+    /// for in `settings`.
     pub fn measure(&self, scene: &Scene, settings: &[Setting]) -> MacroMeasure {
         match self {
             Self::Makehuman2(table) => macro_survey::measure(table, scene, settings),

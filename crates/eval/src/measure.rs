@@ -6,14 +6,20 @@ use super::error::EvalError;
 use super::mesh::point;
 use super::vector::{Point, distance};
 
-/// Length of the chain in mesh units: distances of consecutive vertices; the chain is not closed. An empty chain is 0
-/// long.
+/// Length of the chain in mesh units: distances of consecutive vertices; the chain is not closed.
+/// An empty chain is 0 long.
 ///
 /// # Errors
 /// A vertex outside the mesh.
 pub fn chain_length(positions: &[Point], chain: &[u32]) -> Result<f64, EvalError> {
-    let points = chain.iter().map(|v| point(positions, *v)).collect::<Result<Vec<_>, _>>()?;
-    Ok(points.windows(2).map(|pair| distance(pair[0], pair[1])).sum())
+    let points = chain
+        .iter()
+        .map(|v| point(positions, *v))
+        .collect::<Result<Vec<_>, _>>()?;
+    Ok(points
+        .windows(2)
+        .map(|pair| distance(pair[0], pair[1]))
+        .sum())
 }
 
 /// Distance between the first and the last vertex: 0 for a closed or empty chain.
@@ -22,7 +28,10 @@ pub fn chain_length(positions: &[Point], chain: &[u32]) -> Result<f64, EvalError
 /// A vertex outside the mesh.
 pub fn closing_gap(positions: &[Point], chain: &[u32]) -> Result<f64, EvalError> {
     match (chain.first(), chain.last()) {
-        (Some(first), Some(last)) => Ok(distance(point(positions, *first)?, point(positions, *last)?)),
+        (Some(first), Some(last)) => Ok(distance(
+            point(positions, *first)?,
+            point(positions, *last)?,
+        )),
         _ => Ok(0.0),
     }
 }

@@ -1,4 +1,5 @@
-//! What evaluation measures on a scene, in plain data with names, which outlives the scene. Rules judge it.
+//! What evaluation measures on a scene, in plain data with names, which outlives the scene. Rules
+//! judge it.
 
 use std::collections::BTreeMap;
 
@@ -32,7 +33,8 @@ pub struct Measures {
     pub bones: Vec<String>,
     /// What is worn, by printed path; only assets whose rows fit the mesh.
     pub worn: BTreeMap<String, WornMeasure>,
-    /// Bones of the pose skeleton that have each other's weights on what is worn, by printed path of these weights.
+    /// Bones of the pose skeleton that have each other's weights on what is worn, by printed path
+    /// of these weights.
     pub exchanged: BTreeMap<String, Vec<usize>>,
     /// Whether something was left out because it was too much work.
     pub is_cut: bool,
@@ -145,8 +147,8 @@ pub struct SkeletonMeasure {
     pub received: Received,
 }
 
-/// What a skeleton gets of the weights of the pose skeleton through the references of its bones; nothing is known of the
-/// pose skeleton itself.
+/// What a skeleton gets of the weights of the pose skeleton through the references of its bones;
+/// nothing is known of the pose skeleton itself.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Received {
     /// Its bones that receive nothing.

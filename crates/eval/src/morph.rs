@@ -1,8 +1,8 @@
 //! Targets added to a mesh.
 //!
-//! Gets positions, rows of (vertex, delta) and a factor; changes the positions. Adds in `f32` in the order given, as
-//! the application does. Source: MakeHuman 2, morph evaluation (`docs/loaders/makehuman2/targets.md#rows`,
-//! `docs/loaders/makehuman2/targets.md#evaluation`).
+//! Gets positions, rows of (vertex, delta) and a factor; changes the positions. Adds in `f32` in
+//! the order given, as the application does. Source: MakeHuman 2, morph evaluation
+//! (`docs/loaders/makehuman2/targets.md#rows`, `docs/loaders/makehuman2/targets.md#evaluation`).
 
 use super::error::EvalError;
 use super::vector::{Point, round_to_f32};
@@ -16,18 +16,22 @@ pub enum Side {
     Decr,
 }
 
-/// Target and factor for the value of a detail slider (-1..1 nominally, not clamped): `decr` is applied with the
-/// absolute value. `None` at 0. A slider that lacks the target of that side does nothing.
+/// Target and factor for the value of a detail slider (-1..1 nominally, not clamped): `decr` is
+/// applied with the absolute value. `None` at 0. A slider that lacks the target of that side does
+/// nothing.
 pub fn detail_factor(value: f64) -> Option<(Side, f64)> {
     if value == 0.0 {
         return None;
     }
     // NaN is not below 0, so it goes through `incr` into the mesh.
-    Some((if value < 0.0 { Side::Decr } else { Side::Incr }, value.abs()))
+    Some((
+        if value < 0.0 { Side::Decr } else { Side::Incr },
+        value.abs(),
+    ))
 }
 
-/// Adds `factor` times the target; `rows` gives vertex (0-based) and displacement (mesh units), in any order. Of
-/// several rows for one vertex only the last counts.
+/// Adds `factor` times the target; `rows` gives vertex (0-based) and displacement (mesh units), in
+/// any order. Of several rows for one vertex only the last counts.
 ///
 /// # Errors
 /// A vertex outside the mesh; the positions are then unchanged.
@@ -36,7 +40,12 @@ where
     R: Iterator<Item = (u32, Point)> + Clone,
 {
     let count = positions.len();
-    if let Some(vertex) = rows.clone().map(|row| row.0).max().filter(|v| *v as usize >= count) {
+    if let Some(vertex) = rows
+        .clone()
+        .map(|row| row.0)
+        .max()
+        .filter(|v| *v as usize >= count)
+    {
         return Err(EvalError::vertex(vertex, count));
     }
     let factor = round_to_f32(factor);
@@ -46,9 +55,12 @@ where
             *place = moved(*place, factor, delta);
         }
     } else {
-        // All sums are taken from the mesh as it was, then stored in order: so the last row of a vertex wins.
-        let sums: Vec<Point> =
-            rows.clone().map(|(vertex, delta)| moved(positions[vertex as usize], factor, delta)).collect();
+        // All sums are taken from the mesh as it was, then stored in order: so the last row of a
+        // vertex wins.
+        let sums: Vec<Point> = rows
+            .clone()
+            .map(|(vertex, delta)| moved(positions[vertex as usize], factor, delta))
+            .collect();
         for ((vertex, _), sum) in rows.zip(sums) {
             positions[vertex as usize] = sum;
         }
@@ -58,7 +70,11 @@ where
 
 /// As the application adds: in float32.
 pub(super) fn moved(place: Point, factor: f32, delta: Point) -> Point {
-    [place[0] + factor * delta[0], place[1] + factor * delta[1], place[2] + factor * delta[2]]
+    [
+        place[0] + factor * delta[0],
+        place[1] + factor * delta[1],
+        place[2] + factor * delta[2],
+    ]
 }
 
 #[cfg(test)]
@@ -88,8 +104,14 @@ mod tests {
     #[test]
     fn identity_target_gives_the_same_mesh() {
         let zero = [(0, [0.0; 3]), (1, [0.0; 3]), (2, [0.0; 3])];
-        assert_eq!(morphed(&MESH, [(rows(&zero), 1.0), (rows(&[]), 1.0)]).unwrap(), MESH);
-        assert_eq!(morphed(&MESH, [(rows(&[(1, [5.0; 3])]), 0.0)]).unwrap(), MESH);
+        assert_eq!(
+            morphed(&MESH, [(rows(&zero), 1.0), (rows(&[]), 1.0)]).unwrap(),
+            MESH
+        );
+        assert_eq!(
+            morphed(&MESH, [(rows(&[(1, [5.0; 3])]), 0.0)]).unwrap(),
+            MESH
+        );
     }
 
     #[test]
@@ -97,21 +119,33 @@ mod tests {
         let twice = rows(&[(1, [1.0, 0.0, 0.0]), (1, [0.0, 10.0, 0.0])]);
         assert_eq!(morphed(&MESH, [(twice, 1.0)]).unwrap()[1], [1.0, 12.0, 3.0]);
         let apart = rows(&[(2, [1.0; 3]), (0, [2.0; 3]), (2, [0.5; 3])]);
-        assert_eq!(morphed(&MESH, [(apart, 1.0)]).unwrap(), [[2.0; 3], MESH[1], [-0.5, 1.0, 0.75]]);
+        assert_eq!(
+            morphed(&MESH, [(apart, 1.0)]).unwrap(),
+            [[2.0; 3], MESH[1], [-0.5, 1.0, 0.75]]
+        );
     }
 
     #[test]
     fn order_of_rows_and_targets_is_irrelevant() {
-        let (a, b) = ([(0, [0.5; 3]), (2, [0.25; 3])], [(2, [0.25; 3]), (0, [0.5; 3])]);
+        let (a, b) = (
+            [(0, [0.5; 3]), (2, [0.25; 3])],
+            [(2, [0.25; 3]), (0, [0.5; 3])],
+        );
         let c = [(1, [1.5; 3]), (2, [-2.0; 3])];
         let one = morphed(&MESH, [(rows(&a), 0.5), (rows(&c), 2.0)]).unwrap();
-        assert_eq!(one, morphed(&MESH, [(rows(&c), 2.0), (rows(&b), 0.5)]).unwrap());
+        assert_eq!(
+            one,
+            morphed(&MESH, [(rows(&c), 2.0), (rows(&b), 0.5)]).unwrap()
+        );
     }
 
     #[test]
     fn opposite_factors_cancel() {
         let target = [0, 1, 2].map(|vertex| (vertex, [0.5, -1.0, 2.0]));
-        assert_eq!(morphed(&MESH, [(rows(&target), 1.0), (rows(&target), -1.0)]).unwrap(), MESH);
+        assert_eq!(
+            morphed(&MESH, [(rows(&target), 1.0), (rows(&target), -1.0)]).unwrap(),
+            MESH
+        );
     }
 
     #[test]
@@ -127,7 +161,10 @@ mod tests {
         assert_eq!(detail_factor(0.4), Some((Side::Incr, 0.4)));
         assert_eq!(detail_factor(-1.6), Some((Side::Decr, 1.6)));
         assert_eq!(detail_factor(0.0), None);
-        assert!(detail_factor(f64::NAN).is_some_and(|(side, factor)| side == Side::Incr && factor.is_nan()));
+        assert!(
+            detail_factor(f64::NAN)
+                .is_some_and(|(side, factor)| side == Side::Incr && factor.is_nan())
+        );
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! What a skeleton and its weights come to on a mesh: lengths, planes, rolls, influences, losses, rest pose.
+//! What a skeleton and its weights come to on a mesh: lengths, planes, rolls, influences, losses,
+//! rest pose.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -38,13 +39,17 @@ pub struct BoneMeasure {
 pub struct WeightMeasure {
     /// Most bones on one vertex.
     pub most: usize,
-    /// Vertices with more than [`ENGINE_INFLUENCES`], and the share of its weight that each loses when reduced to them.
+    /// Vertices with more than [`ENGINE_INFLUENCES`], and the share of its weight that each loses
+    /// when reduced to them.
     pub over: Vec<(u32, f32)>,
-    /// Pairs of bones (left, right by number) whose weights are not mirrored: vertices and largest difference.
+    /// Pairs of bones (left, right by number) whose weights are not mirrored: vertices and largest
+    /// difference.
     pub asymmetric: Vec<AsymmetricPair>,
-    /// Bones whose weights are on the other half of the mesh than their name says, and their joints lie.
+    /// Bones whose weights are on the other half of the mesh than their name says, and their joints
+    /// lie.
     pub wrong_side: Vec<usize>,
-    /// Vertex farthest from its place after skinning with all bones at rest, and how far, mesh units.
+    /// Vertex farthest from its place after skinning with all bones at rest, and how far, mesh
+    /// units.
     pub rest_distance: Option<(u32, f64)>,
 }
 
@@ -86,8 +91,8 @@ pub fn bones(skeleton: &SceneSkeleton, positions: &[Point]) -> Option<Vec<BoneMe
     Some(measures)
 }
 
-/// Weights of a skeleton on a mesh. `pairs` are the numbers of left and right bones; `tolerance` is the difference
-/// of two mirrored weights that counts.
+/// Weights of a skeleton on a mesh. `pairs` are the numbers of left and right bones; `tolerance` is
+/// the difference of two mirrored weights that counts.
 pub fn weights(
     loaded: &LoadedWeights,
     skeleton: &SceneSkeleton,
@@ -96,12 +101,24 @@ pub fn weights(
     pairs: &[(usize, usize)],
     tolerance: f32,
 ) -> Option<WeightMeasure> {
-    let reduction = Influences::new(&loaded.bones, positions.len()).ok()?.reduce(ENGINE_INFLUENCES);
+    let reduction = Influences::new(&loaded.bones, positions.len())
+        .ok()?
+        .reduce(ENGINE_INFLUENCES);
     // Of several lists for a bone the first.
-    let lists: BTreeMap<usize, &[Entry]> =
-        loaded.bones.iter().rev().map(|list| (list.bone, list.entries.as_slice())).collect();
+    let lists: BTreeMap<usize, &[Entry]> = loaded
+        .bones
+        .iter()
+        .rev()
+        .map(|list| (list.bone, list.entries.as_slice()))
+        .collect();
     let asymmetry = |pair: &(usize, usize)| {
-        asymmetry([lists.get(&pair.0)?, lists.get(&pair.1)?], &loaded.raw_sums, *pair, mirror, tolerance)
+        asymmetry(
+            [lists.get(&pair.0)?, lists.get(&pair.1)?],
+            &loaded.raw_sums,
+            *pair,
+            mirror,
+            tolerance,
+        )
     };
     Some(WeightMeasure {
         most: reduction.most,
@@ -112,14 +129,28 @@ pub fn weights(
     })
 }
 
-/// Bones whose weights are on the other half of a mesh than their name says, and their joints lie on the body.
-fn wrong_side(lists: &[BoneWeights], skeleton: &SceneSkeleton, body: &[Point], positions: &[Point]) -> Vec<usize> {
-    let sides: Vec<[bool; 2]> = skeleton.joints.iter().map(|joint| sides_of(joint, body)).collect();
-    lists.iter().filter(|list| is_across(list, skeleton, positions, &sides)).map(|list| list.bone).collect()
+/// Bones whose weights are on the other half of a mesh than their name says, and their joints lie
+/// on the body.
+fn wrong_side(
+    lists: &[BoneWeights],
+    skeleton: &SceneSkeleton,
+    body: &[Point],
+    positions: &[Point],
+) -> Vec<usize> {
+    let sides: Vec<[bool; 2]> = skeleton
+        .joints
+        .iter()
+        .map(|joint| sides_of(joint, body))
+        .collect();
+    lists
+        .iter()
+        .filter(|list| is_across(list, skeleton, positions, &sides))
+        .map(|list| list.bone)
+        .collect()
 }
 
-/// Bones that have each other's weights on what is worn. Of a single bone only a few vertices may be on an asset, and
-/// these may well hang over the middle.
+/// Bones that have each other's weights on what is worn. Of a single bone only a few vertices may
+/// be on an asset, and these may well hang over the middle.
 pub fn exchanged(
     lists: &[BoneWeights],
     skeleton: &SceneSkeleton,
@@ -127,8 +158,12 @@ pub fn exchanged(
     positions: &[Point],
     pairs: &[(usize, usize)],
 ) -> Vec<usize> {
-    let across: BTreeSet<usize> = wrong_side(lists, skeleton, body, positions).into_iter().collect();
-    let both = pairs.iter().filter(|(left, right)| across.contains(left) && across.contains(right));
+    let across: BTreeSet<usize> = wrong_side(lists, skeleton, body, positions)
+        .into_iter()
+        .collect();
+    let both = pairs
+        .iter()
+        .filter(|(left, right)| across.contains(left) && across.contains(right));
     both.flat_map(|(left, right)| [*left, *right]).collect()
 }
 
@@ -139,26 +174,46 @@ fn sides_of(joint: &[u32], positions: &[Point]) -> [bool; 2] {
 
 fn is_on(positions: &[Point], vertex: u32, side: Side) -> bool {
     step();
-    positions.get(vertex as usize).and_then(|point| Side::at(point[0])) == Some(side)
+    positions
+        .get(vertex as usize)
+        .and_then(|point| Side::at(point[0]))
+        == Some(side)
 }
 
-/// Whether the weights of a bone with a side in its name are across the middle from its joints, all but a tenth.
-fn is_across(list: &BoneWeights, skeleton: &SceneSkeleton, positions: &[Point], sides: &[[bool; 2]]) -> bool {
-    let bone = skeleton.names.get(list.bone).zip(skeleton.bones.get(list.bone));
-    let Some(((side, _), bone)) = bone.and_then(|(name, bone)| Some((side::of_bone(name)?, bone))) else {
+/// Whether the weights of a bone with a side in its name are across the middle from its joints, all
+/// but a tenth.
+fn is_across(
+    list: &BoneWeights,
+    skeleton: &SceneSkeleton,
+    positions: &[Point],
+    sides: &[[bool; 2]],
+) -> bool {
+    let bone = skeleton
+        .names
+        .get(list.bone)
+        .zip(skeleton.bones.get(list.bone));
+    let Some(((side, _), bone)) = bone.and_then(|(name, bone)| Some((side::of_bone(name)?, bone)))
+    else {
         return false;
     };
-    let mut joints = [bone.head, bone.tail].into_iter().filter_map(|joint| sides.get(joint));
+    let mut joints = [bone.head, bone.tail]
+        .into_iter()
+        .filter_map(|joint| sides.get(joint));
     let sum = |wanted: &dyn Fn(u32) -> bool| -> f32 {
-        list.entries.iter().filter(|(vertex, _)| wanted(*vertex)).map(|(_, weight)| weight).sum()
+        list.entries
+            .iter()
+            .filter(|(vertex, _)| wanted(*vertex))
+            .map(|(_, weight)| weight)
+            .sum()
     };
     let across = sum(&|vertex| is_on(positions, vertex, side.other()));
-    across > 0.9 * sum(&|_| true) && joints.all(|[left, right]| if side == Side::Left { *left } else { *right })
+    across > 0.9 * sum(&|_| true)
+        && joints.all(|[left, right]| if side == Side::Left { *left } else { *right })
 }
 
-/// Entries of one vertex are added, and all are scaled to a sum of 1, so that mending either changes nothing here.
-/// Vertices without weights on one side are left out: that is what is wrong there. Costs what the two lists hold, not
-/// the size of the mesh.
+/// Entries of one vertex are added, and all are scaled to a sum of 1, so that mending either
+/// changes nothing here. Vertices without weights on one side are left out: that is what is wrong
+/// there. Costs what the two lists hold, not the size of the mesh.
 fn asymmetry(
     [ours, theirs]: [&[Entry]; 2],
     raw_sums: &[f32],
@@ -178,10 +233,19 @@ fn asymmetry(
     let mirrored = theirs.keys().filter_map(|vertex| mirror.partner(*vertex));
     let vertices: BTreeSet<u32> = ours.keys().copied().chain(mirrored).collect();
     let is_weighted = |vertex: u32| raw_sums.get(vertex as usize).is_some_and(|sum| *sum != 0.0);
-    let mut pair = AsymmetricPair { left, right, vertices: 0, worst: (0, 0.0) };
+    let mut pair = AsymmetricPair {
+        left,
+        right,
+        vertices: 0,
+        worst: (0, 0.0),
+    };
     for vertex in vertices {
-        let Some(partner) = mirror.partner(vertex) else { continue };
-        let weight = |weights: &BTreeMap<u32, f32>, vertex: u32| weights.get(&vertex).copied().unwrap_or(0.0);
+        let Some(partner) = mirror.partner(vertex) else {
+            continue;
+        };
+        let weight = |weights: &BTreeMap<u32, f32>, vertex: u32| {
+            weights.get(&vertex).copied().unwrap_or(0.0)
+        };
         let difference = (weight(&ours, vertex) - weight(&theirs, partner)).abs();
         if difference > tolerance && is_weighted(vertex) && is_weighted(partner) {
             pair.vertices += 1;
@@ -193,16 +257,22 @@ fn asymmetry(
     (pair.vertices > 0).then_some(pair)
 }
 
-/// Vertices whose weights do not add up (lost at the threshold) are pulled to the origin even at rest; they are
-/// measured by their loss, so the sum is made whole here, and entries of one vertex, of which skinning uses one, are
-/// added: what is left is the fault of the matrices.
-fn rest_distance(loaded: &LoadedWeights, skeleton: &SceneSkeleton, positions: &[Point]) -> Option<(u32, f64)> {
+/// Vertices whose weights do not add up (lost at the threshold) are pulled to the origin even at
+/// rest; they are measured by their loss, so the sum is made whole here, and entries of one vertex,
+/// of which skinning uses one, are added: what is left is the fault of the matrices.
+fn rest_distance(
+    loaded: &LoadedWeights,
+    skeleton: &SceneSkeleton,
+    positions: &[Point],
+) -> Option<(u32, f64)> {
     let joints = skeleton.joint_positions(positions).ok()?;
     let rest = skeleton.rest_bones(&joints).ok()?;
     let posed = pose_bones(&skeleton.bones, &rest, &vec![None; skeleton.bones.len()]).ok()?;
     let moved: Vec<_> = posed.iter().map(|bone| bone.moved).collect();
     let mut bones = loaded.bones.clone();
-    bones.iter_mut().for_each(|list| merge_duplicates(&mut list.entries));
+    bones
+        .iter_mut()
+        .for_each(|list| merge_duplicates(&mut list.entries));
     let skinned = skin(positions, &bones, &moved).ok()?;
     let mut sums = vec![0.0_f32; positions.len()];
     for (vertex, weight) in bones.iter().flat_map(|list| &list.entries) {
@@ -219,12 +289,21 @@ fn rest_distance(loaded: &LoadedWeights, skeleton: &SceneSkeleton, positions: &[
     far.max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// Numbers of left and right bones whose names differ in their side only (`.L`/`.R`, `_l`/`_r`, `l-`/`r-` …).
+/// Numbers of left and right bones whose names differ in their side only (`.L`/`.R`, `_l`/`_r`,
+/// `l-`/`r-` …).
 pub fn bone_pairs(names: &[String]) -> Vec<(usize, usize)> {
-    let right_of = |name: &str| side::of_bone(name).filter(|(own, _)| *own == Side::Left).map(|(_, right)| right);
+    let right_of = |name: &str| {
+        side::of_bone(name)
+            .filter(|(own, _)| *own == Side::Left)
+            .map(|(_, right)| right)
+    };
     // Of several bones of one name the first.
-    let numbers: BTreeMap<&String, usize> =
-        names.iter().enumerate().rev().map(|(number, name)| (name, number)).collect();
+    let numbers: BTreeMap<&String, usize> = names
+        .iter()
+        .enumerate()
+        .rev()
+        .map(|(number, name)| (name, number))
+        .collect();
     let mut pairs = Vec::new();
     for (left, name) in names.iter().enumerate() {
         let right = right_of(name).and_then(|right| numbers.get(&right).copied());
@@ -240,10 +319,20 @@ mod tests {
     use super::super::steps::steps_of;
     use super::*;
 
-    const POSITIONS: [Point; 4] = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [1.0, 2.0, 0.0], [-1.0, 2.0, 0.0]];
+    const POSITIONS: [Point; 4] = [
+        [1.0, 0.0, 0.0],
+        [-1.0, 0.0, 0.0],
+        [1.0, 2.0, 0.0],
+        [-1.0, 2.0, 0.0],
+    ];
 
     fn skeleton() -> SceneSkeleton {
-        let bone = |parent, head, tail| Bone { parent, head, tail, plane: None };
+        let bone = |parent, head, tail| Bone {
+            parent,
+            head,
+            tail,
+            plane: None,
+        };
         SceneSkeleton {
             names: ["root", "arm.L", "arm.R"].map(str::to_owned).to_vec(),
             bones: vec![bone(None, 0, 1), bone(Some(0), 0, 2), bone(Some(0), 1, 3)],
@@ -261,7 +350,11 @@ mod tests {
 
     #[test]
     fn weights_across_the_middle_are_told_from_a_few_strays() {
-        let exchanged = measure(&[(0, &[(0, 1.0), (1, 1.0)]), (1, &[(3, 1.0)]), (2, &[(2, 1.0)])]);
+        let exchanged = measure(&[
+            (0, &[(0, 1.0), (1, 1.0)]),
+            (1, &[(3, 1.0)]),
+            (2, &[(2, 1.0)]),
+        ]);
         // The first joint of an arm is its shoulder: both joints are on the side of its name.
         assert_eq!(exchanged.wrong_side, [1, 2]);
         let stray = measure(&[(1, &[(0, 0.4), (2, 0.6), (3, 0.5)]), (2, &[(1, 1.0)])]);
@@ -271,23 +364,49 @@ mod tests {
     #[test]
     fn what_is_worn_is_exchanged_where_both_bones_are_across() {
         let worn = [[0.5, 0.0, 0.0], [-0.5, 0.0, 0.0]];
-        let list = |bone, vertex| BoneWeights { bone, entries: vec![(vertex, 1.0)] };
-        let found = |lists: &[BoneWeights]| exchanged(lists, &skeleton(), &POSITIONS, &worn, &[(1, 2)]);
+        let list = |bone, vertex| BoneWeights {
+            bone,
+            entries: vec![(vertex, 1.0)],
+        };
+        let found =
+            |lists: &[BoneWeights]| exchanged(lists, &skeleton(), &POSITIONS, &worn, &[(1, 2)]);
         assert_eq!(found(&[list(1, 1), list(2, 0)]), [1, 2]);
-        assert!(found(&[list(1, 0), list(2, 1)]).is_empty() && found(&[list(1, 1), list(2, 1)]).is_empty());
+        assert!(
+            found(&[list(1, 0), list(2, 1)]).is_empty()
+                && found(&[list(1, 1), list(2, 1)]).is_empty()
+        );
     }
 
     #[test]
     fn rest_pose_gives_the_mesh_back() {
-        let found = measure(&[(0, &[(0, 1.0), (1, 1.0)]), (1, &[(2, 1.0)]), (2, &[(3, 1.0)])]);
+        let found = measure(&[
+            (0, &[(0, 1.0), (1, 1.0)]),
+            (1, &[(2, 1.0)]),
+            (2, &[(3, 1.0)]),
+        ]);
         assert!(found.rest_distance.unwrap().1 < 1e-6);
-        assert_eq!((found.most, found.over.len(), found.asymmetric.len()), (1, 0, 0));
+        assert_eq!(
+            (found.most, found.over.len(), found.asymmetric.len()),
+            (1, 0, 0)
+        );
     }
 
     #[test]
     fn weights_unlike_their_mirror_are_counted() {
-        let found = measure(&[(0, &[(0, 1.0), (1, 1.0), (3, 0.5)]), (1, &[(2, 1.0)]), (2, &[(3, 0.5)])]);
-        assert_eq!(found.asymmetric, [AsymmetricPair { left: 1, right: 2, vertices: 1, worst: (2, 0.5) }]);
+        let found = measure(&[
+            (0, &[(0, 1.0), (1, 1.0), (3, 0.5)]),
+            (1, &[(2, 1.0)]),
+            (2, &[(3, 0.5)]),
+        ]);
+        assert_eq!(
+            found.asymmetric,
+            [AsymmetricPair {
+                left: 1,
+                right: 2,
+                vertices: 1,
+                worst: (2, 0.5)
+            }]
+        );
     }
 
     #[test]
@@ -296,13 +415,28 @@ mod tests {
         let side = |x: f32| (0..count).map(move |y| [x, f32::from(y), 0.0]);
         let positions: Vec<Point> = side(1.0).chain(side(-1.0)).collect();
         let mut rig = skeleton();
-        rig.names = (0..count).flat_map(|bone| [format!("{bone}.L"), format!("{bone}.R")]).collect();
+        rig.names = (0..count)
+            .flat_map(|bone| [format!("{bone}.L"), format!("{bone}.R")])
+            .collect();
         // All bones share one joint of half of the vertices.
-        rig.bones = vec![Bone { parent: None, head: 0, tail: 0, plane: None }; rig.names.len()];
+        rig.bones = vec![
+            Bone {
+                parent: None,
+                head: 0,
+                tail: 0,
+                plane: None
+            };
+            rig.names.len()
+        ];
         rig.joints = vec![(0..u32::from(count)).collect()];
-        let lists: Vec<[Entry; 1]> =
-            (0..u32::from(count)).flat_map(|at| [[(at + u32::from(count), 1.0)], [(at, 1.0)]]).collect();
-        let lists: Vec<(usize, &[Entry])> = lists.iter().map(<[Entry; 1]>::as_slice).enumerate().collect();
+        let lists: Vec<[Entry; 1]> = (0..u32::from(count))
+            .flat_map(|at| [[(at + u32::from(count), 1.0)], [(at, 1.0)]])
+            .collect();
+        let lists: Vec<(usize, &[Entry])> = lists
+            .iter()
+            .map(<[Entry; 1]>::as_slice)
+            .enumerate()
+            .collect();
         let loaded = load(&lists, 0, positions.len()).unwrap();
         let mirror = MirrorMap::new(&positions, std::iter::empty::<&[u32]>(), 0.01);
         let pairs = bone_pairs(&rig.names);
@@ -313,13 +447,35 @@ mod tests {
 
     #[test]
     fn sums_and_repeats_are_looked_through() {
-        let scaled = measure(&[(0, &[(0, 1.0), (1, 1.0)]), (1, &[(2, 1.0)]), (2, &[(3, 0.25)])]);
+        let scaled = measure(&[
+            (0, &[(0, 1.0), (1, 1.0)]),
+            (1, &[(2, 1.0)]),
+            (2, &[(3, 0.25)]),
+        ]);
         assert_eq!(scaled.asymmetric, []);
-        let repeated = measure(&[(0, &[(0, 1.0), (1, 1.0)]), (1, &[(2, 1.0)]), (2, &[(3, 0.5), (3, 0.5)])]);
-        assert_eq!((repeated.asymmetric, repeated.rest_distance.map(|rest| rest.1 < 1e-6)), (vec![], Some(true)));
-        let shared = measure(&[(0, &[(0, 1.0), (1, 1.0), (3, 0.5)]), (1, &[(2, 1.0)]), (2, &[(3, 1.0)])]);
+        let repeated = measure(&[
+            (0, &[(0, 1.0), (1, 1.0)]),
+            (1, &[(2, 1.0)]),
+            (2, &[(3, 0.5), (3, 0.5)]),
+        ]);
+        assert_eq!(
+            (
+                repeated.asymmetric,
+                repeated.rest_distance.map(|rest| rest.1 < 1e-6)
+            ),
+            (vec![], Some(true))
+        );
+        let shared = measure(&[
+            (0, &[(0, 1.0), (1, 1.0), (3, 0.5)]),
+            (1, &[(2, 1.0)]),
+            (2, &[(3, 1.0)]),
+        ]);
         assert_eq!(shared.asymmetric.first().map(|pair| pair.vertices), Some(1));
-        let unweighted = measure(&[(0, &[(0, 1.0), (1, 1.0)]), (1, &[(2, 1.0)]), (2, &[(1, 0.0)])]);
+        let unweighted = measure(&[
+            (0, &[(0, 1.0), (1, 1.0)]),
+            (1, &[(2, 1.0)]),
+            (2, &[(1, 0.0)]),
+        ]);
         assert_eq!(unweighted.asymmetric, []);
     }
 

@@ -1,7 +1,9 @@
-//! Everything of one base mesh that evaluation needs, as plain arrays, and a setting of its sliders.
+//! Everything of one base mesh that evaluation needs, as plain arrays, and a setting of its
+//! sliders.
 //!
-//! Filled by the caller from files that could be read; what could not is absent here. Source of the order of
-//! application: MakeHuman 2, morph evaluation (`docs/loaders/makehuman2/targets.md#evaluation`).
+//! Filled by the caller from files that could be read; what could not is absent here. Source of the
+//! order of application: MakeHuman 2, morph evaluation
+//! (`docs/loaders/makehuman2/targets.md#evaluation`).
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -45,11 +47,13 @@ pub struct Scene {
     pub macro_targets: Vec<usize>,
     /// Macro settings after a reset.
     pub macro_defaults: Vec<f64>,
-    /// Macro sliders that work together: of each macrodef those of its components, in order of its `comp`.
+    /// Macro sliders that work together: of each macrodef those of its components, in order of its
+    /// `comp`.
     pub products: Vec<Vec<Dimension>>,
     /// The pose skeleton.
     pub skeleton: Option<SceneSkeleton>,
-    /// Weights of the pose skeleton, bones numbered as in `skeleton`; bones the skeleton lacks are left out.
+    /// Weights of the pose skeleton, bones numbered as in `skeleton`; bones the skeleton lacks are
+    /// left out.
     pub weights: Option<LoadedWeights>,
     /// What is worn.
     pub worn: Vec<WornAsset>,
@@ -77,7 +81,8 @@ pub struct MorphTarget {
     pub path: String,
     /// Vertex and displacement; `None` if there is no such file or it cannot be used.
     pub rows: Option<Arc<Vec<(u32, Point)>>>,
-    /// Reported for its own rows already (not finite, out of proportion): looked past when settings are surveyed.
+    /// Reported for its own rows already (not finite, out of proportion): looked past when settings
+    /// are surveyed.
     pub suspect: bool,
 }
 
@@ -113,7 +118,8 @@ pub enum SliderKind {
 pub struct Setting {
     /// Macro settings; shared by all settings that move detail sliders only.
     pub macros: Arc<Vec<f64>>,
-    /// Values of the detail sliders that are not at 0, by their number: a setting moves few of many.
+    /// Values of the detail sliders that are not at 0, by their number: a setting moves few of
+    /// many.
     pub details: BTreeMap<usize, f64>,
 }
 
@@ -143,16 +149,27 @@ impl Setting {
 impl Scene {
     /// All sliders as a reset leaves them.
     pub fn defaults(&self) -> Setting {
-        let details = self.sliders.iter().enumerate().filter_map(|(number, slider)| match slider.kind {
-            SliderKind::Detail { .. } if slider.default != 0.0 => Some((number, slider.default)),
-            _ => None,
-        });
-        Setting { macros: Arc::new(self.macro_defaults.clone()), details: details.collect() }
+        let details = self
+            .sliders
+            .iter()
+            .enumerate()
+            .filter_map(|(number, slider)| match slider.kind {
+                SliderKind::Detail { .. } if slider.default != 0.0 => {
+                    Some((number, slider.default))
+                }
+                _ => None,
+            });
+        Setting {
+            macros: Arc::new(self.macro_defaults.clone()),
+            details: details.collect(),
+        }
     }
 
     /// The slider registered under a pattern; of several the last.
     pub fn slider(&self, pattern: &str) -> Option<usize> {
-        self.sliders.iter().rposition(|slider| slider.pattern == pattern)
+        self.sliders
+            .iter()
+            .rposition(|slider| slider.pattern == pattern)
     }
 
     /// Puts a slider to a value, as a model file does: not clamped.
@@ -161,7 +178,9 @@ impl Scene {
             Some(SliderKind::Macro(place)) => setting.put(place, value),
             Some(SliderKind::Detail { .. }) => {
                 setting.details.remove(&slider);
-                setting.details.extend((value != 0.0).then_some((slider, value)));
+                setting
+                    .details
+                    .extend((value != 0.0).then_some((slider, value)));
             }
             None => {}
         }
@@ -171,15 +190,22 @@ impl Scene {
     pub fn value(&self, setting: &Setting, slider: usize) -> Option<f64> {
         match self.sliders.get(slider)?.kind {
             SliderKind::Macro(place) => setting.macros.get(place).copied(),
-            SliderKind::Detail { .. } => Some(setting.details.get(&slider).copied().unwrap_or_default()),
+            SliderKind::Detail { .. } => {
+                Some(setting.details.get(&slider).copied().unwrap_or_default())
+            }
         }
     }
 
-    /// The targets of a setting with their factors, in the order of application: details, then macros.
+    /// The targets of a setting with their factors, in the order of application: details, then
+    /// macros.
     ///
     /// # Errors
     /// Where the macros stop the application.
-    pub fn factors(&self, setting: &Setting, work: &mut MacroWork) -> Result<Vec<(usize, f64)>, SettingError> {
+    pub fn factors(
+        &self,
+        setting: &Setting,
+        work: &mut MacroWork,
+    ) -> Result<Vec<(usize, f64)>, SettingError> {
         let mut factors: Vec<(usize, f64)> = self.detail_factors(setting).collect();
         factors.extend(self.macro_factors(setting, work)?);
         Ok(factors)
@@ -188,11 +214,16 @@ impl Scene {
     /// The targets of the detail sliders of a setting.
     pub(super) fn detail_factors(&self, setting: &Setting) -> impl Iterator<Item = (usize, f64)> {
         setting.details.iter().filter_map(|(number, value)| {
-            let SliderKind::Detail { incr, decr, .. } = self.sliders.get(*number)?.kind else { return None };
+            let SliderKind::Detail { incr, decr, .. } = self.sliders.get(*number)?.kind else {
+                return None;
+            };
             let (side, factor) = detail_factor(*value)?;
             let target = if side == Side::Incr { incr } else { decr };
             // NaN stays.
-            let limited = self.most_factor.filter(|most| factor > *most).unwrap_or(factor);
+            let limited = self
+                .most_factor
+                .filter(|most| factor > *most)
+                .unwrap_or(factor);
             target.map(|target| (target, limited))
         })
     }
@@ -203,9 +234,15 @@ impl Scene {
         setting: &Setting,
         work: &mut MacroWork,
     ) -> Result<Vec<(usize, f64)>, SettingError> {
-        let Some(macros) = &self.macros else { return Ok(Vec::new()) };
-        let factors = macros.factors(&setting.macros, work).map_err(SettingError::Macro)?;
-        let place = |(number, factor): &(u32, f64)| Some((*self.macro_targets.get(*number as usize)?, *factor));
+        let Some(macros) = &self.macros else {
+            return Ok(Vec::new());
+        };
+        let factors = macros
+            .factors(&setting.macros, work)
+            .map_err(SettingError::Macro)?;
+        let place = |(number, factor): &(u32, f64)| {
+            Some((*self.macro_targets.get(*number as usize)?, *factor))
+        };
         Ok(factors.iter().filter_map(place).collect())
     }
 
@@ -213,9 +250,16 @@ impl Scene {
     ///
     /// # Errors
     /// A target without usable file, or one that moves a vertex outside the mesh.
-    pub fn add(&self, positions: &mut [Point], factors: &[(usize, f64)]) -> Result<(), SettingError> {
+    pub fn add(
+        &self,
+        positions: &mut [Point],
+        factors: &[(usize, f64)],
+    ) -> Result<(), SettingError> {
         for (target, factor) in factors {
-            let rows = self.targets.get(*target).and_then(|found| found.rows.as_ref());
+            let rows = self
+                .targets
+                .get(*target)
+                .and_then(|found| found.rows.as_ref());
             let rows = rows.ok_or(SettingError::Unusable { target: *target })?;
             apply(positions, rows.iter().copied(), *factor).map_err(SettingError::Morph)?;
         }
@@ -249,7 +293,10 @@ impl Scene {
     }
 
     fn all_faces(&self) -> Faces<'_> {
-        Faces { corners: &self.corners, starts: &self.face_starts }
+        Faces {
+            corners: &self.corners,
+            starts: &self.face_starts,
+        }
     }
 }
 
@@ -263,15 +310,31 @@ mod tests {
             rows: Some(Arc::new(vec![(0, [x, 0.0, 0.0])])),
             ..MorphTarget::default()
         };
-        let kind = SliderKind::Detail { incr: Some(0), decr: Some(1), two_sided: true };
+        let kind = SliderKind::Detail {
+            incr: Some(0),
+            decr: Some(1),
+            two_sided: true,
+        };
         Scene {
             positions: vec![[0.0; 3], [1.0; 3]],
-            targets: vec![target("a-incr", 1.0), target("a-decr", -2.0), MorphTarget::default()],
+            targets: vec![
+                target("a-incr", 1.0),
+                target("a-decr", -2.0),
+                MorphTarget::default(),
+            ],
             sliders: vec![
-                SceneSlider { pattern: "a-decr|incr".to_owned(), kind, default: 0.0 },
+                SceneSlider {
+                    pattern: "a-decr|incr".to_owned(),
+                    kind,
+                    default: 0.0,
+                },
                 SceneSlider {
                     pattern: "b".to_owned(),
-                    kind: SliderKind::Detail { incr: Some(2), decr: None, two_sided: false },
+                    kind: SliderKind::Detail {
+                        incr: Some(2),
+                        decr: None,
+                        two_sided: false,
+                    },
                     default: 0.0,
                 },
             ],
@@ -284,7 +347,10 @@ mod tests {
         let scene = scene();
         let mut setting = scene.defaults();
         scene.set(&mut setting, scene.slider("a-decr|incr").unwrap(), -0.5);
-        assert_eq!(scene.morphed(&setting).unwrap(), [[-1.0, 0.0, 0.0], [1.0; 3]]);
+        assert_eq!(
+            scene.morphed(&setting).unwrap(),
+            [[-1.0, 0.0, 0.0], [1.0; 3]]
+        );
     }
 
     #[test]
@@ -293,7 +359,10 @@ mod tests {
         let mut setting = scene.defaults();
         assert!(scene.morphed(&setting).is_ok());
         scene.set(&mut setting, 1, 0.1);
-        assert_eq!(scene.morphed(&setting), Err(SettingError::Unusable { target: 2 }));
+        assert_eq!(
+            scene.morphed(&setting),
+            Err(SettingError::Unusable { target: 2 })
+        );
         scene.set(&mut setting, 1, -0.1);
         assert!(scene.morphed(&setting).is_ok());
     }

@@ -1,8 +1,8 @@
 //! Which settings of the sliders are looked at: deliberate ones first, then a seeded sample.
 //!
-//! Every macro slider alone at every step, in the middle of every interval and on both sides of every step; every
-//! detail slider alone at its ends; every corner of every macrodef; a fixed pseudo-random sample of whole settings;
-//! on request every corner of the whole product.
+//! Every macro slider alone at every step, in the middle of every interval and on both sides of
+//! every step; every detail slider alone at its ends; every corner of every macrodef; a fixed
+//! pseudo-random sample of whole settings; on request every corner of the whole product.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -11,18 +11,21 @@ use super::macros::Macros;
 use super::scene::{Scene, SceneSlider, Setting, SliderKind};
 use super::steps::step;
 
-/// How far beside a step the two sides of it are looked at: well inside every interval, outside the 0.001 limits.
+/// How far beside a step the two sides of it are looked at: well inside every interval, outside the
+/// 0.001 limits.
 const BESIDE: f64 = 0.004;
 /// Corners of a product beyond this are not visited; the caller says so.
 pub const MOST_CORNERS: usize = 1 << 16;
 /// Random settings when nobody asks for another number.
 pub const DEFAULT_SAMPLES: usize = 64;
-/// Detail sliders that a sampled setting moves: a person sets a few; all of them at once make no figure.
+/// Detail sliders that a sampled setting moves: a person sets a few; all of them at once make no
+/// figure.
 const SAMPLED_DETAILS: usize = 3;
-/// Numbers that all settings together may hold: hm08 has thirty thousand, and a stranger's sliders times their defaults have
-/// no end.
+/// Numbers that all settings together may hold: hm08 has thirty thousand, and a stranger's sliders
+/// times their defaults have no end.
 const MOST_NUMBERS: usize = 1 << 21;
-/// Steps that evaluating the macros at all settings may take. A character of a hundred macro sliders comes to a tenth.
+/// Steps that evaluating the macros at all settings may take. A character of a hundred macro
+/// sliders comes to a tenth.
 const MOST_STEPS: usize = 1 << 26;
 /// Seed of the sample: any number, always the same.
 const SEED: u64 = 0x6d68_6c69_6e74;
@@ -34,14 +37,16 @@ pub enum Dimension {
     Steps {
         /// Place in the macro settings.
         place: usize,
-        /// Slider positions, ascending. Shared: a component may be named by any number of macrodefs.
+        /// Slider positions, ascending. Shared: a component may be named by any number of
+        /// macrodefs.
         steps: Arc<[f64]>,
     },
     /// A barycentric set: places of its numbers.
     Corners(Vec<usize>),
 }
 
-/// The settings to look at, without repetition, in a fixed order, and whether some were left out because they are too many.
+/// The settings to look at, without repetition, in a fixed order, and whether some were left out
+/// because they are too many.
 pub fn plan(scene: &Scene, samples: usize, exhaustive: bool) -> (Vec<Setting>, bool) {
     let rest = scene.defaults();
     let cost = scene.macros.as_ref().map_or(1, Macros::cost).max(1);
@@ -70,7 +75,10 @@ pub fn plan(scene: &Scene, samples: usize, exhaustive: bool) -> (Vec<Setting>, b
 
 /// Number of corners of a product of dimensions.
 pub fn corner_count(dimensions: &[Dimension]) -> usize {
-    dimensions.iter().map(Dimension::corners).fold(1, usize::saturating_mul)
+    dimensions
+        .iter()
+        .map(Dimension::corners)
+        .fold(1, usize::saturating_mul)
 }
 
 impl Dimension {
@@ -101,7 +109,9 @@ impl Dimension {
     /// Puts a setting to a corner.
     fn put(&self, setting: &mut Setting, corner: usize) {
         match self {
-            Self::Steps { place, steps } => setting.put(*place, steps.get(corner).copied().unwrap_or(0.0)),
+            Self::Steps { place, steps } => {
+                setting.put(*place, steps.get(corner).copied().unwrap_or(0.0))
+            }
             Self::Corners(places) => {
                 for (number, place) in places.iter().enumerate() {
                     setting.put(*place, if number == corner { 1.0 } else { 0.0 });
@@ -122,7 +132,10 @@ fn distinct(products: &[Vec<Dimension>]) -> Vec<Dimension> {
             Dimension::Steps { place, steps } if !shared.insert((*place, steps.as_ptr())) => false,
             Dimension::Steps { place, steps } => {
                 steps.iter().for_each(|_| step());
-                seen.insert((std::slice::from_ref(place), steps.iter().map(|step| (step + 0.0).to_bits()).collect()))
+                seen.insert((
+                    std::slice::from_ref(place),
+                    steps.iter().map(|step| (step + 0.0).to_bits()).collect(),
+                ))
             }
             Dimension::Corners(places) => seen.insert((places, vec![u64::MAX])),
         };
@@ -147,7 +160,8 @@ struct Plan {
 }
 
 impl Plan {
-    /// The default setting, to be changed at so many sliders; nothing where there is no room for another one.
+    /// The default setting, to be changed at so many sliders; nothing where there is no room for
+    /// another one.
     fn another(&mut self, moved: usize) -> Option<Setting> {
         step();
         let left = self.room.checked_sub(1 + moved + self.rest.details.len());
@@ -167,18 +181,31 @@ impl Plan {
 
     /// Adds a setting of macro sliders unless it is there.
     fn add(&mut self, setting: Setting) {
-        if self.seen.insert(setting.macros.iter().map(|value| value.to_bits()).collect()) {
+        if self
+            .seen
+            .insert(setting.macros.iter().map(|value| value.to_bits()).collect())
+        {
             self.settings.push(setting);
         }
     }
 
     fn alone(&mut self, dimension: &Dimension) {
-        let Dimension::Steps { place, steps } = dimension else { return };
+        let Dimension::Steps { place, steps } = dimension else {
+            return;
+        };
         let middles = steps.windows(2).map(|pair| f64::midpoint(pair[0], pair[1]));
         let sides = steps.iter().flat_map(|step| [step - BESIDE, step + BESIDE]);
         let inside = sides.filter(|value| (0.0..=1.0).contains(value));
-        for value in steps.iter().copied().chain([0.0, 1.0]).chain(middles).chain(inside) {
-            let Some(mut setting) = self.another_of_macros() else { return };
+        for value in steps
+            .iter()
+            .copied()
+            .chain([0.0, 1.0])
+            .chain(middles)
+            .chain(inside)
+        {
+            let Some(mut setting) = self.another_of_macros() else {
+                return;
+            };
             setting.put(*place, value);
             self.add(setting);
         }
@@ -190,7 +217,9 @@ impl Plan {
             return;
         }
         for number in 0..count {
-            let Some(mut setting) = self.another_of_macros() else { return };
+            let Some(mut setting) = self.another_of_macros() else {
+                return;
+            };
             let mut rest = number;
             for dimension in dimensions {
                 dimension.put(&mut setting, rest % dimension.corners());
@@ -202,10 +231,19 @@ impl Plan {
 
     fn details(&mut self, scene: &Scene) {
         for (number, slider) in scene.sliders.iter().enumerate() {
-            let SliderKind::Detail { incr, decr, two_sided } = slider.kind else { continue };
+            let SliderKind::Detail {
+                incr,
+                decr,
+                two_sided,
+            } = slider.kind
+            else {
+                continue;
+            };
             let ends = [(1.0, incr.is_some()), (-1.0, two_sided && decr.is_some())];
             for (value, _) in ends.into_iter().filter(|(_, has)| *has) {
-                let Some(mut setting) = self.another(1) else { return };
+                let Some(mut setting) = self.another(1) else {
+                    return;
+                };
                 scene.set(&mut setting, number, value);
                 self.settings.push(setting);
             }
@@ -216,14 +254,22 @@ impl Plan {
         let mut random = Random(SEED);
         let details = details_of(scene);
         for _ in 0..samples {
-            let Some(mut setting) = self.another_of_macros() else { return };
+            let Some(mut setting) = self.another_of_macros() else {
+                return;
+            };
             for dimension in dimensions {
                 random.macro_values(dimension, &mut setting);
             }
             for _ in 0..SAMPLED_DETAILS.min(details.len()) {
-                let Some((number, two_sided)) = details.get(random.below(details.len())) else { continue };
+                let Some((number, two_sided)) = details.get(random.below(details.len())) else {
+                    continue;
+                };
                 let value = random.next();
-                scene.set(&mut setting, *number, if *two_sided { 2.0 * value - 1.0 } else { value });
+                scene.set(
+                    &mut setting,
+                    *number,
+                    if *two_sided { 2.0 * value - 1.0 } else { value },
+                );
             }
             self.settings.push(setting);
         }
@@ -236,7 +282,12 @@ fn details_of(scene: &Scene) -> Vec<(usize, bool)> {
         SliderKind::Detail { two_sided, .. } => Some((number, two_sided)),
         SliderKind::Macro(_) => None,
     };
-    scene.sliders.iter().enumerate().filter_map(detail).collect()
+    scene
+        .sliders
+        .iter()
+        .enumerate()
+        .filter_map(detail)
+        .collect()
 }
 
 /// `SplitMix64`: a few lines, the same numbers everywhere and for ever.
@@ -254,7 +305,11 @@ impl Random {
 
     /// A whole number below `count`.
     fn below(&mut self, count: usize) -> usize {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative and below `count`")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "not negative and below `count`"
+        )]
         {
             (self.next() * count as f64) as usize
         }
@@ -308,7 +363,11 @@ mod tests {
                 slider("Gender", 1),
                 SceneSlider {
                     pattern: "nose".to_owned(),
-                    kind: SliderKind::Detail { incr: Some(0), decr: None, two_sided: false },
+                    kind: SliderKind::Detail {
+                        incr: Some(0),
+                        decr: None,
+                        two_sided: false,
+                    },
                     default: 0.0,
                 },
             ],
@@ -320,8 +379,14 @@ mod tests {
 
     fn dimensions() -> Vec<Dimension> {
         vec![
-            Dimension::Steps { place: 0, steps: [0.0, 0.25, 1.0].into() },
-            Dimension::Steps { place: 1, steps: [0.0, 1.0].into() },
+            Dimension::Steps {
+                place: 0,
+                steps: [0.0, 0.25, 1.0].into(),
+            },
+            Dimension::Steps {
+                place: 1,
+                steps: [0.0, 1.0].into(),
+            },
         ]
     }
 
@@ -330,17 +395,42 @@ mod tests {
         let scene = scene();
         let (plan, is_cut) = plan(&scene, 3, false);
         assert!(!is_cut);
-        let has = |age: f64, gender: f64| plan.iter().filter(|s| *s.macros == [age, gender]).count();
+        let has =
+            |age: f64, gender: f64| plan.iter().filter(|s| *s.macros == [age, gender]).count();
         assert_eq!([has(0.0, 0.0), has(0.25, 1.0), has(1.0, 1.0)], [1, 1, 1]);
-        assert_eq!([has(0.625, 0.5), has(0.25 - BESIDE, 0.5), has(0.25 + BESIDE, 0.5)], [1, 1, 1]);
-        assert_eq!(plan.iter().filter(|s| s.details == [(2, 1.0)].into() && *s.macros == [0.5, 0.5]).count(), 1);
+        assert_eq!(
+            [
+                has(0.625, 0.5),
+                has(0.25 - BESIDE, 0.5),
+                has(0.25 + BESIDE, 0.5)
+            ],
+            [1, 1, 1]
+        );
+        assert_eq!(
+            plan.iter()
+                .filter(|s| s.details == [(2, 1.0)].into() && *s.macros == [0.5, 0.5])
+                .count(),
+            1
+        );
     }
 
     /// A scene of so many detail sliders, all of them set after a reset, and as many macro sliders.
     fn sliders(count: usize) -> Scene {
-        let kind = SliderKind::Detail { incr: Some(0), decr: None, two_sided: false };
-        let details = (0..count).map(|_| SceneSlider { pattern: String::new(), kind, default: 0.5 });
-        Scene { sliders: details.collect(), macro_defaults: vec![0.0; count], ..Scene::default() }
+        let kind = SliderKind::Detail {
+            incr: Some(0),
+            decr: None,
+            two_sided: false,
+        };
+        let details = (0..count).map(|_| SceneSlider {
+            pattern: String::new(),
+            kind,
+            default: 0.5,
+        });
+        Scene {
+            sliders: details.collect(),
+            macro_defaults: vec![0.0; count],
+            ..Scene::default()
+        }
     }
 
     #[test]
@@ -350,12 +440,25 @@ mod tests {
         let mut found = (Vec::new(), false);
         let steps = steps_of(|| found = plan(&scene, 10, false));
         assert!(found.1 && steps < 3 * count as u64, "{steps}");
-        assert!(found.0.iter().map(|setting| setting.details.len()).sum::<usize>() <= MOST_NUMBERS + count);
+        assert!(
+            found
+                .0
+                .iter()
+                .map(|setting| setting.details.len())
+                .sum::<usize>()
+                <= MOST_NUMBERS + count
+        );
         // Settings of one slider each share what they have in common.
-        scene.sliders.iter_mut().for_each(|slider| slider.default = 0.0);
+        scene
+            .sliders
+            .iter_mut()
+            .for_each(|slider| slider.default = 0.0);
         let (settings, is_cut) = plan(&scene, 10, false);
         assert_eq!((settings.len(), is_cut), (count + 11, false));
-        let own: BTreeSet<_> = settings.iter().map(|setting| Arc::as_ptr(&setting.macros)).collect();
+        let own: BTreeSet<_> = settings
+            .iter()
+            .map(|setting| Arc::as_ptr(&setting.macros))
+            .collect();
         assert_eq!(own.len(), 1);
     }
 
@@ -380,6 +483,9 @@ mod tests {
         assert_eq!(moved(&scene, &setting), []);
         scene.set(&mut setting, 0, 0.0);
         scene.set(&mut setting, 2, 1.0);
-        assert_eq!(moved(&scene, &setting), [("Age".to_owned(), 0.0), ("nose".to_owned(), 1.0)]);
+        assert_eq!(
+            moved(&scene, &setting),
+            [("Age".to_owned(), 0.0), ("nose".to_owned(), 1.0)]
+        );
     }
 }

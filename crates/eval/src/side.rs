@@ -33,24 +33,39 @@ impl Side {
 }
 
 /// Endings of the names of left and right bones.
-const ENDINGS: [(&str, &str); 5] = [(".L", ".R"), ("_L", "_R"), ("_l", "_r"), ("-l", "-r"), (".l", ".r")];
+const ENDINGS: [(&str, &str); 5] = [
+    (".L", ".R"),
+    ("_L", "_R"),
+    ("_l", "_r"),
+    ("-l", "-r"),
+    (".l", ".r"),
+];
 /// Beginnings of them.
-const BEGINNINGS: [(&str, &str); 4] = [("l-", "r-"), ("l_", "r_"), ("Left", "Right"), ("left", "right")];
+const BEGINNINGS: [(&str, &str); 4] = [
+    ("l-", "r-"),
+    ("l_", "r_"),
+    ("Left", "Right"),
+    ("left", "right"),
+];
 /// Words in the names of targets.
 const WORDS: [(&str, &str); 2] = [("l", "r"), ("left", "right")];
 
-/// The side that the name of a bone says, and the name of its partner (`upperarm.L`, `l-thigh`, `LeftFoot`).
+/// The side that the name of a bone says, and the name of its partner (`upperarm.L`, `l-thigh`,
+/// `LeftFoot`).
 pub fn of_bone(name: &str) -> Option<(Side, String)> {
     let ending = |own: &str, other: &str| Some(format!("{}{other}", name.strip_suffix(own)?));
     let beginning = |own: &str, other: &str| Some(format!("{other}{}", name.strip_prefix(own)?));
     either(&ENDINGS, ending).or_else(|| either(&BEGINNINGS, beginning))
 }
 
-/// The side that the name of a target says as a word between dashes, and the name of its partner (`l-ear-up`).
+/// The side that the name of a target says as a word between dashes, and the name of its partner
+/// (`l-ear-up`).
 pub fn of_target(stem: &str) -> Option<(Side, String)> {
     let mut words: Vec<&str> = stem.split('-').collect();
     let (at, side, other) = words.iter().enumerate().find_map(|(at, word)| {
-        let (side, other) = either(&WORDS, |own, other| (*word == own).then(|| other.to_owned()))?;
+        let (side, other) = either(&WORDS, |own, other| {
+            (*word == own).then(|| other.to_owned())
+        })?;
         Some((at, side, other))
     })?;
     *words.get_mut(at)? = &other;
@@ -59,10 +74,15 @@ pub fn of_target(stem: &str) -> Option<(Side, String)> {
 
 /// Whether a word says a side.
 pub fn is_word(word: &str) -> bool {
-    WORDS.iter().any(|(left, right)| word == *left || word == *right)
+    WORDS
+        .iter()
+        .any(|(left, right)| word == *left || word == *right)
 }
 
-fn either(pairs: &[(&str, &str)], other: impl Fn(&str, &str) -> Option<String>) -> Option<(Side, String)> {
+fn either(
+    pairs: &[(&str, &str)],
+    other: impl Fn(&str, &str) -> Option<String>,
+) -> Option<(Side, String)> {
     pairs.iter().find_map(|(left, right)| {
         let of_left = other(left, right).map(|other| (Side::Left, other));
         of_left.or_else(|| Some((Side::Right, other(right, left)?)))
@@ -95,7 +115,11 @@ mod tests {
             ("chin-cleft-decr", None),
             ("lip", None),
         ] {
-            assert_eq!(of_target(stem), found.map(|(side, other)| (side, other.to_owned())), "{stem}");
+            assert_eq!(
+                of_target(stem),
+                found.map(|(side, other)| (side, other.to_owned())),
+                "{stem}"
+            );
         }
         assert!(is_word("right") && !is_word("lip"));
     }

@@ -6,9 +6,10 @@ use super::error::EvalError;
 use super::makehuman2::{joints, rest};
 use super::vector::{Mat4, Point, Vec3, cross, length, sub, unit, widen};
 
-/// Sine of an angle below which two directions are parallel: what float32 arithmetic cannot tell from zero. Joints
-/// are rounded to float32 before, so equal coordinates give exactly zero; an angle of a single rounding step (4e-7 at
-/// a bone of two units) still decides the roll, as it does in the application.
+/// Sine of an angle below which two directions are parallel: what float32 arithmetic cannot tell
+/// from zero. Joints are rounded to float32 before, so equal coordinates give exactly zero; an
+/// angle of a single rounding step (4e-7 at a bone of two units) still decides the roll, as it does
+/// in the application.
 pub const PARALLEL_SINE: f64 = 1e-7;
 
 /// A bone by numbers.
@@ -72,7 +73,9 @@ impl SceneSkeleton {
     /// A joint without vertices, or with one outside the mesh.
     pub fn joint_positions(&self, positions: &[Point]) -> Result<Vec<Point>, EvalError> {
         match self.formulas {
-            Formulas::Makehuman2 => joints::joint_positions(positions, self.joints.iter().map(Vec::as_slice)),
+            Formulas::Makehuman2 => {
+                joints::joint_positions(positions, self.joints.iter().map(Vec::as_slice))
+            }
             // A joint that is nowhere lies at the origin.
             Formulas::Makehuman1 => {
                 let of = |list: &Vec<u32>| match list.as_slice() {
@@ -105,14 +108,14 @@ impl SceneSkeleton {
     }
 }
 
-/// Sine of the angle between the edges of a plane, 0..1. Below `PARALLEL_SINE` the plane has no area; NaN if two of
-/// its joints coincide.
+/// Sine of the angle between the edges of a plane, 0..1. Below `PARALLEL_SINE` the plane has no
+/// area; NaN if two of its joints coincide.
 pub fn plane_sine(a: Point, b: Point, c: Point) -> f64 {
     length(cross(direction(b, c), direction(a, b)))
 }
 
-/// Sine of the angle between a bone and the normal of its plane, 0..1. Close to 0 the roll of the bone is noise; NaN
-/// for a bone without length.
+/// Sine of the angle between a bone and the normal of its plane, 0..1. Close to 0 the roll of the
+/// bone is noise; NaN for a bone without length.
 pub fn roll_sine(head: Point, tail: Point, normal: Vec3) -> f64 {
     length(cross(normal, direction(head, tail)))
 }

@@ -1,12 +1,13 @@
 //! Posing: matrices of posed bones and linear blend skinning.
 //!
-//! Gets rest bones, a pose for some of them, weights and the morphed mesh; returns matrices and positions. Source:
-//! MakeHuman 2, pose mode (`docs/loaders/makehuman2/weights.md#skinning`).
+//! Gets rest bones, a pose for some of them, weights and the morphed mesh; returns matrices and
+//! positions. Source: MakeHuman 2, pose mode (`docs/loaders/makehuman2/weights.md#skinning`).
 
 use super::error::EvalError;
 use super::skeleton::{Bone, RestBone};
 use super::vector::{
-    IDENTITY, Mat3, Mat4, Point, Vec3, add, inverse, multiply, narrow, rotate, scale, transform, widen,
+    IDENTITY, Mat3, Mat4, Point, Vec3, add, inverse, multiply, narrow, rotate, scale, transform,
+    widen,
 };
 use super::weights::BoneWeights;
 
@@ -28,29 +29,53 @@ pub struct PosedBone {
     pub moved: Mat4,
 }
 
-/// Poses all bones; those without a pose keep the rest pose relative to their parent. `bones` and `rest` belong
-/// together, parents come first.
+/// Poses all bones; those without a pose keep the rest pose relative to their parent. `bones` and
+/// `rest` belong together, parents come first.
 ///
 /// # Errors
 /// A parent that does not come before its bone.
-pub fn pose_bones(bones: &[Bone], rest: &[RestBone], poses: &[Option<Pose>]) -> Result<Vec<PosedBone>, EvalError> {
+pub fn pose_bones(
+    bones: &[Bone],
+    rest: &[RestBone],
+    poses: &[Option<Pose>],
+) -> Result<Vec<PosedBone>, EvalError> {
     let mut result: Vec<PosedBone> = Vec::with_capacity(rest.len());
     for (i, (bone, rest)) in bones.iter().zip(rest).enumerate() {
         let to_bone = inverse(&rest.global);
-        let local = poses.get(i).copied().flatten().map_or(IDENTITY, |pose| local_pose(&to_bone, rest, &pose));
+        let local = poses
+            .get(i)
+            .copied()
+            .flatten()
+            .map_or(IDENTITY, |pose| local_pose(&to_bone, rest, &pose));
         let in_parent = multiply(&rest.local, &local);
         let global = match bone.parent {
-            Some(parent) => multiply(&result.get(parent).ok_or(EvalError::BoneOutOfRange(parent))?.global, &in_parent),
+            Some(parent) => multiply(
+                &result
+                    .get(parent)
+                    .ok_or(EvalError::BoneOutOfRange(parent))?
+                    .global,
+                &in_parent,
+            ),
             None => in_parent,
         };
-        result.push(PosedBone { global, moved: multiply(&global, &to_bone) });
+        result.push(PosedBone {
+            global,
+            moved: multiply(&global, &to_bone),
+        });
     }
     Ok(result)
 }
 
 /// inv(R) * P * R, its translation replaced by inv(R) times the displacement.
 fn local_pose(to_bone: &Mat4, rest: &RestBone, pose: &Pose) -> Mat4 {
-    let row = |i: usize| [pose.rotation[i][0], pose.rotation[i][1], pose.rotation[i][2], 0.0];
+    let row = |i: usize| {
+        [
+            pose.rotation[i][0],
+            pose.rotation[i][1],
+            pose.rotation[i][2],
+            0.0,
+        ]
+    };
     let turned = [row(0), row(1), row(2), IDENTITY[3]];
     let mut local = multiply(to_bone, &multiply(&turned, &rest.global));
     for (row, moved) in local.iter_mut().zip(rotate(to_bone, pose.translation)) {
@@ -59,22 +84,32 @@ fn local_pose(to_bone: &Mat4, rest: &RestBone, pose: &Pose) -> Mat4 {
     local
 }
 
-/// Linear blend skinning: the weighted sum of where each bone moves the vertex. Weights are used as they are, so
-/// missing weight pulls a vertex towards the origin. If a bone lists a vertex twice only the last entry counts.
+/// Linear blend skinning: the weighted sum of where each bone moves the vertex. Weights are used as
+/// they are, so missing weight pulls a vertex towards the origin. If a bone lists a vertex twice
+/// only the last entry counts.
 ///
 /// `moved[b]` belongs to `weights[i].bone == b`.
 ///
 /// # Errors
 /// A weighted vertex or bone that does not exist; bones without entries do not matter.
-pub fn skin(positions: &[Point], weights: &[BoneWeights], moved: &[Mat4]) -> Result<Vec<Point>, EvalError> {
+pub fn skin(
+    positions: &[Point],
+    weights: &[BoneWeights],
+    moved: &[Mat4],
+) -> Result<Vec<Point>, EvalError> {
     let mut sums: Vec<Vec3> = vec![[0.0; 3]; positions.len()];
     for list in weights.iter().filter(|list| !list.entries.is_empty()) {
-        let matrix = moved.get(list.bone).ok_or(EvalError::BoneOutOfRange(list.bone))?;
-        // All sums are taken as they were before this bone, then stored in order: so the last entry of a vertex wins.
+        let matrix = moved
+            .get(list.bone)
+            .ok_or(EvalError::BoneOutOfRange(list.bone))?;
+        // All sums are taken as they were before this bone, then stored in order: so the last entry
+        // of a vertex wins.
         let mut stored = Vec::with_capacity(list.entries.len());
         for (vertex, weight) in &list.entries {
             let place = *vertex as usize;
-            let position = positions.get(place).ok_or_else(|| EvalError::vertex(*vertex, positions.len()))?;
+            let position = positions
+                .get(place)
+                .ok_or_else(|| EvalError::vertex(*vertex, positions.len()))?;
             let part = scale(transform(matrix, widen(*position)), f64::from(*weight));
             stored.push((place, add(sums[place], part)));
         }
@@ -95,22 +130,37 @@ mod tests {
     const QUARTER_ABOUT_Z: Mat3 = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
 
     fn bones() -> [Bone; 2] {
-        let bone = |parent, head, tail| Bone { parent, head, tail, plane: None };
+        let bone = |parent, head, tail| Bone {
+            parent,
+            head,
+            tail,
+            plane: None,
+        };
         [bone(None, 0, 1), bone(Some(0), 1, 2)]
     }
 
     fn pose(rotation: Mat3, translation: Vec3) -> Pose {
-        Pose { rotation, translation }
+        Pose {
+            rotation,
+            translation,
+        }
     }
 
     fn posed(poses: &[Option<Pose>], weights: &[BoneWeights]) -> Vec<Point> {
         let rest = rest_bones(&JOINTS, &bones()).unwrap();
-        let moved: Vec<Mat4> = pose_bones(&bones(), &rest, poses).unwrap().iter().map(|p| p.moved).collect();
+        let moved: Vec<Mat4> = pose_bones(&bones(), &rest, poses)
+            .unwrap()
+            .iter()
+            .map(|p| p.moved)
+            .collect();
         skin(&MESH, weights, &moved).unwrap()
     }
 
     fn list(bone: usize, entries: &[(u32, f32)]) -> BoneWeights {
-        BoneWeights { bone, entries: entries.to_vec() }
+        BoneWeights {
+            bone,
+            entries: entries.to_vec(),
+        }
     }
 
     fn assert_close(found: &[Point], expected: &[Point]) {
@@ -121,7 +171,10 @@ mod tests {
 
     #[test]
     fn rest_pose_is_identity() {
-        let weights = [list(0, &[(0, 1.0), (1, 0.25)]), list(1, &[(1, 0.75), (2, 1.0)])];
+        let weights = [
+            list(0, &[(0, 1.0), (1, 0.25)]),
+            list(1, &[(1, 0.75), (2, 1.0)]),
+        ];
         assert_close(&posed(&[], &weights), &MESH);
         let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         assert_close(&posed(&[Some(pose(unit, [0.0; 3])); 2], &weights), &MESH);
@@ -129,21 +182,36 @@ mod tests {
 
     #[test]
     fn rotation_turns_about_the_head() {
-        let found = posed(&[None, Some(pose(QUARTER_ABOUT_Z, [0.0; 3]))], &[list(1, &[(0, 1.0), (1, 1.0), (2, 1.0)])]);
+        let found = posed(
+            &[None, Some(pose(QUARTER_ABOUT_Z, [0.0; 3]))],
+            &[list(1, &[(0, 1.0), (1, 1.0), (2, 1.0)])],
+        );
         // Around (0, 1, 0.1): (x, y) becomes (1 - y, 1 + x).
-        assert_close(&found, &[[0.0, 1.0, 0.0], [-1.0, 1.5, 0.25], [-2.0, 0.0, 2.0]]);
+        assert_close(
+            &found,
+            &[[0.0, 1.0, 0.0], [-1.0, 1.5, 0.25], [-2.0, 0.0, 2.0]],
+        );
     }
 
     #[test]
     fn children_follow_their_parent() {
-        let found = posed(&[Some(pose(QUARTER_ABOUT_Z, [0.0; 3]))], &[list(1, &[(0, 1.0), (1, 1.0), (2, 1.0)])]);
-        assert_close(&found, &[[-1.0, 0.0, 0.0], [-2.0, 0.5, 0.25], [-3.0, -1.0, 2.0]]);
+        let found = posed(
+            &[Some(pose(QUARTER_ABOUT_Z, [0.0; 3]))],
+            &[list(1, &[(0, 1.0), (1, 1.0), (2, 1.0)])],
+        );
+        assert_close(
+            &found,
+            &[[-1.0, 0.0, 0.0], [-2.0, 0.5, 0.25], [-3.0, -1.0, 2.0]],
+        );
     }
 
     #[test]
     fn translation_is_in_global_axes() {
         let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let found = posed(&[Some(pose(unit, [1.0, 2.0, 3.0]))], &[list(0, &[(0, 1.0)])]);
+        let found = posed(
+            &[Some(pose(unit, [1.0, 2.0, 3.0]))],
+            &[list(0, &[(0, 1.0)])],
+        );
         assert_close(&found[..1], &[[1.0, 3.0, 3.0]]);
     }
 
@@ -161,16 +229,26 @@ mod tests {
 
     #[test]
     fn unknown_bone_matters_only_with_weights() {
-        assert_eq!(skin(&MESH, &[list(7, &[(0, 1.0)])], &[IDENTITY]), Err(EvalError::BoneOutOfRange(7)));
+        assert_eq!(
+            skin(&MESH, &[list(7, &[(0, 1.0)])], &[IDENTITY]),
+            Err(EvalError::BoneOutOfRange(7))
+        );
         assert!(skin(&MESH, &[list(7, &[])], &[]).is_ok());
-        assert_eq!(skin(&MESH, &[list(0, &[(3, 1.0)])], &[IDENTITY]), Err(EvalError::vertex(3, 3)));
+        assert_eq!(
+            skin(&MESH, &[list(0, &[(3, 1.0)])], &[IDENTITY]),
+            Err(EvalError::vertex(3, 3))
+        );
     }
 
     #[test]
     fn degenerate_bone_makes_its_vertices_nan() {
         let joints = [[0.0; 3], [0.0; 3], [0.3, 2.0, 0.0]];
         let rest = rest_bones(&joints, &bones()).unwrap();
-        let moved: Vec<Mat4> = pose_bones(&bones(), &rest, &[]).unwrap().iter().map(|p| p.moved).collect();
+        let moved: Vec<Mat4> = pose_bones(&bones(), &rest, &[])
+            .unwrap()
+            .iter()
+            .map(|p| p.moved)
+            .collect();
         assert!(skin(&MESH, &[list(0, &[(1, 1.0)])], &moved).unwrap()[1][0].is_nan());
     }
 
@@ -178,7 +256,13 @@ mod tests {
     fn parent_after_its_child_is_an_error() {
         let rest = rest_bones(&JOINTS, &bones()).unwrap();
         let [root, child] = bones();
-        let swapped = [Bone { parent: Some(1), ..child }, root];
+        let swapped = [
+            Bone {
+                parent: Some(1),
+                ..child
+            },
+            root,
+        ];
         assert!(pose_bones(&swapped, &rest, &[]).is_err());
     }
 }

@@ -1,5 +1,5 @@
-//! A scene made ready to be looked at in many settings: what the default character is like, and which faces, joints
-//! and bones depend on which vertices.
+//! A scene made ready to be looked at in many settings: what the default character is like, and
+//! which faces, joints and bones depend on which vertices.
 
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
@@ -44,7 +44,8 @@ pub struct Surveyor<'s> {
     /// The box widened by nearly what makes an explosion.
     range: (Point, Point),
     pub(super) anchors: Vec<Anchor>,
-    /// For each of these the helper that the joint belongs to, if one is nearer than the skin: that of a tail.
+    /// For each of these the helper that the joint belongs to, if one is nearer than the skin: that
+    /// of a tail.
     pub(super) helpers: Vec<Option<Anchor>>,
     /// Which vertices are next to one another, once somebody asks.
     neighbours: OnceLock<Neighbours>,
@@ -66,7 +67,8 @@ pub struct Surveyor<'s> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FaceAtRest {
     pub(super) face: u32,
-    /// From, to, from, to: the lines whose cross product is twice the area vector; none for a face of many corners.
+    /// From, to, from, to: the lines whose cross product is twice the area vector; none for a face
+    /// of many corners.
     lines: Option<[u32; 4]>,
     pub(super) vector: Point,
     pub(super) square: f32,
@@ -84,8 +86,8 @@ pub(super) struct Anchor {
 }
 
 impl<'s> Surveyor<'s> {
-    /// Makes a scene ready. The default character is what everything is compared with; `None` if it cannot be made
-    /// or is not finite, which is reported by other means.
+    /// Makes a scene ready. The default character is what everything is compared with; `None` if it
+    /// cannot be made or is not finite, which is reported by other means.
     pub fn new(scene: &'s Scene) -> Option<Self> {
         let targets = Addable::new(scene);
         let defaults = targets.stop(0, &scene.defaults(), &mut MacroWork::default())?;
@@ -126,9 +128,13 @@ impl<'s> Surveyor<'s> {
         self.targets.stop(number, setting, work)
     }
 
-    /// How much work a stop is at most: rows that are added, vertices and faces, joints and bones that are looked at.
+    /// How much work a stop is at most: rows that are added, vertices and faces, joints and bones
+    /// that are looked at.
     pub fn cost(&self, stop: &Stop) -> u64 {
-        let rows: usize = stop.targets_unlike(&self.defaults).map(|target| self.targets.rows(target).len() + 1).sum();
+        let rows: usize = stop
+            .targets_unlike(&self.defaults)
+            .map(|target| self.targets.rows(target).len() + 1)
+            .sum();
         let mesh = self.scene.positions.len() + self.faces.len();
         let depending = self.skeleton_size + self.probes.len() * SKIN_AROUND_JOINT;
         1 + rows as u64 + (LOOK * rows as u64).min(mesh as u64) + depending as u64
@@ -140,8 +146,15 @@ impl<'s> Surveyor<'s> {
         }
         let mut used = vec![false; rest.len()];
         for face in 0..self.scene.face_count() {
-            let group = self.scene.face_groups.get(face).map(|group| *group as usize);
-            if !group.and_then(|group| self.scene.visible.get(group)).is_some_and(|visible| *visible) {
+            let group = self
+                .scene
+                .face_groups
+                .get(face)
+                .map(|group| *group as usize);
+            if !group
+                .and_then(|group| self.scene.visible.get(group))
+                .is_some_and(|visible| *visible)
+            {
                 continue;
             }
             for vertex in self.scene.face(face) {
@@ -152,17 +165,32 @@ impl<'s> Surveyor<'s> {
             self.face(face, rest);
         }
         let corners = (0..).zip(&self.faces).flat_map(|(number, face)| {
-            self.scene.face(face.face as usize).iter().map(move |vertex| (*vertex as usize, number))
+            self.scene
+                .face(face.face as usize)
+                .iter()
+                .map(move |vertex| (*vertex as usize, number))
         });
         self.faces_of = Lists::new(rest.len(), corners);
-        self.visible = (0..).zip(&used).filter(|(_, used)| **used).map(|(vertex, _)| vertex).collect();
-        let skin: Vec<Point> = self.visible.iter().filter_map(|vertex| rest.get(*vertex as usize)).copied().collect();
+        self.visible = (0..)
+            .zip(&used)
+            .filter(|(_, used)| **used)
+            .map(|(vertex, _)| vertex)
+            .collect();
+        let skin: Vec<Point> = self
+            .visible
+            .iter()
+            .filter_map(|vertex| rest.get(*vertex as usize))
+            .copied()
+            .collect();
         (self.low, self.high) = bounding_box(&skin).or_else(|| bounding_box(rest))?;
         self.diagonal = dot(sub(self.high, self.low), sub(self.high, self.low)).sqrt();
-        // A little less, so that rounding leaves nothing out; an infinite vertex is out of every range.
+        // A little less, so that rounding leaves nothing out; an infinite vertex is out of every
+        // range.
         let margin = self.diagonal * EXPLOSION_DIAGONALS * 0.999;
-        self.range =
-            (self.low.map(|low| (low - margin).max(f32::MIN)), self.high.map(|high| (high + margin).min(f32::MAX)));
+        self.range = (
+            self.low.map(|low| (low - margin).max(f32::MIN)),
+            self.high.map(|high| (high + margin).min(f32::MAX)),
+        );
         self.joints_at_rest(rest);
         self.worn_at_rest(rest);
         Some(())
@@ -188,7 +216,13 @@ impl<'s> Surveyor<'s> {
             _ => None,
         };
         let number = u32::try_from(face).unwrap_or(u32::MAX);
-        let mut at_rest = FaceAtRest { face: number, lines, vector: [0.0; 3], square: 0.0, collapse: 0.0 };
+        let mut at_rest = FaceAtRest {
+            face: number,
+            lines,
+            vector: [0.0; 3],
+            square: 0.0,
+            collapse: 0.0,
+        };
         at_rest.vector = self.doubled_area(rest, &at_rest);
         at_rest.square = dot(at_rest.vector, at_rest.vector);
         at_rest.collapse = at_rest.square * COLLAPSE_RATIO * COLLAPSE_RATIO;
@@ -205,14 +239,21 @@ impl<'s> Surveyor<'s> {
         if let Some([a, b, c, d]) = face.lines {
             return cross(sub(at(b), at(a)), sub(at(d), at(c)));
         }
-        let [first, rest @ ..] = self.scene.face(face.face as usize) else { return [0.0; 3] };
-        rest.windows(2)
-            .fold([0.0; 3], |sum, pair| add(sum, cross(sub(at(pair[0]), at(*first)), sub(at(pair[1]), at(*first)))))
+        let [first, rest @ ..] = self.scene.face(face.face as usize) else {
+            return [0.0; 3];
+        };
+        rest.windows(2).fold([0.0; 3], |sum, pair| {
+            add(
+                sum,
+                cross(sub(at(pair[0]), at(*first)), sub(at(pair[1]), at(*first))),
+            )
+        })
     }
 
     /// Which vertices are next to one another.
     pub(super) fn neighbours(&self) -> &Neighbours {
-        self.neighbours.get_or_init(|| Neighbours::new(self.scene.positions.len(), self.scene.faces()))
+        self.neighbours
+            .get_or_init(|| Neighbours::new(self.scene.positions.len(), self.scene.faces()))
     }
 
     /// Numbers of the visible faces at a vertex.
@@ -220,7 +261,8 @@ impl<'s> Surveyor<'s> {
         self.faces_of.of(vertex as usize)
     }
 
-    /// How far outside of the box of the default character that many of its diagonals are, mesh units.
+    /// How far outside of the box of the default character that many of its diagonals are, mesh
+    /// units.
     pub fn length_outside(&self, diagonals: f64) -> f64 {
         diagonals * f64::from(self.diagonal)
     }
@@ -231,7 +273,8 @@ impl<'s> Surveyor<'s> {
         Some(stands * anchor.stand)
     }
 
-    /// How far away from its skin the vertex with this number among all that are looked at is, mesh units.
+    /// How far away from its skin the vertex with this number among all that are looked at is, mesh
+    /// units.
     pub fn length_detached(&self, probe: usize, stands: f64) -> Option<f64> {
         Some(self.probes.get(probe)?.anchor.stand * stands)
     }
@@ -254,22 +297,35 @@ impl<'s> Surveyor<'s> {
     }
 
     fn joints_at_rest(&mut self, rest: &[Point]) {
-        let Some((skeleton, joints)) = self.scene.skeleton.as_ref().zip(self.joints(rest)) else { return };
-        self.skeleton_size = skeleton.bones.len() + skeleton.joints.iter().map(Vec::len).sum::<usize>();
+        let Some((skeleton, joints)) = self.scene.skeleton.as_ref().zip(self.joints(rest)) else {
+            return;
+        };
+        self.skeleton_size =
+            skeleton.bones.len() + skeleton.joints.iter().map(Vec::len).sum::<usize>();
         // The skin around a joint is looked at with it.
         self.skeleton_size += SKIN_AROUND_JOINT * skeleton.joints.len();
         let of_helpers = self.of_helpers();
         let around = self.visible.len().saturating_add(of_helpers.len());
         self.is_without_anchors = joints.len().saturating_mul(around) > MOST_PAIRS;
         let mut near = Vec::new();
-        for (joint, place) in joints.iter().enumerate().filter(|_| !self.is_without_anchors) {
-            let Some(of_skin) = anchor(&self.visible, joint, *place, rest, &mut near) else { return };
+        for (joint, place) in joints
+            .iter()
+            .enumerate()
+            .filter(|_| !self.is_without_anchors)
+        {
+            let Some(of_skin) = anchor(&self.visible, joint, *place, rest, &mut near) else {
+                return;
+            };
             let helper = anchor(&of_helpers, joint, *place, rest, &mut near);
-            self.helpers.push(helper.filter(|helper| helper.stand < of_skin.stand));
+            self.helpers
+                .push(helper.filter(|helper| helper.stand < of_skin.stand));
             self.anchors.push(of_skin);
         }
         let anchors = self.anchors.iter().chain(self.helpers.iter().flatten());
-        let holding = anchors.map(|anchor| &anchor.skin).chain(&skeleton.joints).flatten();
+        let holding = anchors
+            .map(|anchor| &anchor.skin)
+            .chain(&skeleton.joints)
+            .flatten();
         for vertex in holding {
             if let Some(holds) = self.holds_joint.get_mut(*vertex as usize) {
                 *holds = true;
@@ -277,8 +333,12 @@ impl<'s> Surveyor<'s> {
         }
         for bone in &skeleton.bones {
             let ends = joints.get(bone.head).zip(joints.get(bone.tail));
-            self.short_at_rest.push(ends.is_some_and(|(head, tail)| distance(*head, *tail) < SHORTEST_BONE));
-            self.flat_at_rest.push(bone.plane.is_some_and(|plane| flatness(&joints, plane) <= PARALLEL_SINE));
+            self.short_at_rest
+                .push(ends.is_some_and(|(head, tail)| distance(*head, *tail) < SHORTEST_BONE));
+            self.flat_at_rest.push(
+                bone.plane
+                    .is_some_and(|plane| flatness(&joints, plane) <= PARALLEL_SINE),
+            );
         }
     }
 
@@ -286,10 +346,23 @@ impl<'s> Surveyor<'s> {
     fn of_helpers(&self) -> Vec<u32> {
         let is_helper = |group: &u32| {
             let group = *group as usize;
-            let is_hidden = self.scene.visible.get(group).is_some_and(|visible| !visible);
-            is_hidden && self.scene.groups.get(group).is_some_and(|name| !name.starts_with(JOINTS))
+            let is_hidden = self
+                .scene
+                .visible
+                .get(group)
+                .is_some_and(|visible| !visible);
+            is_hidden
+                && self
+                    .scene
+                    .groups
+                    .get(group)
+                    .is_some_and(|name| !name.starts_with(JOINTS))
         };
-        let faces = self.scene.faces().zip(&self.scene.face_groups).filter(|(_, group)| is_helper(group));
+        let faces = self
+            .scene
+            .faces()
+            .zip(&self.scene.face_groups)
+            .filter(|(_, group)| is_helper(group));
         let vertices: BTreeSet<u32> = faces.flat_map(|(face, _)| face).copied().collect();
         vertices.into_iter().collect()
     }
@@ -300,19 +373,40 @@ impl<'s> Surveyor<'s> {
     }
 }
 
-/// Those of `skin` that are nearest to a joint. `None` without any. `near` is room for all of them, which is made once.
-fn anchor(skin: &[u32], joint: usize, place: Point, rest: &[Point], near: &mut Vec<(f32, u32)>) -> Option<Anchor> {
-    let square = |vertex: u32| rest.get(vertex as usize).map(|point| sub(*point, place)).map(|way| dot(way, way));
+/// Those of `skin` that are nearest to a joint. `None` without any. `near` is room for all of them,
+/// which is made once.
+fn anchor(
+    skin: &[u32],
+    joint: usize,
+    place: Point,
+    rest: &[Point],
+    near: &mut Vec<(f32, u32)>,
+) -> Option<Anchor> {
+    let square = |vertex: u32| {
+        rest.get(vertex as usize)
+            .map(|point| sub(*point, place))
+            .map(|way| dot(way, way))
+    };
     near.clear();
-    near.extend(skin.iter().filter_map(|vertex| Some((square(*vertex)?, *vertex))));
+    near.extend(
+        skin.iter()
+            .filter_map(|vertex| Some((square(*vertex)?, *vertex))),
+    );
     let count = SKIN_AROUND_JOINT.min(near.len());
-    near.select_nth_unstable_by(count.checked_sub(1)?, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    near.select_nth_unstable_by(count.checked_sub(1)?, |a, b| {
+        a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))
+    });
     near.truncate(count);
     let mut skin: Vec<u32> = near.iter().map(|(_, vertex)| *vertex).collect();
     skin.sort_unstable();
     let distance = stand(place, &skin, rest);
     let stand = (distance + radius(&skin, rest)).max(f64::MIN_POSITIVE);
-    Some(Anchor { joint, skin, distance, stand })
+    Some(Anchor {
+        joint,
+        skin,
+        distance,
+        stand,
+    })
 }
 
 /// Distance of a joint from the mean of the skin around it.
@@ -323,14 +417,19 @@ pub(super) fn stand(joint: Point, skin: &[u32], positions: &[Point]) -> f64 {
 /// Mean distance of vertices from their own mean.
 fn radius(skin: &[u32], positions: &[Point]) -> f64 {
     let mean = mean(skin, positions);
-    let points = skin.iter().filter_map(|vertex| positions.get(*vertex as usize));
+    let points = skin
+        .iter()
+        .filter_map(|vertex| positions.get(*vertex as usize));
     points.map(|point| distance(*point, mean)).sum::<f64>() / skin.len().max(1) as f64
 }
 
 fn mean(skin: &[u32], positions: &[Point]) -> Point {
     let count = skin.len().max(1) as f32;
     let mut sum = [0.0_f32; 3];
-    for point in skin.iter().filter_map(|vertex| positions.get(*vertex as usize)) {
+    for point in skin
+        .iter()
+        .filter_map(|vertex| positions.get(*vertex as usize))
+    {
         for axis in 0..3 {
             sum[axis] += point[axis];
         }

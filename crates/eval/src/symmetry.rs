@@ -1,8 +1,8 @@
 //! Mirror partners of the vertices of a mesh, found from its shape.
 //!
-//! Gets rest positions and faces; returns for every vertex the one on the other side of a plane x = constant, or that
-//! there is none or no telling which. Exact equality is not needed. Where several vertices share a place, the faces
-//! decide. `MirrorComparison` compares targets by it.
+//! Gets rest positions and faces; returns for every vertex the one on the other side of a plane x =
+//! constant, or that there is none or no telling which. Exact equality is not needed. Where several
+//! vertices share a place, the faces decide. `MirrorComparison` compares targets by it.
 
 use super::grid::Grid;
 use super::mesh::bounding_box;
@@ -16,7 +16,8 @@ pub enum Mirror {
     Partner(u32),
     /// Nothing lies at the mirrored place.
     Unmatched,
-    /// Several vertices lie there and their neighbours do not tell which, or the choice is not mutual.
+    /// Several vertices lie there and their neighbours do not tell which, or the choice is not
+    /// mutual.
     Ambiguous,
 }
 
@@ -26,20 +27,21 @@ pub struct MirrorMap {
     partners: Vec<Mirror>,
 }
 
-/// The second nearest vertex must be further away than the nearest by this part of the tolerance, otherwise both
-/// share a place.
+/// The second nearest vertex must be further away than the nearest by this part of the tolerance,
+/// otherwise both share a place.
 const SAME_PLACE: f64 = 0.1;
 /// Places with more candidates than this are not settled by their neighbours.
 const MOST_CANDIDATES: usize = 16;
-/// A vertex joined to more others than this, which only meshes from strangers have, is not settled by its neighbours: it
-/// would be asked for again with each of them.
+/// A vertex joined to more others than this, which only meshes from strangers have, is not settled
+/// by its neighbours: it would be asked for again with each of them.
 const MOST_NEIGHBOURS: usize = 64;
 
 impl MirrorMap {
-    /// Finds the partners. `tolerance` in mesh units: how far from the exact mirror image a partner may be.
+    /// Finds the partners. `tolerance` in mesh units: how far from the exact mirror image a partner
+    /// may be.
     ///
-    /// The plane is x = 0, unless that leaves half of the mesh without partner and the middle of its bounding box
-    /// does better: not every base stands in the middle.
+    /// The plane is x = 0, unless that leaves half of the mesh without partner and the middle of
+    /// its bounding box does better: not every base stands in the middle.
     pub fn new<'a, F>(positions: &[Point], faces: F, tolerance: f32) -> Self
     where
         F: IntoIterator<Item = &'a [u32]> + Clone,
@@ -48,9 +50,14 @@ impl MirrorMap {
         if centred.unresolved().0 * 2 <= positions.len() {
             return centred;
         }
-        let middle = bounding_box(positions).map_or(0.0, |(low, high)| f32::midpoint(low[0], high[0]));
+        let middle =
+            bounding_box(positions).map_or(0.0, |(low, high)| f32::midpoint(low[0], high[0]));
         let shifted = Self::with_plane(positions, faces, tolerance, middle);
-        if shifted.unresolved().0 < centred.unresolved().0 { shifted } else { centred }
+        if shifted.unresolved().0 < centred.unresolved().0 {
+            shifted
+        } else {
+            centred
+        }
     }
 
     /// Finds the partners on the other side of x = `plane`.
@@ -66,7 +73,11 @@ impl MirrorMap {
         let mut found = Vec::new();
         for (p, open) in positions.iter().zip(&mut open) {
             let searched = grid.near([2.0 * plane - p[0], p[1], p[2]], &mut found);
-            let partner = if searched { nearest(&found, f64::from(tolerance)) } else { Mirror::Ambiguous };
+            let partner = if searched {
+                nearest(&found, f64::from(tolerance))
+            } else {
+                Mirror::Ambiguous
+            };
             if searched && partner == Mirror::Ambiguous && found.len() <= MOST_CANDIDATES {
                 open.extend(found.iter().map(|c| c.0));
             }
@@ -82,7 +93,10 @@ impl MirrorMap {
 
     /// Partner of a vertex; `Unmatched` outside the mesh.
     pub fn of(&self, vertex: u32) -> Mirror {
-        self.partners.get(vertex as usize).copied().unwrap_or(Mirror::Unmatched)
+        self.partners
+            .get(vertex as usize)
+            .copied()
+            .unwrap_or(Mirror::Unmatched)
     }
 
     /// The partner of a vertex, if it has one.
@@ -99,21 +113,32 @@ impl MirrorMap {
         (count(Mirror::Unmatched), count(Mirror::Ambiguous))
     }
 
-    /// Vertices with several candidates (`open`, by vertex) take the one that is joined to the partners of most of
-    /// their neighbours.
+    /// Vertices with several candidates (`open`, by vertex) take the one that is joined to the
+    /// partners of most of their neighbours.
     fn settle(&mut self, mut open: Vec<Vec<u32>>, neighbours: &Neighbours) {
-        let mut pending: Vec<u32> =
-            (0..).zip(&open).filter(|(_, candidates)| !candidates.is_empty()).map(|c| c.0).collect();
+        let mut pending: Vec<u32> = (0..)
+            .zip(&open)
+            .filter(|(_, candidates)| !candidates.is_empty())
+            .map(|c| c.0)
+            .collect();
         while !pending.is_empty() {
-            // Choices of one round rest on the round before, so that the order of vertices does not matter.
+            // Choices of one round rest on the round before, so that the order of vertices does not
+            // matter.
             let choice = |v: u32| Some((v, self.best(v, &open[v as usize], neighbours)?));
             let chosen: Vec<(u32, u32)> = pending.iter().filter_map(|v| choice(*v)).collect();
             for (vertex, partner) in &chosen {
                 self.partners[*vertex as usize] = Mirror::Partner(*partner);
                 open[*vertex as usize].clear();
             }
-            pending = chosen.iter().flat_map(|(vertex, _)| neighbours.of(*vertex)).copied().collect();
-            pending.retain(|v| open.get(*v as usize).is_some_and(|candidates| !candidates.is_empty()));
+            pending = chosen
+                .iter()
+                .flat_map(|(vertex, _)| neighbours.of(*vertex))
+                .copied()
+                .collect();
+            pending.retain(|v| {
+                open.get(*v as usize)
+                    .is_some_and(|candidates| !candidates.is_empty())
+            });
             pending.sort_unstable();
             pending.dedup();
         }
@@ -146,7 +171,10 @@ impl MirrorMap {
             Mirror::Partner(other) => self.of(*other) == Mirror::Partner(vertex),
             Mirror::Unmatched | Mirror::Ambiguous => true,
         };
-        let lonely: Vec<bool> = (0..).zip(&self.partners).map(|(vertex, partner)| !mutual(vertex, partner)).collect();
+        let lonely: Vec<bool> = (0..)
+            .zip(&self.partners)
+            .map(|(vertex, partner)| !mutual(vertex, partner))
+            .collect();
         for (partner, lonely) in self.partners.iter_mut().zip(lonely) {
             if lonely {
                 *partner = Mirror::Ambiguous;
@@ -156,9 +184,17 @@ impl MirrorMap {
 }
 
 fn nearest(found: &[(u32, f64)], tolerance: f64) -> Mirror {
-    let Some(best) = found.iter().min_by(|a, b| a.1.total_cmp(&b.1)) else { return Mirror::Unmatched };
-    let alone = found.iter().all(|c| c.0 == best.0 || c.1 > best.1 + SAME_PLACE * tolerance);
-    if alone { Mirror::Partner(best.0) } else { Mirror::Ambiguous }
+    let Some(best) = found.iter().min_by(|a, b| a.1.total_cmp(&b.1)) else {
+        return Mirror::Unmatched;
+    };
+    let alone = found
+        .iter()
+        .all(|c| c.0 == best.0 || c.1 > best.1 + SAME_PLACE * tolerance);
+    if alone {
+        Mirror::Partner(best.0)
+    } else {
+        Mirror::Ambiguous
+    }
 }
 
 /// Vertices joined by an edge, per vertex, ascending.
@@ -188,7 +224,10 @@ impl Neighbours {
     }
 
     fn of(&self, vertex: u32) -> &[u32] {
-        self.lists.get(vertex as usize).map(Vec::as_slice).unwrap_or_default()
+        self.lists
+            .get(vertex as usize)
+            .map(Vec::as_slice)
+            .unwrap_or_default()
     }
 }
 
@@ -205,7 +244,8 @@ pub struct MirrorDifference {
     pub worst: Option<(u32, f64)>,
 }
 
-/// Compares targets with mirror images, one after the other: a target costs its rows, not the size of the mesh.
+/// Compares targets with mirror images, one after the other: a target costs its rows, not the size
+/// of the mesh.
 #[derive(Debug)]
 pub struct MirrorComparison<'m> {
     map: &'m MirrorMap,
@@ -218,12 +258,18 @@ impl<'m> MirrorComparison<'m> {
     /// Makes room for the displacements of a mesh.
     pub fn new(map: &'m MirrorMap) -> Self {
         let count = map.partners.len();
-        Self { map, one: ByVertex::new(count), other: ByVertex::new(count), looked_at: ByVertex::new(count) }
+        Self {
+            map,
+            one: ByVertex::new(count),
+            other: ByVertex::new(count),
+            looked_at: ByVertex::new(count),
+        }
     }
 
-    /// Compares `one` with the mirror image of `other` (rows of vertex and displacement); pass the same target twice
-    /// to test its own symmetry. Of several rows for a vertex the last counts. Rows outside the mesh are left out.
-    /// `tolerance` in mesh units. Of equally different vertices the first is the worst.
+    /// Compares `one` with the mirror image of `other` (rows of vertex and displacement); pass the
+    /// same target twice to test its own symmetry. Of several rows for a vertex the last counts.
+    /// Rows outside the mesh are left out. `tolerance` in mesh units. Of equally different vertices
+    /// the first is the worst.
     pub fn difference(
         &mut self,
         one: impl Iterator<Item = (u32, Point)> + Clone,
@@ -262,7 +308,8 @@ impl<'m> MirrorComparison<'m> {
         if distance > tolerance || distance.is_nan() {
             result.different.push(vertex);
         }
-        let is_worse = |(known, worst): (u32, f64)| distance > worst || (distance >= worst && vertex < known);
+        let is_worse =
+            |(known, worst): (u32, f64)| distance > worst || (distance >= worst && vertex < known);
         if result.worst.is_none_or(is_worse) {
             result.worst = Some((vertex, distance));
         }
@@ -273,7 +320,8 @@ fn moves(delta: Point) -> bool {
     delta.iter().any(|d| *d != 0.0)
 }
 
-/// Something for some vertices of a mesh. Clearing it costs nothing: what bears an older number is not there.
+/// Something for some vertices of a mesh. Clearing it costs nothing: what bears an older number is
+/// not there.
 #[derive(Debug)]
 struct ByVertex<T> {
     number: u32,
@@ -282,7 +330,10 @@ struct ByVertex<T> {
 
 impl<T: Copy + Default> ByVertex<T> {
     fn new(count: usize) -> Self {
-        Self { number: 1, entries: vec![(0, T::default()); count] }
+        Self {
+            number: 1,
+            entries: vec![(0, T::default()); count],
+        }
     }
 
     fn clear(&mut self) {
@@ -294,7 +345,9 @@ impl<T: Copy + Default> ByVertex<T> {
 
     /// Sets what is at a vertex; whether there was room for it and nothing before.
     fn set(&mut self, vertex: u32, value: T) -> bool {
-        let Some(entry) = self.entries.get_mut(vertex as usize) else { return false };
+        let Some(entry) = self.entries.get_mut(vertex as usize) else {
+            return false;
+        };
         let is_new = entry.0 != self.number;
         *entry = (self.number, value);
         is_new
@@ -308,7 +361,10 @@ impl<T: Copy + Default> ByVertex<T> {
     }
 
     fn get(&self, vertex: u32) -> T {
-        let entry = self.entries.get(vertex as usize).filter(|entry| entry.0 == self.number);
+        let entry = self
+            .entries
+            .get(vertex as usize)
+            .filter(|entry| entry.0 == self.number);
         entry.map(|entry| entry.1).unwrap_or_default()
     }
 }
@@ -320,34 +376,62 @@ mod tests {
 
     const NO_FACES: [&[u32]; 0] = [];
 
-    fn partners<'a>(positions: &[Point], faces: impl IntoIterator<Item = &'a [u32]> + Clone) -> Vec<Mirror> {
+    fn partners<'a>(
+        positions: &[Point],
+        faces: impl IntoIterator<Item = &'a [u32]> + Clone,
+    ) -> Vec<Mirror> {
         MirrorMap::new(positions, faces, 1e-3).partners
     }
 
     #[test]
     fn pairs_and_middle_vertices_are_found() {
-        let mesh = [[1.0, 2.0, 3.0], [0.0, 1.0, 0.0], [-1.0005, 2.0, 3.0], [4.0, 0.0, 0.0]];
-        let expected = [Mirror::Partner(2), Mirror::Partner(1), Mirror::Partner(0), Mirror::Unmatched];
+        let mesh = [
+            [1.0, 2.0, 3.0],
+            [0.0, 1.0, 0.0],
+            [-1.0005, 2.0, 3.0],
+            [4.0, 0.0, 0.0],
+        ];
+        let expected = [
+            Mirror::Partner(2),
+            Mirror::Partner(1),
+            Mirror::Partner(0),
+            Mirror::Unmatched,
+        ];
         assert_eq!(partners(&mesh, NO_FACES), expected);
     }
 
     #[test]
     fn pair_close_to_the_plane_is_not_taken_for_the_middle() {
         let mesh = [[4e-4, 0.0, 0.0], [-4e-4, 0.0, 0.0]];
-        assert_eq!(partners(&mesh, NO_FACES), [Mirror::Partner(1), Mirror::Partner(0)]);
+        assert_eq!(
+            partners(&mesh, NO_FACES),
+            [Mirror::Partner(1), Mirror::Partner(0)]
+        );
     }
 
     #[test]
     fn shared_place_without_faces_is_ambiguous() {
-        let mesh = [[1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]];
+        let mesh = [
+            [1.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [-1.0, 0.0, 0.0],
+            [-1.0, 0.0, 0.0],
+        ];
         assert_eq!(partners(&mesh, NO_FACES), [Mirror::Ambiguous; 4]);
     }
 
-    /// Two strips of one quad on each side that share the places of their upper edge (vertices 2, 3 and 6, 7);
-    /// mirrored from 8 on.
+    /// Two strips of one quad on each side that share the places of their upper edge (vertices 2, 3
+    /// and 6, 7); mirrored from 8 on.
     fn strips() -> Vec<Point> {
         let side = |x: f32| {
-            let strip = |z: f32| [[x, 0.0, z], [2.0 * x, 0.0, z], [2.0 * x, 1.0, 0.0], [x, 1.0, 0.0]];
+            let strip = |z: f32| {
+                [
+                    [x, 0.0, z],
+                    [2.0 * x, 0.0, z],
+                    [2.0 * x, 1.0, 0.0],
+                    [x, 1.0, 0.0],
+                ]
+            };
             [strip(0.5), strip(-0.5)].concat()
         };
         [side(1.0), side(-1.0)].concat()
@@ -366,7 +450,13 @@ mod tests {
     #[test]
     fn a_hub_of_a_mesh_is_not_asked_for_again_and_again() {
         let count = 4000_u32;
-        let place = |v: u32| [if v.is_multiple_of(2) { 1.0 } else { -1.0 }, (v / 4) as f32, 0.0];
+        let place = |v: u32| {
+            [
+                if v.is_multiple_of(2) { 1.0 } else { -1.0 },
+                (v / 4) as f32,
+                0.0,
+            ]
+        };
         let mesh: Vec<Point> = (0..count).map(place).collect();
         let faces: Vec<[u32; 3]> = (1..count - 1).map(|v| [0, v, v + 1]).collect();
         let steps = steps_of(|| _ = partners(&mesh, faces.iter().map(<[u32; 3]>::as_slice)));
@@ -386,12 +476,19 @@ mod tests {
         // Vertex 1 and 2 both lie near the mirror image of 0.
         let mesh = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [-1.0, 0.0009, 0.0]];
         let found = partners(&mesh, NO_FACES);
-        assert_eq!(found, [Mirror::Partner(1), Mirror::Partner(0), Mirror::Ambiguous]);
+        assert_eq!(
+            found,
+            [Mirror::Partner(1), Mirror::Partner(0), Mirror::Ambiguous]
+        );
     }
 
     #[test]
     fn non_finite_and_huge_positions_are_unmatched() {
-        let mesh = [[f32::NAN; 3], [f32::INFINITY, 0.0, 0.0], [f32::MAX, 0.0, 0.0]];
+        let mesh = [
+            [f32::NAN; 3],
+            [f32::INFINITY, 0.0, 0.0],
+            [f32::MAX, 0.0, 0.0],
+        ];
         let map = MirrorMap::new(&mesh, NO_FACES, 1e-3);
         assert_eq!(map.unresolved(), (3, 0));
         assert_eq!(map.of(99), Mirror::Unmatched);
@@ -399,11 +496,17 @@ mod tests {
 
     #[test]
     fn mesh_beside_the_plane_is_mirrored_at_its_middle() {
-        let mesh = strips().iter().map(|p| [p[0] - 0.25, p[1], p[2]]).collect::<Vec<_>>();
+        let mesh = strips()
+            .iter()
+            .map(|p| [p[0] - 0.25, p[1], p[2]])
+            .collect::<Vec<_>>();
         let faces: Vec<u32> = (0..16).collect();
         let map = MirrorMap::new(&mesh, faces.chunks(4), 1e-3);
         assert_eq!(map.unresolved(), (0, 0));
-        assert_eq!(MirrorMap::with_plane(&mesh, faces.chunks(4), 1e-3, 0.0).unresolved(), (16, 0));
+        assert_eq!(
+            MirrorMap::with_plane(&mesh, faces.chunks(4), 1e-3, 0.0).unresolved(),
+            (16, 0)
+        );
     }
 
     #[test]
@@ -412,16 +515,28 @@ mod tests {
         assert_eq!(map.unresolved(), (0, 0));
     }
 
-    fn difference(map: &MirrorMap, one: &[(u32, Point)], other: &[(u32, Point)], tolerance: f64) -> MirrorDifference {
+    fn difference(
+        map: &MirrorMap,
+        one: &[(u32, Point)],
+        other: &[(u32, Point)],
+        tolerance: f64,
+    ) -> MirrorDifference {
         MirrorComparison::new(map).difference(one.iter().copied(), other.iter().copied(), tolerance)
     }
 
     #[test]
     fn mirrored_targets_do_not_differ() {
-        let map = MirrorMap::new(&[[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [7.0, 0.0, 0.0]], NO_FACES, 1e-3);
+        let map = MirrorMap::new(
+            &[[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [7.0, 0.0, 0.0]],
+            NO_FACES,
+            1e-3,
+        );
         let left = [(0, [0.5, 1.0, 0.0])];
         let same = difference(&map, &left, &[(1, [-0.5, 1.0, 0.0])], 1e-6);
-        assert_eq!((same.compared, same.different.len(), same.worst), (1, 0, Some((0, 0.0))));
+        assert_eq!(
+            (same.compared, same.different.len(), same.worst),
+            (1, 0, Some((0, 0.0)))
+        );
         let alone = difference(&map, &left, &left, 1e-6);
         assert_eq!((alone.compared, alone.different.len()), (2, 2));
         let odd = [(2, [1.0; 3]), (9, [1.0; 3])];
@@ -430,15 +545,30 @@ mod tests {
 
     #[test]
     fn a_comparison_forgets_the_targets_before() {
-        let mesh: Vec<Point> =
-            (0..100_u8).map(|at| [f32::from(at / 2 + 1) * if at % 2 == 0 { 1.0 } else { -1.0 }, 0.0, 0.0]).collect();
+        let mesh: Vec<Point> = (0..100_u8)
+            .map(|at| {
+                [
+                    f32::from(at / 2 + 1) * if at % 2 == 0 { 1.0 } else { -1.0 },
+                    0.0,
+                    0.0,
+                ]
+            })
+            .collect();
         let map = MirrorMap::new(&mesh, NO_FACES, 1e-3);
         let mut comparison = MirrorComparison::new(&map);
-        let rows = [(8, [9.0; 3]), (2, [0.0, 1.0, 0.0]), (8, [0.0, 0.5, 0.0]), (5, [0.0; 3])];
+        let rows = [
+            (8, [9.0; 3]),
+            (2, [0.0, 1.0, 0.0]),
+            (8, [0.0, 0.5, 0.0]),
+            (5, [0.0; 3]),
+        ];
         let all = (0..100_u8).map(|vertex| (u32::from(vertex), [f32::from(vertex); 3]));
         for _ in 0..2 {
             let found = comparison.difference(rows.into_iter(), rows.into_iter(), 0.1);
-            assert_eq!((found.compared, found.different.len(), found.worst), (4, 4, Some((2, 1.0))));
+            assert_eq!(
+                (found.compared, found.different.len(), found.worst),
+                (4, 4, Some((2, 1.0)))
+            );
             let found = comparison.difference(all.clone(), rows.into_iter(), 0.1);
             assert_eq!((found.compared, found.different.len()), (99, 99));
         }

@@ -1,4 +1,5 @@
-//! Shape of single targets: symmetry, which parts of the mesh they move, joint cubes that they tear.
+//! Shape of single targets: symmetry, which parts of the mesh they move, joint cubes that they
+//! tear.
 
 use super::side::Side;
 use super::symmetry::{MirrorComparison, MirrorDifference};
@@ -16,7 +17,8 @@ pub struct TargetMeasure {
     pub path: String,
     /// Difference from its own mirror image.
     pub own_mirror: MirrorDifference,
-    /// The vertex of the visible body that differs most from its mirror image, if any does, with the difference.
+    /// The vertex of the visible body that differs most from its mirror image, if any does, with
+    /// the difference.
     pub worst_of_body: Option<(u32, f64)>,
     /// Longest displacement.
     pub longest: f64,
@@ -33,7 +35,8 @@ pub struct TargetMeasure {
 }
 
 impl TargetMeasure {
-    /// The vertex that differs most from its mirror image, and by how much: of the visible body if any of that differs.
+    /// The vertex that differs most from its mirror image, and by how much: of the visible body if
+    /// any of that differs.
     pub fn most_asymmetric(&self) -> Option<(u32, f64)> {
         self.worst_of_body.or(self.own_mirror.worst)
     }
@@ -55,14 +58,33 @@ pub const RIGID_TOLERANCE: f64 = 2e-3;
 
 impl Parts {
     /// Measures one target. `tolerance` (mesh units) is how far displacements may be from mirrored.
-    pub fn measure(&self, rows: &[Row], mirror: &mut MirrorComparison<'_>, tolerance: f64) -> TargetMeasure {
+    pub fn measure(
+        &self,
+        rows: &[Row],
+        mirror: &mut MirrorComparison<'_>,
+        tolerance: f64,
+    ) -> TargetMeasure {
         let own_mirror = mirror.difference(rows.iter().copied(), rows.iter().copied(), tolerance);
-        let differs_on_body = own_mirror.different.iter().any(|vertex| self.is_body(*vertex));
-        let mut of_body = || mirror.difference(self.of_body(rows), self.of_body(rows), tolerance).worst;
+        let differs_on_body = own_mirror
+            .different
+            .iter()
+            .any(|vertex| self.is_body(*vertex));
+        let mut of_body = || {
+            mirror
+                .difference(self.of_body(rows), self.of_body(rows), tolerance)
+                .worst
+        };
         let worst_of_body = if differs_on_body { of_body() } else { None };
-        let mut measure = TargetMeasure { own_mirror, worst_of_body, ..TargetMeasure::default() };
+        let mut measure = TargetMeasure {
+            own_mirror,
+            worst_of_body,
+            ..TargetMeasure::default()
+        };
         let mut touched: Vec<(u32, u32, Point)> = Vec::new();
-        for (vertex, delta) in rows.iter().filter(|(_, delta)| delta.iter().any(|part| *part != 0.0)) {
+        for (vertex, delta) in rows
+            .iter()
+            .filter(|(_, delta)| delta.iter().any(|part| *part != 0.0))
+        {
             measure.longest = measure.longest.max(length(widen(*delta)));
             let at = *vertex as usize;
             if self.body.get(at).is_some_and(|body| *body) {
@@ -84,7 +106,8 @@ impl Parts {
         measure
     }
 
-    /// Compares a left target with its right partner: all vertices, and those of the visible body alone.
+    /// Compares a left target with its right partner: all vertices, and those of the visible body
+    /// alone.
     pub fn pair(
         &self,
         left: &[Row],
@@ -98,7 +121,9 @@ impl Parts {
     }
 
     fn of_body<'r>(&'r self, rows: &'r [Row]) -> impl Iterator<Item = Row> + Clone + 'r {
-        rows.iter().filter(|(vertex, _)| self.is_body(*vertex)).copied()
+        rows.iter()
+            .filter(|(vertex, _)| self.is_body(*vertex))
+            .copied()
     }
 
     fn is_body(&self, vertex: u32) -> bool {
@@ -109,10 +134,15 @@ impl Parts {
     fn tear(&self, group: &[(u32, u32, Point)]) -> Option<(usize, f64)> {
         let (cube, _, first) = *group.first()?;
         let whole = self.cubes.get(cube as usize).map_or(0, Vec::len);
-        let apart = group.iter().map(|(_, _, delta)| length(widen(sub(*delta, first))));
+        let apart = group
+            .iter()
+            .map(|(_, _, delta)| length(widen(sub(*delta, first))));
         let mut difference = apart.fold(0.0, f64::max);
         if group.len() < whole {
-            difference = group.iter().map(|(_, _, delta)| length(widen(*delta))).fold(difference, f64::max);
+            difference = group
+                .iter()
+                .map(|(_, _, delta)| length(widen(*delta)))
+                .fold(difference, f64::max);
         }
         (difference > RIGID_TOLERANCE).then_some((cube as usize, difference))
     }
@@ -133,11 +163,17 @@ pub fn side_of(rows: &[Row], positions: &[Point]) -> Option<Side> {
         }
     }
     let share = left / all;
-    if share >= ONE_SIDED { Some(Side::Left) } else { (share <= 1.0 - ONE_SIDED).then_some(Side::Right) }
+    if share >= ONE_SIDED {
+        Some(Side::Left)
+    } else {
+        (share <= 1.0 - ONE_SIDED).then_some(Side::Right)
+    }
 }
 
 /// Vertices of joint cubes from the groups of a mesh: name of a cube and its vertices.
-pub fn cubes_of<'f>(faces: impl IntoIterator<Item = (&'f str, &'f [u32])>) -> Vec<(String, Vec<u32>)> {
+pub fn cubes_of<'f>(
+    faces: impl IntoIterator<Item = (&'f str, &'f [u32])>,
+) -> Vec<(String, Vec<u32>)> {
     let mut cubes: std::collections::BTreeMap<&str, Vec<u32>> = std::collections::BTreeMap::new();
     for (group, face) in faces {
         if group.starts_with("joint-") {
@@ -157,7 +193,12 @@ mod tests {
     use super::super::symmetry::MirrorMap;
     use super::*;
 
-    const POSITIONS: [Point; 4] = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [2.0, 5.0, 0.0], [2.0, 6.0, 0.0]];
+    const POSITIONS: [Point; 4] = [
+        [1.0, 0.0, 0.0],
+        [-1.0, 0.0, 0.0],
+        [2.0, 5.0, 0.0],
+        [2.0, 6.0, 0.0],
+    ];
 
     fn measure(rows: &[Row]) -> TargetMeasure {
         let mirror = MirrorMap::new(&POSITIONS, std::iter::empty::<&[u32]>(), 0.01);
@@ -172,13 +213,19 @@ mod tests {
     #[test]
     fn a_cube_moved_in_part_is_torn() {
         let found = measure(&[(0, [0.0, 1.0, 0.0]), (2, [0.0, 0.5, 0.0])]);
-        assert_eq!((found.body, found.joints, found.torn.as_slice()), (1, 1, [(0, 0.5)].as_slice()));
+        assert_eq!(
+            (found.body, found.joints, found.torn.as_slice()),
+            (1, 1, [(0, 0.5)].as_slice())
+        );
     }
 
     #[test]
     fn a_target_lies_on_the_side_of_its_longest_displacements() {
         let of = |rows: &[Row]| side_of(rows, &POSITIONS);
-        assert_eq!(of(&[(0, [0.0, 1.0, 0.0]), (1, [0.0, 0.1, 0.0])]), Some(Side::Left));
+        assert_eq!(
+            of(&[(0, [0.0, 1.0, 0.0]), (1, [0.0, 0.1, 0.0])]),
+            Some(Side::Left)
+        );
         assert_eq!(of(&[(0, [0.0, 1.0, 0.0]), (1, [0.0, 0.2, 0.0])]), None);
         assert_eq!(of(&[(1, [0.0, 1.0, 0.0])]), Some(Side::Right));
         assert_eq!(of(&[]), None);
@@ -192,20 +239,44 @@ mod tests {
 
     #[test]
     fn one_sided_displacement_differs_from_its_mirror_image() {
-        assert_eq!(measure(&[(0, [0.0, 1.0, 0.0])]).own_mirror.different.len(), 2);
-        assert_eq!(measure(&[(0, [0.5, 1.0, 0.0]), (1, [-0.5, 1.0, 0.0])]).own_mirror.different.len(), 0);
+        assert_eq!(
+            measure(&[(0, [0.0, 1.0, 0.0])]).own_mirror.different.len(),
+            2
+        );
+        assert_eq!(
+            measure(&[(0, [0.5, 1.0, 0.0]), (1, [-0.5, 1.0, 0.0])])
+                .own_mirror
+                .different
+                .len(),
+            0
+        );
     }
 
     #[test]
     fn the_body_goes_before_what_is_not_shown() {
-        let positions = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [2.0, 5.0, 0.0], [-2.0, 5.0, 0.0]];
+        let positions = [
+            [1.0, 0.0, 0.0],
+            [-1.0, 0.0, 0.0],
+            [2.0, 5.0, 0.0],
+            [-2.0, 5.0, 0.0],
+        ];
         let mirror = MirrorMap::new(&positions, std::iter::empty::<&[u32]>(), 0.01);
-        let parts = Parts { body: vec![true, true, false, false], cubes: Vec::new(), cube_of: vec![None; 4] };
+        let parts = Parts {
+            body: vec![true, true, false, false],
+            cubes: Vec::new(),
+            cube_of: vec![None; 4],
+        };
         let most = |rows: &[Row]| {
-            parts.measure(rows, &mut MirrorComparison::new(&mirror), 0.001).most_asymmetric().map(|(vertex, _)| vertex)
+            parts
+                .measure(rows, &mut MirrorComparison::new(&mirror), 0.001)
+                .most_asymmetric()
+                .map(|(vertex, _)| vertex)
         };
         let helper = (2, [9.0, 0.0, 0.0]);
         assert_eq!(most(&[helper, (0, [0.0, 1.0, 0.0])]), Some(0));
-        assert_eq!(most(&[helper, (0, [0.5, 1.0, 0.0]), (1, [-0.5, 1.0, 0.0])]), Some(2));
+        assert_eq!(
+            most(&[helper, (0, [0.5, 1.0, 0.0]), (1, [-0.5, 1.0, 0.0])]),
+            Some(2)
+        );
     }
 }

@@ -1,7 +1,7 @@
 //! Three-vectors and the few matrix operations that skeletons need.
 //!
-//! Storage is `f32`, arithmetic is `f64` but in the innermost loops. Nothing here guards against zero lengths or
-//! singular matrices: the result is NaN or infinite, as in the applications.
+//! Storage is `f32`, arithmetic is `f64` but in the innermost loops. Nothing here guards against
+//! zero lengths or singular matrices: the result is NaN or infinite, as in the applications.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -15,7 +15,12 @@ pub type Mat3 = [[f64; 3]; 3];
 pub type Mat4 = [[f64; 4]; 4];
 
 /// The 4x4 identity.
-pub const IDENTITY: Mat4 = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+pub const IDENTITY: Mat4 = [
+    [1.0, 0.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0, 0.0],
+    [0.0, 0.0, 1.0, 0.0],
+    [0.0, 0.0, 0.0, 1.0],
+];
 
 /// A stored point for arithmetic.
 pub fn widen(p: Point) -> Vec3 {
@@ -23,7 +28,10 @@ pub fn widen(p: Point) -> Vec3 {
 }
 
 /// A number as the applications store it.
-#[expect(clippy::cast_possible_truncation, reason = "the one place where results are rounded to float32 storage")]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "the one place where results are rounded to float32 storage"
+)]
 pub fn round_to_f32(value: f64) -> f32 {
     value as f32
 }
@@ -55,7 +63,11 @@ pub fn dot<T: Copy + Add<Output = T> + Mul<Output = T>>(a: [T; 3], b: [T; 3]) ->
 
 /// Cross product `a x b`.
 pub fn cross<T: Copy + Sub<Output = T> + Mul<Output = T>>(a: [T; 3], b: [T; 3]) -> [T; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
 }
 
 /// Euclidean length.
@@ -76,7 +88,9 @@ pub fn unit(v: Vec3) -> Vec3 {
 
 /// `a * b`.
 pub fn multiply(a: &Mat4, b: &Mat4) -> Mat4 {
-    let cell = |i: usize, j: usize| a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j] + a[i][3] * b[3][j];
+    let cell = |i: usize, j: usize| {
+        a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j] + a[i][3] * b[3][j]
+    };
     std::array::from_fn(|i| std::array::from_fn(|j| cell(i, j)))
 }
 
@@ -104,10 +118,20 @@ pub fn from_columns(x: Vec3, y: Vec3, z: Vec3, t: Vec3) -> Mat4 {
 /// Inverse of a matrix whose last row is (0, 0, 0, 1); NaN or infinite if it has none.
 pub fn inverse(m: &Mat4) -> Mat4 {
     let row = |i: usize| [m[i][0], m[i][1], m[i][2]];
-    // The columns of the inverse of a 3x3 matrix are the cross products of its rows, divided by the determinant.
-    let (a, b, c) = (cross(row(1), row(2)), cross(row(2), row(0)), cross(row(0), row(1)));
+    // The columns of the inverse of a 3x3 matrix are the cross products of its rows, divided by the
+    // determinant.
+    let (a, b, c) = (
+        cross(row(1), row(2)),
+        cross(row(2), row(0)),
+        cross(row(0), row(1)),
+    );
     let det = dot(row(0), a);
-    let linear = from_columns(a.map(|x| x / det), b.map(|x| x / det), c.map(|x| x / det), [0.0; 3]);
+    let linear = from_columns(
+        a.map(|x| x / det),
+        b.map(|x| x / det),
+        c.map(|x| x / det),
+        [0.0; 3],
+    );
     let moved = scale(rotate(&linear, translation(m)), -1.0);
     let with = |i: usize| [linear[i][0], linear[i][1], linear[i][2], moved[i]];
     [with(0), with(1), with(2), [0.0, 0.0, 0.0, 1.0]]
@@ -119,7 +143,12 @@ mod tests {
 
     #[test]
     fn inverse_undoes_the_matrix() {
-        let m = [[0.0, -2.0, 0.5, 3.0], [1.0, 0.0, 0.0, -1.0], [0.0, 0.3, 1.0, 2.0], [0.0, 0.0, 0.0, 1.0]];
+        let m = [
+            [0.0, -2.0, 0.5, 3.0],
+            [1.0, 0.0, 0.0, -1.0],
+            [0.0, 0.3, 1.0, 2.0],
+            [0.0, 0.0, 0.0, 1.0],
+        ];
         let product = multiply(&inverse(&m), &m);
         for (row, expected) in product.iter().zip(IDENTITY) {
             for (x, e) in row.iter().zip(expected) {
@@ -146,7 +175,12 @@ mod tests {
 
     #[test]
     fn transform_rotates_then_moves() {
-        let m = from_columns([0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [10.0, 0.0, 0.0]);
+        let m = from_columns(
+            [0.0, 1.0, 0.0],
+            [-1.0, 0.0, 0.0],
+            [0.0, 0.0, 1.0],
+            [10.0, 0.0, 0.0],
+        );
         assert_eq!(transform(&m, [1.0, 0.0, 0.0]), [10.0, 1.0, 0.0]);
     }
 }

@@ -1,8 +1,8 @@
-//! From setting to setting with few additions: settings are ordered by what they add to the mesh, and of two
-//! neighbours only the difference is taken back and added.
+//! From setting to setting with few additions: settings are ordered by what they add to the mesh,
+//! and of two neighbours only the difference is taken back and added.
 //!
-//! Macros come before detail sliders here, the other way round than in the application, because most settings share
-//! their macros. Of the sum that changes only the last bit.
+//! Macros come before detail sliders here, the other way round than in the application, because
+//! most settings share their macros. Of the sum that changes only the last bit.
 
 use std::borrow::Cow;
 
@@ -14,7 +14,8 @@ use super::vector::{Point, round_to_f32};
 /// Vertex and displacement.
 type Row = (u32, Point);
 
-/// The targets of a scene, made ready to be added: one row a vertex, in ascending order, inside the mesh.
+/// The targets of a scene, made ready to be added: one row a vertex, in ascending order, inside the
+/// mesh.
 #[derive(Debug)]
 pub(super) struct Addable<'s> {
     scene: &'s Scene,
@@ -50,33 +51,65 @@ impl Stop {
         self.addends.len()
     }
 
-    /// Targets that it adds, but for those that it begins with like another stop: they stay when the walk goes on.
+    /// Targets that it adds, but for those that it begins with like another stop: they stay when
+    /// the walk goes on.
     pub(super) fn targets_unlike(&self, other: &Self) -> impl Iterator<Item = usize> {
-        let common = self.addends.iter().zip(&other.addends).take_while(|(own, others)| own == others).count();
+        let common = self
+            .addends
+            .iter()
+            .zip(&other.addends)
+            .take_while(|(own, others)| own == others)
+            .count();
         self.addends.iter().skip(common).map(|addend| addend.target)
     }
 }
 
 impl<'s> Addable<'s> {
     pub(super) fn new(scene: &'s Scene) -> Self {
-        let rows = scene.targets.iter().map(|target| one_a_vertex(target.rows.as_deref()?, scene.positions.len()));
-        Self { scene, rows: rows.collect() }
+        let rows = scene
+            .targets
+            .iter()
+            .map(|target| one_a_vertex(target.rows.as_deref()?, scene.positions.len()));
+        Self {
+            scene,
+            rows: rows.collect(),
+        }
     }
 
     /// What a setting adds. `None` where the application stops.
-    pub(super) fn stop(&self, number: usize, setting: &Setting, work: &mut MacroWork) -> Option<Stop> {
+    pub(super) fn stop(
+        &self,
+        number: usize,
+        setting: &Setting,
+        work: &mut MacroWork,
+    ) -> Option<Stop> {
         let mut factors = self.scene.macro_factors(setting, work).ok()?;
         factors.extend(self.scene.detail_factors(setting));
-        factors.retain(|(target, _)| !self.scene.targets.get(*target).is_some_and(|target| target.suspect));
+        factors.retain(|(target, _)| {
+            !self
+                .scene
+                .targets
+                .get(*target)
+                .is_some_and(|target| target.suspect)
+        });
         let addend = |(target, factor): (usize, f64)| {
             self.rows.get(target)?.as_ref()?;
-            Some(Addend { target, factor: round_to_f32(factor).to_bits() })
+            Some(Addend {
+                target,
+                factor: round_to_f32(factor).to_bits(),
+            })
         };
-        Some(Stop { addends: factors.into_iter().map(addend).collect::<Option<_>>()?, setting: number })
+        Some(Stop {
+            addends: factors.into_iter().map(addend).collect::<Option<_>>()?,
+            setting: number,
+        })
     }
 
     pub(super) fn rows(&self, target: usize) -> &[Row] {
-        self.rows.get(target).and_then(Option::as_deref).unwrap_or_default()
+        self.rows
+            .get(target)
+            .and_then(Option::as_deref)
+            .unwrap_or_default()
     }
 }
 
@@ -122,21 +155,45 @@ enum Undo {
 impl<'s> Walk<'s> {
     pub(super) fn new(targets: &'s Addable<'s>) -> Self {
         let positions = targets.scene.positions.clone();
-        Self { targets, positions, added: Vec::new(), before: Vec::new(), whole: Vec::new(), changed: Vec::new() }
+        Self {
+            targets,
+            positions,
+            added: Vec::new(),
+            before: Vec::new(),
+            whole: Vec::new(),
+            changed: Vec::new(),
+        }
     }
 
-    /// Goes to a stop. What the `next` stop does not share is added so that it is cheap to take back.
+    /// Goes to a stop. What the `next` stop does not share is added so that it is cheap to take
+    /// back.
     pub(super) fn to(&mut self, stop: &Stop, next: Option<&Stop>) {
         self.changed.clear();
-        let common = self.added.iter().zip(&stop.addends).take_while(|((known, _), wanted)| known == *wanted).count();
+        let common = self
+            .added
+            .iter()
+            .zip(&stop.addends)
+            .take_while(|((known, _), wanted)| known == *wanted)
+            .count();
         self.take_back(common);
         let common = common.min(self.added.len());
         let shared = next.map_or(0, |next| {
-            stop.addends.iter().zip(&next.addends).take_while(|(ours, theirs)| ours == theirs).count()
+            stop.addends
+                .iter()
+                .zip(&next.addends)
+                .take_while(|(ours, theirs)| ours == theirs)
+                .count()
         });
-        let (stay, pass) = stop.addends.split_at(shared.clamp(common, stop.addends.len()));
-        stay.iter().skip(common).for_each(|addend| self.add(*addend));
-        let rows: usize = pass.iter().map(|addend| self.targets.rows(addend.target).len()).sum();
+        let (stay, pass) = stop
+            .addends
+            .split_at(shared.clamp(common, stop.addends.len()));
+        stay.iter()
+            .skip(common)
+            .for_each(|addend| self.add(*addend));
+        let rows: usize = pass
+            .iter()
+            .map(|addend| self.targets.rows(addend.target).len())
+            .sum();
         if rows > self.positions.len() {
             self.whole.clone_from(&self.positions);
             pass.iter().for_each(|addend| self.pass(*addend));
@@ -169,15 +226,21 @@ impl<'s> Walk<'s> {
         }
     }
 
-    /// Takes back all but the first `keep` additions. Those by the whole mesh are the last and go together, whatever
-    /// of them is to be kept: it is added again.
+    /// Takes back all but the first `keep` additions. Those by the whole mesh are the last and go
+    /// together, whatever of them is to be kept: it is added again.
     fn take_back(&mut self, keep: usize) {
-        if self.added.last().is_some_and(|(_, undo)| *undo == Undo::Whole) {
+        if self
+            .added
+            .last()
+            .is_some_and(|(_, undo)| *undo == Undo::Whole)
+        {
             self.positions.copy_from_slice(&self.whole);
         }
         let is_whole = |added: &(Addend, Undo)| added.1 == Undo::Whole;
         while self.added.len() > keep || self.added.last().is_some_and(is_whole) {
-            let Some((addend, undo)) = self.added.pop() else { return };
+            let Some((addend, undo)) = self.added.pop() else {
+                return;
+            };
             self.changed.push(addend.target);
             let Undo::Rows(start) = undo else { continue };
             for (vertex, before) in self.before.drain(start..) {
@@ -192,13 +255,19 @@ impl<'s> Walk<'s> {
 
     /// Vertices that the last step moved, some of them several times.
     pub(super) fn moved(&self) -> impl Iterator<Item = u32> {
-        let rows = self.changed.iter().flat_map(|target| self.targets.rows(*target));
+        let rows = self
+            .changed
+            .iter()
+            .flat_map(|target| self.targets.rows(*target));
         rows.map(|(vertex, _)| *vertex)
     }
 
     /// How many vertices [`Walk::moved`] gives.
     pub(super) fn moved_count(&self) -> usize {
-        self.changed.iter().map(|target| self.targets.rows(*target).len()).sum()
+        self.changed
+            .iter()
+            .map(|target| self.targets.rows(*target).len())
+            .sum()
     }
 }
 
@@ -210,10 +279,17 @@ mod tests {
     use super::*;
 
     fn scene() -> Scene {
-        let target = |rows: &[Row]| MorphTarget { rows: Some(Arc::new(rows.to_vec())), ..MorphTarget::default() };
+        let target = |rows: &[Row]| MorphTarget {
+            rows: Some(Arc::new(rows.to_vec())),
+            ..MorphTarget::default()
+        };
         let slider = |incr| SceneSlider {
             pattern: String::new(),
-            kind: SliderKind::Detail { incr: Some(incr), decr: None, two_sided: false },
+            kind: SliderKind::Detail {
+                incr: Some(incr),
+                decr: None,
+                two_sided: false,
+            },
             default: 0.0,
         };
         Scene {
@@ -230,7 +306,10 @@ mod tests {
     }
 
     fn setting(details: [f64; 4]) -> Setting {
-        Setting { macros: Vec::new().into(), details: (0..).zip(details).collect() }
+        Setting {
+            macros: Vec::new().into(),
+            details: (0..).zip(details).collect(),
+        }
     }
 
     #[test]
@@ -238,9 +317,19 @@ mod tests {
         let scene = scene();
         let targets = Addable::new(&scene);
         let mut walk = Walk::new(&targets);
-        for details in [[0.3, 0.7, 0.0, 0.0], [0.3, 0.1, 0.0, 0.0], [0.0, 0.9, 0.0, 0.0], [0.0; 4]] {
+        for details in [
+            [0.3, 0.7, 0.0, 0.0],
+            [0.3, 0.1, 0.0, 0.0],
+            [0.0, 0.9, 0.0, 0.0],
+            [0.0; 4],
+        ] {
             let setting = setting(details);
-            walk.to(&targets.stop(0, &setting, &mut MacroWork::default()).unwrap(), None);
+            walk.to(
+                &targets
+                    .stop(0, &setting, &mut MacroWork::default())
+                    .unwrap(),
+                None,
+            );
             assert_eq!(walk.positions(), scene.morphed(&setting).unwrap());
         }
     }
@@ -251,7 +340,9 @@ mod tests {
         let targets = Addable::new(&scene);
         let mut walk = Walk::new(&targets);
         let mut go = |details| {
-            let stop = targets.stop(0, &setting(details), &mut MacroWork::default()).unwrap();
+            let stop = targets
+                .stop(0, &setting(details), &mut MacroWork::default())
+                .unwrap();
             walk.to(&stop, Some(&stop));
             (walk.moved().collect::<Vec<u32>>(), walk.moved_count())
         };
@@ -275,8 +366,21 @@ mod tests {
     fn settings_that_add_the_same_are_one_stop() {
         let scene = scene();
         let targets = Addable::new(&scene);
-        let stop = |number, value| targets.stop(number, &setting([value, 0.0, 0.0, 0.0]), &mut MacroWork::default());
-        let stops = in_order([stop(0, 0.5), stop(1, 0.25), stop(2, 0.5)].map(Option::unwrap).to_vec());
-        assert_eq!(stops.iter().map(|stop| stop.setting).collect::<Vec<_>>(), [1, 0]);
+        let stop = |number, value| {
+            targets.stop(
+                number,
+                &setting([value, 0.0, 0.0, 0.0]),
+                &mut MacroWork::default(),
+            )
+        };
+        let stops = in_order(
+            [stop(0, 0.5), stop(1, 0.25), stop(2, 0.5)]
+                .map(Option::unwrap)
+                .to_vec(),
+        );
+        assert_eq!(
+            stops.iter().map(|stop| stop.setting).collect::<Vec<_>>(),
+            [1, 0]
+        );
     }
 }

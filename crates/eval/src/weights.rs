@@ -15,8 +15,9 @@ pub struct BoneWeights {
 /// Weights after loading.
 #[derive(Clone, Debug, Default)]
 pub struct LoadedWeights {
-    /// Bones with a non-empty list in the file, in file order, sorted by vertex. A bone can have become empty. Last
-    /// comes the root if it had to be created; the vertices it had to take are at the end of its list, unsorted.
+    /// Bones with a non-empty list in the file, in file order, sorted by vertex. A bone can have
+    /// become empty. Last comes the root if it had to be created; the vertices it had to take are
+    /// at the end of its list, unsorted.
     pub bones: Vec<BoneWeights>,
     /// For every vertex the sum of its weights in the file.
     pub raw_sums: Vec<f32>,

@@ -96,12 +96,19 @@ pub enum Error {
 impl Error {
     /// A file that cannot be used.
     pub(super) fn file(path: impl Into<String>, reason: impl Into<String>) -> Self {
-        Self::File { path: path.into(), reason: reason.into() }
+        Self::File {
+            path: path.into(),
+            reason: reason.into(),
+        }
     }
 
     /// Indices that do not exist stop every application with an `IndexError`.
     pub(super) fn index(application: Application, error: EvalError) -> Self {
-        Self::Stops { application, exception: "IndexError", reason: error.to_string() }
+        Self::Stops {
+            application,
+            exception: "IndexError",
+            reason: error.to_string(),
+        }
     }
 }
 

@@ -17,7 +17,8 @@ use mhlint_source::{Encoding, Limits, Lines, ReadFault, read_file};
 /// # Errors
 /// A file that cannot be read, with its path.
 pub fn read_text(path: &Path) -> Result<Vec<u8>, Error> {
-    read_file(path, &Limits::default()).map_err(|fault| Error::file(shown(path), read_cause(&fault)))
+    read_file(path, &Limits::default())
+        .map_err(|fault| Error::file(shown(path), read_cause(&fault)))
 }
 
 /// Vertex positions of an OBJ file, decimetres.
@@ -43,7 +44,9 @@ pub(super) fn document(bytes: &[u8]) -> Result<Document, String> {
 pub(super) fn read_cause(fault: &ReadFault) -> String {
     match fault {
         ReadFault::Unreadable(reason) => reason.clone(),
-        ReadFault::TooLarge { size, limit } => format!("it has {size} bytes, more than the limit of {limit}"),
+        ReadFault::TooLarge { size, limit } => {
+            format!("it has {size} bytes, more than the limit of {limit}")
+        }
     }
 }
 
@@ -51,9 +54,13 @@ pub(super) fn read_cause(fault: &ReadFault) -> String {
 pub(super) fn json_cause(fault: &JsonFault, bytes: &[u8]) -> String {
     match fault {
         JsonFault::Empty => "it is empty".to_owned(),
-        JsonFault::ByteOrderMark => "it begins with a byte order mark, which Python rejects".to_owned(),
+        JsonFault::ByteOrderMark => {
+            "it begins with a byte order mark, which Python rejects".to_owned()
+        }
         JsonFault::NotUtf8 => "it is not UTF-8".to_owned(),
-        JsonFault::LfsPointer => "it is a Git LFS pointer; fetch the file with `git lfs pull`".to_owned(),
+        JsonFault::LfsPointer => {
+            "it is a Git LFS pointer; fetch the file with `git lfs pull`".to_owned()
+        }
         JsonFault::Syntax(fault) => syntax_cause(fault, bytes),
     }
 }
@@ -63,7 +70,8 @@ fn syntax_cause(fault: &SyntaxFault, bytes: &[u8]) -> String {
     format!("not valid JSON, line {line}: {fault}")
 }
 
-/// Puts vertices, faces and groups of a mesh into a scene. Faces at vertices that it lacks are left out.
+/// Puts vertices, faces and groups of a mesh into a scene. Faces at vertices that it lacks are left
+/// out.
 pub(super) fn take_mesh(scene: &mut Scene, mesh: &Mesh, is_visible: impl Fn(&str) -> bool) {
     scene.positions.clone_from(&mesh.positions);
     let vertices = mesh.positions.len();
@@ -110,6 +118,9 @@ mod tests {
     fn only_vertex_lines_change() {
         let obj = b"# x\nv 1 2 3\r\nvt 0 0\ng a\n v\t4 5 6\nf 1/1 2/1";
         let out = with_positions(obj, &[[0.5, -1.0, 0.1], [7.0, 8.0, 9.0]]);
-        assert_eq!(String::from_utf8(out).unwrap(), "# x\nv 0.5 -1 0.1\nvt 0 0\ng a\nv 7 8 9\nf 1/1 2/1");
+        assert_eq!(
+            String::from_utf8(out).unwrap(),
+            "# x\nv 0.5 -1 0.1\nvt 0 0\ng a\nv 7 8 9\nf 1/1 2/1"
+        );
     }
 }

@@ -1,7 +1,7 @@
 //! Whose formulas evaluate what: the one place that asks for an application.
 //!
-//! To evaluate another one: a variant of [`Formulas`], a folder beside `makehuman2`, and an arm wherever the compiler
-//! asks for one.
+//! To evaluate another one: a variant of [`Formulas`], a folder beside `makehuman2`, and an arm
+//! wherever the compiler asks for one.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -34,7 +34,8 @@ pub(super) enum Formulas {
 }
 
 impl Formulas {
-    /// The place of the slider that a saved character means by a name which no slider has, and the sign of its value.
+    /// The place of the slider that a saved character means by a name which no slider has, and the
+    /// sign of its value.
     pub(super) fn slider_of_character(self, scene: &Scene, name: &str) -> Option<(usize, f64)> {
         match self {
             Self::Makehuman2 | Self::Makehuman1 => None,
@@ -62,12 +63,19 @@ const fn formulas(application: Application) -> Formulas {
 
 /// Whether rules ask for what the targets of an application come to, so that their rows are needed.
 pub const fn needs_rows(application: Application) -> bool {
-    matches!(application, Application::Makehuman2 | Application::Makehuman1 | Application::Mpfb)
+    matches!(
+        application,
+        Application::Makehuman2 | Application::Makehuman1 | Application::Mpfb
+    )
 }
 
-/// Whether anything of the data of an application is measured: what is worn, also where nothing else is.
+/// Whether anything of the data of an application is measured: what is worn, also where nothing
+/// else is.
 pub const fn is_measured(application: Application) -> bool {
-    matches!(application, Application::Makehuman2 | Application::Makehuman1 | Application::Mpfb)
+    matches!(
+        application,
+        Application::Makehuman2 | Application::Makehuman1 | Application::Mpfb
+    )
 }
 
 /// The applications whose data can be evaluated.
@@ -75,8 +83,8 @@ pub fn evaluated() -> impl Iterator<Item = Application> {
     Application::ALL.into_iter()
 }
 
-/// Measures a body as an application shows it, taking the rows of its targets out of `rows`. `None` for an application
-/// that is not evaluated, and without a mesh that vertices can be counted on.
+/// Measures a body as an application shows it, taking the rows of its targets out of `rows`. `None`
+/// for an application that is not evaluated, and without a mesh that vertices can be counted on.
 ///
 /// Takes layers, not a view: their targets are not all read yet.
 pub fn measure(
@@ -92,8 +100,14 @@ pub fn measure(
             let mut composed = makehuman2::compose::compose(&base, rows)?;
             let own = makehuman2::worn::own(&base, layers);
             let fitted = makehuman2::worn::fit(&base, &own);
-            let bones = composed.scene.skeleton.iter().flat_map(|skeleton| skeleton.names.iter().enumerate().rev());
-            let bones: BTreeMap<&str, usize> = bones.map(|(number, name)| (name.as_str(), number)).collect();
+            let bones = composed
+                .scene
+                .skeleton
+                .iter()
+                .flat_map(|skeleton| skeleton.names.iter().enumerate().rev());
+            let bones: BTreeMap<&str, usize> = bones
+                .map(|(number, name)| (name.as_str(), number))
+                .collect();
             composed.scene.worn = fitted.iter().map(|one| one.on_scene(&bones)).collect();
             let worn = || makehuman2::worn::measure(&base, &fitted);
             let (measures, worn) = rayon::join(|| gauge(&composed, options), worn);
@@ -112,7 +126,14 @@ pub fn openable(application: Application, layers: Layers<'_>) -> Vec<Openable<'_
         Formulas::Makehuman1 => makehuman1::base::with_mesh(layers),
         Formulas::Mpfb => mpfb::base::with_mesh(layers),
     };
-    names.into_iter().map(|name| Openable { name, layers, formulas }).collect()
+    names
+        .into_iter()
+        .map(|name| Openable {
+            name,
+            layers,
+            formulas,
+        })
+        .collect()
 }
 
 impl Openable<'_> {
@@ -130,7 +151,9 @@ impl Openable<'_> {
     /// An unusable mesh.
     pub fn open(&self, limits: Limits) -> Result<Evaluation, Error> {
         match self.formulas {
-            Formulas::Makehuman2 => makehuman2::base::open(&Base::resolve(self.name, self.layers), limits),
+            Formulas::Makehuman2 => {
+                makehuman2::base::open(&Base::resolve(self.name, self.layers), limits)
+            }
             Formulas::Makehuman1 => makehuman1::base::open(self.name, self.layers, limits),
             Formulas::Mpfb => mpfb::base::open(self.name, self.layers, limits),
         }
@@ -147,7 +170,8 @@ impl Evaluation {
         }
     }
 
-    /// Whether a vertex of several rows moves by all of them, and one that the mesh lacks is passed over.
+    /// Whether a vertex of several rows moves by all of them, and one that the mesh lacks is passed
+    /// over.
     pub(super) const fn adds_rows(&self) -> bool {
         matches!(self.formulas, Formulas::Mpfb)
     }
@@ -182,16 +206,23 @@ impl Evaluation {
         }
     }
 
-    /// What modifiers do to their targets at a setting, as JSON: these one by one, then the weights of all targets.
+    /// What modifiers do to their targets at a setting, as JSON: these one by one, then the weights
+    /// of all targets.
     ///
     /// # Errors
     /// Data of another application than `MakeHuman` 1; an unknown modifier.
-    pub fn modifiers_json(&self, setting: &Setting, asked: &[SliderSetting]) -> Result<Map<String, Value>, Error> {
+    pub fn modifiers_json(
+        &self,
+        setting: &Setting,
+        asked: &[SliderSetting],
+    ) -> Result<Map<String, Value>, Error> {
         match self.formulas {
             Formulas::Makehuman1 => makehuman1::modifiers::modifiers_json(self, setting, asked),
             Formulas::Makehuman2 | Formulas::Mpfb => {
                 let name = self.application().title();
-                Err(Error::Input(format!("modifiers are those of MakeHuman 1; for {name} use `mhlint eval macros`")))
+                Err(Error::Input(format!(
+                    "modifiers are those of MakeHuman 1; for {name} use `mhlint eval macros`"
+                )))
             }
         }
     }
@@ -200,7 +231,11 @@ impl Evaluation {
     ///
     /// # Errors
     /// A skeleton that the application refuses for this mesh.
-    pub fn rest(&self, skeleton: &SkeletonFile, positions: &[Point]) -> Result<RestSkeleton, Error> {
+    pub fn rest(
+        &self,
+        skeleton: &SkeletonFile,
+        positions: &[Point],
+    ) -> Result<RestSkeleton, Error> {
         match self.formulas {
             Formulas::Makehuman2 => makehuman2::skeleton::rest(skeleton, positions),
             Formulas::Makehuman1 => makehuman1::skeleton::rest(&self.scene, skeleton, positions),
@@ -211,5 +246,8 @@ impl Evaluation {
 
 /// Every kind of case, of all applications.
 pub(super) fn kinds() -> impl Iterator<Item = &'static Kind> {
-    makehuman2::cases::KINDS.iter().chain(&makehuman1::cases::KINDS).chain(&mpfb::cases::KINDS)
+    makehuman2::cases::KINDS
+        .iter()
+        .chain(&makehuman1::cases::KINDS)
+        .chain(&mpfb::cases::KINDS)
 }

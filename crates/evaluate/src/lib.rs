@@ -1,9 +1,9 @@
 //! What is computed of the files of a base: its measures for rules, and what `mhlint eval` shows.
 //!
-//! For rules the shape of a base is taken as far as its files can be used. `mhlint eval` works on one base opened
-//! from data folders (`open_base` of the engine), with settings by slider name and outcomes as plain numbers or
-//! JSON; there the first fault that stands in the way is an error with name and cause. Writes nothing, and is
-//! handed what it works on: it looks for no folders.
+//! For rules the shape of a base is taken as far as its files can be used. `mhlint eval` works on
+//! one base opened from data folders (`open_base` of the engine), with settings by slider name and
+//! outcomes as plain numbers or JSON; there the first fault that stands in the way is an error with
+//! name and cause. Writes nothing, and is handed what it works on: it looks for no folders.
 
 // Files, streams and surroundings have few doors, and who may use them says so; tests are free.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
@@ -33,7 +33,9 @@ pub use mhlint_eval::scene::Setting;
 pub use mhlint_eval::settings::SliderSetting;
 pub use mhlint_eval::vector::Point;
 pub use opened::Evaluation;
-pub use outputs::{fit_json, load_json, mesh_json, object, reduction_json, skeleton_json, skin_json, weights_json};
+pub use outputs::{
+    fit_json, load_json, mesh_json, object, reduction_json, skeleton_json, skin_json, weights_json,
+};
 pub use pose::{PosedBase, Poses, read_poses};
 pub use settings::{parse_setting, read_settings};
 

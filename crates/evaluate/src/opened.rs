@@ -36,7 +36,8 @@ pub struct Evaluation {
     pub(super) skeleton: Result<SkeletonFile, String>,
     /// Why the application stops when it binds the weights.
     pub(super) weights_fault: Option<Error>,
-    /// The archive that the application reads in place of target files, and the targets in it with their members.
+    /// The archive that the application reads in place of target files, and the targets in it with
+    /// their members.
     pub(super) archive: Option<(String, BTreeMap<String, String>)>,
     /// Vertex groups that are not those of the mesh file, each with its ranges.
     pub(super) groups: Vec<(String, Vec<(i64, i64)>)>,
@@ -80,7 +81,10 @@ impl Evaluation {
     /// # Errors
     /// There is none, or it cannot be used.
     pub fn pose_skeleton(&self) -> Result<&SkeletonFile, Error> {
-        let missing = |reason: &String| Error::NoSkeleton { base: self.base.clone(), reason: reason.clone() };
+        let missing = |reason: &String| Error::NoSkeleton {
+            base: self.base.clone(),
+            reason: reason.clone(),
+        };
         self.skeleton.as_ref().map_err(missing)
     }
 
@@ -102,6 +106,8 @@ impl Evaluation {
 
     /// The listed file at a printed path.
     pub(super) fn entry(&self, path: &str) -> Option<(&Tree, &Entry)> {
-        self.trees.iter().find_map(|tree| Some((tree, tree.entry(tree.below(path)?)?)))
+        self.trees
+            .iter()
+            .find_map(|tree| Some((tree, tree.entry(tree.below(path)?)?)))
     }
 }

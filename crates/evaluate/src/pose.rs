@@ -22,8 +22,9 @@ pub struct PosedBase {
     pub bones: Vec<(String, Vec3, Vec3, Mat4)>,
 }
 
-/// Reads a pose: an object of bone names, each with three rows of three numbers (rotation) or four (rotation and
-/// translation), in global axes, relative to the rest pose. It may stand under `poses`.
+/// Reads a pose: an object of bone names, each with three rows of three numbers (rotation) or four
+/// (rotation and translation), in global axes, relative to the rest pose. It may stand under
+/// `poses`.
 ///
 /// # Errors
 /// A file that cannot be read, a bone whose matrix is none.
@@ -39,7 +40,9 @@ pub(super) fn poses(node: &Node) -> Result<Poses, String> {
         return Err("expected a pose as an object of bones and matrices".to_owned());
     }
     let members = node.effective_members().into_iter();
-    members.map(|member| Ok((member.key.clone(), pose(&member.key, &member.node)?))).collect()
+    members
+        .map(|member| Ok((member.key.clone(), pose(&member.key, &member.node)?)))
+        .collect()
 }
 
 fn pose(bone: &str, node: &Node) -> Result<Pose, String> {
@@ -51,16 +54,26 @@ fn pose(bone: &str, node: &Node) -> Result<Pose, String> {
             _ => None,
         }
     };
-    let [a, b, c] = node.elements() else { return Err(fault()) };
-    let (a, b, c) = row(a).zip(row(b)).zip(row(c)).map(|((a, b), c)| (a, b, c)).ok_or_else(fault)?;
-    Ok(Pose { rotation: [a.0, b.0, c.0], translation: [a.1, b.1, c.1] })
+    let [a, b, c] = node.elements() else {
+        return Err(fault());
+    };
+    let (a, b, c) = row(a)
+        .zip(row(b))
+        .zip(row(c))
+        .map(|((a, b), c)| (a, b, c))
+        .ok_or_else(fault)?;
+    Ok(Pose {
+        rotation: [a.0, b.0, c.0],
+        translation: [a.1, b.1, c.1],
+    })
 }
 
 impl Evaluation {
     /// The base mesh, at `positions`, in a pose of its pose skeleton.
     ///
     /// # Errors
-    /// No usable skeleton or weights, weights that stop the application, a bone that does not exist.
+    /// No usable skeleton or weights, weights that stop the application, a bone that does not
+    /// exist.
     pub fn posed(&self, positions: &[Point], poses: &Poses) -> Result<PosedBase, Error> {
         let rest = self.rest(self.pose_skeleton()?, positions)?;
         let stopped = |error| Error::index(self.application(), error);
@@ -88,17 +101,27 @@ impl Evaluation {
         let positions = skin(positions, &lists, &moved).map_err(stopped)?;
         let ends = |place: &usize| {
             let (bone, rest): (&PosedBone, _) = (bones.get(*place)?, rest.bones.get(*place)?);
-            Some((translation(&bone.global), transform(&bone.moved, widen(rest.tail)), bone.moved))
+            Some((
+                translation(&bone.global),
+                transform(&bone.moved, widen(rest.tail)),
+                bone.moved,
+            ))
         };
         let bones = poses.iter().zip(&places).filter_map(|((name, _), place)| {
             let (head, tail, moved) = ends(place)?;
             Some((name.clone(), head, tail, moved))
         });
-        Ok(PosedBase { positions, bones: bones.collect() })
+        Ok(PosedBase {
+            positions,
+            bones: bones.collect(),
+        })
     }
 }
 
 fn unknown_bone(name: &str, known: &[String]) -> Error {
     let nearest = nearest(name, known.iter().map(String::as_str)).map(str::to_owned);
-    Error::UnknownBone { name: name.to_owned(), nearest }
+    Error::UnknownBone {
+        name: name.to_owned(),
+        nearest,
+    }
 }

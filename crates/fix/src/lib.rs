@@ -1,6 +1,8 @@
-//! Edits to bytes to disk: what is asked for is planned, applied, shown as a difference, or written.
+//! Edits to bytes to disk: what is asked for is planned, applied, shown as a difference, or
+//! written.
 //!
-//! Knows neither formats nor rules: it gets byte ranges. A file is replaced as a whole or left alone.
+//! Knows neither formats nor rules: it gets byte ranges. A file is replaced as a whole or left
+//! alone.
 
 // Files, streams and surroundings have few doors, and who may use them says so; tests are free.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]

@@ -19,7 +19,11 @@ pub fn is_packed(stored: &[u8]) -> bool {
 /// # Errors
 /// When it is packed and cannot be unpacked.
 pub fn unpack(stored: &[u8], limits: &Limits) -> Result<Vec<u8>, GzipFault> {
-    if is_packed(stored) { gunzip(stored, limits) } else { Ok(stored.to_vec()) }
+    if is_packed(stored) {
+        gunzip(stored, limits)
+    } else {
+        Ok(stored.to_vec())
+    }
 }
 
 /// Packs a text.
@@ -27,7 +31,9 @@ pub fn unpack(stored: &[u8], limits: &Limits) -> Result<Vec<u8>, GzipFault> {
 /// # Errors
 /// Those of the library, which has none when it writes to memory.
 pub fn pack(text: &[u8]) -> io::Result<Vec<u8>> {
-    let mut encoder = GzBuilder::new().mtime(0).write(Vec::new(), Compression::new(LEVEL));
+    let mut encoder = GzBuilder::new()
+        .mtime(0)
+        .write(Vec::new(), Compression::new(LEVEL));
     encoder.write_all(text)?;
     encoder.finish()
 }
@@ -40,7 +46,11 @@ mod tests {
     fn packing_is_repeatable_and_names_neither_time_nor_file() {
         let packed = pack(b"1 0 .1 0\n").unwrap();
         assert_eq!(packed, pack(b"1 0 .1 0\n").unwrap());
-        assert_eq!(packed.get(3..8), Some([0, 0, 0, 0, 0].as_slice()), "flags and time");
+        assert_eq!(
+            packed.get(3..8),
+            Some([0, 0, 0, 0, 0].as_slice()),
+            "flags and time"
+        );
         assert_eq!(unpack(&packed, &Limits::default()).unwrap(), b"1 0 .1 0\n");
     }
 

@@ -16,7 +16,10 @@ pub struct Pending(Arc<Mutex<BTreeSet<PathBuf>>>);
 
 impl Pending {
     /// Makes one. Whoever wants to end the run waits until it is noted.
-    pub(super) fn make<F>(&self, make: impl FnOnce() -> io::Result<NamedTempFile<F>>) -> io::Result<NamedTempFile<F>> {
+    pub(super) fn make<F>(
+        &self,
+        make: impl FnOnce() -> io::Result<NamedTempFile<F>>,
+    ) -> io::Result<NamedTempFile<F>> {
         let mut all = self.lock();
         let file = make()?;
         all.insert(file.path().to_owned());
@@ -31,10 +34,12 @@ impl Pending {
         taken
     }
 
-    /// Removes all of them, and has the run wait for its end: `end` is called while it can make no other.
+    /// Removes all of them, and has the run wait for its end: `end` is called while it can make no
+    /// other.
     pub fn remove_and<T>(&self, end: impl FnOnce() -> T) -> T {
         let all = self.lock();
-        let (journals, contents): (Vec<&PathBuf>, Vec<&PathBuf>) = all.iter().partition(|path| is_journal(path));
+        let (journals, contents): (Vec<&PathBuf>, Vec<&PathBuf>) =
+            all.iter().partition(|path| is_journal(path));
         let mut is_clean = true;
         for path in contents {
             is_clean &= fs::remove_file(path).is_ok() || !path.exists();

@@ -57,11 +57,15 @@ impl fmt::Display for WriteError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "cannot change `{}`: ", self.path)?;
         match &self.reason {
-            Reason::ChangedMeanwhile => f.write_str("it changed during the check; run mhlint again"),
-            Reason::ReadOnly => f.write_str("it is read-only; make it writable, or use PATHs without it"),
-            Reason::LeavesRoot => {
-                f.write_str("a link leads out of the data folder; run mhlint on the folder that it leads to")
+            Reason::ChangedMeanwhile => {
+                f.write_str("it changed during the check; run mhlint again")
             }
+            Reason::ReadOnly => {
+                f.write_str("it is read-only; make it writable, or use PATHs without it")
+            }
+            Reason::LeavesRoot => f.write_str(
+                "a link leads out of the data folder; run mhlint on the folder that it leads to",
+            ),
             Reason::NoFile => f.write_str("it is not a regular file; use PATHs without it"),
             Reason::Io(error) => write!(f, "{error}; {}", remedy(error)),
         }
@@ -70,7 +74,8 @@ impl fmt::Display for WriteError {
 
 impl std::error::Error for WriteError {}
 
-/// What to do about a change that the operating system refuses. The new file waits beside the old one.
+/// What to do about a change that the operating system refuses. The new file waits beside the old
+/// one.
 fn remedy(error: &io::Error) -> &'static str {
     match error.kind() {
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "free some disk space",
@@ -90,32 +95,48 @@ struct Prepared<'c> {
     beside: Option<Beside>,
 }
 
-/// Writes all changes. Contents come first, files go away last. What is made on the way is noted in `pending`, and in a
-/// journal in each folder that is fixed.
+/// Writes all changes. Contents come first, files go away last. What is made on the way is noted in
+/// `pending`, and in a journal in each folder that is fixed.
 ///
 /// # Errors
-/// The first file that cannot be changed. Then nothing was, unless the operating system refused a step that it
-/// had allowed a moment before.
+/// The first file that cannot be changed. Then nothing was, unless the operating system refused a
+/// step that it had allowed a moment before.
 pub fn write_all(changes: &[FileChange], pending: &Pending) -> Result<(), WriteError> {
     let mut by_root: BTreeMap<&Path, Vec<(&FileChange, PathBuf)>> = BTreeMap::new();
     for change in changes {
         let file = changeable(change).map_err(|reason| failed(change, reason))?;
-        by_root.entry(&change.root).or_default().push((change, file));
+        by_root
+            .entry(&change.root)
+            .or_default()
+            .push((change, file));
     }
     let (mut journals, mut prepared) = (Vec::new(), Vec::new());
     for (root, files) in by_root {
-        let kept = files.iter().filter(|(change, _)| change.after.is_some()).map(|(_, file)| file.as_path());
-        // The folder may be closed although its files may be changed. Then a run that is killed leaves what nobody names.
+        let kept = files
+            .iter()
+            .filter(|(change, _)| change.after.is_some())
+            .map(|(_, file)| file.as_path());
+        // The folder may be closed although its files may be changed. Then a run that is killed
+        // leaves what nobody names.
         let mut journal = Journal::open(root, kept, pending).ok();
         for (change, file) in files {
             let beside = content(change, &file, journal.as_mut(), pending);
             let beside = beside.map_err(|error| failed(change, Reason::Io(error)))?;
-            prepared.push(Prepared { change, file, beside });
+            prepared.push(Prepared {
+                change,
+                file,
+                beside,
+            });
         }
         journals.push(journal);
     }
     prepared.sort_by_key(|one| one.beside.is_none());
-    for Prepared { change, file, beside } in prepared {
+    for Prepared {
+        change,
+        file,
+        beside,
+    } in prepared
+    {
         refuse_changed(&file, change.checked).map_err(|reason| failed(change, reason))?;
         let done = match beside {
             Some(beside) => beside.take_place(),
@@ -127,13 +148,20 @@ pub fn write_all(changes: &[FileChange], pending: &Pending) -> Result<(), WriteE
 }
 
 fn failed(change: &FileChange, reason: Reason) -> WriteError {
-    WriteError { path: change.path.clone(), reason }
+    WriteError {
+        path: change.path.clone(),
+        reason,
+    }
 }
 
 /// The file of a change, if nothing keeps it from being changed.
 fn changeable(change: &FileChange) -> Result<PathBuf, Reason> {
     let file = real_file(change)?;
-    if fs::metadata(&file).map_err(Reason::Io)?.permissions().readonly() {
+    if fs::metadata(&file)
+        .map_err(Reason::Io)?
+        .permissions()
+        .readonly()
+    {
         return Err(Reason::ReadOnly);
     }
     refuse_changed(&file, change.checked)?;
@@ -147,7 +175,9 @@ fn content(
     journal: Option<&mut Journal>,
     pending: &Pending,
 ) -> io::Result<Option<Beside>> {
-    let Some(bytes) = &change.after else { return Ok(None) };
+    let Some(bytes) = &change.after else {
+        return Ok(None);
+    };
     match journal.and_then(Journal::next_name) {
         Some(name) => Beside::write_as(&name, file.to_owned(), bytes, pending).map(Some),
         None => Beside::write(file.to_owned(), bytes, pending).map(Some),
@@ -161,12 +191,20 @@ fn real_file(change: &FileChange) -> Result<PathBuf, Reason> {
     if !file.starts_with(root) {
         return Err(Reason::LeavesRoot);
     }
-    if file.is_file() { Ok(file) } else { Err(Reason::NoFile) }
+    if file.is_file() {
+        Ok(file)
+    } else {
+        Err(Reason::NoFile)
+    }
 }
 
 fn refuse_changed(file: &Path, checked: u64) -> Result<(), Reason> {
     let bytes = fs::read(file).map_err(Reason::Io)?;
-    if xxh3_64(&bytes) == checked { Ok(()) } else { Err(Reason::ChangedMeanwhile) }
+    if xxh3_64(&bytes) == checked {
+        Ok(())
+    } else {
+        Err(Reason::ChangedMeanwhile)
+    }
 }
 
 #[cfg(unix)]
@@ -193,20 +231,29 @@ mod tests {
 
     fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
         let folder = tempfile::tempdir().unwrap();
-        files.iter().for_each(|(name, text)| fs::write(folder.path().join(name), text).unwrap());
+        files
+            .iter()
+            .for_each(|(name, text)| fs::write(folder.path().join(name), text).unwrap());
         folder
     }
 
     fn content(root: &Path) -> Vec<(String, String)> {
-        let entries = fs::read_dir(root).unwrap().map(|entry| entry.unwrap().path());
+        let entries = fs::read_dir(root)
+            .unwrap()
+            .map(|entry| entry.unwrap().path());
         let name = |path: &Path| path.file_name().unwrap().to_str().unwrap().to_owned();
-        let mut all: Vec<_> = entries.map(|path| (name(&path), fs::read_to_string(&path).unwrap())).collect();
+        let mut all: Vec<_> = entries
+            .map(|path| (name(&path), fs::read_to_string(&path).unwrap()))
+            .collect();
         all.sort();
         all
     }
 
     fn texts(files: &[(&str, &str)]) -> Vec<(String, String)> {
-        files.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect()
+        files
+            .iter()
+            .map(|(name, text)| ((*name).to_owned(), (*text).to_owned()))
+            .collect()
     }
 
     #[test]
@@ -214,9 +261,16 @@ mod tests {
         let folder = folder(&[("a", "old"), ("b", "gone")]);
         let root = folder.path();
         fs::set_permissions(root.join("a"), fs::Permissions::from_mode(0o640)).unwrap();
-        written(&[change(root, "b", "gone", None), change(root, "a", "old", Some("new"))]).unwrap();
+        written(&[
+            change(root, "b", "gone", None),
+            change(root, "a", "old", Some("new")),
+        ])
+        .unwrap();
         assert_eq!(content(root), texts(&[("a", "new")]));
-        assert_eq!(fs::metadata(root.join("a")).unwrap().permissions().mode() & 0o777, 0o640);
+        assert_eq!(
+            fs::metadata(root.join("a")).unwrap().permissions().mode() & 0o777,
+            0o640
+        );
     }
 
     #[test]
@@ -225,18 +279,31 @@ mod tests {
         let folder = folder(&before);
         let root = folder.path();
         let first = change(root, "a", "old", Some("new"));
-        let changed = written(&[first.clone(), change(root, "b", "judged", Some("x"))]).unwrap_err();
-        assert!(changed.to_string().contains("`b`: it changed during the check"), "{changed}");
+        let changed =
+            written(&[first.clone(), change(root, "b", "judged", Some("x"))]).unwrap_err();
+        assert!(
+            changed
+                .to_string()
+                .contains("`b`: it changed during the check"),
+            "{changed}"
+        );
         fs::set_permissions(root.join("b"), fs::Permissions::from_mode(0o444)).unwrap();
         let read_only = written(&[first, change(root, "b", "other", Some("x"))]).unwrap_err();
-        assert!(read_only.to_string().contains("`b`: it is read-only"), "{read_only}");
+        assert!(
+            read_only.to_string().contains("`b`: it is read-only"),
+            "{read_only}"
+        );
         assert_eq!(content(root), texts(&before));
     }
 
     #[test]
     fn a_refusal_names_a_remedy() {
         let refused = |kind: io::ErrorKind| {
-            WriteError { path: "a".to_owned(), reason: Reason::Io(io::Error::from(kind)) }.to_string()
+            WriteError {
+                path: "a".to_owned(),
+                reason: Reason::Io(io::Error::from(kind)),
+            }
+            .to_string()
         };
         assert!(refused(io::ErrorKind::PermissionDenied).contains("; make its folder writable"));
         assert!(refused(io::ErrorKind::StorageFull).contains("; free some disk space"));
@@ -251,10 +318,20 @@ mod tests {
         symlink("a", root.join("link")).unwrap();
         symlink("../outside", root.join("out")).unwrap();
         written(&[change(&root, "link", "old", Some("new"))]).unwrap();
-        assert!(fs::symlink_metadata(root.join("link")).unwrap().is_symlink());
+        assert!(
+            fs::symlink_metadata(root.join("link"))
+                .unwrap()
+                .is_symlink()
+        );
         assert_eq!(fs::read_to_string(root.join("a")).unwrap(), "new");
         let leaves = written(&[change(&root, "out", "old", Some("new"))]).unwrap_err();
-        assert!(leaves.to_string().contains("leads out of the data folder"), "{leaves}");
-        assert_eq!(fs::read_to_string(folder.path().join("outside")).unwrap(), "old");
+        assert!(
+            leaves.to_string().contains("leads out of the data folder"),
+            "{leaves}"
+        );
+        assert_eq!(
+            fs::read_to_string(folder.path().join("outside")).unwrap(),
+            "old"
+        );
     }
 }

@@ -1,4 +1,5 @@
-//! `base.json`: what a base mesh consists of and how its window is set up (`docs/loaders/makehuman2/base.md#keys`).
+//! `base.json`: what a base mesh consists of and how its window is set up
+//! (`docs/loaders/makehuman2/base.md#keys`).
 
 use std::collections::BTreeSet;
 
@@ -43,7 +44,9 @@ pub struct BaseJson {
 impl BaseJson {
     /// Whether a group of the mesh is drawn.
     pub fn shows(&self, group: &str) -> bool {
-        self.shown.as_ref().is_none_or(|shown| shown.contains(group))
+        self.shown
+            .as_ref()
+            .is_none_or(|shown| shown.contains(group))
     }
 }
 
@@ -80,7 +83,10 @@ pub fn read(document: &Document) -> BaseJson {
     let root = &document.root;
     BaseJson {
         visible_groups: root.get("visible groups").and_then(texts),
-        shown: root.get("visible groups").and_then(texts).map(BTreeSet::from_iter),
+        shown: root
+            .get("visible groups")
+            .and_then(texts)
+            .map(BTreeSet::from_iter),
         visible_text: text(root, "visible groups"),
         has_visible_groups: root.get("visible groups").is_some(),
         has_numverts: root.get("numverts").is_some(),
@@ -89,9 +95,15 @@ pub fn read(document: &Document) -> BaseJson {
         equipment: root.get("equipment").and_then(texts),
         pose_skeleton: text(root, "pose-skeleton"),
         mhm: text(root, "mhm"),
-        presets: root.get("modifier-presets").map(presets).unwrap_or_default(),
+        presets: root
+            .get("modifier-presets")
+            .map(presets)
+            .unwrap_or_default(),
         measure: text_members(root.get("measure")),
-        random: root.get("random").filter(|node| node.is_object()).map(random),
+        random: root
+            .get("random")
+            .filter(|node| node.is_object())
+            .map(random),
         head_pattern: root.get("head-pattern").and_then(texts),
     }
 }
@@ -103,18 +115,32 @@ fn presets(node: &Node) -> Vec<(String, Option<f64>)> {
         None => node.as_python_number(),
     };
     let members = node.effective_members().into_iter();
-    members.map(|member| (member.key.clone(), value(&member.node))).collect()
+    members
+        .map(|member| (member.key.clone(), value(&member.node)))
+        .collect()
 }
 
 fn random(node: &Node) -> Random {
-    let groups = node.get("groups").map(Node::effective_members).unwrap_or_default();
-    let rules = node.get("rules").map(Node::effective_members).unwrap_or_default();
+    let groups = node
+        .get("groups")
+        .map(Node::effective_members)
+        .unwrap_or_default();
+    let rules = node
+        .get("rules")
+        .map(Node::effective_members)
+        .unwrap_or_default();
     Random {
         nonsym: node.get("nonsym").and_then(texts).unwrap_or_default(),
         gender: text(node, "gender"),
         ideal: text(node, "ideal"),
-        groups: groups.into_iter().map(|member| (member.key.clone(), !member.node.is_falsy())).collect(),
-        rules: rules.into_iter().map(|member| (member.key.clone(), conditions(&member.node))).collect(),
+        groups: groups
+            .into_iter()
+            .map(|member| (member.key.clone(), !member.node.is_falsy()))
+            .collect(),
+        rules: rules
+            .into_iter()
+            .map(|member| (member.key.clone(), conditions(&member.node)))
+            .collect(),
     }
 }
 
@@ -135,6 +161,11 @@ fn conditions(node: &Node) -> Vec<Condition> {
 
 /// Members of an object whose values are texts.
 fn text_members(node: Option<&Node>) -> Vec<(String, String)> {
-    let members = node.map(Node::effective_members).unwrap_or_default().into_iter();
-    members.filter_map(|member| Some((member.key.clone(), member.node.as_str()?.to_owned()))).collect()
+    let members = node
+        .map(Node::effective_members)
+        .unwrap_or_default()
+        .into_iter();
+    members
+        .filter_map(|member| Some((member.key.clone(), member.node.as_str()?.to_owned())))
+        .collect()
 }

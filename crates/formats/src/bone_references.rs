@@ -31,19 +31,32 @@ impl<'s> BoneReferences<'s> {
     /// What `other` names of `base`.
     pub fn of(base: &'s Skeleton, other: &Skeleton) -> Self {
         let order = base.breadth_first().into_iter();
-        let ordered: Vec<(&str, Option<usize>)> =
-            order.filter_map(|(place, parent)| Some((base.bones.get(place)?.name.as_str(), parent))).collect();
-        let places: BTreeMap<&str, usize> =
-            ordered.iter().enumerate().rev().map(|(place, (name, _))| (*name, place)).collect();
+        let ordered: Vec<(&str, Option<usize>)> = order
+            .filter_map(|(place, parent)| Some((base.bones.get(place)?.name.as_str(), parent)))
+            .collect();
+        let places: BTreeMap<&str, usize> = ordered
+            .iter()
+            .enumerate()
+            .rev()
+            .map(|(place, (name, _))| (*name, place))
+            .collect();
         let place = |name: &str| places.get(name).copied();
         let bones = other.bones.iter().map(|bone| {
             let (names, is_explicit) = bone.weight_references();
             let references = names.iter().map(|name| place(name)).collect();
-            NamedBones { same_name: place(&bone.name), references, is_explicit }
+            NamedBones {
+                same_name: place(&bone.name),
+                references,
+                is_explicit,
+            }
         });
         let bones = bones.collect();
         let (base, parents) = ordered.into_iter().unzip();
-        Self { base, parents, bones }
+        Self {
+            base,
+            parents,
+            bones,
+        }
     }
 }
 
@@ -63,12 +76,21 @@ mod tests {
             r#"{{"bones": {{"tip": {{{bone}, "reference": ["root", "x"]}}, "end": {{{bone}, "weights_reference": "tip"}}}}}}"#
         ));
         let found = BoneReferences::of(&base, &other);
-        assert_eq!((found.base, found.parents), (vec!["root", "tip"], vec![None, Some(0)]));
+        assert_eq!(
+            (found.base, found.parents),
+            (vec!["root", "tip"], vec![None, Some(0)])
+        );
         let named = |same_name, references: &[Option<usize>], is_explicit| NamedBones {
             same_name,
             references: references.to_vec(),
             is_explicit,
         };
-        assert_eq!(found.bones, [named(Some(1), &[Some(0), None], false), named(None, &[Some(1)], true)]);
+        assert_eq!(
+            found.bones,
+            [
+                named(Some(1), &[Some(0), None], false),
+                named(None, &[Some(1)], true)
+            ]
+        );
     }
 }

@@ -1,8 +1,9 @@
-//! `.bvh`: a pose or a motion, line by line as MakeHuman 2 reads it (`docs/loaders/makehuman2/poses.md#bvh`).
+//! `.bvh`: a pose or a motion, line by line as MakeHuman 2 reads it
+//! (`docs/loaders/makehuman2/poses.md#bvh`).
 //!
-//! Every line begins with the one keyword that is expected there, or with one of few; the loader stops at the first line
-//! that does not. A byte order mark is looked through: it has a finding of its own. What is behind the announced frames is
-//! passed over.
+//! Every line begins with the one keyword that is expected there, or with one of few; the loader
+//! stops at the first line that does not. A byte order mark is looked through: it has a finding of
+//! its own. What is behind the announced frames is passed over.
 
 use std::ops::Range;
 
@@ -106,7 +107,14 @@ pub enum FaultKind {
 }
 
 /// The names of channels that mean something.
-const CHANNELS: [&[u8]; 6] = [b"Xposition", b"Yposition", b"Zposition", b"Xrotation", b"Yrotation", b"Zrotation"];
+const CHANNELS: [&[u8]; 6] = [
+    b"Xposition",
+    b"Yposition",
+    b"Zposition",
+    b"Xrotation",
+    b"Yrotation",
+    b"Zrotation",
+];
 
 type Words<'t> = Vec<(usize, &'t [u8])>;
 
@@ -135,10 +143,16 @@ pub fn read(text: &[u8]) -> Motion {
         let is_inside = !reader.motion.joints.is_empty();
         // Behind the last line there is nothing to show.
         let is_end = matches!(kind, FaultKind::End(_) | FaultKind::TooFew);
-        reader.motion.fault =
-            Some(Fault { line: reader.line.saturating_sub(u32::from(is_end)).max(1), is_inside, kind });
+        reader.motion.fault = Some(Fault {
+            line: reader.line.saturating_sub(u32::from(is_end)).max(1),
+            is_inside,
+            kind,
+        });
     }
-    Motion { imported: bvh_blender::read(text), ..reader.motion }
+    Motion {
+        imported: bvh_blender::read(text),
+        ..reader.motion
+    }
 }
 
 impl<'t, L: Iterator<Item = (Range<usize>, &'t [u8])>> Reader<'t, L> {
@@ -171,7 +185,11 @@ impl<'t, L: Iterator<Item = (Range<usize>, &'t [u8])>> Reader<'t, L> {
         let next = self.lines.next();
         let is_there = next.is_some();
         if let Some((range, line)) = next {
-            let unmarked = if self.line == 1 { line.strip_prefix(BYTE_ORDER_MARK) } else { None };
+            let unmarked = if self.line == 1 {
+                line.strip_prefix(BYTE_ORDER_MARK)
+            } else {
+                None
+            };
             self.start = range.start + line.len() - unmarked.unwrap_or(line).len();
             self.words = fields(unmarked.unwrap_or(line));
         }
@@ -179,13 +197,21 @@ impl<'t, L: Iterator<Item = (Range<usize>, &'t [u8])>> Reader<'t, L> {
     }
 
     /// Reads the next line, which begins with one of these words.
-    fn keyword(&mut self, expected: &'static str, words: &[&'static str]) -> Result<&'static str, FaultKind> {
+    fn keyword(
+        &mut self,
+        expected: &'static str,
+        words: &[&'static str],
+    ) -> Result<&'static str, FaultKind> {
         if !self.next() {
             return Err(FaultKind::End(expected));
         }
-        let Some((_, first)) = self.words.first() else { return Err(FaultKind::Blank(expected)) };
+        let Some((_, first)) = self.words.first() else {
+            return Err(FaultKind::Blank(expected));
+        };
         let found = words.iter().find(|word| word.as_bytes() == *first);
-        found.copied().ok_or_else(|| FaultKind::Expected(expected, text(first)))
+        found
+            .copied()
+            .ok_or_else(|| FaultKind::Expected(expected, text(first)))
     }
 
     /// A word of the line, as a number.
@@ -194,11 +220,15 @@ impl<'t, L: Iterator<Item = (Range<usize>, &'t [u8])>> Reader<'t, L> {
         python_float(word).ok_or_else(|| FaultKind::NotANumber(of, text(word)))
     }
 
-    /// The name of a joint, which its line has already, and what is between its braces in front of other joints.
+    /// The name of a joint, which its line has already, and what is between its braces in front of
+    /// other joints.
     fn joint(&mut self) -> Result<(), FaultKind> {
         let (at, name) = *self.words.get(1).ok_or(FaultKind::NoName)?;
         let at = self.start + at;
-        self.motion.joints.push(Joint { name: String::from_utf8_lossy(name).into(), span: at..at + name.len() });
+        self.motion.joints.push(Joint {
+            name: String::from_utf8_lossy(name).into(),
+            span: at..at + name.len(),
+        });
         self.keyword("`{`", &["{"])?;
         self.offset()?;
         self.keyword("`CHANNELS`", &["CHANNELS"])?;
@@ -222,7 +252,8 @@ impl<'t, L: Iterator<Item = (Range<usize>, &'t [u8])>> Reader<'t, L> {
         let is_root = self.motion.joints.len() == 1;
         for (_, name) in listed {
             let is_known = CHANNELS.contains(name);
-            self.used.push(is_known && (is_root || name.ends_with(b"rotation")));
+            self.used
+                .push(is_known && (is_root || name.ends_with(b"rotation")));
             if !is_known {
                 self.motion.unknown_channels.add(self.line);
                 self.motion.first_unknown.get_or_insert_with(|| text(name));
@@ -243,7 +274,11 @@ impl<'t, L: Iterator<Item = (Range<usize>, &'t [u8])>> Reader<'t, L> {
         let (_, word) = *self.words.get(1).ok_or(FaultKind::Missing("`Frames:`"))?;
         let count = python_int(word).ok_or_else(|| FaultKind::NotWhole(text(word)))?;
         self.motion.frames = Some((text(word), self.line));
-        if count > 0 { Ok(count) } else { Err(FaultKind::NoFrames(count)) }
+        if count > 0 {
+            Ok(count)
+        } else {
+            Err(FaultKind::NoFrames(count))
+        }
     }
 
     fn frames(&mut self, announced: i64) -> Result<(), FaultKind> {
@@ -265,7 +300,11 @@ impl<'t, L: Iterator<Item = (Range<usize>, &'t [u8])>> Reader<'t, L> {
         if self.words.is_empty() {
             // Blank lines up to the end are no frames; one between frames is taken for one.
             let is_last = self.lines.all(|(_, line)| fields(line).is_empty());
-            return Err(if is_last { FaultKind::TooFew } else { FaultKind::BlankFrame });
+            return Err(if is_last {
+                FaultKind::TooFew
+            } else {
+                FaultKind::BlankFrame
+            });
         }
         let needed = self.motion.channels;
         let mut is_finite = true;
@@ -299,7 +338,10 @@ impl FaultKind {
 
     /// Whether the channels of a joint are at fault.
     pub fn is_of_channels(&self) -> bool {
-        matches!(self, Self::NoChannels | Self::Channels(..) | Self::ChannelsNotWhole(_))
+        matches!(
+            self,
+            Self::NoChannels | Self::Channels(..) | Self::ChannelsNotWhole(_)
+        )
     }
 }
 
@@ -314,13 +356,19 @@ impl Lines {
     /// As evidence, told by the first lines.
     pub fn evidence(&self) -> Evidence {
         let lines = Evidence::of_unnamed(self.first.iter().map(|line| format!("line {line}")));
-        Evidence { count: self.count as u64, ..lines }
+        Evidence {
+            count: self.count as u64,
+            ..lines
+        }
     }
 }
 
 /// A word as it is shown, cut to a length that a message can have.
 fn text(word: &[u8]) -> Box<str> {
-    String::from_utf8_lossy(word).chars().take(LONGEST).collect()
+    String::from_utf8_lossy(word)
+        .chars()
+        .take(LONGEST)
+        .collect()
 }
 
 /// Most characters of a word that are kept.
@@ -336,19 +384,34 @@ mod tests {
         CHANNELS 1 yrotation\nEnd Site\n{\nOFFSET 0 0 1\n}\n}\n}\nMOTION\n";
 
     fn fault(text: &str) -> Option<(u32, FaultKind)> {
-        read(text.as_bytes()).fault.map(|fault| (fault.line, fault.kind))
+        read(text.as_bytes())
+            .fault
+            .map(|fault| (fault.line, fault.kind))
     }
 
     #[test]
     fn a_motion_is_read_line_by_line() {
         let text = format!("\u{feff}{HEAD}Frames: 2\nFrame Time: 0\n1 2 3\r\n4 nan 6 7\n\n8\n");
         let motion = read(text.as_bytes());
-        let names = motion.joints.iter().map(|joint| (&*joint.name, &text[joint.span.clone()]));
+        let names = motion
+            .joints
+            .iter()
+            .map(|joint| (&*joint.name, &text[joint.span.clone()]));
         assert_eq!(names.collect::<Vec<_>>(), [("a", "a"), ("b", "b")]);
-        assert_eq!((motion.fault, motion.channels, motion.frames), (None, 3, Some(("2".into(), 17))));
-        assert_eq!((motion.unknown_channels.first, motion.first_unknown), (vec![9], Some("yrotation".into())));
         assert_eq!(
-            (motion.non_finite.first, motion.surplus_numbers.first, motion.surplus_frames),
+            (motion.fault, motion.channels, motion.frames),
+            (None, 3, Some(("2".into(), 17)))
+        );
+        assert_eq!(
+            (motion.unknown_channels.first, motion.first_unknown),
+            (vec![9], Some("yrotation".into()))
+        );
+        assert_eq!(
+            (
+                motion.non_finite.first,
+                motion.surplus_numbers.first,
+                motion.surplus_frames
+            ),
             (vec![20], vec![20], 1)
         );
     }
@@ -357,17 +420,38 @@ mod tests {
     fn the_first_line_that_is_not_expected_stops_it() {
         let of = |text: &str| fault(&format!("{HEAD}{text}"));
         assert_eq!(fault(""), Some((1, FaultKind::End("`HIERARCHY`"))));
-        assert_eq!(fault("HIERARCHY\n\n"), Some((2, FaultKind::Blank("`ROOT`"))));
-        assert_eq!(fault("hierarchy"), Some((1, FaultKind::Expected("`HIERARCHY`", "hierarchy".into()))));
+        assert_eq!(
+            fault("HIERARCHY\n\n"),
+            Some((2, FaultKind::Blank("`ROOT`")))
+        );
+        assert_eq!(
+            fault("hierarchy"),
+            Some((1, FaultKind::Expected("`HIERARCHY`", "hierarchy".into())))
+        );
         assert_eq!(
             of("Frames: 1\nFrame Time: 0,1\n"),
             Some((18, FaultKind::NotANumber("`Frame Time:`", "0,1".into())))
         );
-        assert_eq!(read(format!("{HEAD}Frames: 1\nFrame Time: 0.0\n1 2 3\n").as_bytes()).timeless, Some(18));
-        assert_eq!(of("Frames: 9\nFrame Time: 1\n1 2 3\n \n"), Some((19, FaultKind::TooFew)));
-        assert_eq!(of("Frames: 9\nFrame Time: 1\n1 2 3\n \n1 2 3\n"), Some((20, FaultKind::BlankFrame)));
-        assert_eq!(of("Frames: 1\nFrame Time: 1\n1 2\n"), Some((19, FaultKind::ShortFrame(2, 3))));
-        assert_eq!(of("Frames: 99999999999999999999\nFrame Time: 1\n"), Some((18, FaultKind::TooFew)));
+        assert_eq!(
+            read(format!("{HEAD}Frames: 1\nFrame Time: 0.0\n1 2 3\n").as_bytes()).timeless,
+            Some(18)
+        );
+        assert_eq!(
+            of("Frames: 9\nFrame Time: 1\n1 2 3\n \n"),
+            Some((19, FaultKind::TooFew))
+        );
+        assert_eq!(
+            of("Frames: 9\nFrame Time: 1\n1 2 3\n \n1 2 3\n"),
+            Some((20, FaultKind::BlankFrame))
+        );
+        assert_eq!(
+            of("Frames: 1\nFrame Time: 1\n1 2\n"),
+            Some((19, FaultKind::ShortFrame(2, 3)))
+        );
+        assert_eq!(
+            of("Frames: 99999999999999999999\nFrame Time: 1\n"),
+            Some((18, FaultKind::TooFew))
+        );
     }
 
     #[test]
@@ -376,7 +460,13 @@ mod tests {
         let text = format!("HIERARCHY\nROOT{}{}", &joint[5..], joint.repeat(100_000));
         let motion = read(text.as_bytes());
         assert_eq!((motion.joints.len(), motion.channels), (100_001, 100_001));
-        assert!(matches!(motion.fault, Some(Fault { kind: FaultKind::End(_), .. })));
+        assert!(matches!(
+            motion.fault,
+            Some(Fault {
+                kind: FaultKind::End(_),
+                ..
+            })
+        ));
     }
 
     proptest! {

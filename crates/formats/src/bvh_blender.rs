@@ -1,7 +1,8 @@
-//! `.bvh` as Blender's importer reads it, with which MPFB loads poses (`docs/loaders/mpfb/poses.md#motions`).
+//! `.bvh` as Blender's importer reads it, with which MPFB loads poses
+//! (`docs/loaders/mpfb/poses.md#motions`).
 //!
-//! Blank lines, capitals of keywords, numbers of channels and of frames do not matter to it. It stops where a number is
-//! missing, or is none.
+//! Blank lines, capitals of keywords, numbers of channels and of frames do not matter to it. It
+//! stops where a number is missing, or is none.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -16,7 +17,8 @@ use mhlint_source::{BYTE_ORDER_MARK, lines};
 pub struct ImportedMotion {
     /// Joints in file order. Their names are all words of their lines.
     pub joints: Vec<Joint>,
-    /// Joints that have the name of an earlier one, as places in `joints`, each with the earlier one.
+    /// Joints that have the name of an earlier one, as places in `joints`, each with the earlier
+    /// one.
     pub repeated: Vec<(usize, usize)>,
     /// Channels whose names mean nothing, as lines with the first name.
     pub unknown_channels: Vec<(u32, Box<str>)>,
@@ -56,7 +58,14 @@ pub enum ImportFaultKind {
 
 use ImportFaultKind::{NoMotion, NoName, NoTime, NotANumber, NotBvh, ShortFrame, ShortOffset};
 
-const CHANNELS: [&str; 6] = ["xposition", "yposition", "zposition", "xrotation", "yrotation", "zrotation"];
+const CHANNELS: [&str; 6] = [
+    "xposition",
+    "yposition",
+    "zposition",
+    "xrotation",
+    "yrotation",
+    "zrotation",
+];
 
 /// A line with its number, first byte and words.
 struct Line<'t> {
@@ -67,17 +76,26 @@ struct Line<'t> {
 
 impl Line<'_> {
     fn is(&self, at: usize, word: &str) -> bool {
-        self.words.get(at).is_some_and(|(_, own)| own.eq_ignore_ascii_case(word.as_bytes()))
+        self.words
+            .get(at)
+            .is_some_and(|(_, own)| own.eq_ignore_ascii_case(word.as_bytes()))
     }
 
     fn fault(&self, kind: ImportFaultKind) -> ImportFault {
-        ImportFault { line: self.number, kind }
+        ImportFault {
+            line: self.number,
+            kind,
+        }
     }
 
     /// A word as a number.
     fn number_at(&self, at: usize, of: &'static str) -> Result<Option<f64>, ImportFault> {
-        let Some((_, word)) = self.words.get(at) else { return Ok(None) };
-        python_float(word).map(Some).ok_or_else(|| self.fault(NotANumber(of, text(word))))
+        let Some((_, word)) = self.words.get(at) else {
+            return Ok(None);
+        };
+        python_float(word)
+            .map(Some)
+            .ok_or_else(|| self.fault(NotANumber(of, text(word))))
     }
 }
 
@@ -87,9 +105,17 @@ pub fn read(text: &[u8]) -> ImportedMotion {
     let numbered = (1..).zip(lines(text));
     let mut rest = numbered.filter_map(|(number, (range, line))| {
         // A byte order mark has a finding of its own.
-        let unmarked = if number == 1 { line.strip_prefix(BYTE_ORDER_MARK).unwrap_or(line) } else { line };
+        let unmarked = if number == 1 {
+            line.strip_prefix(BYTE_ORDER_MARK).unwrap_or(line)
+        } else {
+            line
+        };
         let words = fields(unmarked);
-        (!words.is_empty()).then_some(Line { number, start: range.start + line.len() - unmarked.len(), words })
+        (!words.is_empty()).then_some(Line {
+            number,
+            start: range.start + line.len() - unmarked.len(),
+            words,
+        })
     });
     motion.fault = motion.file(&mut rest).err();
     motion
@@ -98,9 +124,14 @@ pub fn read(text: &[u8]) -> ImportedMotion {
 impl ImportedMotion {
     fn file<'t>(&mut self, rest: &mut impl Iterator<Item = Line<'t>>) -> Result<(), ImportFault> {
         // A blank file has a finding of its own.
-        let Some(first) = rest.next() else { return Ok(()) };
+        let Some(first) = rest.next() else {
+            return Ok(());
+        };
         if !first.is(0, "hierarchy") {
-            let word = first.words.first().map_or_else(|| "".into(), |(_, word)| text(word));
+            let word = first
+                .words
+                .first()
+                .map_or_else(|| "".into(), |(_, word)| text(word));
             return Err(first.fault(NotBvh(word)));
         }
         // Each place among the numbers of a frame that is read.
@@ -108,7 +139,12 @@ impl ImportedMotion {
         let mut names: BTreeMap<Box<str>, usize> = BTreeMap::new();
         let mut last = first.number;
         loop {
-            let Some(line) = rest.next() else { return Err(ImportFault { line: last, kind: NoMotion }) };
+            let Some(line) = rest.next() else {
+                return Err(ImportFault {
+                    line: last,
+                    kind: NoMotion,
+                });
+            };
             last = line.number;
             if line.is(0, "root") || line.is(0, "joint") {
                 last = self.joint(&line, rest, &mut used, &mut names)?;
@@ -137,9 +173,16 @@ impl ImportedMotion {
         self.joints.push(joint);
         let brace = rest.next().map_or(line.number, |brace| brace.number);
         let last = offset(rest, brace)?;
-        let Some(channels) = rest.next() else { return Err(ImportFault { line: last, kind: NoMotion }) };
+        let Some(channels) = rest.next() else {
+            return Err(ImportFault {
+                line: last,
+                kind: NoMotion,
+            });
+        };
         for (_, name) in channels.words.iter().skip(2) {
-            let is_known = CHANNELS.iter().any(|known| name.eq_ignore_ascii_case(known.as_bytes()));
+            let is_known = CHANNELS
+                .iter()
+                .any(|known| name.eq_ignore_ascii_case(known.as_bytes()));
             if is_known {
                 used.push(self.channels);
             } else {
@@ -155,7 +198,11 @@ impl ImportedMotion {
 fn named(line: &Line<'_>) -> Option<Joint> {
     let (first, _) = *line.words.get(1)?;
     let (last, word) = *line.words.last()?;
-    let names = line.words.iter().skip(1).map(|(_, word)| String::from_utf8_lossy(word));
+    let names = line
+        .words
+        .iter()
+        .skip(1)
+        .map(|(_, word)| String::from_utf8_lossy(word));
     let name = names.collect::<Vec<_>>().join("_").into_boxed_str();
     let span: Range<usize> = line.start + first..line.start + last + word.len();
     Some(Joint { name, span })
@@ -163,9 +210,15 @@ fn named(line: &Line<'_>) -> Option<Joint> {
 
 /// Reads the line with three numbers; its number.
 fn offset<'t>(rest: &mut impl Iterator<Item = Line<'t>>, last: u32) -> Result<u32, ImportFault> {
-    let Some(line) = rest.next() else { return Err(ImportFault { line: last, kind: ShortOffset }) };
+    let Some(line) = rest.next() else {
+        return Err(ImportFault {
+            line: last,
+            kind: ShortOffset,
+        });
+    };
     for at in 1..=3 {
-        line.number_at(at, "`OFFSET`")?.ok_or_else(|| line.fault(ShortOffset))?;
+        line.number_at(at, "`OFFSET`")?
+            .ok_or_else(|| line.fault(ShortOffset))?;
     }
     Ok(line.number)
 }
@@ -199,7 +252,10 @@ fn frames<'t>(
 
 /// A word as it is shown, cut to a length that a message can have.
 fn text(word: &[u8]) -> Box<str> {
-    String::from_utf8_lossy(word).chars().take(LONGEST).collect()
+    String::from_utf8_lossy(word)
+        .chars()
+        .take(LONGEST)
+        .collect()
 }
 
 /// Most characters of a word that are kept.
@@ -215,7 +271,9 @@ mod tests {
         CHANNELS 1 yrot\nEnd Site\n{\nOFFSET 0 0 1\n}\n}\n}\n";
 
     fn fault(text: &str) -> Option<(u32, ImportFaultKind)> {
-        read(format!("{HEAD}{text}").as_bytes()).fault.map(|fault| (fault.line, fault.kind))
+        read(format!("{HEAD}{text}").as_bytes())
+            .fault
+            .map(|fault| (fault.line, fault.kind))
     }
 
     #[test]
@@ -224,7 +282,10 @@ mod tests {
         let motion = read(text.as_bytes());
         assert_eq!((motion.fault, motion.channels), (None, 3));
         assert_eq!(motion.unknown_channels, [(10, "yrot".into())]);
-        let names = motion.joints.iter().map(|joint| (&*joint.name, &text[joint.span.clone()]));
+        let names = motion
+            .joints
+            .iter()
+            .map(|joint| (&*joint.name, &text[joint.span.clone()]));
         assert_eq!(names.collect::<Vec<_>>(), [("a", "a"), ("b_c", "b c")]);
         assert_eq!(read(b"\n").fault, None);
     }
@@ -237,7 +298,10 @@ mod tests {
         let of = |frame: &str| fault(&format!("MOTION\nFrames: 1\nFrame Time: 0.1\n{frame}\n"));
         assert_eq!(of("1 2"), None);
         assert_eq!(of("1"), Some((20, ShortFrame(1, 3))));
-        assert_eq!(of("1 2,5 3"), Some((20, NotANumber("a frame", "2,5".into()))));
+        assert_eq!(
+            of("1 2,5 3"),
+            Some((20, NotANumber("a frame", "2,5".into())))
+        );
         assert_eq!(
             fault("MOTION\nFrames: 1\nFrame Time: 0,1\n"),
             Some((19, NotANumber("`Frame Time:`", "0,1".into())))
@@ -245,7 +309,10 @@ mod tests {
         let kind = |text: &str| read(text.as_bytes()).fault.map(|fault| fault.kind);
         assert_eq!(kind("{}"), Some(NotBvh("{}".into())));
         assert_eq!(kind("HIERARCHY\nROOT\n"), Some(NoName));
-        assert_eq!(kind("HIERARCHY\nROOT a\n{\nOFFSET 0 0\n"), Some(ShortOffset));
+        assert_eq!(
+            kind("HIERARCHY\nROOT a\n{\nOFFSET 0 0\n"),
+            Some(ShortOffset)
+        );
         let twice = read(b"HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 0\nJOINT a\n{\nOFFSET 0 0 0\nCHANNELS 0\n");
         assert_eq!(twice.repeated, [(1, 0)]);
     }

@@ -1,4 +1,5 @@
-//! Expressions of MPFB: face units with their strengths (`docs/loaders/mpfb/expressions.md#keys-of-expressions`).
+//! Expressions of MPFB: face units with their strengths
+//! (`docs/loaders/mpfb/expressions.md#keys-of-expressions`).
 
 use super::number::python_float;
 use super::unfit::{Unfits, Why, below};
@@ -40,7 +41,8 @@ pub const UNITS: [&str; 52] = [
 /// Units that are kept.
 const MOST: usize = 20_000;
 
-/// Takes what the loader would take. `name` and other texts may be anything: it makes a text of them.
+/// Takes what the loader would take. `name` and other texts may be anything: it makes a text of
+/// them.
 pub fn read(document: &Document) -> FaceExpression {
     let root = &document.root;
     let mut expression = FaceExpression::default();
@@ -50,18 +52,28 @@ pub fn read(document: &Document) -> FaceExpression {
     }
     if let Some(tags) = root.get("tags") {
         match &tags.value {
-            Value::Number(..) | Value::Bool(_) => expression.empties.add_type("/tags", tags, "a list"),
+            Value::Number(..) | Value::Bool(_) => {
+                expression.empties.add_type("/tags", tags, "a list")
+            }
             Value::String(text) => expression.has_letters_for_tags = !text.is_empty(),
             Value::Null | Value::Array(_) | Value::Object(_) => {}
         }
     }
     if root.get("face_units").is_none() {
         let members = root.effective_members();
-        members.iter().for_each(|member| expression.unread.add(&below("", &member.key), Why::Key(&["face_units"])));
+        members.iter().for_each(|member| {
+            expression
+                .unread
+                .add(&below("", &member.key), Why::Key(&["face_units"]))
+        });
     }
     match root.get("face_units") {
         Some(units) if units.is_object() => expression.take(units),
-        Some(units) if !units.is_falsy() => expression.empties.add_type("/face_units", units, "an object"),
+        Some(units) if !units.is_falsy() => {
+            expression
+                .empties
+                .add_type("/face_units", units, "an object")
+        }
         Some(_) | None => {}
     }
     expression
@@ -76,7 +88,9 @@ impl FaceExpression {
                     Some(text) => self.no_numbers.add(&pointer, Why::Text(text.to_owned())),
                     None => self.no_numbers.add_type(&pointer, &member.node, "a number"),
                 },
-                Some(value) if !(0.0..=1.0).contains(&value) => self.out_of_range.add(&pointer, Why::Range(value)),
+                Some(value) if !(0.0..=1.0).contains(&value) => {
+                    self.out_of_range.add(&pointer, Why::Range(value))
+                }
                 Some(_) => {}
             }
             self.units.push((member.key.clone(), pointer));
@@ -86,7 +100,8 @@ impl FaceExpression {
 
 /// What Python's `float` makes of it: a text may be a number.
 fn strength(node: &Node) -> Option<f64> {
-    node.as_python_number().or_else(|| python_float(node.as_str()?.as_bytes()))
+    node.as_python_number()
+        .or_else(|| python_float(node.as_str()?.as_bytes()))
 }
 
 #[cfg(test)]
@@ -109,20 +124,48 @@ mod tests {
             r#"{"face_units": {"jawOpen": "0.5", "cheekPuff": true, "tongueOut": 0, "eyeWideLeft": 1}, "tags": []}"#,
         ] {
             let found = of(text);
-            let faults = [&found.empties, &found.refused, &found.no_numbers, &found.out_of_range];
-            assert!(faults.iter().all(|faults| faults.all().is_empty()) && !found.has_letters_for_tags, "{text}");
+            let faults = [
+                &found.empties,
+                &found.refused,
+                &found.no_numbers,
+                &found.out_of_range,
+            ];
+            assert!(
+                faults.iter().all(|faults| faults.all().is_empty()) && !found.has_letters_for_tags,
+                "{text}"
+            );
         }
     }
 
     #[test]
     fn faults_are_sorted_by_what_becomes_of_them() {
-        assert_eq!(of(r#"{"face_units": ["jawOpen"], "tags": 5}"#).empties.all().len(), 2);
+        assert_eq!(
+            of(r#"{"face_units": ["jawOpen"], "tags": 5}"#)
+                .empties
+                .all()
+                .len(),
+            2
+        );
         assert_eq!(of("[]").refused.all().len(), 1);
         assert!(of(r#"{"tags": "happy"}"#).has_letters_for_tags);
-        let found = of(r#"{"face_units": {"jawOpen": "wide", "cheekPuff": null, "tongueOut": 1.001, "x": NaN}}"#);
-        let pointers = |faults: &Unfits| faults.all().iter().map(|one| one.pointer.clone()).collect::<Vec<_>>();
-        assert_eq!(pointers(&found.no_numbers), ["/face_units/jawOpen", "/face_units/cheekPuff"]);
-        assert_eq!(pointers(&found.out_of_range), ["/face_units/tongueOut", "/face_units/x"]);
+        let found = of(
+            r#"{"face_units": {"jawOpen": "wide", "cheekPuff": null, "tongueOut": 1.001, "x": NaN}}"#,
+        );
+        let pointers = |faults: &Unfits| {
+            faults
+                .all()
+                .iter()
+                .map(|one| one.pointer.clone())
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(
+            pointers(&found.no_numbers),
+            ["/face_units/jawOpen", "/face_units/cheekPuff"]
+        );
+        assert_eq!(
+            pointers(&found.out_of_range),
+            ["/face_units/tongueOut", "/face_units/x"]
+        );
         assert_eq!(found.units.len(), 4);
     }
 

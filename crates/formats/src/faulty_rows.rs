@@ -1,5 +1,5 @@
-//! What a later run knows the faulty rows of a bulk file by: the element a row is for, or its text. Neither moves
-//! when lines are added, as a number of the line would.
+//! What a later run knows the faulty rows of a bulk file by: the element a row is for, or its text.
+//! Neither moves when lines are added, as a number of the line would.
 
 use xxhash_rust::xxh3::xxh3_64;
 
@@ -8,13 +8,26 @@ const LONGEST: usize = 48;
 
 /// A text as a name.
 pub(super) fn text_name(text: &[u8]) -> String {
-    let head: String = String::from_utf8_lossy(text.get(..4 * LONGEST).unwrap_or(text)).chars().take(LONGEST).collect();
-    if head.len() == text.len() { head } else { format!("{head}…{:016x}", xxh3_64(text)) }
+    let head: String = String::from_utf8_lossy(text.get(..4 * LONGEST).unwrap_or(text))
+        .chars()
+        .take(LONGEST)
+        .collect();
+    if head.len() == text.len() {
+        head
+    } else {
+        format!("{head}…{:016x}", xxh3_64(text))
+    }
 }
 
 /// The fields of a row as a name, whatever is between them.
 pub(super) fn row_name(fields: &[(usize, &[u8])]) -> String {
-    text_name(&fields.iter().map(|(_, field)| *field).collect::<Vec<_>>().join(&b' '))
+    text_name(
+        &fields
+            .iter()
+            .map(|(_, field)| *field)
+            .collect::<Vec<_>>()
+            .join(&b' '),
+    )
 }
 
 #[cfg(test)]

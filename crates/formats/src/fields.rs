@@ -27,11 +27,16 @@ pub(super) fn fields(line: &[u8]) -> Vec<(usize, &[u8])> {
 fn ascii_fields(line: &[u8]) -> Vec<(usize, &[u8])> {
     let mut fields = Vec::with_capacity(4);
     let mut at = 0;
-    while let Some(length) = line.get(at..).and_then(|rest| rest.iter().position(|b| !is_python_space(char::from(*b))))
+    while let Some(length) = line
+        .get(at..)
+        .and_then(|rest| rest.iter().position(|b| !is_python_space(char::from(*b))))
     {
         let start = at + length;
         let rest = line.get(start..).unwrap_or_default();
-        let width = rest.iter().position(|b| is_python_space(char::from(*b))).unwrap_or(rest.len());
+        let width = rest
+            .iter()
+            .position(|b| is_python_space(char::from(*b)))
+            .unwrap_or(rest.len());
         fields.push((start, rest.get(..width).unwrap_or_default()));
         at = start + width;
     }

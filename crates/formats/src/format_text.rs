@@ -1,8 +1,8 @@
-//! Texts for Python's `str.format` with one value (`docs/loaders/makehuman2/sliders.md#display-and-formulas`): which of
-//! them are harmless.
+//! Texts for Python's `str.format` with one value
+//! (`docs/loaders/makehuman2/sliders.md#display-and-formulas`): which of them are harmless.
 //!
-//! `{0.__class__}` reads attributes, a width of ten digits exhausts the memory, everything that asks for a
-//! second value or a name raises an exception. Nothing is formatted here.
+//! `{0.__class__}` reads attributes, a width of ten digits exhausts the memory, everything that
+//! asks for a second value or a name raises an exception. Nothing is formatted here.
 
 use std::ops::Range;
 
@@ -14,7 +14,8 @@ const LONGEST_WIDTH: usize = 3;
 /// Checks a text for values of these types, where they are known.
 ///
 /// # Errors
-/// The first field that is not `{}` or `{0}` with an optional conversion and layout, or whose layout is not for them.
+/// The first field that is not `{}` or `{0}` with an optional conversion and layout, or whose
+/// layout is not for them.
 pub fn check(text: &str, results: Option<Results>) -> Result<(), Fault> {
     let mut at = 0;
     let mut numbering = Numbering::default();
@@ -43,15 +44,30 @@ struct Numbering {
 }
 
 fn raises(span: Range<usize>, what: impl Into<String>) -> Fault {
-    Fault { span, kind: FaultKind::Raises, what: what.into() }
+    Fault {
+        span,
+        kind: FaultKind::Raises,
+        what: what.into(),
+    }
 }
 
-fn field(body: &str, span: Range<usize>, numbering: &mut Numbering, results: Option<Results>) -> Result<(), Fault> {
+fn field(
+    body: &str,
+    span: Range<usize>,
+    numbering: &mut Numbering,
+    results: Option<Results>,
+) -> Result<(), Fault> {
     let (head, layout) = body.split_once(':').unwrap_or((body, ""));
-    let (name, conversion) = head.split_once('!').map_or((head, None), |(name, conversion)| (name, Some(conversion)));
+    let (name, conversion) = head
+        .split_once('!')
+        .map_or((head, None), |(name, conversion)| (name, Some(conversion)));
     if name.contains(['.', '[']) {
         let what = format!("reads `{name}`, an attribute or element of the result");
-        return Err(Fault { span, kind: FaultKind::Foreign, what });
+        return Err(Fault {
+            span,
+            kind: FaultKind::Foreign,
+            what,
+        });
     }
     if body.contains('{') {
         return Err(raises(span, "has a field inside a field"));
@@ -60,12 +76,32 @@ fn field(body: &str, span: Range<usize>, numbering: &mut Numbering, results: Opt
     if conversion.is_some_and(|conversion| !matches!(conversion, "r" | "s" | "a")) {
         return Err(raises(span, "has a conversion other than `!r`, `!s`, `!a`"));
     }
-    let digits = layout.split(|c: char| !c.is_ascii_digit()).map(str::len).max().unwrap_or(0);
+    let digits = layout
+        .split(|c: char| !c.is_ascii_digit())
+        .map(str::len)
+        .max()
+        .unwrap_or(0);
     if digits > LONGEST_WIDTH {
-        return Err(Fault { span, kind: FaultKind::Endless, what: format!("asks for a width of {digits} digits") });
+        return Err(Fault {
+            span,
+            kind: FaultKind::Endless,
+            what: format!("asks for a width of {digits} digits"),
+        });
     }
-    let results = if conversion.is_some() { Some(Results::TEXT) } else { results };
-    Layout::read(layout).rejected(results).map_or(Ok(()), |what| Err(Fault { span, kind: FaultKind::Layout, what }))
+    let results = if conversion.is_some() {
+        Some(Results::TEXT)
+    } else {
+        results
+    };
+    Layout::read(layout)
+        .rejected(results)
+        .map_or(Ok(()), |what| {
+            Err(Fault {
+                span,
+                kind: FaultKind::Layout,
+                what,
+            })
+        })
 }
 
 /// What a layout asks for.
@@ -84,8 +120,16 @@ impl Layout {
     /// `[[fill]align][sign][z][#][0][width][grouping][.precision][code]`.
     fn read(layout: &str) -> Self {
         let characters: Vec<char> = layout.chars().collect();
-        let is_align = |at: usize| characters.get(at).is_some_and(|one| matches!(one, '<' | '>' | '=' | '^'));
-        let mut at = if is_align(1) { 2 } else { usize::from(is_align(0)) };
+        let is_align = |at: usize| {
+            characters
+                .get(at)
+                .is_some_and(|one| matches!(one, '<' | '>' | '=' | '^'))
+        };
+        let mut at = if is_align(1) {
+            2
+        } else {
+            usize::from(is_align(0))
+        };
         let fills_inside = at > 0 && characters.get(at - 1) == Some(&'=');
         let mut take = |wanted: fn(char) -> bool| {
             let is_there = characters.get(at).is_some_and(|one| wanted(*one));
@@ -102,7 +146,12 @@ impl Layout {
         while take(|one| one.is_ascii_digit()) {}
         let code = characters.get(at).copied();
         let is_unknown = !has_digits || characters.len() > at + 1;
-        Self { is_of_numbers: sign || grouping || fills_inside, precision, code, is_unknown }
+        Self {
+            is_of_numbers: sign || grouping || fills_inside,
+            precision,
+            code,
+            is_unknown,
+        }
     }
 
     /// Why Python rejects a value of these types; of unknown ones if it rejects all.
@@ -132,15 +181,24 @@ fn number(name: &str, span: &Range<usize>, numbering: &mut Numbering) -> Result<
     if name.is_empty() {
         numbering.automatic += 1;
         if numbering.automatic > 1 {
-            return Err(raises(span.clone(), "asks for a second value, but there is only one"));
+            return Err(raises(
+                span.clone(),
+                "asks for a second value, but there is only one",
+            ));
         }
     } else if name.bytes().all(|byte| byte.is_ascii_digit()) {
         numbering.manual = true;
         if name.bytes().any(|byte| byte != b'0') {
-            return Err(raises(span.clone(), "asks for a second value, but there is only one"));
+            return Err(raises(
+                span.clone(),
+                "asks for a second value, but there is only one",
+            ));
         }
     } else {
-        return Err(raises(span.clone(), format!("asks for a value called `{name}`, but the only one has no name")));
+        return Err(raises(
+            span.clone(),
+            format!("asks for a value called `{name}`, but the only one has no name"),
+        ));
     }
     if numbering.manual && numbering.automatic > 0 {
         return Err(raises(span.clone(), "mixes `{}` and `{0}`"));
@@ -160,17 +218,31 @@ mod tests {
 
     #[test]
     fn one_value_is_all_there_is() {
-        for text in ["", "{}", "Age: {} years", "{0} of {0}", "{{}} {:>8.2f}%", "{!r:>3}"] {
+        for text in [
+            "",
+            "{}",
+            "Age: {} years",
+            "{0} of {0}",
+            "{{}} {:>8.2f}%",
+            "{!r:>3}",
+        ] {
             assert_eq!(check(text, None), Ok(()), "{text}");
         }
-        for text in ["{1}", "{} {}", "{} {0}", "{name}", "{", "}", "a } b", "{!x}", "{:{}}"] {
+        for text in [
+            "{1}", "{} {}", "{} {0}", "{name}", "{", "}", "a } b", "{!x}", "{:{}}",
+        ] {
             assert_eq!(kind(text), Some(FaultKind::Raises), "{text}");
         }
     }
 
     #[test]
     fn layouts_are_for_the_types_that_python_takes_them_for() {
-        let of = |whole, fraction, text| Results { truth: false, whole, fraction, text };
+        let of = |whole, fraction, text| Results {
+            truth: false,
+            whole,
+            fraction,
+            text,
+        };
         for (text, results, is_sound) in [
             ("{:d}", of(true, false, false), true),
             ("{:d}", of(false, true, false), false),
@@ -186,7 +258,11 @@ mod tests {
             ("{:+}", of(false, false, true), false),
             ("{:*^+08,.2f}%", of(false, true, false), true),
         ] {
-            assert_eq!(check(text, Some(results)).is_ok(), is_sound, "{text} {results:?}");
+            assert_eq!(
+                check(text, Some(results)).is_ok(),
+                is_sound,
+                "{text} {results:?}"
+            );
         }
         for text in ["{:q}", "{:.f}", "{:5dd}", "{:+s}"] {
             assert_eq!(kind(text), Some(FaultKind::Layout), "{text}");

@@ -30,7 +30,10 @@ pub fn read(document: &Document) -> Geometry {
 }
 
 fn ranges(node: Option<&Node>) -> Vec<Range> {
-    let members = node.map(Node::effective_members).unwrap_or_default().into_iter();
+    let members = node
+        .map(Node::effective_members)
+        .unwrap_or_default()
+        .into_iter();
     members
         .map(|member| Range {
             name: member.key.clone(),

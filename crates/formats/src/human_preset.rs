@@ -56,16 +56,41 @@ const KEYS: &[&str] = &[
     "clothes_material_type",
 ];
 /// All keys of `phenotype`.
-const PHENOTYPE: &[&str] =
-    &["gender", "age", "muscle", "weight", "proportions", "height", "cupsize", "firmness", "race"];
+const PHENOTYPE: &[&str] = &[
+    "gender",
+    "age",
+    "muscle",
+    "weight",
+    "proportions",
+    "height",
+    "cupsize",
+    "firmness",
+    "race",
+];
 /// What the body has one of each.
-const BODY_PARTS: [&str; 7] = ["eyes", "eyebrows", "eyelashes", "tongue", "teeth", "hair", "proxy"];
+const BODY_PARTS: [&str; 7] = [
+    "eyes",
+    "eyebrows",
+    "eyelashes",
+    "tongue",
+    "teeth",
+    "hair",
+    "proxy",
+];
 /// The kinds of materials that a skin can be made.
-const SKIN_KINDS: &[&str] = &["NONE", "MAKESKIN", "ENHANCED", "ENHANCED_SSS", "LAYERED", "GAMEENGINE"];
+const SKIN_KINDS: &[&str] = &[
+    "NONE",
+    "MAKESKIN",
+    "ENHANCED",
+    "ENHANCED_SSS",
+    "LAYERED",
+    "GAMEENGINE",
+];
 
 /// Whether Python makes a number of a text.
 fn is_python_number(node: &Node) -> bool {
-    node.as_str().is_some_and(|text| python_float(text.as_bytes()).is_some())
+    node.as_str()
+        .is_some_and(|text| python_float(text.as_bytes()).is_some())
 }
 
 /// Takes what the loader would take.
@@ -84,7 +109,9 @@ pub fn read(document: &Document) -> HumanPreset {
         preset.take_targets(targets);
     }
     preset.take_rig(root);
-    BODY_PARTS.iter().for_each(|key| preset.take_part(root, key));
+    BODY_PARTS
+        .iter()
+        .for_each(|key| preset.take_part(root, key));
     if let Some(expressions) = root.get("expressions") {
         preset.take_expressions(expressions);
     }
@@ -92,11 +119,19 @@ pub fn read(document: &Document) -> HumanPreset {
         preset.take_clothes(clothes);
     }
     preset.take_skin(root);
-    let makeup = root.get("makeup").map(Node::elements).unwrap_or_default().iter().enumerate();
+    let makeup = root
+        .get("makeup")
+        .map(Node::elements)
+        .unwrap_or_default()
+        .iter()
+        .enumerate();
     for (at, name) in makeup.filter_map(|(at, node)| Some((at, node.as_str()?))) {
         keep(&mut preset.makeup, &nth("/makeup", at), name);
     }
-    let unknown = root.effective_members().into_iter().filter(|member| !KEYS.contains(&&*member.key));
+    let unknown = root
+        .effective_members()
+        .into_iter()
+        .filter(|member| !KEYS.contains(&&*member.key));
     unknown.for_each(|member| preset.unread.add(&below("", &member.key), Why::Key(KEYS)));
     preset
 }
@@ -148,7 +183,8 @@ impl HumanPreset {
     }
 
     fn take_targets(&mut self, targets: &Node) {
-        let is_empty = matches!(&targets.value, Value::String(_) | Value::Object(_)) && targets.is_falsy();
+        let is_empty =
+            matches!(&targets.value, Value::String(_) | Value::Object(_)) && targets.is_falsy();
         if !targets.is_array() && !is_empty {
             return self.stops.add_type("/targets", targets, "a list");
         }
@@ -159,7 +195,10 @@ impl HumanPreset {
                 self.stops.add_type(&pointer, entry, "an object");
                 continue;
             }
-            for key in ["target", "value"].into_iter().filter(|key| entry.get(key).is_none()) {
+            for key in ["target", "value"]
+                .into_iter()
+                .filter(|key| entry.get(key).is_none())
+            {
                 self.stops.add(&pointer, Why::Lacks(key));
             }
             if let Some(value) = entry.get("value") {
@@ -186,7 +225,9 @@ impl HumanPreset {
     }
 
     fn take_rig(&mut self, root: &Node) {
-        let Some(rig) = root.get("rig").filter(|rig| !rig.is_falsy()) else { return };
+        let Some(rig) = root.get("rig").filter(|rig| !rig.is_falsy()) else {
+            return;
+        };
         match rig.as_str() {
             Some(name) => self.rig = Some(NamedAt::new("/rig", name)),
             None => self.stops.add_type("/rig", rig, "a string"),
@@ -208,13 +249,19 @@ impl HumanPreset {
     fn take_clothes(&mut self, clothes: &Node) {
         match &clothes.value {
             // It is read letter by letter, and no letter is a file.
-            Value::String(text) if !text.is_empty() => self.ignored.add_type("/clothes", clothes, "a list"),
-            Value::Null | Value::Number(..) | Value::Bool(_) => self.stops.add_type("/clothes", clothes, "a list"),
+            Value::String(text) if !text.is_empty() => {
+                self.ignored.add_type("/clothes", clothes, "a list")
+            }
+            Value::Null | Value::Number(..) | Value::Bool(_) => {
+                self.stops.add_type("/clothes", clothes, "a list")
+            }
             _ => {}
         }
         for (at, entry) in clothes.elements().iter().enumerate() {
             match &entry.value {
-                Value::String(name) if !name.is_empty() => keep(&mut self.worn, &nth("/clothes", at), name),
+                Value::String(name) if !name.is_empty() => {
+                    keep(&mut self.worn, &nth("/clothes", at), name)
+                }
                 Value::Number(..) => self.stops.add_type(&nth("/clothes", at), entry, "a string"),
                 _ => {}
             }
@@ -240,12 +287,17 @@ impl HumanPreset {
                 Some(_) => {}
             }
             match row.get("weight") {
-                Some(Node { value: Value::Number(weight, _), .. }) if !(0.0..=1.0).contains(weight) => {
-                    self.ignored.add(&below(&pointer, "weight"), Why::Range(*weight));
+                Some(Node {
+                    value: Value::Number(weight, _),
+                    ..
+                }) if !(0.0..=1.0).contains(weight) => {
+                    self.ignored
+                        .add(&below(&pointer, "weight"), Why::Range(*weight));
                 }
                 // A text may be a number to Python.
                 Some(weight) if !is_number(weight) && !is_python_number(weight) => {
-                    self.ignored.add_type(&below(&pointer, "weight"), weight, "a number");
+                    self.ignored
+                        .add_type(&below(&pointer, "weight"), weight, "a number");
                 }
                 _ => {}
             }
@@ -254,11 +306,20 @@ impl HumanPreset {
 
     fn take_skin(&mut self, root: &Node) {
         let keys = ["skin_mhmat", "skin_material_type"];
-        keys.into_iter().filter(|key| root.get(key).is_none()).for_each(|key| self.stops.add("", Why::Lacks(key)));
-        let Some(skin) = root.get("skin_mhmat").and_then(Node::as_str).filter(|skin| !skin.is_empty()) else { return };
+        keys.into_iter()
+            .filter(|key| root.get(key).is_none())
+            .for_each(|key| self.stops.add("", Why::Lacks(key)));
+        let Some(skin) = root
+            .get("skin_mhmat")
+            .and_then(Node::as_str)
+            .filter(|skin| !skin.is_empty())
+        else {
+            return;
+        };
         self.skin = Some(NamedAt::new("/skin_mhmat", skin));
         if let Some(kind) = root.get("skin_material_type") {
-            self.ignored.check_word("/skin_material_type", kind, SKIN_KINDS);
+            self.ignored
+                .check_word("/skin_material_type", kind, SKIN_KINDS);
         }
     }
 }
@@ -279,7 +340,8 @@ mod tests {
 
     /// Pointers of what stops the loading, then of what is passed over.
     fn pointers(preset: &HumanPreset) -> [Vec<&str>; 2] {
-        [&preset.stops, &preset.ignored].map(|faults| faults.all().iter().map(|one| &*one.pointer).collect())
+        [&preset.stops, &preset.ignored]
+            .map(|faults| faults.all().iter().map(|one| &*one.pointer).collect())
     }
 
     #[test]
@@ -290,31 +352,56 @@ mod tests {
                 r#""phenotype": {{"age": 1, {RACE}}}, {SKIN}, "targets": [{{"target": "a", "value": 1}}], "rig": null,
                 "eyes": null, "hair": "", "clothes": [], "expressions": null, "name": 7, "unknown": {{}}"#
             ),
-            format!(r#""phenotype": {{{RACE}, "height": 0}}, {SKIN}, "rig": "", "clothes": ["a/a.mhclo"]"#),
+            format!(
+                r#""phenotype": {{{RACE}, "height": 0}}, {SKIN}, "rig": "", "clothes": ["a/a.mhclo"]"#
+            ),
         ] {
-            assert_eq!(pointers(&of(&members)), [Vec::<&str>::new(), Vec::new()], "{members}");
+            assert_eq!(
+                pointers(&of(&members)),
+                [Vec::<&str>::new(), Vec::new()],
+                "{members}"
+            );
         }
     }
 
     #[test]
     fn what_stops_the_loading_is_found() {
         assert_eq!(pointers(&of(""))[0], ["", "", ""]);
-        let found = of(&format!(r#""phenotype": {{"Age": 1, "height": "tall", "race": [1]}}, {SKIN}"#));
-        assert_eq!(pointers(&found)[0], ["/phenotype/Age", "/phenotype/height", "/phenotype/race"]);
+        let found = of(&format!(
+            r#""phenotype": {{"Age": 1, "height": "tall", "race": [1]}}, {SKIN}"#
+        ));
+        assert_eq!(
+            pointers(&found)[0],
+            ["/phenotype/Age", "/phenotype/height", "/phenotype/race"]
+        );
         let found = of(&format!(
             r#""phenotype": null, {SKIN}, "rig": 5, "clothes": null, "eyes": 3,
             "targets": ["a", {{"target": "b"}}, {{"target": "c", "value": null}}]"#
         ));
-        let expected = ["/targets/0", "/targets/1", "/targets/2/value", "/rig", "/eyes", "/clothes"];
+        let expected = [
+            "/targets/0",
+            "/targets/1",
+            "/targets/2/value",
+            "/rig",
+            "/eyes",
+            "/clothes",
+        ];
         assert_eq!(pointers(&found)[0], expected);
     }
 
     #[test]
     fn settings_are_not_limited_and_unknown_keys_not_read() {
-        let found = of(&format!(r#""phenotype": {{"age": 50, "height": NaN, {RACE}}}, {SKIN}, "Targets": []"#));
-        assert_eq!(pointers(&found), [vec![], vec!["/phenotype/age", "/phenotype/height"]]);
+        let found = of(&format!(
+            r#""phenotype": {{"age": 50, "height": NaN, {RACE}}}, {SKIN}, "Targets": []"#
+        ));
+        assert_eq!(
+            pointers(&found),
+            [vec![], vec!["/phenotype/age", "/phenotype/height"]]
+        );
         assert_eq!(found.unread.all().len(), 1);
-        let found = of(&format!(r#""phenotype": null, {SKIN}, "eyes": ["a.mhclo"]"#));
+        let found = of(&format!(
+            r#""phenotype": null, {SKIN}, "eyes": ["a.mhclo"]"#
+        ));
         assert_eq!(pointers(&found)[0], ["/eyes"]);
     }
 

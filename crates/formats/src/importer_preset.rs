@@ -1,5 +1,6 @@
 //! Presets of MPFB that are kept beside saved characters: for its importer, and for makeup
-//! (`docs/loaders/mpfb/models.md#presets-of-the-importer`, `docs/loaders/mpfb/models.md#makeup-presets`).
+//! (`docs/loaders/mpfb/models.md#presets-of-the-importer`,
+//! `docs/loaders/mpfb/models.md#makeup-presets`).
 
 use super::unfit::{LoaderFaults, NamedAt, Unfits, Why, below, keep, nth};
 use mhlint_json::{Document, Node, Value};
@@ -49,7 +50,10 @@ const CHOICES: [(&str, &[&str]); 4] = [
     ("scale_factor", &["METER", "DECIMETER", "CENTIMETER"]),
     ("handle_helpers", &["MASK", "NOTHING", "DELETE"]),
     ("skin_material_type", &["ENHANCED", "SSS", "PLAIN"]),
-    ("material_creation_policy", &["REUSE", "NEWNAME", "OVERWRITE"]),
+    (
+        "material_creation_policy",
+        &["REUSE", "NEWNAME", "OVERWRITE"],
+    ),
 ];
 
 /// Takes what the loader would take. Of a list it takes nothing, and unknown keys it passes over.
@@ -72,7 +76,9 @@ pub fn importer(document: &Document) -> LoaderFaults {
             }
         } else if !KEYS.contains(&key) {
             faults.ignored.add(&pointer, Why::Key(KEYS));
-        } else if key == "subdiv_levels" && !matches!(node.value, Value::Bool(_) | Value::Number(_, true)) {
+        } else if key == "subdiv_levels"
+            && !matches!(node.value, Value::Bool(_) | Value::Number(_, true))
+        {
             faults.stops.add_type(&pointer, node, "a whole number");
         }
     }
@@ -110,9 +116,22 @@ mod tests {
         let of = |text: &str| importer(&parse(text.as_bytes()).unwrap());
         let good = r#"{"import_body": true, "import_rig": 0, "subdiv_levels": 9, "scale_factor": "METER"}"#;
         assert_eq!(of(good), LoaderFaults::default());
-        assert_eq!(pointers(&of(r#"{"import_clohtes": false}"#).ignored), ["/import_clohtes"]);
-        let bad = of(r#"{"import_body": "yes", "subdiv_levels": 1.5, "handle_helpers": "HIDE", "scale_factor": 1}"#);
-        assert_eq!(pointers(&bad.stops), ["/import_body", "/subdiv_levels", "/handle_helpers", "/scale_factor"]);
+        assert_eq!(
+            pointers(&of(r#"{"import_clohtes": false}"#).ignored),
+            ["/import_clohtes"]
+        );
+        let bad = of(
+            r#"{"import_body": "yes", "subdiv_levels": 1.5, "handle_helpers": "HIDE", "scale_factor": 1}"#,
+        );
+        assert_eq!(
+            pointers(&bad.stops),
+            [
+                "/import_body",
+                "/subdiv_levels",
+                "/handle_helpers",
+                "/scale_factor"
+            ]
+        );
         assert_eq!(pointers(&of("[]").ignored), [""]);
     }
 
@@ -120,7 +139,10 @@ mod tests {
     fn makeup_is_a_list_of_names() {
         let of = |text: &str| makeup(&parse(text.as_bytes()).unwrap());
         let found = of(r#"["lips.json", 5]"#);
-        assert_eq!((found.layers.len(), pointers(&found.stops)), (1, vec!["/1"]));
+        assert_eq!(
+            (found.layers.len(), pointers(&found.stops)),
+            (1, vec!["/1"])
+        );
         assert_eq!(pointers(&of(r#""lips.json""#).stops), [""]);
         assert_eq!(of("[]"), Makeup::default());
     }

@@ -31,9 +31,15 @@ type Step<T> = Result<T, SyntaxFault>;
 
 /// Reads all rows.
 pub fn read(text: &[u8], encoding: &Encoding) -> IndexTable {
-    let mut table = IndexTable { fault: text_fault(text, encoding), ..IndexTable::default() };
+    let mut table = IndexTable {
+        fault: text_fault(text, encoding),
+        ..IndexTable::default()
+    };
     if table.fault.is_none() {
-        table.fault = table.rows_of(&mut Reader::new(text)).err().map(JsonFault::Syntax);
+        table.fault = table
+            .rows_of(&mut Reader::new(text))
+            .err()
+            .map(JsonFault::Syntax);
     }
     table
 }
@@ -51,9 +57,15 @@ impl IndexTable {
 
     /// The numbers of a row.
     pub fn row(&self, at: usize) -> &[u32] {
-        let start = at.checked_sub(1).and_then(|before| self.ends.get(before)).copied().unwrap_or_default();
+        let start = at
+            .checked_sub(1)
+            .and_then(|before| self.ends.get(before))
+            .copied()
+            .unwrap_or_default();
         let end = self.ends.get(at).copied().unwrap_or(start);
-        self.numbers.get(start as usize..end as usize).unwrap_or_default()
+        self.numbers
+            .get(start as usize..end as usize)
+            .unwrap_or_default()
     }
 
     /// The largest number in any row.
@@ -61,12 +73,19 @@ impl IndexTable {
         self.numbers.iter().copied().max()
     }
 
-    /// Whether it has the rows of `other` in which each of its own numbers is, and that has no other numbers.
+    /// Whether it has the rows of `other` in which each of its own numbers is, and that has no
+    /// other numbers.
     pub fn is_inverse_of(&self, other: &Self) -> bool {
         let rows: Vec<Vec<u32>> = (0..other.rows()).map(|at| sorted(other.row(at))).collect();
-        let is_inside = other.largest().is_none_or(|largest| (largest as usize) < self.rows());
+        let is_inside = other
+            .largest()
+            .is_none_or(|largest| (largest as usize) < self.rows());
         let found = inverse(&rows, self.rows());
-        is_inside && found.iter().enumerate().all(|(at, own)| sorted(self.row(at)) == *own)
+        is_inside
+            && found
+                .iter()
+                .enumerate()
+                .all(|(at, own)| sorted(self.row(at)) == *own)
     }
 
     fn rows_of(&mut self, reader: &mut Reader<'_>) -> Step<()> {
@@ -82,7 +101,8 @@ impl IndexTable {
                 self.misshapen.get_or_insert((self.ends.len(), 0)).1 += 1;
             }
             if self.ends.len() < MOST {
-                self.ends.push(u32::try_from(self.numbers.len()).unwrap_or(u32::MAX));
+                self.ends
+                    .push(u32::try_from(self.numbers.len()).unwrap_or(u32::MAX));
             }
         }
         reader.finish()
@@ -97,12 +117,21 @@ impl IndexTable {
         reader.open()?;
         let mut is_row = true;
         while reader.more(b']')? {
-            let index = if matches!(reader.peek(), Some(b'-' | b'0'..=b'9')) { reader.number()? } else { None };
+            let index = if matches!(reader.peek(), Some(b'-' | b'0'..=b'9')) {
+                reader.number()?
+            } else {
+                None
+            };
             match index {
-                #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "in the range, and whole")]
+                #[expect(
+                    clippy::cast_possible_truncation,
+                    clippy::cast_sign_loss,
+                    reason = "in the range, and whole"
+                )]
                 Some((number, true)) if self.numbers.len() < MOST => {
                     let is_index = (0.0..f64::from(NO_INDEX)).contains(&number);
-                    self.numbers.push(if is_index { number as u32 } else { NO_INDEX });
+                    self.numbers
+                        .push(if is_index { number as u32 } else { NO_INDEX });
                 }
                 Some((_, true)) => {}
                 Some((_, false)) => is_row = false,
@@ -150,9 +179,18 @@ mod tests {
     fn rows_are_lists_of_whole_numbers() {
         let table = of("[[0, 1, 2], [], [-3, 4]]");
         assert!(table.is_sound());
-        assert_eq!((table.rows(), table.row(0), table.row(1)), (3, [0, 1, 2].as_slice(), [].as_slice()));
-        assert_eq!((table.row(2), table.row(3)), ([NO_INDEX, 4].as_slice(), [].as_slice()));
-        assert_eq!(of("[[0], 5, [0.5], [\"a\"], {\"a\": 1}]").misshapen, Some((1, 4)));
+        assert_eq!(
+            (table.rows(), table.row(0), table.row(1)),
+            (3, [0, 1, 2].as_slice(), [].as_slice())
+        );
+        assert_eq!(
+            (table.row(2), table.row(3)),
+            ([NO_INDEX, 4].as_slice(), [].as_slice())
+        );
+        assert_eq!(
+            of("[[0], 5, [0.5], [\"a\"], {\"a\": 1}]").misshapen,
+            Some((1, 4))
+        );
         assert!(!of("{}").is_list);
         assert!(matches!(of("[[0]").fault, Some(JsonFault::Syntax(_))));
         assert_eq!(of("").fault, Some(JsonFault::Empty));

@@ -23,10 +23,17 @@ pub fn read(document: &Document) -> InkLayer {
         layer.stops.add_type("", root, "an object");
         return layer;
     }
-    for key in ["focus", "image_name"].into_iter().filter(|key| root.get(key).is_none()) {
+    for key in ["focus", "image_name"]
+        .into_iter()
+        .filter(|key| root.get(key).is_none())
+    {
         layer.stops.add("", super::unfit::Why::Lacks(key));
     }
-    let text = |key: &str| root.get(key).and_then(Node::as_str).filter(|text| !text.is_empty());
+    let text = |key: &str| {
+        root.get(key)
+            .and_then(Node::as_str)
+            .filter(|text| !text.is_empty())
+    };
     layer.focus = text("focus").map(|focus| NamedAt::new("/focus", focus));
     layer.image = text("image_name").map(|image| NamedAt::new("/image_name", image));
     let is_other = |node: &&Node| !matches!(node.value, Value::String(_)) && !node.is_falsy();
@@ -34,8 +41,13 @@ pub fn read(document: &Document) -> InkLayer {
         layer.stops.add_type("/focus", focus, "a string");
     }
     match root.get("image_name") {
-        Some(Node { value: Value::String(text), .. }) if !text.is_empty() => {}
-        Some(image) => layer.stops.add_type("/image_name", image, "the name of a picture"),
+        Some(Node {
+            value: Value::String(text),
+            ..
+        }) if !text.is_empty() => {}
+        Some(image) => layer
+            .stops
+            .add_type("/image_name", image, "the name of a picture"),
         None => {}
     }
     layer
@@ -58,9 +70,18 @@ mod tests {
     fn both_keys_must_be_there() {
         assert_eq!(pointers(&of("{}")), ["", ""]);
         assert_eq!(pointers(&of("[]")), [""]);
-        assert_eq!(pointers(&of(r#"{"focus": 5, "image_name": ""}"#)), ["/focus", "/image_name"]);
+        assert_eq!(
+            pointers(&of(r#"{"focus": 5, "image_name": ""}"#)),
+            ["/focus", "/image_name"]
+        );
         for focus in ["null", "\"\"", "\"face solid\""] {
-            assert!(pointers(&of(&format!(r#"{{"focus": {focus}, "image_name": "a.png"}}"#))).is_empty(), "{focus}");
+            assert!(
+                pointers(&of(&format!(
+                    r#"{{"focus": {focus}, "image_name": "a.png"}}"#
+                )))
+                .is_empty(),
+                "{focus}"
+            );
         }
     }
 }

@@ -1,7 +1,8 @@
-//! `macro.json`: components, macro definitions, and the table from combination names to target files.
+//! `macro.json`: components, macro definitions, and the table from combination names to target
+//! files.
 //!
-//! The loader checks nothing (`docs/loaders/makehuman2/macros.md#structure`); members of a wrong type are left out here
-//! and reported by the schema.
+//! The loader checks nothing (`docs/loaders/makehuman2/macros.md#structure`); members of a wrong
+//! type are left out here and reported by the schema.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -15,47 +16,69 @@ pub struct MacroFile {
     pub components: Vec<Component>,
     /// Macro definitions in file order.
     pub macrodefs: Vec<Macrodef>,
-    /// Whether these are more macros than can be compared with one another: they are then not checked, and that is said.
+    /// Whether these are more macros than can be compared with one another: they are then not
+    /// checked, and that is said.
     pub is_too_large: bool,
 }
 
-/// Most names that are compared with each component and each definition: every rule on macros does so. The macros of a
-/// whole character come to a thirtieth of it.
+/// Most names that are compared with each component and each definition: every rule on macros does
+/// so. The macros of a whole character come to a thirtieth of it.
 const MOST_COMPARED: usize = 1 << 18;
-/// Most combinations of all definitions together, those with a component left out included. A definition that has more
-/// alone is not walked. The macros of a whole character come to a hundredth.
+/// Most combinations of all definitions together, those with a component left out included. A
+/// definition that has more alone is not walked. The macros of a whole character come to a
+/// hundredth.
 const MOST_COMBINATIONS: usize = 1 << 20;
-/// Most values of all definitions, times the places in all names at which one of them may stand: that many are tried
-/// where names are spelled with the components. The macros of a whole character come to a tenth.
+/// Most values of all definitions, times the places in all names at which one of them may stand:
+/// that many are tried where names are spelled with the components. The macros of a whole character
+/// come to a tenth.
 const MOST_SPELLED: usize = 1 << 22;
 
 impl MacroFile {
     fn new(components: Vec<Component>, macrodefs: Vec<Macrodef>) -> Self {
-        let names: usize = macrodefs.iter().map(|macrodef| macrodef.components.len() + macrodef.links.len()).sum();
+        let names: usize = macrodefs
+            .iter()
+            .map(|macrodef| macrodef.components.len() + macrodef.links.len())
+            .sum();
         let compared = names.saturating_mul(components.len() + macrodefs.len());
         let is_too_large = compared > MOST_COMPARED
             || combinations(&components, &macrodefs) > MOST_COMBINATIONS
             || spelled(&components, &macrodefs) > MOST_SPELLED;
-        Self { components, macrodefs, is_too_large }
+        Self {
+            components,
+            macrodefs,
+            is_too_large,
+        }
     }
 }
 
 fn spelled(components: &[Component], macrodefs: &[Macrodef]) -> usize {
-    let values: HashMap<&str, usize> = components.iter().map(|own| (own.name.as_str(), own.values.len())).collect();
+    let values: HashMap<&str, usize> = components
+        .iter()
+        .map(|own| (own.name.as_str(), own.values.len()))
+        .collect();
     let names = macrodefs.iter().flat_map(|macrodef| &macrodef.components);
     let values: usize = names.filter_map(|name| values.get(name.as_str())).sum();
     let links = macrodefs.iter().flat_map(|macrodef| &macrodef.links);
-    let places: usize = links.map(|link| link.name.bytes().filter(|byte| *byte == b'-').count() + 1).sum();
+    let places: usize = links
+        .map(|link| link.name.bytes().filter(|byte| *byte == b'-').count() + 1)
+        .sum();
     values.saturating_mul(places)
 }
 
 fn combinations(components: &[Component], macrodefs: &[Macrodef]) -> usize {
-    let values: HashMap<&str, usize> = components.iter().map(|own| (own.name.as_str(), own.values.len())).collect();
+    let values: HashMap<&str, usize> = components
+        .iter()
+        .map(|own| (own.name.as_str(), own.values.len()))
+        .collect();
     let value_count = |name: &String| values.get(name.as_str()).copied().unwrap_or(0);
     let of_one = macrodefs.iter().map(|macrodef| {
-        macrodef.components.iter().fold(1, |all: usize, name| all.saturating_mul(value_count(name) + 1))
+        macrodef.components.iter().fold(1, |all: usize, name| {
+            all.saturating_mul(value_count(name) + 1)
+        })
     });
-    of_one.filter(|all| *all <= MOST_COMBINATIONS).fold(0, usize::saturating_add)
+    of_one
+        .filter(|all| *all <= MOST_COMBINATIONS)
+        .fold(0, usize::saturating_add)
 }
 
 /// A component: a dimension of the cross product.
@@ -136,7 +159,11 @@ fn components(node: &Node) -> Vec<Component> {
         .map(|member| Component {
             name: member.key.clone(),
             pattern: text(&member.node, "pattern"),
-            values: member.node.get("values").and_then(texts).unwrap_or_default(),
+            values: member
+                .node
+                .get("values")
+                .and_then(texts)
+                .unwrap_or_default(),
             steps: member.node.get("steps").map(numbers),
             sum: member.node.get("sum").and_then(texts),
         })
@@ -166,8 +193,10 @@ fn macrodefs(node: &Node) -> Vec<Macrodef> {
 fn read_links(node: &Node, macrodef: &mut Macrodef) {
     let entries = node.get("targets").map(Node::elements).unwrap_or_default();
     for (index, entry) in entries.iter().enumerate() {
-        if let (Some(name), None | Some(Value::Bool(_) | Value::Number(..) | Value::Array(_) | Value::Object(_))) =
-            (text(entry, "name"), entry.get("t").map(|t| &t.value))
+        if let (
+            Some(name),
+            None | Some(Value::Bool(_) | Value::Number(..) | Value::Array(_) | Value::Object(_)),
+        ) = (text(entry, "name"), entry.get("t").map(|t| &t.value))
         {
             macrodef.unusable.push(name);
         }
@@ -176,10 +205,18 @@ fn read_links(node: &Node, macrodef: &mut Macrodef) {
                 macrodef.nameless.push(target.clone());
                 macrodef.incomplete.push(index);
             }
-            (Some(name), Some(Value::Null)) => macrodef.links.push(Link { index, name, target: None }),
+            (Some(name), Some(Value::Null)) => macrodef.links.push(Link {
+                index,
+                name,
+                target: None,
+            }),
             (Some(name), Some(Value::String(target))) => {
                 macrodef.has_target = true;
-                macrodef.links.push(Link { index, name, target: Some(target.clone()) });
+                macrodef.links.push(Link {
+                    index,
+                    name,
+                    target: Some(target.clone()),
+                });
             }
             (None, _) | (_, None) => macrodef.incomplete.push(index),
             // `t` of another type stops the program; the schema says so.
@@ -196,7 +233,13 @@ pub(super) fn text(node: &Node, key: &str) -> Option<String> {
 /// An array of texts; elements of other types are left out.
 pub(super) fn texts(node: &Node) -> Option<Vec<String>> {
     let elements = node.is_array().then(|| node.elements())?;
-    Some(elements.iter().filter_map(Node::as_str).map(str::to_owned).collect())
+    Some(
+        elements
+            .iter()
+            .filter_map(Node::as_str)
+            .map(str::to_owned)
+            .collect(),
+    )
 }
 
 /// An array of numbers; elements of other types are left out.
@@ -220,33 +263,70 @@ mod tests {
             {"folder": "a", "comp": ["x"], "targets": [{"name": "n", "t": null}, {"name": "m"}]},
             {"comp": [], "targets": [{"name": "n", "t": "f"}]}]}"#;
         let file = read(&parse(text).unwrap());
-        let [first, second] = file.macrodefs.as_slice() else { panic!("two") };
-        assert_eq!((first.incomplete.as_slice(), first.links[0].target.as_deref()), ([1].as_slice(), None));
-        assert_eq!((second.folder.as_deref(), second.effective_folder.as_deref()), (None, Some("a")));
-        assert_eq!(second.link_pointer(&second.links[0], "t"), "/macrodef/1/targets/0/t");
+        let [first, second] = file.macrodefs.as_slice() else {
+            panic!("two")
+        };
+        assert_eq!(
+            (
+                first.incomplete.as_slice(),
+                first.links[0].target.as_deref()
+            ),
+            ([1].as_slice(), None)
+        );
+        assert_eq!(
+            (second.folder.as_deref(), second.effective_folder.as_deref()),
+            (None, Some("a"))
+        );
+        assert_eq!(
+            second.link_pointer(&second.links[0], "t"),
+            "/macrodef/1/targets/0/t"
+        );
     }
 
     #[test]
     fn too_many_macros_to_compare_or_to_walk_are_too_large() {
         let names = |count: usize| vec!["c".to_owned(); count];
-        let component = Component { name: "c".to_owned(), values: names(3), ..Component::default() };
+        let component = Component {
+            name: "c".to_owned(),
+            values: names(3),
+            ..Component::default()
+        };
         let is_too_large = |macrodefs: usize, names: Vec<String>| {
-            let macrodef = Macrodef { components: names, ..Macrodef::default() };
+            let macrodef = Macrodef {
+                components: names,
+                ..Macrodef::default()
+            };
             MacroFile::new(vec![component.clone()], vec![macrodef; macrodefs]).is_too_large
         };
-        // Names compared with definitions; then combinations: 4^10 once and twice, and 4^11, which are never walked.
+        // Names compared with definitions; then combinations: 4^10 once and twice, and 4^11, which
+        // are never walked.
         assert!(!is_too_large(511, names(1)) && is_too_large(512, names(1)));
         // Two components of 16 values, and a name of as many places as may be tried, or one more.
         let spelled = |places: usize| {
-            let components =
-                ["a", "b"].map(|name| Component { name: name.to_owned(), values: names(16), ..Component::default() });
-            let link = Link { index: 0, name: "-".repeat(places - 1), target: None };
+            let components = ["a", "b"].map(|name| Component {
+                name: name.to_owned(),
+                values: names(16),
+                ..Component::default()
+            });
+            let link = Link {
+                index: 0,
+                name: "-".repeat(places - 1),
+                target: None,
+            };
             let names = vec!["a".to_owned(), "b".to_owned()];
-            let macrodef = Macrodef { components: names, links: vec![link], ..Macrodef::default() };
+            let macrodef = Macrodef {
+                components: names,
+                links: vec![link],
+                ..Macrodef::default()
+            };
             MacroFile::new(components.to_vec(), vec![macrodef]).is_too_large
         };
         assert!(!spelled(MOST_SPELLED / 32) && spelled(MOST_SPELLED / 32 + 1));
-        assert!(!is_too_large(1, names(10)) && is_too_large(2, names(10)) && !is_too_large(9, names(11)));
+        assert!(
+            !is_too_large(1, names(10))
+                && is_too_large(2, names(10))
+                && !is_too_large(9, names(11))
+        );
     }
 
     #[test]

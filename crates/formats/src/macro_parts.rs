@@ -6,7 +6,16 @@ use mhlint_diag::pointer;
 use mhlint_json::{Document, Node, Value};
 
 /// The keys of `macrotargets` that the program asks for; others are ignored.
-pub const SETTINGS: [&str; 8] = ["gender", "age", "muscle", "weight", "proportions", "height", "cupsize", "firmness"];
+pub const SETTINGS: [&str; 8] = [
+    "gender",
+    "age",
+    "muscle",
+    "weight",
+    "proportions",
+    "height",
+    "cupsize",
+    "firmness",
+];
 
 /// The races, which have no parts, as they stand in names.
 pub const RACES: [&str; 3] = ["asian", "caucasian", "african"];
@@ -65,14 +74,21 @@ impl Setting {
 
     /// Pointer to a member of a part.
     pub fn pointer(&self, part: &Part, member: &str) -> String {
-        pointer(&["macrotargets", self.name(), "parts", &part.index.to_string(), member])
+        pointer(&[
+            "macrotargets",
+            self.name(),
+            "parts",
+            &part.index.to_string(),
+            member,
+        ])
     }
 }
 
 impl MacroParts {
     /// Whether all that the program looks up is there and of the right type.
     pub fn is_whole(&self) -> bool {
-        self.settings.len() == SETTINGS.len() && self.settings.iter().all(|setting| setting.is_whole)
+        self.settings.len() == SETTINGS.len()
+            && self.settings.iter().all(|setting| setting.is_whole)
     }
 }
 
@@ -82,18 +98,28 @@ pub fn read(document: &Document) -> MacroParts {
     let root = &document.root;
     if let Some(targets) = file.member(root, "", "macrotargets") {
         for (place, name) in SETTINGS.into_iter().enumerate() {
-            let Some(setting) = file.member(targets, "/macrotargets", name) else { continue };
+            let Some(setting) = file.member(targets, "/macrotargets", name) else {
+                continue;
+            };
             let owner = pointer(&["macrotargets", name]);
-            if let Some(parts) = file.member(setting, &owner, "parts").filter(|parts| parts.is_array()) {
+            if let Some(parts) = file
+                .member(setting, &owner, "parts")
+                .filter(|parts| parts.is_array())
+            {
                 let setting = file.setting(place, parts, &owner);
                 file.settings.push(setting);
             }
         }
     }
-    let combinations = root.get("combinations").map(Node::effective_members).unwrap_or_default();
+    let combinations = root
+        .get("combinations")
+        .map(Node::effective_members)
+        .unwrap_or_default();
     let combination = |node: &Node| texts(node).unwrap_or_default();
-    file.combinations =
-        combinations.into_iter().map(|member| (member.key.clone(), combination(&member.node))).collect();
+    file.combinations = combinations
+        .into_iter()
+        .map(|member| (member.key.clone(), combination(&member.node)))
+        .collect();
     file
 }
 
@@ -102,17 +128,25 @@ impl MacroParts {
     fn member<'n>(&mut self, node: &'n Node, owner: &str, key: &'static str) -> Option<&'n Node> {
         let found = node.get(key);
         if found.is_none() && node.is_object() {
-            self.absent.push(Absent { owner: owner.to_owned(), key });
+            self.absent.push(Absent {
+                owner: owner.to_owned(),
+                key,
+            });
         }
         found
     }
 
     fn setting(&mut self, place: usize, parts: &Node, owner: &str) -> Setting {
         let nodes = parts.elements().iter().enumerate();
-        let read = nodes.map(|(index, node)| self.part(index, node, &format!("{owner}/parts/{index}")));
+        let read =
+            nodes.map(|(index, node)| self.part(index, node, &format!("{owner}/parts/{index}")));
         let parts: Vec<Option<Part>> = read.collect();
         let is_whole = parts.iter().all(Option::is_some);
-        Setting { place, parts: parts.into_iter().flatten().collect(), is_whole }
+        Setting {
+            place,
+            parts: parts.into_iter().flatten().collect(),
+            is_whole,
+        }
     }
 
     fn part(&mut self, index: usize, node: &Node, owner: &str) -> Option<Part> {
@@ -150,21 +184,39 @@ mod tests {
 
     /// `macrotargets` with one setting of these parts.
     fn age(parts: &str) -> MacroParts {
-        file(&format!(r#"{{"macrotargets": {{"age": {{"parts": {parts}}}}}}}"#))
+        file(&format!(
+            r#"{{"macrotargets": {{"age": {{"parts": {parts}}}}}}}"#
+        ))
     }
 
     fn absent(file: &MacroParts) -> Vec<String> {
-        file.absent.iter().map(|absent| format!("{} {}", absent.owner, absent.key)).collect()
+        file.absent
+            .iter()
+            .map(|absent| format!("{} {}", absent.owner, absent.key))
+            .collect()
     }
 
     #[test]
     fn parts_are_taken_as_they_stand() {
-        let file = age(r#"[{"lowest": true, "highest": -0.5, "low": "", "high": "young", "more": 1}]"#);
+        let file =
+            age(r#"[{"lowest": true, "highest": -0.5, "low": "", "high": "young", "more": 1}]"#);
         let setting = &file.settings[0];
-        assert_eq!((setting.name(), setting.is_whole, file.is_whole()), ("age", true, false));
-        let part = Part { index: 0, lowest: 1.0, highest: -0.5, low: None, high: Some("young".to_owned()) };
+        assert_eq!(
+            (setting.name(), setting.is_whole, file.is_whole()),
+            ("age", true, false)
+        );
+        let part = Part {
+            index: 0,
+            lowest: 1.0,
+            highest: -0.5,
+            low: None,
+            high: Some("young".to_owned()),
+        };
         assert_eq!(setting.parts, [part]);
-        assert_eq!(setting.pointer(&setting.parts[0], "low"), "/macrotargets/age/parts/0/low");
+        assert_eq!(
+            setting.pointer(&setting.parts[0], "low"),
+            "/macrotargets/age/parts/0/low"
+        );
     }
 
     #[test]
@@ -172,7 +224,10 @@ mod tests {
         assert_eq!(absent(&file("{}")), [" macrotargets"]);
         assert_eq!(absent(&file("[]")), Vec::<String>::new());
         let file = age(r#"[{"lowest": 0, "low": null, "high": 1}, 7]"#);
-        assert_eq!(absent(&file)[..2], ["/macrotargets gender", "/macrotargets/age/parts/0 highest"]);
+        assert_eq!(
+            absent(&file)[..2],
+            ["/macrotargets gender", "/macrotargets/age/parts/0 highest"]
+        );
         assert_eq!((file.absent.len(), file.settings[0].is_whole), (8, false));
         assert!(file.settings[0].parts.is_empty());
         assert_eq!(absent(&age("3")).len(), 7);
@@ -180,16 +235,31 @@ mod tests {
 
     #[test]
     fn a_part_of_wrong_types_is_left_out() {
-        for part in [r#""lowest": "0", "low": """#, r#""lowest": 0, "low": 5"#, r#""lowest": null, "low": """#] {
+        for part in [
+            r#""lowest": "0", "low": """#,
+            r#""lowest": 0, "low": 5"#,
+            r#""lowest": null, "low": """#,
+        ] {
             let file = age(&format!(r#"[{{{part}, "highest": 1, "high": null}}]"#));
-            assert!(file.settings[0].parts.is_empty() && !file.settings[0].is_whole, "{part}");
+            assert!(
+                file.settings[0].parts.is_empty() && !file.settings[0].is_whole,
+                "{part}"
+            );
         }
     }
 
     #[test]
     fn combinations_may_be_anything() {
         let file = file(r#"{"combinations": {"a": ["race", "age"], "b": 3}}"#);
-        let pair = |key: &str, names: &[&str]| (key.to_owned(), names.iter().map(|name| (*name).to_owned()).collect());
-        assert_eq!(file.combinations, [pair("a", &["race", "age"]), pair("b", &[])]);
+        let pair = |key: &str, names: &[&str]| {
+            (
+                key.to_owned(),
+                names.iter().map(|name| (*name).to_owned()).collect(),
+            )
+        };
+        assert_eq!(
+            file.combinations,
+            [pair("a", &["race", "age"]), pair("b", &[])]
+        );
     }
 }

@@ -1,4 +1,5 @@
-//! How two meshes differ for those who see them: not in the order of faces, nor in the last digit of a position.
+//! How two meshes differ for those who see them: not in the order of faces, nor in the last digit
+//! of a position.
 
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -6,16 +7,18 @@ use std::collections::BTreeSet;
 use super::obj::{Face, Mesh};
 use super::stored;
 
-/// Vertices that are nearer to one another than this, mesh units, are in one place: exporters write four decimals.
+/// Vertices that are nearer to one another than this, mesh units, are in one place: exporters write
+/// four decimals.
 const SAME_PLACE: f32 = 0.0001;
-/// Texture coordinates that are nearer than this are the same: those nearer than half of it are joined when a mesh is
-/// packed.
+/// Texture coordinates that are nearer than this are the same: those nearer than half of it are
+/// joined when a mesh is packed.
 const SAME_UV: f32 = 0.002;
 
 /// How one mesh differs from another.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct MeshDifference {
-    /// Numbers of vertices of both, where they are not the same. Nothing can be said of single vertices and faces then.
+    /// Numbers of vertices of both, where they are not the same. Nothing can be said of single
+    /// vertices and faces then.
     pub vertices: Option<[usize; 2]>,
     /// Vertices that lie elsewhere.
     pub moved: usize,
@@ -72,7 +75,10 @@ impl MeshDifference {
         let has_same_groups = self.groups.iter().all(Vec::is_empty);
         let (mut own, mut others) = (one.iter().peekable(), other.iter().peekable());
         while let Some(face) = own.peek() {
-            match others.peek().map_or(Ordering::Less, |other| face.corners.cmp(&other.corners)) {
+            match others
+                .peek()
+                .map_or(Ordering::Less, |other| face.corners.cmp(&other.corners))
+            {
                 Ordering::Less => {
                     self.other_faces += usize::from(self.faces.is_none());
                     own.next();
@@ -97,11 +103,17 @@ fn distance(a: &[f32; 3], b: &[f32; 3]) -> f32 {
 /// Groups with faces that the other mesh has not.
 fn missing(one: &Mesh, other: &Mesh) -> Vec<String> {
     let others: BTreeSet<&str> = groups_with_faces(other).collect();
-    groups_with_faces(one).filter(|name| !others.contains(name)).map(str::to_owned).collect()
+    groups_with_faces(one)
+        .filter(|name| !others.contains(name))
+        .map(str::to_owned)
+        .collect()
 }
 
 fn groups_with_faces(mesh: &Mesh) -> impl Iterator<Item = &str> {
-    mesh.groups.iter().filter(|group| group.faces > 0).map(|group| group.name.as_str())
+    mesh.groups
+        .iter()
+        .filter(|group| group.faces > 0)
+        .map(|group| group.name.as_str())
 }
 
 /// A face from its lowest vertex on, whichever of its corners came first.
@@ -113,21 +125,38 @@ struct Outline<'m> {
 
 impl<'m> Outline<'m> {
     fn of_all(mesh: &'m Mesh) -> Vec<Self> {
-        let mut outlines: Vec<Self> = mesh.faces.iter().map(|face| Self::of(mesh, *face)).collect();
+        let mut outlines: Vec<Self> = mesh
+            .faces
+            .iter()
+            .map(|face| Self::of(mesh, *face))
+            .collect();
         outlines.sort_by(|a, b| a.corners.cmp(&b.corners).then_with(|| a.group.cmp(b.group)));
         outlines
     }
 
     fn of(mesh: &'m Mesh, face: Face) -> Self {
         let mut corners = face.of(&mesh.corners).to_vec();
-        let mut uvs: Vec<_> = face.of(&mesh.corner_uvs).iter().map(|uv| mesh.uvs.get(*uv as usize).copied()).collect();
-        let lowest = (0..corners.len()).min_by_key(|at| corners.get(*at)).unwrap_or_default();
+        let mut uvs: Vec<_> = face
+            .of(&mesh.corner_uvs)
+            .iter()
+            .map(|uv| mesh.uvs.get(*uv as usize).copied())
+            .collect();
+        let lowest = (0..corners.len())
+            .min_by_key(|at| corners.get(*at))
+            .unwrap_or_default();
         corners.rotate_left(lowest);
         if uvs.len() == corners.len() {
             uvs.rotate_left(lowest);
         }
-        let group = mesh.groups.get(face.group as usize).map_or("", |group| group.name.as_str());
-        Self { corners, group, uvs }
+        let group = mesh
+            .groups
+            .get(face.group as usize)
+            .map_or("", |group| group.name.as_str());
+        Self {
+            corners,
+            group,
+            uvs,
+        }
     }
 
     fn is_textured_as(&self, other: &Self) -> bool {
@@ -170,13 +199,29 @@ mod tests {
     #[test]
     fn what_is_seen_is_named() {
         let moved = replaced("v 0 0 0", "v 0 0 0.0002");
-        assert_eq!((moved.moved, moved.farthest.map(|(vertex, _)| vertex)), (1, Some(0)));
-        let far = MeshDifference { farthest: Some((2, 3.0)), moved: 1, ..MeshDifference::default() };
+        assert_eq!(
+            (moved.moved, moved.farthest.map(|(vertex, _)| vertex)),
+            (1, Some(0))
+        );
+        let far = MeshDifference {
+            farthest: Some((2, 3.0)),
+            moved: 1,
+            ..MeshDifference::default()
+        };
         assert_eq!(replaced("v 1 1 0", "v 1 4 0"), far);
         assert_eq!(replaced("f 1/1 2/2 3/3", "f 1/1 3/3 2/2").other_faces, 1);
-        assert_eq!(replaced("f 1/1 2/2 3/3\n", "f 1/1 2/2 3/3\nf 2/2 3/3 4/4\n").faces, Some([2, 3]));
-        assert_eq!(replaced("g a", "g c").groups, [["a".to_owned()], ["c".to_owned()]]);
-        assert_eq!(replaced("g b\nf 1/1 3/3 4/4", "f 1/1 3/3 4/4\ng b\nf 2/2 3/3 4/4").regrouped, 1);
+        assert_eq!(
+            replaced("f 1/1 2/2 3/3\n", "f 1/1 2/2 3/3\nf 2/2 3/3 4/4\n").faces,
+            Some([2, 3])
+        );
+        assert_eq!(
+            replaced("g a", "g c").groups,
+            [["a".to_owned()], ["c".to_owned()]]
+        );
+        assert_eq!(
+            replaced("g b\nf 1/1 3/3 4/4", "f 1/1 3/3 4/4\ng b\nf 2/2 3/3 4/4").regrouped,
+            1
+        );
         assert_eq!(replaced("vt 0 0", "vt 0.1 0").retextured, 2);
         assert_eq!(replaced("f 1/1 2/2 3/3", "f 1 2 3").retextured, 1);
     }
@@ -184,7 +229,13 @@ mod tests {
     #[test]
     fn with_other_numbers_of_vertices_there_is_no_more_to_say() {
         let found = replaced("v 0 0 0", "v 9 9 9\nv 0 0 0");
-        assert_eq!(found, MeshDifference { vertices: Some([4, 5]), ..MeshDifference::default() });
+        assert_eq!(
+            found,
+            MeshDifference {
+                vertices: Some([4, 5]),
+                ..MeshDifference::default()
+            }
+        );
     }
 
     #[test]

@@ -29,14 +29,21 @@ impl VertexGroup {
     /// Whether it has no vertex of a mesh with so many, if that is known.
     pub fn is_empty(&self, vertices: Option<i64>) -> bool {
         let beyond = |first: i64| vertices.is_some_and(|vertices| first >= vertices);
-        self.ranges.iter().all(|(first, last)| first > last || beyond(*first))
+        self.ranges
+            .iter()
+            .all(|(first, last)| first > last || beyond(*first))
     }
 }
 
 impl VertexGroups {
     /// How many vertices the mesh has that the groups are for, by the last one of any.
     pub fn vertices(&self) -> i64 {
-        self.groups.iter().flat_map(|group| &group.ranges).map(|(_, last)| last.saturating_add(1)).max().unwrap_or(0)
+        self.groups
+            .iter()
+            .flat_map(|group| &group.ranges)
+            .map(|(_, last)| last.saturating_add(1))
+            .max()
+            .unwrap_or(0)
     }
 }
 
@@ -53,16 +60,25 @@ pub fn groups(document: &Document) -> VertexGroups {
     for member in root.effective_members().into_iter().take(MOST) {
         let pointer = below("", &member.key);
         if !member.node.is_array() {
-            found.stops.add_type(&pointer, &member.node, "a list of ranges");
+            found
+                .stops
+                .add_type(&pointer, &member.node, "a list of ranges");
         }
         let mut ranges = Vec::new();
         for (at, range) in member.node.elements().iter().enumerate().take(MOST) {
             match whole(range) {
                 Some(ends) => ranges.push(ends),
-                None => found.stops.add_type(&nth(&pointer, at), range, "a list of two whole numbers"),
+                None => {
+                    found
+                        .stops
+                        .add_type(&nth(&pointer, at), range, "a list of two whole numbers")
+                }
             }
         }
-        found.groups.push(VertexGroup { name: member.key.clone(), ranges });
+        found.groups.push(VertexGroup {
+            name: member.key.clone(),
+            ranges,
+        });
     }
     found
 }
@@ -70,7 +86,10 @@ pub fn groups(document: &Document) -> VertexGroups {
 /// Both ends of a range; a third number is not read.
 fn whole(range: &Node) -> Option<(i64, i64)> {
     let number = |node: &Node| match node.value {
-        #[expect(clippy::cast_possible_truncation, reason = "a number without fraction; no mesh has as many vertices")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "a number without fraction; no mesh has as many vertices"
+        )]
         Value::Number(number, true) => Some(number as i64),
         _ => None,
     };
@@ -109,7 +128,10 @@ pub fn dimensions(document: &Document) -> BodyDimensions {
     }
     for member in dimensions.effective_members() {
         let pointer = below("/dimensions", &member.key);
-        for key in ["xmin", "xmax"].into_iter().filter(|key| member.node.get(key).is_none()) {
+        for key in ["xmin", "xmax"]
+            .into_iter()
+            .filter(|key| member.node.get(key).is_none())
+        {
             found.stops.add(&pointer, Why::Lacks(key));
         }
     }
@@ -118,7 +140,10 @@ pub fn dimensions(document: &Document) -> BodyDimensions {
 
 fn named_groups(root: &Node, found: &mut BodyDimensions) {
     let ranges = root.get("groups_by_range");
-    let select = root.get("select_groups").map(Node::effective_members).unwrap_or_default();
+    let select = root
+        .get("select_groups")
+        .map(Node::effective_members)
+        .unwrap_or_default();
     for member in select {
         let pointer = below("/select_groups", &member.key);
         for (at, name) in member.node.elements().iter().enumerate() {
@@ -130,7 +155,11 @@ fn named_groups(root: &Node, found: &mut BodyDimensions) {
         }
     }
     for member in ranges.map(Node::effective_members).unwrap_or_default() {
-        keep(&mut found.groups, &below("/groups_by_range", &member.key), &member.key);
+        keep(
+            &mut found.groups,
+            &below("/groups_by_range", &member.key),
+            &member.key,
+        );
     }
 }
 
@@ -146,7 +175,11 @@ pub struct MirrorTable {
 impl MirrorTable {
     /// How many vertices the mesh has that the table is for, by the last one of any row.
     pub fn vertices(&self) -> i64 {
-        self.rows.iter().map(|row| i64::from(row.from.max(row.to)) + 1).max().unwrap_or(0)
+        self.rows
+            .iter()
+            .map(|row| i64::from(row.from.max(row.to)) + 1)
+            .max()
+            .unwrap_or(0)
     }
 }
 
@@ -191,7 +224,12 @@ fn row(line: u32, text: &[u8]) -> Option<MirrorRow> {
         [letter] => *letter,
         _ => LONG_SIDE,
     };
-    Some(MirrorRow { line, from, to, side })
+    Some(MirrorRow {
+        line,
+        from,
+        to,
+        side,
+    })
 }
 
 #[cfg(test)]
@@ -213,20 +251,47 @@ mod tests {
         assert!(good.stops.all().is_empty());
         assert_eq!(good.vertices(), 9);
         let bad = of(r#"{"body": [0, 7], "a": [[5]], "b": [[0.5, 1]], "c": 3}"#);
-        assert_eq!(pointers(&bad.stops), ["/body/0", "/body/1", "/a/0", "/b/0", "/c"]);
+        assert_eq!(
+            pointers(&bad.stops),
+            ["/body/0", "/body/1", "/a/0", "/b/0", "/c"]
+        );
         assert_eq!(pointers(&of("[]").stops), [""]);
     }
 
     #[test]
     fn each_part_needs_its_ends() {
         let of = |text: &str| dimensions(&parse(text.as_bytes()).unwrap());
-        assert!(of(r#"{"dimensions": {"Body": {"xmin": 1, "xmax": 2}}}"#).stops.all().is_empty());
-        assert_eq!(pointers(&of(r#"{"dimensions": {"Body": {"xmax": 2}}}"#).stops), ["/dimensions/Body"]);
+        assert!(
+            of(r#"{"dimensions": {"Body": {"xmin": 1, "xmax": 2}}}"#)
+                .stops
+                .all()
+                .is_empty()
+        );
+        assert_eq!(
+            pointers(&of(r#"{"dimensions": {"Body": {"xmax": 2}}}"#).stops),
+            ["/dimensions/Body"]
+        );
         assert_eq!(pointers(&of("{}").stops), [""]);
         assert_eq!(pointers(&of("[]").stops), [""]);
-        let named = of(r#"{"dimensions": {}, "select_groups": {"A": ["a", "b"]}, "groups_by_range": {"a": [0, 1]}}"#);
-        assert_eq!(named.groups.iter().map(|one| &*one.name).collect::<Vec<_>>(), ["a", "b", "a"]);
-        assert_eq!(named.without_range.iter().map(|one| &*one.pointer).collect::<Vec<_>>(), ["/select_groups/A/1"]);
+        let named = of(
+            r#"{"dimensions": {}, "select_groups": {"A": ["a", "b"]}, "groups_by_range": {"a": [0, 1]}}"#,
+        );
+        assert_eq!(
+            named
+                .groups
+                .iter()
+                .map(|one| &*one.name)
+                .collect::<Vec<_>>(),
+            ["a", "b", "a"]
+        );
+        assert_eq!(
+            named
+                .without_range
+                .iter()
+                .map(|one| &*one.pointer)
+                .collect::<Vec<_>>(),
+            ["/select_groups/A/1"]
+        );
     }
 
     #[test]
@@ -234,7 +299,15 @@ mod tests {
         let table = mirror(b"0 1 r\n1 0 l\n2 2 m\n\n3  3 m\n4 4\n5\t5 m\n# x\n");
         assert_eq!((table.rows.len(), table.unreadable), (3, Some((5, 4))));
         assert_eq!(table.vertices(), 3);
-        assert_eq!(table.rows[0], MirrorRow { line: 1, from: 0, to: 1, side: b'r' });
+        assert_eq!(
+            table.rows[0],
+            MirrorRow {
+                line: 1,
+                from: 0,
+                to: 1,
+                side: b'r'
+            }
+        );
     }
 
     proptest! {

@@ -1,8 +1,8 @@
-//! `.mhbin` of an asset: what MakeHuman 2 writes beside it when it is put on, and reads in its place from then on
-//! (`docs/loaders/makehuman2/compiled-clothes.md#members`).
+//! `.mhbin` of an asset: what MakeHuman 2 writes beside it when it is put on, and reads in its
+//! place from then on (`docs/loaders/makehuman2/compiled-clothes.md#members`).
 //!
-//! A zip of `.npy`. Gets bytes, limits and the size of the base mesh; returns what the text is compared with, or why it
-//! cannot be loaded. Keeps no rows.
+//! A zip of `.npy`. Gets bytes, limits and the size of the base mesh; returns what the text is
+//! compared with, or why it cannot be loaded. Keeps no rows.
 
 use super::asset_mesh::{AssetMesh, MeshPrint};
 use super::fitting_columns::{self, Columns};
@@ -35,7 +35,9 @@ pub enum Packed {
 impl Packed {
     /// What is worn, if the archive is that of MakeHuman 1 and can be loaded.
     pub fn proxy_of(packed: Option<&Self>) -> Option<&PackedProxy> {
-        let Self::Proxy(proxy) = packed? else { return None };
+        let Self::Proxy(proxy) = packed? else {
+            return None;
+        };
         proxy.fault.is_none().then_some(&**proxy)
     }
 }
@@ -120,18 +122,37 @@ pub fn parse(bytes: &[u8], limits: &Limits, size: Option<MeshSize>) -> Packed {
 /// Reads the archive of a base mesh of MakeHuman 1 within `limits`: the mesh is kept whole.
 pub fn parse_base(bytes: &[u8], limits: &Limits) -> Packed {
     match Members::open(bytes, limits) {
-        Ok(mut members) if mesh_npz::is_mesh(&members) => Packed::Mesh(mesh_npz::read_base(&mut members).map(Box::new)),
+        Ok(mut members) if mesh_npz::is_mesh(&members) => {
+            Packed::Mesh(mesh_npz::read_base(&mut members).map(Box::new))
+        }
         Ok(_) => Packed::Other,
         Err(fault) => Packed::Unopened(fault),
     }
 }
 
-fn read(members: &mut Members<'_>, name: &'static str, cells: &[Cell]) -> Result<Table, PackedFault> {
-    let table = members.read(name, |reader| npy_table::read(reader, cells)).ok_or(PackedFault::Missing(name))?;
-    table.map_err(|fault| if name == "asset" { PackedFault::Asset(fault) } else { PackedFault::Member(name, fault) })
+fn read(
+    members: &mut Members<'_>,
+    name: &'static str,
+    cells: &[Cell],
+) -> Result<Table, PackedFault> {
+    let table = members
+        .read(name, |reader| npy_table::read(reader, cells))
+        .ok_or(PackedFault::Missing(name))?;
+    table.map_err(|fault| {
+        if name == "asset" {
+            PackedFault::Asset(fault)
+        } else {
+            PackedFault::Member(name, fault)
+        }
+    })
 }
 
-fn asset(members: &mut Members<'_>, bytes: &[u8], limits: &Limits, size: Option<MeshSize>) -> PackedAsset {
+fn asset(
+    members: &mut Members<'_>,
+    bytes: &[u8],
+    limits: &Limits,
+    size: Option<MeshSize>,
+) -> PackedAsset {
     let mut asset = PackedAsset::default();
     let refused = head(members, &mut asset)
         .and_then(|()| rows(members, &mut asset, size))
@@ -162,11 +183,19 @@ fn text(table: &Table, cell: usize) -> Box<str> {
     String::from_utf8_lossy(table.text(0, cell).unwrap_or_default()).into()
 }
 
-fn rows(members: &mut Members<'_>, asset: &mut PackedAsset, size: Option<MeshSize>) -> Result<(), PackedFault> {
+fn rows(
+    members: &mut Members<'_>,
+    asset: &mut PackedAsset,
+    size: Option<MeshSize>,
+) -> Result<(), PackedFault> {
     let (integers, numbers) = fitting_columns::cells(asset.is_exact);
     let vertices = read(members, "ref_vIdxs", integers)?;
     let weights = read(members, "weights", numbers)?;
-    let offsets = if asset.is_exact { None } else { Some(read(members, "offsets", numbers)?) };
+    let offsets = if asset.is_exact {
+        None
+    } else {
+        Some(read(members, "offsets", numbers)?)
+    };
     // The weights of single vertices are copied into a column of that length.
     let fits = match &offsets {
         Some(offsets) => offsets.rows.min(weights.rows) >= vertices.rows,
@@ -175,7 +204,12 @@ fn rows(members: &mut Members<'_>, asset: &mut PackedAsset, size: Option<MeshSiz
     if !fits {
         return Err(PackedFault::Member("weights", NpyFault::Shape));
     }
-    asset.rows = Columns { vertices, weights, offsets }.count(size);
+    asset.rows = Columns {
+        vertices,
+        weights,
+        offsets,
+    }
+    .count(size);
     Ok(())
 }
 
@@ -183,10 +217,18 @@ fn scale(members: &mut Members<'_>, asset: &mut PackedAsset) -> Result<(), Packe
     if !members.has("scale") {
         return Ok(());
     }
-    let table = read(members, "scale", &[Cell::Integer, Cell::Integer, Cell::Number])?;
+    let table = read(
+        members,
+        "scale",
+        &[Cell::Integer, Cell::Integer, Cell::Number],
+    )?;
     let axis = |row| {
         let vertex = |cell| table.integer(row, cell).unwrap_or_default();
-        (vertex(0), vertex(1), table.number(row, 2).map_or(0.0, stored))
+        (
+            vertex(0),
+            vertex(1),
+            table.number(row, 2).map_or(0.0, stored),
+        )
     };
     asset.scale = (table.rows >= 3).then(|| [0, 1, 2].map(axis));
     Ok(())
@@ -197,7 +239,10 @@ fn mask(members: &mut Members<'_>, asset: &mut PackedAsset) -> Result<(), Packed
         return Ok(());
     }
     let table = read(members, "deleteVerts", &[Cell::Flag])?;
-    asset.mask = Some(Mask { length: table.rows, runs: fitting_columns::runs(&table) });
+    asset.mask = Some(Mask {
+        length: table.rows,
+        runs: fitting_columns::runs(&table),
+    });
     Ok(())
 }
 
@@ -209,11 +254,17 @@ mod tests {
     use crate::npz_samples::{npy, zip_of};
 
     fn floats(values: &[f32]) -> Vec<u8> {
-        values.iter().flat_map(|value| value.to_le_bytes()).collect()
+        values
+            .iter()
+            .flat_map(|value| value.to_le_bytes())
+            .collect()
     }
 
     fn ints(values: &[i32]) -> Vec<u8> {
-        values.iter().flat_map(|value| value.to_le_bytes()).collect()
+        values
+            .iter()
+            .flat_map(|value| value.to_le_bytes())
+            .collect()
     }
 
     fn members() -> Vec<(&'static str, Vec<u8>)> {
@@ -224,15 +275,28 @@ mod tests {
         vec![
             ("asset.npy", npy(asset, "(1,)", &row)),
             ("files.npy", files),
-            ("ref_vIdxs.npy", npy("'<u4'", "(2, 3)", &ints(&[0, 1, 2, 9, 1, 2]))),
-            ("weights.npy", npy("'<f4'", "(2, 3)", &floats(&[1.0, 0.0, 0.0, 0.5, 0.25, 0.0]))),
+            (
+                "ref_vIdxs.npy",
+                npy("'<u4'", "(2, 3)", &ints(&[0, 1, 2, 9, 1, 2])),
+            ),
+            (
+                "weights.npy",
+                npy("'<f4'", "(2, 3)", &floats(&[1.0, 0.0, 0.0, 0.5, 0.25, 0.0])),
+            ),
             ("offsets.npy", npy("'<f4'", "(2, 3)", &floats(&[0.0; 6]))),
             ("deleteVerts.npy", npy("'|b1'", "(5,)", &[0, 1, 1, 0, 1])),
         ]
     }
 
     fn of(members: &[(&str, Vec<u8>)]) -> Packed {
-        parse(&zip_of(members), &Limits::default(), Some(MeshSize { vertices: 4, with_seams: 5 }))
+        parse(
+            &zip_of(members),
+            &Limits::default(),
+            Some(MeshSize {
+                vertices: 4,
+                with_seams: 5,
+            }),
+        )
     }
 
     fn read(members: &[(&str, Vec<u8>)]) -> PackedAsset {
@@ -245,10 +309,34 @@ mod tests {
     #[test]
     fn an_asset_is_counted() {
         let asset = read(&members());
-        assert_eq!((&*asset.texts[0], &*asset.texts[1], &*asset.files[0], asset.z_depth), ("hat", "u1", "m", 60));
-        assert_eq!((asset.rows.count, asset.rows.out_of_range.count, asset.rows.visible_sums), (2, 1, 1));
-        assert_eq!(asset.mask, Some(Mask { length: 5, runs: vec![1..3, 4..5] }));
-        assert!(matches!(asset.faults.as_slice(), [PackedFault::Mesh(MeshFault::Missing(_))]));
+        assert_eq!(
+            (
+                &*asset.texts[0],
+                &*asset.texts[1],
+                &*asset.files[0],
+                asset.z_depth
+            ),
+            ("hat", "u1", "m", 60)
+        );
+        assert_eq!(
+            (
+                asset.rows.count,
+                asset.rows.out_of_range.count,
+                asset.rows.visible_sums
+            ),
+            (2, 1, 1)
+        );
+        assert_eq!(
+            asset.mask,
+            Some(Mask {
+                length: 5,
+                runs: vec![1..3, 4..5]
+            })
+        );
+        assert!(matches!(
+            asset.faults.as_slice(),
+            [PackedFault::Mesh(MeshFault::Missing(_))]
+        ));
     }
 
     #[test]
@@ -261,16 +349,31 @@ mod tests {
     #[test]
     fn what_is_missing_is_named() {
         let without = |left_out: &str| {
-            let members: Vec<_> = members().into_iter().filter(|(name, _)| *name != left_out).collect();
+            let members: Vec<_> = members()
+                .into_iter()
+                .filter(|(name, _)| *name != left_out)
+                .collect();
             read(&members).faults.first().cloned()
         };
-        assert_eq!(without("weights.npy"), Some(PackedFault::Missing("weights")));
-        assert_eq!(without("offsets.npy"), Some(PackedFault::Missing("offsets")));
+        assert_eq!(
+            without("weights.npy"),
+            Some(PackedFault::Missing("weights"))
+        );
+        assert_eq!(
+            without("offsets.npy"),
+            Some(PackedFault::Missing("offsets"))
+        );
         assert_eq!(of(&members()[1..]), Packed::Other);
-        assert_eq!(parse(b"", &Limits::default(), None), Packed::Unopened(ArchiveFault::Empty));
+        assert_eq!(
+            parse(b"", &Limits::default(), None),
+            Packed::Unopened(ArchiveFault::Empty)
+        );
         let mut plain = members();
         plain[0].1 = npy("'<f4'", "(2,)", &floats(&[0.0, 1.0]));
-        assert!(matches!(read(&plain).faults.first(), Some(PackedFault::Asset(_))));
+        assert!(matches!(
+            read(&plain).faults.first(),
+            Some(PackedFault::Asset(_))
+        ));
     }
 
     #[test]

@@ -1,7 +1,8 @@
-//! `.mhm`: a saved character as MakeHuman 2 reads it (`docs/loaders/makehuman2/models.md#keywords`).
+//! `.mhm`: a saved character as MakeHuman 2 reads it
+//! (`docs/loaders/makehuman2/models.md#keywords`).
 //!
-//! A line is a keyword and words, split at white space. A keyword that is not known is passed over, so the lines that
-//! could be meant for something are kept.
+//! A line is a keyword and words, split at white space. A keyword that is not known is passed over,
+//! so the lines that could be meant for something are kept.
 
 use std::ops::Range;
 
@@ -108,11 +109,29 @@ pub struct ShortLine {
 }
 
 /// The words that put an asset on.
-pub const CATEGORIES: [&str; 8] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue", "proxy"];
+pub const CATEGORIES: [&str; 8] = [
+    "clothes",
+    "hair",
+    "eyes",
+    "eyebrows",
+    "eyelashes",
+    "teeth",
+    "tongue",
+    "proxy",
+];
 
 /// The other words that lines of models begin with.
-const KEYWORDS: [&str; 9] =
-    ["version", "uuid", "author", "name", "tags", "skinMaterial", "skeleton", "modifier", "material"];
+const KEYWORDS: [&str; 9] = [
+    "version",
+    "uuid",
+    "author",
+    "name",
+    "tags",
+    "skinMaterial",
+    "skeleton",
+    "modifier",
+    "material",
+];
 
 /// Lines of a sort that are kept. No character has as many.
 const MOST: usize = 50_000;
@@ -122,11 +141,24 @@ pub fn read(text: &[u8]) -> Model {
     let lines_of_words = mhm_lines::read(text);
     let outdated = outdated::of_model(&lines_of_words);
     let columns = mhm_columns::read(text);
-    let mut model = Model { columns, lines: lines_of_words, outdated, ..Model::default() };
+    let mut model = Model {
+        columns,
+        lines: lines_of_words,
+        outdated,
+        ..Model::default()
+    };
     for (Range { start, .. }, line) in lines(text) {
         let words = fields(line);
-        let word = |at: usize| words.get(at).map(|(from, word)| new_word(start + from, word)).unwrap_or_default();
-        if words.first().is_some_and(|(_, first)| !first.starts_with(b"#")) {
+        let word = |at: usize| {
+            words
+                .get(at)
+                .map(|(from, word)| new_word(start + from, word))
+                .unwrap_or_default()
+        };
+        if words
+            .first()
+            .is_some_and(|(_, first)| !first.starts_with(b"#"))
+        {
             model.take(line, words.len(), &word);
         }
     }
@@ -136,7 +168,8 @@ pub fn read(text: &[u8]) -> Model {
 impl Model {
     fn take(&mut self, line: &[u8], count: usize, word: &dyn Fn(usize) -> Word) {
         let keyword = word(0);
-        self.has_keyword |= KEYWORDS.contains(&&*keyword.text) || CATEGORIES.contains(&&*keyword.text);
+        self.has_keyword |=
+            KEYWORDS.contains(&&*keyword.text) || CATEGORIES.contains(&&*keyword.text);
         let needed = match &*keyword.text {
             "version" | "uuid" | "skinMaterial" | "skeleton" => 2,
             "material" => 4,
@@ -144,14 +177,25 @@ impl Model {
             _ => 0,
         };
         if count < needed {
-            return keep(&mut self.short, ShortLine { keyword, found: count, needed });
+            return keep(
+                &mut self.short,
+                ShortLine {
+                    keyword,
+                    found: count,
+                    needed,
+                },
+            );
         }
         match &*keyword.text {
             "version" | "uuid" | "author" => {}
             "name" | "tags" if !self.modifiers.is_empty() => {}
             "name" => self.name = Some(rest(line, &keyword.text).into()),
             "tags" => {
-                self.tags = rest(line, &keyword.text).split(';').take(MOST).map(Into::into).collect();
+                self.tags = rest(line, &keyword.text)
+                    .split(';')
+                    .take(MOST)
+                    .map(Into::into)
+                    .collect();
                 self.tags_at = keyword.span;
             }
             "skinMaterial" => self.skin = Some(word(1)),
@@ -159,11 +203,20 @@ impl Model {
             "modifier" => keep(&mut self.modifiers, modifier(count, word)),
             "material" => keep(
                 &mut self.materials,
-                MaterialLine { name: word(1), uuid: word(2).text, path: word(3), surplus: count - 4 },
+                MaterialLine {
+                    name: word(1),
+                    uuid: word(2).text,
+                    path: word(3),
+                    surplus: count - 4,
+                },
             ),
             category => {
                 let is_known = CATEGORIES.contains(&category);
-                let line = WornLine { category: keyword, name: word(1), uuid: word(2).text };
+                let line = WornLine {
+                    category: keyword,
+                    name: word(1),
+                    uuid: word(2).text,
+                };
                 match is_known {
                     true => keep(&mut self.worn, line),
                     false if count >= 3 => keep(&mut self.unknown, line),
@@ -176,14 +229,20 @@ impl Model {
 
 impl Default for Word {
     fn default() -> Self {
-        Self { text: "".into(), span: 0..0 }
+        Self {
+            text: "".into(),
+            span: 0..0,
+        }
     }
 }
 
 /// A word that begins at this byte.
 pub(super) fn new_word(start: usize, word: &[u8]) -> Word {
     let text: String = word.utf8_chunks().map(|chunk| chunk.valid()).collect();
-    Word { text: text.into(), span: start..start + word.len() }
+    Word {
+        text: text.into(),
+        span: start..start + word.len(),
+    }
 }
 
 fn modifier(count: usize, word: &dyn Fn(usize) -> Word) -> Modifier {
@@ -193,13 +252,24 @@ fn modifier(count: usize, word: &dyn Fn(usize) -> Word) -> Modifier {
     };
     let pattern = word(1);
     // Without a pattern the fault is shown at the keyword.
-    let pattern = if count < 2 { Word { span: word(0).span, ..pattern } } else { pattern };
+    let pattern = if count < 2 {
+        Word {
+            span: word(0).span,
+            ..pattern
+        }
+    } else {
+        pattern
+    };
     Modifier { pattern, value }
 }
 
 fn rest(line: &[u8], keyword: &str) -> String {
     let text: String = line.utf8_chunks().map(|chunk| chunk.valid()).collect();
-    text.trim().strip_prefix(keyword).unwrap_or_default().trim().to_owned()
+    text.trim()
+        .strip_prefix(keyword)
+        .unwrap_or_default()
+        .trim()
+        .to_owned()
 }
 
 fn keep<T>(all: &mut Vec<T>, one: T) {
@@ -223,13 +293,37 @@ mod tests {
         let model = read(TEXT.as_bytes());
         assert_eq!(model.name.as_deref(), Some("well dressed"));
         assert_eq!(model.tags, ["a".into(), "b c".into()] as [Box<str>; 2]);
-        let values: Vec<_> = model.modifiers.iter().map(|one| (&*one.pattern.text, one.value.clone())).collect();
+        let values: Vec<_> = model
+            .modifiers
+            .iter()
+            .map(|one| (&*one.pattern.text, one.value.clone()))
+            .collect();
         let comma = Err(ModifierFault::NotANumber("0,5".into()));
-        assert_eq!(values, [("a/b|c", Ok(0.5)), ("a/b", comma), ("x", Err(ModifierFault::Words(2)))]);
-        assert_eq!((&*model.worn[0].name.text, &*model.worn[0].uuid), ("vest", "12"));
-        assert_eq!((&*model.materials[0].path.text, model.materials[0].surplus), ("red.mhmat", 1));
-        assert_eq!(model.skin.as_ref().map(|word| &*word.text), Some("skins/b.mhmat"));
-        let short: Vec<_> = model.short.iter().map(|one| (&*one.keyword.text, one.found, one.needed)).collect();
+        assert_eq!(
+            values,
+            [
+                ("a/b|c", Ok(0.5)),
+                ("a/b", comma),
+                ("x", Err(ModifierFault::Words(2)))
+            ]
+        );
+        assert_eq!(
+            (&*model.worn[0].name.text, &*model.worn[0].uuid),
+            ("vest", "12")
+        );
+        assert_eq!(
+            (&*model.materials[0].path.text, model.materials[0].surplus),
+            ("red.mhmat", 1)
+        );
+        assert_eq!(
+            model.skin.as_ref().map(|word| &*word.text),
+            Some("skins/b.mhmat")
+        );
+        let short: Vec<_> = model
+            .short
+            .iter()
+            .map(|one| (&*one.keyword.text, one.found, one.needed))
+            .collect();
         assert_eq!(short, [("skeleton", 1, 2), ("hair", 2, 3)]);
         assert_eq!(model.unknown.len(), 1);
     }
@@ -237,8 +331,16 @@ mod tests {
     #[test]
     fn words_stand_where_they_say() {
         let model = read(TEXT.as_bytes());
-        let words = [&model.worn[0].name, &model.materials[0].path, &model.modifiers[0].pattern];
-        assert!(words.iter().all(|word| TEXT.get(word.span.clone()) == Some(&*word.text)));
+        let words = [
+            &model.worn[0].name,
+            &model.materials[0].path,
+            &model.modifiers[0].pattern,
+        ];
+        assert!(
+            words
+                .iter()
+                .all(|word| TEXT.get(word.span.clone()) == Some(&*word.text))
+        );
     }
 
     proptest! {

@@ -1,5 +1,5 @@
-//! `.mhm` as the importer of MPFB reads it (`docs/loaders/mpfb/models.md#the-model-file`): a keyword counts at the
-//! first column alone, and what stands behind it is not split into words.
+//! `.mhm` as the importer of MPFB reads it (`docs/loaders/mpfb/models.md#the-model-file`): a
+//! keyword counts at the first column alone, and what stands behind it is not split into words.
 
 use std::ops::Range;
 
@@ -20,7 +20,8 @@ pub struct Columns {
     pub skin: Option<Word>,
     /// The skeleton; of several the last.
     pub skeleton: Option<Word>,
-    /// Lines that would be known without the blanks in front of their keywords, or its capitals: keyword and place.
+    /// Lines that would be known without the blanks in front of their keywords, or its capitals:
+    /// keyword and place.
     pub displaced: Vec<Word>,
     /// Whether it has a name.
     pub has_name: bool,
@@ -52,10 +53,16 @@ pub struct Wearing {
 pub const SETTING: [&str; 4] = ["name", "modifier", "skinMaterial", "skeleton"];
 
 /// Parts of a pattern that say nothing of a macro.
-const FOLDERS: [&str; 5] =
-    ["breast/", "macrodetails/", "macrodetails-height/", "macrodetails-universal/", "macrodetails-proportions/"];
+const FOLDERS: [&str; 5] = [
+    "breast/",
+    "macrodetails/",
+    "macrodetails-height/",
+    "macrodetails-universal/",
+    "macrodetails-proportions/",
+];
 
-/// What models call the macro settings and the races, and what `macro.json` and saved characters call them.
+/// What models call the macro settings and the races, and what `macro.json` and saved characters
+/// call them.
 pub const MACROS: [(&str, &str); 11] = [
     ("Age", "age"),
     ("Gender", "gender"),
@@ -72,13 +79,19 @@ pub const MACROS: [(&str, &str); 11] = [
 
 /// A pattern without the part that says nothing of a macro.
 pub fn without_folder(pattern: &str) -> &str {
-    FOLDERS.iter().find_map(|folder| pattern.strip_prefix(folder)).unwrap_or(pattern)
+    FOLDERS
+        .iter()
+        .find_map(|folder| pattern.strip_prefix(folder))
+        .unwrap_or(pattern)
 }
 
 /// The setting or race that a pattern stands for, if it is a macro.
 pub fn setting_of(pattern: &str) -> Option<&'static str> {
     let plain = without_folder(pattern);
-    MACROS.iter().find(|(name, _)| *name == plain).map(|(_, setting)| *setting)
+    MACROS
+        .iter()
+        .find(|(name, _)| *name == plain)
+        .map(|(_, setting)| *setting)
 }
 
 /// Lines of a sort that are kept. No character has as many.
@@ -88,18 +101,28 @@ const MOST: usize = 50_000;
 pub fn read(text: &[u8]) -> Columns {
     let mut columns = Columns::default();
     for (Range { start, .. }, line) in lines(text) {
-        let Ok(line) = std::str::from_utf8(line) else { continue };
+        let Ok(line) = std::str::from_utf8(line) else {
+            continue;
+        };
         let (keyword, rest) = line.split_once(' ').unwrap_or((line, ""));
         let at = start + (line.len() - rest.len());
         match keyword {
             "name" => columns.has_name |= !rest.trim().is_empty(),
             "modifier" => keep(&mut columns.modifiers, setting(rest, at)),
-            "skinMaterial" => columns.skin = Some(word(rest.trim_end(), at)).filter(|skin| !skin.text.is_empty()),
+            "skinMaterial" => {
+                columns.skin = Some(word(rest.trim_end(), at)).filter(|skin| !skin.text.is_empty())
+            }
             "clothes" if rest.trim().is_empty() => keep(&mut columns.bare, word(keyword, start)),
-            "skeleton" => columns.skeleton = Some(word(rest.trim_end(), at)).filter(|one| !one.text.is_empty()),
+            "skeleton" => {
+                columns.skeleton =
+                    Some(word(rest.trim_end(), at)).filter(|one| !one.text.is_empty())
+            }
             other => {
-                let Some(category) = CATEGORIES.into_iter().find(|category| *category == other) else {
-                    displaced(line, start).into_iter().for_each(|one| keep(&mut columns.displaced, one));
+                let Some(category) = CATEGORIES.into_iter().find(|category| *category == other)
+                else {
+                    displaced(line, start)
+                        .into_iter()
+                        .for_each(|one| keep(&mut columns.displaced, one));
                     continue;
                 };
                 columns.worn.extend(wearing(category, rest, at));
@@ -115,27 +138,39 @@ fn displaced(line: &str, start: usize) -> Option<Word> {
     let plain = line.trim_start();
     let keyword = plain.split_ascii_whitespace().next()?;
     let mut known = SETTING.iter().chain(&CATEGORIES);
-    let is_known = known.any(|known| known.eq_ignore_ascii_case(keyword)) && plain.len() > keyword.len();
+    let is_known =
+        known.any(|known| known.eq_ignore_ascii_case(keyword)) && plain.len() > keyword.len();
     is_known.then(|| word(keyword, start + line.len() - plain.len()))
 }
 
-/// The pattern ends at the first blank, so that the rest of one with a blank in it should be a number.
+/// The pattern ends at the first blank, so that the rest of one with a blank in it should be a
+/// number.
 fn setting(rest: &str, at: usize) -> Setting {
     let (pattern, value) = rest.split_once(' ').unwrap_or((rest, ""));
     let value = value.trim();
     let is_number = python_float(value.as_bytes()).ok_or_else(|| value.into());
-    Setting { pattern: word(pattern, at), value: is_number }
+    Setting {
+        pattern: word(pattern, at),
+        value: is_number,
+    }
 }
 
 /// The uuid is the last word, if there is more than one.
 fn wearing(category: &'static str, rest: &str, at: usize) -> Option<Wearing> {
     let rest = rest.trim_end();
     let (name, uuid) = rest.rsplit_once(' ').unwrap_or((rest, ""));
-    (!name.is_empty()).then(|| Wearing { category, name: word(name.trim_end(), at), uuid: uuid.into() })
+    (!name.is_empty()).then(|| Wearing {
+        category,
+        name: word(name.trim_end(), at),
+        uuid: uuid.into(),
+    })
 }
 
 fn word(text: &str, at: usize) -> Word {
-    Word { text: text.into(), span: at..at + text.len() }
+    Word {
+        text: text.into(),
+        span: at..at + text.len(),
+    }
 }
 
 fn keep<T>(all: &mut Vec<T>, one: T) {
@@ -156,18 +191,45 @@ mod tests {
     #[test]
     fn lines_are_split_at_the_first_blank() {
         let found = read(TEXT.as_bytes());
-        let values: Vec<_> = found.modifiers.iter().map(|one| (&*one.pattern.text, one.value.clone())).collect();
+        let values: Vec<_> = found
+            .modifiers
+            .iter()
+            .map(|one| (&*one.pattern.text, one.value.clone()))
+            .collect();
         let text = |text: &str| Err(text.into());
-        let expected = [("a/b|c", Ok(-0.5)), ("user", text("target 1")), ("a/b", text("1 # x")), ("a\t1", text(""))];
+        let expected = [
+            ("a/b|c", Ok(-0.5)),
+            ("user", text("target 1")),
+            ("a/b", text("1 # x")),
+            ("a\t1", text("")),
+        ];
         assert_eq!(values, expected);
         assert!(found.has_name && found.has_line && found.bare.len() == 1);
-        let worn: Vec<_> = found.worn.iter().map(|one| (one.category, &*one.name.text, &*one.uuid)).collect();
-        assert_eq!(worn, [("clothes", "red_cape", "12-3"), ("eyes", "high", "")]);
+        let worn: Vec<_> = found
+            .worn
+            .iter()
+            .map(|one| (one.category, &*one.name.text, &*one.uuid))
+            .collect();
+        assert_eq!(
+            worn,
+            [("clothes", "red_cape", "12-3"), ("eyes", "high", "")]
+        );
         let displaced: Vec<_> = found.displaced.iter().map(|one| &*one.text).collect();
         assert_eq!(displaced, ["clothes"]);
-        assert_eq!(found.skin.as_ref().map(|skin| &*skin.text), Some("skins/a/b.mhmat"));
-        let words = found.modifiers.iter().map(|one| &one.pattern).chain(&found.skin);
-        assert!(words.clone().all(|word| TEXT.get(word.span.clone()) == Some(&*word.text)));
+        assert_eq!(
+            found.skin.as_ref().map(|skin| &*skin.text),
+            Some("skins/a/b.mhmat")
+        );
+        let words = found
+            .modifiers
+            .iter()
+            .map(|one| &one.pattern)
+            .chain(&found.skin);
+        assert!(
+            words
+                .clone()
+                .all(|word| TEXT.get(word.span.clone()) == Some(&*word.text))
+        );
     }
 
     #[test]

@@ -1,5 +1,5 @@
-//! `.mhm` as MakeHuman 1 reads it: words split at white space, a comment where the first word is `#` alone
-//! (`docs/loaders/makehuman1/models.md#model-keywords`).
+//! `.mhm` as MakeHuman 1 reads it: words split at white space, a comment where the first word is
+//! `#` alone (`docs/loaders/makehuman1/models.md#model-keywords`).
 
 use std::ops::Range;
 
@@ -56,11 +56,16 @@ pub fn keywords() -> impl Iterator<Item = &'static str> {
 pub fn read(text: &[u8]) -> Lines {
     let mut found = Lines::default();
     for (number, (Range { start, .. }, line)) in (1..).zip(lines(text)) {
-        let mut words = fields(line).into_iter().map(|(from, word)| new_word(start + from, word));
+        let mut words = fields(line)
+            .into_iter()
+            .map(|(from, word)| new_word(start + from, word));
         match words.next() {
             None => found.blank = found.blank.or(Some(number)),
             Some(keyword) if &*keyword.text == "#" || found.all.len() >= MOST => {}
-            Some(keyword) => found.all.push(Line { keyword, values: words.collect() }),
+            Some(keyword) => found.all.push(Line {
+                keyword,
+                values: words.collect(),
+            }),
         }
     }
     found
@@ -69,7 +74,9 @@ pub fn read(text: &[u8]) -> Lines {
 impl Lines {
     /// The lines with a keyword.
     pub fn of(&self, keyword: &str) -> impl DoubleEndedIterator<Item = &Line> {
-        self.all.iter().filter(move |line| &*line.keyword.text == keyword)
+        self.all
+            .iter()
+            .filter(move |line| &*line.keyword.text == keyword)
     }
 
     /// The first value of the last line with a keyword.
@@ -95,9 +102,16 @@ mod tests {
     fn only_a_hash_alone_is_a_comment() {
         let text = "# a b\n#a b\n\nmodifier a/b 0.5 x\nclothes\n";
         let found = read(text.as_bytes());
-        let words: Vec<(&str, usize)> = found.all.iter().map(|line| (&*line.keyword.text, line.values.len())).collect();
+        let words: Vec<(&str, usize)> = found
+            .all
+            .iter()
+            .map(|line| (&*line.keyword.text, line.values.len()))
+            .collect();
         assert_eq!(words, [("#a", 1), ("modifier", 3), ("clothes", 0)]);
-        assert_eq!((found.blank, found.all[1].value(1), found.all[2].value(0)), (Some(3), "0.5", ""));
+        assert_eq!(
+            (found.blank, found.all[1].value(1), found.all[2].value(0)),
+            (Some(3), "0.5", "")
+        );
         assert_eq!(text.get(found.all[1].values[0].span.clone()), Some("a/b"));
         assert_eq!(found.last("modifier").map(|word| &*word.text), Some("a/b"));
     }

@@ -1,4 +1,5 @@
-//! `.mhpose`: a pose or an expression as values of pose units (`docs/loaders/makehuman2/poses.md#mhpose`).
+//! `.mhpose`: a pose or an expression as values of pose units
+//! (`docs/loaders/makehuman2/poses.md#mhpose`).
 
 use super::macro_json::text;
 use mhlint_json::{Document, Node};
@@ -31,14 +32,26 @@ pub struct UnitValue {
 pub fn read(document: &Document) -> Pose {
     let root = &document.root;
     let units = root.get("unit_poses");
-    let members = units.map(Node::effective_members).unwrap_or_default().into_iter();
+    let members = units
+        .map(Node::effective_members)
+        .unwrap_or_default()
+        .into_iter();
     let tags = root.get("tags").map(Node::elements).unwrap_or_default();
     Pose {
         name: text(root, "name"),
-        tags: tags.iter().filter_map(Node::as_str).map(str::to_owned).collect(),
+        tags: tags
+            .iter()
+            .filter_map(Node::as_str)
+            .map(str::to_owned)
+            .collect(),
         has_units: units.is_some(),
         has_license: root.get("license").is_some(),
-        values: members.map(|one| UnitValue { unit: one.key.clone(), value: one.node.as_python_number() }).collect(),
+        values: members
+            .map(|one| UnitValue {
+                unit: one.key.clone(),
+                value: one.node.as_python_number(),
+            })
+            .collect(),
     }
 }
 
@@ -57,10 +70,19 @@ mod tests {
 
     #[test]
     fn values_are_numbers_and_truths() {
-        let pose = of(r#"{"name": "bow", "tags": ["a", 1], "unit_poses": {"a": 0.5, "b": true, "c": "1", "a": -1}}"#);
-        let values: Vec<_> = pose.values.iter().map(|one| (&*one.unit, one.value)).collect();
+        let pose = of(
+            r#"{"name": "bow", "tags": ["a", 1], "unit_poses": {"a": 0.5, "b": true, "c": "1", "a": -1}}"#,
+        );
+        let values: Vec<_> = pose
+            .values
+            .iter()
+            .map(|one| (&*one.unit, one.value))
+            .collect();
         assert_eq!(values, [("a", Some(-1.0)), ("b", Some(1.0)), ("c", None)]);
-        assert_eq!((pose.name.as_deref(), pose.tags.as_slice()), (Some("bow"), &["a".to_owned()][..]));
+        assert_eq!(
+            (pose.name.as_deref(), pose.tags.as_slice()),
+            (Some("bow"), &["a".to_owned()][..])
+        );
         assert!(pose.has_units && of(r#"{"unit_poses": []}"#).has_units && !of("[1]").has_units);
     }
 

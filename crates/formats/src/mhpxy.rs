@@ -1,8 +1,8 @@
 //! `.mhpxy`: what is worn as MakeHuman 1 packs it, and reads it in place of the text
 //! (`docs/loaders/makehuman1/compiled-clothes.md#members-of-the-archive`).
 //!
-//! A zip of `.npy`. Gets its members and the size of the base mesh; returns what the text is compared with, or why it cannot
-//! be loaded. Keeps no rows.
+//! A zip of `.npy`. Gets its members and the size of the base mesh; returns what the text is
+//! compared with, or why it cannot be loaded. Keeps no rows.
 
 use super::fitting_columns::{self, Columns};
 use super::mhbin_asset::Mask;
@@ -22,7 +22,8 @@ pub struct PackedProxy {
     pub files: [Box<str>; 3],
     /// `z_depth`; without one it is 50.
     pub z_depth: i64,
-    /// How many faces of a vertex the program makes room for: as many as for any mesh where nothing is said.
+    /// How many faces of a vertex the program makes room for: as many as for any mesh where nothing
+    /// is said.
     pub max_pole: u64,
     /// What it says of its author and licence.
     pub licence: Licence,
@@ -68,7 +69,9 @@ pub(super) fn read(members: &mut Members<'_>, size: Option<MeshSize>) -> PackedP
 type Fault = (&'static str, Option<NpyFault>);
 
 fn table(members: &mut Members<'_>, name: &'static str, cells: &[Cell]) -> Result<Table, Fault> {
-    let table = members.read(name, |reader| npy_table::read_any(reader, cells)).ok_or((name, None))?;
+    let table = members
+        .read(name, |reader| npy_table::read_any(reader, cells))
+        .ok_or((name, None))?;
     table.map_err(|fault| (name, Some(fault)))
 }
 
@@ -76,26 +79,44 @@ fn table(members: &mut Members<'_>, name: &'static str, cells: &[Cell]) -> Resul
 fn bytes(members: &mut Members<'_>, name: &'static str) -> Result<Vec<u8>, Fault> {
     let table = table(members, name, &[Cell::Text])?;
     // One that is 0 is kept as none at all.
-    let byte = |row| table.text(row, 0).and_then(<[u8]>::first).copied().unwrap_or_default();
+    let byte = |row| {
+        table
+            .text(row, 0)
+            .and_then(<[u8]>::first)
+            .copied()
+            .unwrap_or_default()
+    };
     Ok((0..table.rows).map(byte).collect())
 }
 
 fn text(members: &mut Members<'_>, name: &'static str) -> Result<Box<str>, Fault> {
     let mut bytes = bytes(members, name)?;
     bytes.retain(|byte| *byte != 0);
-    String::from_utf8(bytes).map(Into::into).map_err(|_| (name, Some(NpyFault::NotUtf8)))
+    String::from_utf8(bytes)
+        .map(Into::into)
+        .map_err(|_| (name, Some(NpyFault::NotUtf8)))
 }
 
 fn text_if_any(members: &mut Members<'_>, name: &'static str) -> Result<Box<str>, Fault> {
-    if members.has(name) { text(members, name) } else { Ok(Box::default()) }
+    if members.has(name) {
+        text(members, name)
+    } else {
+        Ok(Box::default())
+    }
 }
 
 fn integer(members: &mut Members<'_>, name: &'static str) -> Result<i64, Fault> {
-    table(members, name, &[Cell::Integer])?.integer(0, 0).ok_or((name, Some(NpyFault::Shape)))
+    table(members, name, &[Cell::Integer])?
+        .integer(0, 0)
+        .ok_or((name, Some(NpyFault::Shape)))
 }
 
 fn integer_if_any(members: &mut Members<'_>, name: &'static str) -> Result<Option<i64>, Fault> {
-    if members.has(name) { integer(members, name).map(Some) } else { Ok(None) }
+    if members.has(name) {
+        integer(members, name).map(Some)
+    } else {
+        Ok(None)
+    }
 }
 
 /// Several texts: all in one, and where each begins.
@@ -108,24 +129,40 @@ fn texts(members: &mut Members<'_>, name: &'static str, starts: &'static str) ->
         std::str::from_utf8(own).is_ok()
     };
     let are_texts = starts.iter().copied().zip(ends).all(is_text);
-    if are_texts { Ok(()) } else { Err((name, Some(NpyFault::NotUtf8))) }
+    if are_texts {
+        Ok(())
+    } else {
+        Err((name, Some(NpyFault::NotUtf8)))
+    }
 }
 
 fn integers(members: &mut Members<'_>, name: &'static str) -> Result<Vec<usize>, Fault> {
     let table = table(members, name, &[Cell::Integer])?;
-    let number = |row| table.integer(row, 0).and_then(|number| usize::try_from(number).ok()).unwrap_or(usize::MAX);
+    let number = |row| {
+        table
+            .integer(row, 0)
+            .and_then(|number| usize::try_from(number).ok())
+            .unwrap_or(usize::MAX)
+    };
     Ok((0..table.rows).map(number).collect())
 }
 
-/// What the program does not look for is left out, in its order; what it looks for need not be there in part.
-fn fill(members: &mut Members<'_>, proxy: &mut PackedProxy, size: Option<MeshSize>) -> Result<(), Fault> {
+/// What the program does not look for is left out, in its order; what it looks for need not be
+/// there in part.
+fn fill(
+    members: &mut Members<'_>,
+    proxy: &mut PackedProxy,
+    size: Option<MeshSize>,
+) -> Result<(), Fault> {
     proxy.identity = [text(members, "name")?, text(members, "uuid")?];
     text(members, "basemesh")?;
     text_if_any(members, "description")?;
     integer_if_any(members, "version")?;
     proxy.licence = licence(members)?;
     texts(members, "tags_str", "tags_idx")?;
-    proxy.z_depth = integer_if_any(members, "z_depth")?.filter(|depth| *depth != NO_DEPTH).unwrap_or(USUAL_DEPTH);
+    proxy.z_depth = integer_if_any(members, "z_depth")?
+        .filter(|depth| *depth != NO_DEPTH)
+        .unwrap_or(USUAL_DEPTH);
     let pole = integer_if_any(members, "max_pole")?.and_then(|pole| u64::try_from(pole).ok());
     // As much as none.
     proxy.max_pole = pole.filter(|pole| *pole > 0).unwrap_or(USUAL_POLE);
@@ -136,13 +173,20 @@ fn fill(members: &mut Members<'_>, proxy: &mut PackedProxy, size: Option<MeshSiz
     rows(members, proxy, size)?;
     if members.has("deleteVerts") {
         let flags = table(members, "deleteVerts", &[Cell::Flag])?;
-        proxy.mask = Some(Mask { length: flags.rows, runs: fitting_columns::runs(&flags) });
+        proxy.mask = Some(Mask {
+            length: flags.rows,
+            runs: fitting_columns::runs(&flags),
+        });
     }
     scale(members, proxy)?;
     texts(members, "uvLayers_str", "uvLayers_idx")?;
     let material = text_if_any(members, "material_file")?;
     let mesh = text(members, "obj_file")?;
-    proxy.files = [mesh, material, text_if_any(members, "vertexBoneWeights_file")?];
+    proxy.files = [
+        mesh,
+        material,
+        text_if_any(members, "vertexBoneWeights_file")?,
+    ];
     Ok(())
 }
 
@@ -174,16 +218,30 @@ fn licence(members: &mut Members<'_>) -> Result<Licence, Fault> {
     })
 }
 
-fn rows(members: &mut Members<'_>, proxy: &mut PackedProxy, size: Option<MeshSize>) -> Result<(), Fault> {
+fn rows(
+    members: &mut Members<'_>,
+    proxy: &mut PackedProxy,
+    size: Option<MeshSize>,
+) -> Result<(), Fault> {
     let (integers, numbers) = fitting_columns::cells(proxy.is_exact);
     let vertices = table(members, "ref_vIdxs", integers)?;
     let weights = table(members, "weights", numbers)?;
-    let offsets = if proxy.is_exact { None } else { Some(table(members, "offsets", numbers)?) };
-    let fits = weights.rows == vertices.rows && offsets.as_ref().is_none_or(|own| own.rows == vertices.rows);
+    let offsets = if proxy.is_exact {
+        None
+    } else {
+        Some(table(members, "offsets", numbers)?)
+    };
+    let fits = weights.rows == vertices.rows
+        && offsets.as_ref().is_none_or(|own| own.rows == vertices.rows);
     if !fits {
         return Err(("weights", Some(NpyFault::Shape)));
     }
-    proxy.rows = Columns { vertices, weights, offsets }.count(size);
+    proxy.rows = Columns {
+        vertices,
+        weights,
+        offsets,
+    }
+    .count(size);
     Ok(())
 }
 
@@ -195,8 +253,17 @@ fn scale(members: &mut Members<'_>, proxy: &mut PackedProxy) -> Result<(), Fault
     let distances = table(members, "tmat_scale", &[Cell::Number])?;
     let vertices = table(members, "tmat_scale_idx", &[Cell::Integer])?;
     let axis = |axis: usize| {
-        let distance = distances.number(axis, 0).map(stored).filter(|distance| !distance.is_nan())?;
-        Some(([vertices.integer(2 * axis, 0)?, vertices.integer(2 * axis + 1, 0)?], distance))
+        let distance = distances
+            .number(axis, 0)
+            .map(stored)
+            .filter(|distance| !distance.is_nan())?;
+        Some((
+            [
+                vertices.integer(2 * axis, 0)?,
+                vertices.integer(2 * axis + 1, 0)?,
+            ],
+            distance,
+        ))
     };
     proxy.scale = [0, 1, 2].map(axis);
     Ok(())
@@ -214,7 +281,10 @@ mod tests {
     }
 
     fn integers_of(numbers: &[u32]) -> Vec<u8> {
-        let bytes: Vec<u8> = numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
+        let bytes: Vec<u8> = numbers
+            .iter()
+            .flat_map(|number| number.to_le_bytes())
+            .collect();
         npy("'<u4'", &format!("({},)", numbers.len()), &bytes)
     }
 
@@ -232,7 +302,10 @@ mod tests {
             ("tags_idx.npy", integers_of(&[])),
             ("num_refverts.npy", single(1)),
             ("ref_vIdxs.npy", integers_of(&[5, 6])),
-            ("weights.npy", npy("'<f4'", "(2,)", &[0, 0, 128, 63, 0, 0, 128, 63])),
+            (
+                "weights.npy",
+                npy("'<f4'", "(2,)", &[0, 0, 128, 63, 0, 0, 128, 63]),
+            ),
             ("uvLayers_str.npy", text_of(b"")),
             ("uvLayers_idx.npy", integers_of(&[])),
             ("obj_file.npy", text_of(b"cap.obj")),
@@ -255,17 +328,36 @@ mod tests {
     #[test]
     fn what_is_not_looked_for_need_not_be_there() {
         let proxy = of(&least());
-        assert_eq!((proxy.fault, proxy.rows.count, proxy.is_exact), (None, 2, true));
-        assert_eq!((proxy.z_depth, proxy.max_pole, proxy.licence), (50, 8, Licence::Whole));
+        assert_eq!(
+            (proxy.fault, proxy.rows.count, proxy.is_exact),
+            (None, 2, true)
+        );
+        assert_eq!(
+            (proxy.z_depth, proxy.max_pole, proxy.licence),
+            (50, 8, Licence::Whole)
+        );
         assert_eq!(with(&[("z_depth.npy", single(u32::MAX))]).z_depth, 50);
         assert_eq!(with(&[("max_pole.npy", single(0))]).max_pole, 8);
-        assert_eq!(with(&[("tmat_scale.npy", npy("'<f4'", "(3,)", &[0; 12]))]).scale, [None; 3]);
+        assert_eq!(
+            with(&[("tmat_scale.npy", npy("'<f4'", "(3,)", &[0; 12]))]).scale,
+            [None; 3]
+        );
         for (name, _) in least() {
-            let members: Vec<_> = least().into_iter().filter(|(own, _)| *own != name).collect();
+            let members: Vec<_> = least()
+                .into_iter()
+                .filter(|(own, _)| *own != name)
+                .collect();
             let missing = Some((name.trim_end_matches(".npy"), None));
             let found = mhbin_asset::parse(&zip_of(&members), &Limits::default(), None);
-            let fault = if let Packed::Proxy(proxy) = found { proxy.fault } else { None };
-            assert!(fault == missing || name == "num_refverts.npy", "{name}: {fault:?}");
+            let fault = if let Packed::Proxy(proxy) = found {
+                proxy.fault
+            } else {
+                None
+            };
+            assert!(
+                fault == missing || name == "num_refverts.npy",
+                "{name}: {fault:?}"
+            );
         }
     }
 
@@ -279,24 +371,50 @@ mod tests {
             ("weights.npy", row(3)),
             ("offsets.npy", row(3)),
         ]);
-        assert_eq!((of_three.fault, of_three.is_exact, of_three.rows.count), (None, false, 1));
+        assert_eq!(
+            (of_three.fault, of_three.is_exact, of_three.rows.count),
+            (None, false, 1)
+        );
     }
 
     #[test]
     fn texts_are_those_of_the_program() {
         let not_utf8 = |name| Some((name, Some(NpyFault::NotUtf8)));
-        assert_eq!(with(&[("name.npy", text_of(b"c\xffp"))]).fault, not_utf8("name"));
+        assert_eq!(
+            with(&[("name.npy", text_of(b"c\xffp"))]).fault,
+            not_utf8("name")
+        );
         let tags = |starts: &[u32]| {
-            with(&[("tags_str.npy", text_of("wei\u{df}alt".as_bytes())), ("tags_idx.npy", integers_of(starts))]).fault
+            with(&[
+                ("tags_str.npy", text_of("wei\u{df}alt".as_bytes())),
+                ("tags_idx.npy", integers_of(starts)),
+            ])
+            .fault
         };
         assert_eq!((tags(&[0, 5]), tags(&[0, 4])), (None, not_utf8("tags_str")));
         let licence = |text: &str, lengths: &[u32]| {
-            with(&[("lic_str.npy", text_of(text.as_bytes())), ("lic_idx.npy", integers_of(lengths))]).licence
+            with(&[
+                ("lic_str.npy", text_of(text.as_bytes())),
+                ("lic_idx.npy", integers_of(lengths)),
+            ])
+            .licence
         };
-        assert_eq!(licence("authorAnnlicenseCC-BY", &[6, 3, 7, 5]), Licence::Whole);
-        assert_eq!(licence("authorGr\u{e4}\u{df}licenseCC-BY", &[6, 4, 7, 5]), Licence::Lost);
-        assert_eq!(licence("authorGro\u{df}licenseCC-BY", &[6, 4, 7, 5]), Licence::Broken);
-        assert_eq!(licence("licenseCC0authorGro\u{df}e", &[7, 3, 6, 5]), Licence::Cut);
+        assert_eq!(
+            licence("authorAnnlicenseCC-BY", &[6, 3, 7, 5]),
+            Licence::Whole
+        );
+        assert_eq!(
+            licence("authorGr\u{e4}\u{df}licenseCC-BY", &[6, 4, 7, 5]),
+            Licence::Lost
+        );
+        assert_eq!(
+            licence("authorGro\u{df}licenseCC-BY", &[6, 4, 7, 5]),
+            Licence::Broken
+        );
+        assert_eq!(
+            licence("licenseCC0authorGro\u{df}e", &[7, 3, 6, 5]),
+            Licence::Cut
+        );
     }
 
     #[test]

@@ -1,7 +1,8 @@
-//! `.mhskel`: joints, planes and bones of a skeleton (`docs/loaders/makehuman2/skeletons.md#keys-of-a-skeleton`).
+//! `.mhskel`: joints, planes and bones of a skeleton
+//! (`docs/loaders/makehuman2/skeletons.md#keys-of-a-skeleton`).
 //!
-//! Keeps what the loader would see and, beside it, which values have a shape that the schema rejects:
-//! what hangs on those must not be checked again.
+//! Keeps what the loader would see and, beside it, which values have a shape that the schema
+//! rejects: what hangs on those must not be checked again.
 
 use std::collections::BTreeMap;
 
@@ -55,10 +56,11 @@ pub struct Joint {
     pub name: String,
     /// Vertices whose mean it is; `None` if it is no list of integers.
     pub vertices: Option<Vec<i64>>,
-    /// Number of its entries, whatever they are; 0 if it is no list. The loader drops joints without.
+    /// Number of its entries, whatever they are; 0 if it is no list. The loader drops joints
+    /// without.
     pub listed: usize,
-    /// Positions of whole numbers written with a point or exponent, which the schema accepts and `NumPy`
-    /// does not take for an index.
+    /// Positions of whole numbers written with a point or exponent, which the schema accepts and
+    /// `NumPy` does not take for an index.
     pub floats: Vec<usize>,
 }
 
@@ -67,7 +69,8 @@ pub struct Joint {
 pub struct Plane {
     /// Its name.
     pub name: String,
-    /// Names of its joints, `None` in place of `null` and other types; `None` as a whole if it is no list.
+    /// Names of its joints, `None` in place of `null` and other types; `None` as a whole if it is
+    /// no list.
     pub joints: Option<Vec<Option<String>>>,
     /// Whether it is `[null, null, null]`.
     pub is_null: bool,
@@ -86,7 +89,8 @@ pub struct Bone {
     pub missing: Vec<&'static str>,
     /// Parent bone; `None` for a root.
     pub parent: Option<String>,
-    /// `parent` is neither text nor `null`, or the bone is no object: no one knows what is above it.
+    /// `parent` is neither text nor `null`, or the bone is no object: no one knows what is above
+    /// it.
     pub parent_misshapen: bool,
     /// Plane that gives its roll.
     pub rotation_plane: RotationPlane,
@@ -113,15 +117,22 @@ impl Skeleton {
     /// The bones that MakeHuman 1 has, in its order, by name.
     pub fn names_in_order(&self) -> Vec<String> {
         let places = self.breadth_first().into_iter().map(|(place, _)| place);
-        places.filter_map(|place| Some(self.bones.get(place)?.name.clone())).collect()
+        places
+            .filter_map(|place| Some(self.bones.get(place)?.name.clone()))
+            .collect()
     }
 
-    /// Places of bones in the order of MakeHuman 1, each with the number of its parent: all roots, then breadth first. Bones
-    /// below an unknown parent or in a circle do not exist for it
+    /// Places of bones in the order of MakeHuman 1, each with the number of its parent: all roots,
+    /// then breadth first. Bones below an unknown parent or in a circle do not exist for it
     /// (`docs/loaders/makehuman1/skeletons.md#order-and-orientation`).
     pub fn breadth_first(&self) -> Vec<(usize, Option<usize>)> {
-        let places: BTreeMap<&str, usize> =
-            self.bones.iter().enumerate().rev().map(|(place, bone)| (bone.name.as_str(), place)).collect();
+        let places: BTreeMap<&str, usize> = self
+            .bones
+            .iter()
+            .enumerate()
+            .rev()
+            .map(|(place, bone)| (bone.name.as_str(), place))
+            .collect();
         let mut children: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         let mut found: Vec<(usize, Option<usize>)> = Vec::new();
         for (place, bone) in self.bones.iter().enumerate() {
@@ -138,7 +149,13 @@ impl Skeleton {
         }
         let mut next = 0;
         while let Some((place, _)) = found.get(next).copied() {
-            found.extend(children.remove(&place).into_iter().flatten().map(|child| (child, Some(next))));
+            found.extend(
+                children
+                    .remove(&place)
+                    .into_iter()
+                    .flatten()
+                    .map(|child| (child, Some(next))),
+            );
             next += 1;
         }
         found
@@ -146,11 +163,15 @@ impl Skeleton {
 }
 
 impl Bone {
-    /// The bones of the base skeleton whose weights MakeHuman 1 gives it by name, and whether they stand in
-    /// `weights_reference`. A text is one name.
+    /// The bones of the base skeleton whose weights MakeHuman 1 gives it by name, and whether they
+    /// stand in `weights_reference`. A text is one name.
     pub fn weight_references(&self) -> (Vec<&str>, bool) {
         let explicit = self.references_of("weights_reference", self.weights_reference.as_ref());
-        if explicit.is_empty() { (self.references(), false) } else { (explicit, true) }
+        if explicit.is_empty() {
+            (self.references(), false)
+        } else {
+            (explicit, true)
+        }
     }
 
     /// The names in `reference`. A text is one name.
@@ -179,7 +200,9 @@ pub fn read(document: &Document) -> Skeleton {
         planes: members(root, "planes", plane),
         bones: members(root, "bones", bone),
         weights_file: text(root, "weights_file"),
-        weights_file_misshapen: root.get("weights_file").is_some_and(|node| node.as_str().is_none()),
+        weights_file_misshapen: root
+            .get("weights_file")
+            .is_some_and(|node| node.as_str().is_none()),
         texts_for_numbers: ["version", "plane_map_strategy"]
             .into_iter()
             .filter_map(|key| no_number(root, key))
@@ -189,7 +212,9 @@ pub fn read(document: &Document) -> Skeleton {
 
 fn no_number(root: &Node, key: &'static str) -> Option<(&'static str, String)> {
     let text = text(root, key)?;
-    python_int(text.trim().as_bytes()).is_none().then_some((key, text))
+    python_int(text.trim().as_bytes())
+        .is_none()
+        .then_some((key, text))
 }
 
 fn section(root: &Node, key: &str) -> Section {
@@ -201,32 +226,52 @@ fn section(root: &Node, key: &str) -> Section {
 }
 
 fn members<T>(root: &Node, key: &str, read: impl Fn(String, &Node) -> T) -> Vec<T> {
-    let members = root.get(key).map(Node::effective_members).unwrap_or_default();
+    let members = root
+        .get(key)
+        .map(Node::effective_members)
+        .unwrap_or_default();
     let members = members.into_iter();
-    members.map(|member| read(member.key.clone(), &member.node)).collect()
+    members
+        .map(|member| read(member.key.clone(), &member.node))
+        .collect()
 }
 
 fn joint(name: String, node: &Node) -> Joint {
     let elements = node.elements();
     let integers: Vec<i64> = elements.iter().filter_map(Node::as_i64).collect();
-    let is_float = |node: &Node| matches!(node.value, Value::Number(number, false) if number.fract() == 0.0);
+    let is_float =
+        |node: &Node| matches!(node.value, Value::Number(number, false) if number.fract() == 0.0);
     Joint {
         name,
         vertices: (node.is_array() && integers.len() == elements.len()).then_some(integers),
         listed: elements.len(),
-        floats: elements.iter().enumerate().filter(|(_, node)| is_float(node)).map(|(at, _)| at).collect(),
+        floats: elements
+            .iter()
+            .enumerate()
+            .filter(|(_, node)| is_float(node))
+            .map(|(at, _)| at)
+            .collect(),
     }
 }
 
 fn plane(name: String, node: &Node) -> Plane {
     let elements = node.elements();
     let is_null = elements.len() == 3 && elements.iter().all(|joint| joint.value == Value::Null);
-    Plane { name, joints: plane_joints(node), is_null }
+    Plane {
+        name,
+        joints: plane_joints(node),
+        is_null,
+    }
 }
 
 fn plane_joints(node: &Node) -> Option<Vec<Option<String>>> {
     let elements = node.is_array().then(|| node.elements())?;
-    Some(elements.iter().map(|joint| joint.as_str().map(str::to_owned)).collect())
+    Some(
+        elements
+            .iter()
+            .map(|joint| joint.as_str().map(str::to_owned))
+            .collect(),
+    )
 }
 
 fn bone(name: String, node: &Node) -> Bone {
@@ -239,7 +284,8 @@ fn bone(name: String, node: &Node) -> Bone {
         tail: text(node, "tail"),
         missing: ["head", "tail"].into_iter().filter(absent).collect(),
         parent: text(node, "parent"),
-        parent_misshapen: !node.is_object() || !matches!(parent, None | Some(Value::Null | Value::String(_))),
+        parent_misshapen: !node.is_object()
+            || !matches!(parent, None | Some(Value::Null | Value::String(_))),
         rotation_plane: match node.get("rotation_plane").map(|plane| &plane.value) {
             None => RotationPlane::Absent,
             Some(Value::String(plane)) => RotationPlane::Named(plane.clone()),
@@ -247,7 +293,10 @@ fn bone(name: String, node: &Node) -> Bone {
         },
         reference: node.get("reference").and_then(names),
         weights_reference: node.get("weights_reference").and_then(names),
-        text_references: ["reference", "weights_reference"].into_iter().filter_map(as_text).collect(),
+        text_references: ["reference", "weights_reference"]
+            .into_iter()
+            .filter_map(as_text)
+            .collect(),
     }
 }
 
@@ -283,10 +332,20 @@ mod tests {
             r#"{"weights_file": null, "joints": [], "bones": {"a": 5, "b": {"head": 1, "parent": 2},
             "c": {"tail": "t", "parent": null, "rotation_plane": null}}}"#,
         );
-        assert_eq!((file.joints_section, file.bones_section), (Section::Misshapen, Section::Present));
+        assert_eq!(
+            (file.joints_section, file.bones_section),
+            (Section::Misshapen, Section::Present)
+        );
         assert!(file.weights_file_misshapen);
-        assert_eq!(file.bones.iter().map(Bone::is_root).collect::<Vec<_>>(), [false, false, true]);
-        let missing: Vec<_> = file.bones.iter().map(|bone| bone.missing.as_slice()).collect();
+        assert_eq!(
+            file.bones.iter().map(Bone::is_root).collect::<Vec<_>>(),
+            [false, false, true]
+        );
+        let missing: Vec<_> = file
+            .bones
+            .iter()
+            .map(|bone| bone.missing.as_slice())
+            .collect();
         assert_eq!(missing, [&[] as &[&str], &["tail"], &["head"]]);
         assert_eq!(file.bones[2].rotation_plane, RotationPlane::Malformed);
     }
@@ -294,15 +353,27 @@ mod tests {
     #[test]
     fn whole_numbers_with_a_point_are_no_indices() {
         let file = skeleton(r#"{"joints": {"a": [1, 2.0, 3e0], "b": [], "c": "x", "d": [1.5]}}"#);
-        let joints: Vec<_> = file.joints.iter().map(|j| (j.listed, j.floats.len(), j.vertices.is_some())).collect();
-        assert_eq!(joints, [(3, 2, false), (0, 0, true), (0, 0, false), (1, 0, false)]);
+        let joints: Vec<_> = file
+            .joints
+            .iter()
+            .map(|j| (j.listed, j.floats.len(), j.vertices.is_some()))
+            .collect();
+        assert_eq!(
+            joints,
+            [(3, 2, false), (0, 0, true), (0, 0, false), (1, 0, false)]
+        );
     }
 
     #[test]
     fn a_reference_that_is_a_text_is_read_letter_by_letter() {
         let file = skeleton(r#"{"bones": {"a": {"reference": "ab", "weights_reference": ["c"]}}}"#);
-        let [bone] = file.bones.as_slice() else { panic!("one bone") };
-        assert_eq!(bone.reference.as_deref(), Some(["a".to_owned(), "b".to_owned()].as_slice()));
+        let [bone] = file.bones.as_slice() else {
+            panic!("one bone")
+        };
+        assert_eq!(
+            bone.reference.as_deref(),
+            Some(["a".to_owned(), "b".to_owned()].as_slice())
+        );
         assert_eq!(bone.text_references, [("reference", "ab".to_owned())]);
     }
 
@@ -329,8 +400,10 @@ mod tests {
     fn several_roots_and_no_bones_below_unknown_ones() {
         let text = |bones: &str| format!(r#"{{"bones": {{{bones}}}}}"#);
         let of = |bones: &str| read(&parse(text(bones).as_bytes()).unwrap()).breadth_first();
-        let found = of(r#""c": {"parent": "r"}, "r": {"parent": ""}, "lost": {"parent": "x"}, "d": {"parent": "c"},
-               "s": {}, "own": {"parent": "own"}, "below": {"parent": "lost"}"#);
+        let found = of(
+            r#""c": {"parent": "r"}, "r": {"parent": ""}, "lost": {"parent": "x"}, "d": {"parent": "c"},
+               "s": {}, "own": {"parent": "own"}, "below": {"parent": "lost"}"#,
+        );
         assert_eq!(found, [(1, None), (4, None), (0, Some(0)), (3, Some(2))]);
     }
 }

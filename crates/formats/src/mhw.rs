@@ -1,7 +1,7 @@
 //! `.mhw`: weights of bones on vertices (`docs/loaders/makehuman2/weights.md#weights-file`).
 //!
-//! Read through the pull reader, pair by pair, without a tree: the files are large. Faults of single
-//! pairs are counted; a shape that is no weights file at all is left to the schema.
+//! Read through the pull reader, pair by pair, without a tree: the files are large. Faults of
+//! single pairs are counted; a shape that is no weights file at all is left to the schema.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -53,12 +53,21 @@ pub struct Pair {
     pub weight: f32,
 }
 
-/// Parses a weights file. `vertices` is the vertex count of the mesh it is for, without seam duplicates.
+/// Parses a weights file. `vertices` is the vertex count of the mesh it is for, without seam
+/// duplicates.
 ///
 /// # Errors
 /// The fault that keeps the loader from reading the text at all.
-pub fn parse(text: &[u8], encoding: &Encoding, vertices: Option<usize>) -> Result<Weights, JsonFault> {
-    if encoding.blank || encoding.byte_order_mark || encoding.lfs_pointer || encoding.invalid_utf8_at.is_some() {
+pub fn parse(
+    text: &[u8],
+    encoding: &Encoding,
+    vertices: Option<usize>,
+) -> Result<Weights, JsonFault> {
+    if encoding.blank
+        || encoding.byte_order_mark
+        || encoding.lfs_pointer
+        || encoding.invalid_utf8_at.is_some()
+    {
         // The common reader names these faults; it never gets as far as the text.
         super::json_file::parse(text, encoding)?;
     }
@@ -103,7 +112,10 @@ fn read_bones(reader: &mut Reader<'_>, weights: &mut Weights) -> Step<()> {
     reader.open()?;
     while reader.more(b'}')? {
         let (name, _) = reader.key()?;
-        let mut bone = BoneWeights { name: name.into_owned(), ..BoneWeights::default() };
+        let mut bone = BoneWeights {
+            name: name.into_owned(),
+            ..BoneWeights::default()
+        };
         if reader.peek() == Some(b'[') {
             bone.is_list = true;
             read_pairs(reader, &mut bone, &mut weights.facts.malformed_names)?;
@@ -116,14 +128,22 @@ fn read_bones(reader: &mut Reader<'_>, weights: &mut Weights) -> Step<()> {
     Ok(())
 }
 
-fn read_pairs(reader: &mut Reader<'_>, bone: &mut BoneWeights, malformed: &mut Few<String>) -> Step<()> {
+fn read_pairs(
+    reader: &mut Reader<'_>,
+    bone: &mut BoneWeights,
+    malformed: &mut Few<String>,
+) -> Step<()> {
     reader.open()?;
     while reader.more(b']')? {
         let position = u32::try_from(bone.listed).unwrap_or(u32::MAX);
         bone.listed += 1;
         let start = reader.offset();
         if let Some((vertex, weight)) = read_pair(reader)? {
-            bone.pairs.push(Pair { position, vertex, weight });
+            bone.pairs.push(Pair {
+                position,
+                vertex,
+                weight,
+            });
             continue;
         }
         let text = reader.since(start);
@@ -137,7 +157,11 @@ fn read_pairs(reader: &mut Reader<'_>, bone: &mut BoneWeights, malformed: &mut F
 
 /// Layout is not part of a name.
 fn entry_name(bone: &str, text: &[u8]) -> String {
-    let compact: Vec<u8> = text.iter().copied().filter(|byte| !byte.is_ascii_whitespace()).collect();
+    let compact: Vec<u8> = text
+        .iter()
+        .copied()
+        .filter(|byte| !byte.is_ascii_whitespace())
+        .collect();
     format!("{bone} {}", text_name(&compact))
 }
 
@@ -206,10 +230,20 @@ mod tests {
     #[test]
     fn the_last_of_equal_bones_wins() {
         let weights = weights(r#"{"weights": {"a": [[0, 1], 7], "b": [], "a": [[1, 1]]}}"#);
-        let names: Vec<_> = weights.bones.iter().map(|bone| bone.name.as_str()).collect();
+        let names: Vec<_> = weights
+            .bones
+            .iter()
+            .map(|bone| bone.name.as_str())
+            .collect();
         assert_eq!(names, ["b", "a"]);
         assert_eq!(weights.bones[1].pairs[0].vertex, 1);
-        assert_eq!((weights.facts.has_duplicate_keys, weights.facts.malformed.count), (true, 0));
+        assert_eq!(
+            (
+                weights.facts.has_duplicate_keys,
+                weights.facts.malformed.count
+            ),
+            (true, 0)
+        );
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! Facts on weights: faults of single pairs, and the sum of every vertex as the loader forms it
 //! (`docs/loaders/makehuman2/weights.md#loading-weights`).
 //!
-//! Gets the pairs of all bones and the vertex count of the mesh; costs what the pairs are, not the size of the mesh.
+//! Gets the pairs of all bones and the vertex count of the mesh; costs what the pairs are, not the
+//! size of the mesh.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -32,25 +33,28 @@ pub struct WeightsFacts {
     pub malformed_names: Few<String>,
     /// Weights below 0.
     pub negative: PairTally,
-    /// How many of them belong to vertices without another kind of weight: the sum is negative as well, and dividing by it
-    /// makes shares of them.
+    /// How many of them belong to vertices without another kind of weight: the sum is negative as
+    /// well, and dividing by it makes shares of them.
     pub negative_alone: u64,
     /// Weights above 1, by more than 0.0001.
     pub above_one: PairTally,
-    /// How many of them are the only weight of their vertex, so that dividing by the sum makes them 1.
+    /// How many of them are the only weight of their vertex, so that dividing by the sum makes them
+    /// 1.
     pub above_one_alone: u64,
-    /// Those that take more of their vertex than was meant when they are divided by its sum: they stand among smaller
-    /// ones, and these are not per cent.
+    /// Those that take more of their vertex than was meant when they are divided by its sum: they
+    /// stand among smaller ones, and these are not per cent.
     pub above_others: PairTally,
     /// NaN and infinity.
     pub non_finite: PairTally,
     /// Pairs that normalising leaves at or below [`THRESHOLD`], zero weights included.
     pub below_threshold: PairTally,
-    /// What they take from each vertex, as a share of its weight; in the order of the vertices. Empty without a mesh.
+    /// What they take from each vertex, as a share of its weight; in the order of the vertices.
+    /// Empty without a mesh.
     pub lost: Vec<(u32, f32)>,
     /// A vertex that the bone listed before.
     pub duplicate: PairTally,
-    /// Whether all weights together are more than float32 can say: the sum of some vertex may be infinite.
+    /// Whether all weights together are more than float32 can say: the sum of some vertex may be
+    /// infinite.
     pub may_overflow: bool,
     /// Vertices that the mesh does not have, negative ones included.
     pub out_of_range: PairTally,
@@ -69,8 +73,8 @@ pub struct WeightsFacts {
 /// Facts on the sums of the vertices.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SumFacts {
-    /// Vertices whose sum is not exactly 0, or that have a faulty entry. All others may be far more than
-    /// the file has entries.
+    /// Vertices whose sum is not exactly 0, or that have a faulty entry. All others may be far more
+    /// than the file has entries.
     pub reached: Vec<u32>,
     /// Vertices whose sum is not 1, without those that are unweighted or have a faulty entry.
     pub off: u64,
@@ -99,9 +103,11 @@ impl PairTally {
     fn add(&mut self, bone: &Arc<str>, pair: Pair) {
         self.count += 1;
         if self.first.len() < EXAMPLES {
-            self.first.push((Arc::clone(bone), pair.position, pair.vertex, pair.weight));
+            self.first
+                .push((Arc::clone(bone), pair.position, pair.vertex, pair.weight));
         }
-        self.names.add_long(bone.len(), || format!("{bone}[{}]", pair.vertex));
+        self.names
+            .add_long(bone.len(), || format!("{bone}[{}]", pair.vertex));
         let farther = |worst: &(Arc<str>, i64, f32)| pair.weight.abs() > worst.2.abs();
         if self.worst.as_ref().is_none_or(farther) {
             self.worst = Some((Arc::clone(bone), pair.vertex, pair.weight));
@@ -110,8 +116,17 @@ impl PairTally {
 
     /// As evidence: vertices with their bones as examples.
     pub fn evidence(&self, total: usize) -> Cases {
-        let examples = self.first.iter().map(|(bone, _, vertex, _)| format!("{bone}[{vertex}]")).collect();
-        let evidence = Evidence { count: self.count, of: Some(total as u64), examples, ..Evidence::default() };
+        let examples = self
+            .first
+            .iter()
+            .map(|(bone, _, vertex, _)| format!("{bone}[{vertex}]"))
+            .collect();
+        let evidence = Evidence {
+            count: self.count,
+            of: Some(total as u64),
+            examples,
+            ..Evidence::default()
+        };
         evidence.naming(self.names.names())
     }
 }
@@ -137,14 +152,25 @@ impl WeightsFacts {
         self.count_above(bones);
         let all = bones.iter().flat_map(|bone| &bone.pairs);
         self.may_overflow = !all.map(|pair| pair.weight.abs()).sum::<f32>().is_finite();
-        self.negative_alone = if self.negative.count > 0 { negative_alone(bones) } else { 0 };
+        self.negative_alone = if self.negative.count > 0 {
+            negative_alone(bones)
+        } else {
+            0
+        };
         self.lost = lost.into_iter().collect();
         self.sum = SumFacts::of(&sums);
     }
 
     fn count_malformed(&mut self, bone: &BoneWeights, name: &Arc<str>) {
         for position in &bone.malformed {
-            self.malformed.add(name, Pair { position: *position, vertex: -1, weight: 0.0 });
+            self.malformed.add(
+                name,
+                Pair {
+                    position: *position,
+                    vertex: -1,
+                    weight: 0.0,
+                },
+            );
         }
         let kept = bone.pairs.len() + bone.malformed.len();
         self.malformed.count += bone.listed.saturating_sub(kept) as u64;
@@ -161,7 +187,8 @@ impl WeightsFacts {
             tally.add(bone, pair);
             sums.mark_faulty(&pair);
         }
-        let is_in_mesh = usize::try_from(pair.vertex).is_ok_and(|vertex| !has_mesh || vertex < self.vertices);
+        let is_in_mesh =
+            usize::try_from(pair.vertex).is_ok_and(|vertex| !has_mesh || vertex < self.vertices);
         if !is_in_mesh {
             self.out_of_range.add(bone, pair);
             self.negative_index += u64::from(pair.vertex < 0);
@@ -200,14 +227,21 @@ impl WeightsFacts {
                 // Exactly the sum: another weight, however small, has its share of the vertex.
                 if sum == Some(pair.weight) {
                     self.above_one_alone += 1;
-                } else if pair.weight > MISPLACED && sum.is_none_or(|sum| (sum - 100.0).abs() > PER_CENT_TOLERANCE) {
+                } else if pair.weight > MISPLACED
+                    && sum.is_none_or(|sum| (sum - 100.0).abs() > PER_CENT_TOLERANCE)
+                {
                     self.above_others.add(name, *pair);
                 }
             }
         }
     }
 
-    fn count_below_threshold(&mut self, bone: &BoneWeights, sums: &Sums, lost: &mut BTreeMap<u32, f32>) {
+    fn count_below_threshold(
+        &mut self,
+        bone: &BoneWeights,
+        sums: &Sums,
+        lost: &mut BTreeMap<u32, f32>,
+    ) {
         let name = &Arc::from(bone.name.as_str());
         for pair in &bone.pairs {
             let vertex = u32::try_from(pair.vertex).ok();
@@ -233,14 +267,24 @@ fn negative_alone(bones: &[BoneWeights]) -> u64 {
     let pairs = || bones.iter().flat_map(|bone| &bone.pairs);
     let is_other = |pair: &&Pair| pair.weight > 0.0 || !pair.weight.is_finite();
     let others: BTreeSet<i64> = pairs().filter(is_other).map(|pair| pair.vertex).collect();
-    let is_alone = |pair: &&Pair| pair.weight < 0.0 && pair.weight.is_finite() && !others.contains(&pair.vertex);
+    let is_alone = |pair: &&Pair| {
+        pair.weight < 0.0 && pair.weight.is_finite() && !others.contains(&pair.vertex)
+    };
     pairs().filter(is_alone).count() as u64
 }
 
 impl SumFacts {
     fn of(sums: &Sums) -> Self {
-        let mut facts = Self { range: (f32::INFINITY, f32::NEG_INFINITY), ..Self::default() };
-        for VertexSum { vertex, sum, is_faulty } in sums.iter() {
+        let mut facts = Self {
+            range: (f32::INFINITY, f32::NEG_INFINITY),
+            ..Self::default()
+        };
+        for VertexSum {
+            vertex,
+            sum,
+            is_faulty,
+        } in sums.iter()
+        {
             if *sum != 0.0 || *is_faulty {
                 facts.reached.push(*vertex);
             }
@@ -269,11 +313,19 @@ mod tests {
     use mhlint_source::Encoding;
 
     fn weights(text: &str, vertices: usize) -> Weights {
-        parse(text.as_bytes(), &Encoding::of(text.as_bytes()), Some(vertices)).unwrap()
+        parse(
+            text.as_bytes(),
+            &Encoding::of(text.as_bytes()),
+            Some(vertices),
+        )
+        .unwrap()
     }
 
     fn sums(weights: &Weights) -> Vec<f32> {
-        Sums::of(&weights.bones, weights.facts.vertices).iter().map(|sum| sum.sum).collect()
+        Sums::of(&weights.bones, weights.facts.vertices)
+            .iter()
+            .map(|sum| sum.sum)
+            .collect()
     }
 
     #[test]
@@ -283,7 +335,14 @@ mod tests {
         let weights = weights(text, 4);
         assert_eq!(sums(&weights)[..2], [1.0, 0.75]);
         let f = weights.facts;
-        let counts = [&f.duplicate, &f.negative, &f.above_one, &f.out_of_range, &f.non_finite, &f.malformed];
+        let counts = [
+            &f.duplicate,
+            &f.negative,
+            &f.above_one,
+            &f.out_of_range,
+            &f.non_finite,
+            &f.malformed,
+        ];
         assert_eq!(counts.map(|tally| tally.count), [1, 1, 1, 2, 1, 4]);
         assert_eq!(f.below_threshold.first, [("b".into(), 2, 2, 0.0001)]);
         assert_eq!(f.lost, [(2, 0.0001 / 1.5001)]);
@@ -292,13 +351,33 @@ mod tests {
 
     #[test]
     fn a_long_bone_is_not_repeated_for_each_of_its_pairs() {
-        let pairs: Vec<String> = (1..1000).map(|weight| format!("[0, -{weight}], [1]")).collect();
-        let text = format!(r#"{{"weights": {{"{}": [{}]}}}}"#, "b".repeat(1 << 20), pairs.join(", "));
+        let pairs: Vec<String> = (1..1000)
+            .map(|weight| format!("[0, -{weight}], [1]"))
+            .collect();
+        let text = format!(
+            r#"{{"weights": {{"{}": [{}]}}}}"#,
+            "b".repeat(1 << 20),
+            pairs.join(", ")
+        );
         let facts = weights(&text, 4).facts;
         assert_eq!((facts.negative.count, facts.malformed.count), (999, 999));
-        assert_eq!((facts.negative.names.names().len(), facts.malformed_names.names().len()), (0, 0));
-        let names: Vec<&str> = facts.negative.first.iter().map(|(bone, ..)| &**bone).collect();
-        assert!(names.iter().all(|name| name.as_ptr() == names[0].as_ptr()), "one for all");
+        assert_eq!(
+            (
+                facts.negative.names.names().len(),
+                facts.malformed_names.names().len()
+            ),
+            (0, 0)
+        );
+        let names: Vec<&str> = facts
+            .negative
+            .first
+            .iter()
+            .map(|(bone, ..)| &**bone)
+            .collect();
+        assert!(
+            names.iter().all(|name| name.as_ptr() == names[0].as_ptr()),
+            "one for all"
+        );
     }
 
     #[test]
@@ -310,8 +389,7 @@ mod tests {
 
     #[test]
     fn a_weight_above_one_is_harmless_alone_and_in_per_cent() {
-        let text =
-            r#"{"weights": {"a": [[0, 1.5], [1, 60], [2, 1.25], [3, 50]], "b": [[1, 40.5], [2, 0.5], [3, 0.5]]}}"#;
+        let text = r#"{"weights": {"a": [[0, 1.5], [1, 60], [2, 1.25], [3, 50]], "b": [[1, 40.5], [2, 0.5], [3, 0.5]]}}"#;
         let facts = weights(text, 4).facts;
         assert_eq!((facts.above_one.count, facts.above_one_alone), (5, 1));
         assert_eq!(facts.above_others.first, [("a".into(), 3, 3, 50.0)]);
@@ -319,7 +397,10 @@ mod tests {
 
     #[test]
     fn true_and_false_are_weights_and_no_vertices() {
-        let weights = weights(r#"{"weights": {"a": [[0, true], [1, false], [true, 1]]}}"#, 2);
+        let weights = weights(
+            r#"{"weights": {"a": [[0, true], [1, false], [true, 1]]}}"#,
+            2,
+        );
         assert_eq!(sums(&weights), [1.0, 0.0]);
         assert_eq!((weights.facts.pairs, weights.facts.malformed.count), (2, 1));
     }
@@ -331,20 +412,37 @@ mod tests {
         let sum = facts.sum;
         assert_eq!(sum.reached, [0, 1, 2, 3]);
         assert_eq!((sum.off, sum.far_off), (2, [1, 1]));
-        assert_eq!((sum.vertices, sum.range), (vec![(1, 1.25), (2, 0.995)], (0.995, 1.25)));
+        assert_eq!(
+            (sum.vertices, sum.range),
+            (vec![(1, 1.25), (2, 0.995)], (0.995, 1.25))
+        );
     }
 
     #[test]
     fn a_small_file_is_small_whatever_the_mesh() {
         // Nobody has room for a number for each of these vertices.
-        let weights = weights(r#"{"weights": {"b": [[9, 0.5]], "a": [[9, 0.5], [7, 1], [8, 0]]}}"#, 1 << 50);
-        assert_eq!((sums(&weights), weights.facts.sum.reached), (vec![1.0, 0.0, 1.0], vec![7, 9]));
+        let weights = weights(
+            r#"{"weights": {"b": [[9, 0.5]], "a": [[9, 0.5], [7, 1], [8, 0]]}}"#,
+            1 << 50,
+        );
+        assert_eq!(
+            (sums(&weights), weights.facts.sum.reached),
+            (vec![1.0, 0.0, 1.0], vec![7, 9])
+        );
     }
 
     #[test]
     fn weights_of_a_vertex_are_added_in_the_order_of_the_file() {
-        let text = r#"{"weights": {"b": [[0, 1e8]], "a": [[1, 1], [0, 1]], "c": [[0, -1e8], [0, 0.5]]}}"#;
-        let pair = Pair { position: 0, vertex: 0, weight: 0.0 };
-        assert_eq!(Sums::of(&weights(text, 2).bones, 2).of_pair(&pair), Some(1e8_f32 + 1.0 - 1e8 + 0.5));
+        let text =
+            r#"{"weights": {"b": [[0, 1e8]], "a": [[1, 1], [0, 1]], "c": [[0, -1e8], [0, 0.5]]}}"#;
+        let pair = Pair {
+            position: 0,
+            vertex: 0,
+            weight: 0.0,
+        };
+        assert_eq!(
+            Sums::of(&weights(text, 2).bones, 2).of_pair(&pair),
+            Some(1e8_f32 + 1.0 - 1e8 + 0.5)
+        );
     }
 }

@@ -1,5 +1,5 @@
-//! What the weights of each vertex come to, for the vertices that a file mentions: a small file costs little beside a
-//! large mesh.
+//! What the weights of each vertex come to, for the vertices that a file mentions: a small file
+//! costs little beside a large mesh.
 
 use super::mhw::{BoneWeights, Pair};
 
@@ -20,15 +20,25 @@ pub(super) struct VertexSum {
 impl Sums {
     /// Those of all bones on a mesh of so many vertices.
     pub(super) fn of(bones: &[BoneWeights], vertices: usize) -> Self {
-        let in_mesh = |pair: &Pair| u32::try_from(pair.vertex).ok().filter(|vertex| (*vertex as usize) < vertices);
+        let in_mesh = |pair: &Pair| {
+            u32::try_from(pair.vertex)
+                .ok()
+                .filter(|vertex| (*vertex as usize) < vertices)
+        };
         let pairs = bones.iter().flat_map(|bone| &bone.pairs);
-        let mut pairs: Vec<(u32, f32)> = pairs.filter_map(|pair| Some((in_mesh(pair)?, pair.weight))).collect();
+        let mut pairs: Vec<(u32, f32)> = pairs
+            .filter_map(|pair| Some((in_mesh(pair)?, pair.weight)))
+            .collect();
         // Weights of one vertex stay in the order of the file, in which the loader adds them.
         pairs.sort_by_key(|(vertex, _)| *vertex);
         let mut sums: Vec<VertexSum> = Vec::new();
         for (vertex, weight) in pairs {
             if sums.last().is_none_or(|last| last.vertex != vertex) {
-                sums.push(VertexSum { vertex, sum: 0.0, is_faulty: false });
+                sums.push(VertexSum {
+                    vertex,
+                    sum: 0.0,
+                    is_faulty: false,
+                });
             }
             if let Some(last) = sums.last_mut() {
                 last.sum += weight;

@@ -1,5 +1,5 @@
-//! `modelling.json`: the sliders (`docs/loaders/makehuman2/sliders.md#keys-of-a-slider`). Formulas are checked here,
-//! never evaluated.
+//! `modelling.json`: the sliders (`docs/loaders/makehuman2/sliders.md#keys-of-a-slider`). Formulas
+//! are checked here, never evaluated.
 
 use std::collections::BTreeSet;
 
@@ -91,7 +91,16 @@ const KEYS: [&str; 16] = [
 pub const EFFECTS: [&str; 4] = ["incr", "decr", "macro", "barycentric"];
 
 /// Keys for people, which are no slips of the pen.
-const NOTES: [&str; 8] = ["description", "comment", "author", "copyright", "license", "tags", "uuid", "version"];
+const NOTES: [&str; 8] = [
+    "description",
+    "comment",
+    "author",
+    "copyright",
+    "license",
+    "tags",
+    "uuid",
+    "version",
+];
 
 /// `display` of a slider.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -116,15 +125,18 @@ impl Slider {
         self.keys.iter().any(|other| other == key)
     }
 
-    /// What a key was meant to be whose absence gives the slider no effect, or none on its positive side: the
-    /// finding on the effect names it.
+    /// What a key was meant to be whose absence gives the slider no effect, or none on its positive
+    /// side: the finding on the effect names it.
     pub fn misspelt_effect(&self) -> Option<(&str, &'static str)> {
         let wanted: &[&str] = match EFFECTS.iter().any(|key| self.has(key)) {
             false => &EFFECTS,
             true if self.lacks_incr() => &["incr"],
             true => &[],
         };
-        let found = self.misspelt.iter().find(|(_, meant)| wanted.contains(meant));
+        let found = self
+            .misspelt
+            .iter()
+            .find(|(_, meant)| wanted.contains(meant));
         found.map(|(key, meant)| (key.as_str(), *meant))
     }
 
@@ -133,14 +145,19 @@ impl Slider {
         self.has("decr") && !self.has("incr") && !self.is_macro()
     }
 
-    /// Whether a part of what it does is unknown because of a wrong type, an empty name or a missing key, so that
-    /// nobody can tell what it would have used. Each of these is a finding on the slider itself.
+    /// Whether a part of what it does is unknown because of a wrong type, an empty name or a
+    /// missing key, so that nobody can tell what it would have used. Each of these is a finding on
+    /// the slider itself.
     pub fn is_incomplete(&self) -> bool {
         if self.meant.is_some() {
             return false;
         }
-        let lost = |key: &str, value: Option<&String>| self.has(key) && value.is_none_or(String::is_empty);
-        let short = self.barycentric.as_ref().is_some_and(|patterns| patterns.len() < self.barycentric_len);
+        let lost =
+            |key: &str, value: Option<&String>| self.has(key) && value.is_none_or(String::is_empty);
+        let short = self
+            .barycentric
+            .as_ref()
+            .is_some_and(|patterns| patterns.len() < self.barycentric_len);
         lost("incr", self.incr.as_ref())
             || lost("decr", self.decr.as_ref())
             || lost("macro", self.macro_pattern.as_ref())
@@ -158,29 +175,48 @@ impl Slider {
 
 /// Takes what the loader would take.
 pub fn read(document: &Document) -> Modelling {
-    // A text or list is taken for an entry without keys; the schema reports it, no rule needs to see it.
-    let (entries, others): (Vec<_>, Vec<_>) =
-        document.root.effective_members().into_iter().partition(|member| member.node.is_object());
-    let sliders: Vec<Slider> = entries.into_iter().map(|member| slider_as_meant(&member.key, &member.node)).collect();
+    // A text or list is taken for an entry without keys; the schema reports it, no rule needs to
+    // see it.
+    let (entries, others): (Vec<_>, Vec<_>) = document
+        .root
+        .effective_members()
+        .into_iter()
+        .partition(|member| member.node.is_object());
+    let sliders: Vec<Slider> = entries
+        .into_iter()
+        .map(|member| slider_as_meant(&member.key, &member.node))
+        .collect();
     Modelling {
         has_unmarked: sliders.iter().any(|slider| !slider.user),
         sliders,
-        unreadable: others.into_iter().map(|member| member.key.clone()).collect(),
+        unreadable: others
+            .into_iter()
+            .map(|member| member.key.clone())
+            .collect(),
     }
 }
 
 /// The entry as the loader reads it, beside it as its author meant it.
 fn slider_as_meant(key: &str, node: &Node) -> Slider {
     let mut read = slider(key, node);
-    if node.members().iter().all(|member| misspelt(&member.key).is_none()) {
+    if node
+        .members()
+        .iter()
+        .all(|member| misspelt(&member.key).is_none())
+    {
         return read;
     }
-    let there: BTreeSet<&str> = node.members().iter().map(|member| member.key.as_str()).collect();
+    let there: BTreeSet<&str> = node
+        .members()
+        .iter()
+        .map(|member| member.key.as_str())
+        .collect();
     let mut meant = node.clone();
     if let Value::Object(members) = &mut meant.value {
         for member in members {
             if let Some(right) = misspelt(&member.key).filter(|right| !there.contains(right)) {
-                read.misspelt.push((std::mem::replace(&mut member.key, right.to_owned()), right));
+                read.misspelt
+                    .push((std::mem::replace(&mut member.key, right.to_owned()), right));
             }
         }
     }
@@ -192,7 +228,11 @@ fn slider_as_meant(key: &str, node: &Node) -> Slider {
 
 /// The key that a slip of the pen was meant to be.
 fn misspelt(key: &str) -> Option<&'static str> {
-    if KEYS.contains(&key) || NOTES.contains(&key) { None } else { nearest(key, KEYS) }
+    if KEYS.contains(&key) || NOTES.contains(&key) {
+        None
+    } else {
+        nearest(key, KEYS)
+    }
 }
 
 fn slider(key: &str, node: &Node) -> Slider {
@@ -210,11 +250,19 @@ fn slider(key: &str, node: &Node) -> Slider {
         macro_pattern: text(node, "macro"),
         macro_influence: node.get("macro_influence").and_then(indices),
         barycentric: node.get("barycentric").and_then(texts),
-        barycentric_len: node.get("barycentric").map_or(0, |patterns| patterns.elements().len()),
+        barycentric_len: node
+            .get("barycentric")
+            .map_or(0, |patterns| patterns.elements().len()),
         barycentric_colours: node
             .get("barycentric_diffuse")
             .filter(|colours| colours.is_array())
-            .map(|colours| colours.elements().iter().map(|colour| colour.elements().len()).collect()),
+            .map(|colours| {
+                colours
+                    .elements()
+                    .iter()
+                    .map(|colour| colour.elements().len())
+                    .collect()
+            }),
         default: node.get("default").and_then(Node::as_f64),
         measure: node.get("measure").and_then(integers),
         measure_floats: node.get("measure").map(floats).unwrap_or_default(),
@@ -232,30 +280,47 @@ fn display(node: &Node) -> Display {
         slot_is_float: node.get("slot").is_some_and(is_float),
         text: text(node, "text"),
         formula: text(node, "formula"),
-        formula_fault: node.get("formula").and_then(|formula| fault_in(formula, |text| expression::check(text, "val"))),
-        text_fault: node.get("text").and_then(|text| fault_in(text, |text| format_text::check(text, results))),
+        formula_fault: node
+            .get("formula")
+            .and_then(|formula| fault_in(formula, |text| expression::check(text, "val"))),
+        text_fault: node
+            .get("text")
+            .and_then(|text| fault_in(text, |text| format_text::check(text, results))),
     }
 }
 
 /// The fault of a text, its span moved to the place in the file.
 pub(super) fn fault_in(node: &Node, check: impl Fn(&str) -> Result<(), Fault>) -> Option<Fault> {
     let fault = check(node.as_str()?).err()?;
-    Some(Fault { span: node.span_of_text(fault.span.clone()), ..fault })
+    Some(Fault {
+        span: node.span_of_text(fault.span.clone()),
+        ..fault
+    })
 }
 
 /// `null` is a way to leave out these four; for others it is a wrong type.
 fn keys(node: &Node) -> Vec<String> {
     let optional = ["macro", "lsym", "rsym", "measure"];
     let members = node.effective_members().into_iter();
-    let there = members.filter(|member| member.node.value != Value::Null || !optional.contains(&member.key.as_str()));
+    let there = members.filter(|member| {
+        member.node.value != Value::Null || !optional.contains(&member.key.as_str())
+    });
     there.map(|member| member.key.clone()).collect()
 }
 
 /// Whole numbers, whether written `1` or `1.0`: the loader compares them only.
 fn indices(node: &Node) -> Option<Vec<i64>> {
     let elements = node.is_array().then(|| node.elements())?;
-    #[expect(clippy::cast_possible_truncation, reason = "saturates, which is as far out of any range")]
-    let whole = |element: &Node| element.as_f64().filter(|number| number.fract() == 0.0).map(|number| number as i64);
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "saturates, which is as far out of any range"
+    )]
+    let whole = |element: &Node| {
+        element
+            .as_f64()
+            .filter(|number| number.fract() == 0.0)
+            .map(|number| number as i64)
+    };
     Some(elements.iter().filter_map(whole).collect())
 }
 
@@ -265,7 +330,11 @@ fn is_float(node: &Node) -> bool {
 }
 
 fn floats(node: &Node) -> Vec<f64> {
-    node.elements().iter().filter(|element| is_float(element)).filter_map(Node::as_f64).collect()
+    node.elements()
+        .iter()
+        .filter(|element| is_float(element))
+        .filter_map(Node::as_f64)
+        .collect()
 }
 
 /// An array of integers; elements of other types are left out.

@@ -70,7 +70,11 @@ impl Modifier {
             (None, Some((min, max)), None) => format!("{}-{min}|{max}", self.target),
             (None, None, _) => self.target.clone(),
         };
-        format!("{}/{}", self.group.replace('/', "-"), name.replace('/', "-"))
+        format!(
+            "{}/{}",
+            self.group.replace('/', "-"),
+            name.replace('/', "-")
+        )
     }
 
     /// The groups of targets that it asks for, with what each is for.
@@ -79,8 +83,14 @@ impl Modifier {
             return vec![(Part::Macro, self.group.clone())];
         }
         let own = format!("{}-{}", self.group, self.target);
-        let Some((min, max)) = self.tails.sides() else { return vec![(Part::Only, own)] };
-        let mid = self.tails.mid.iter().map(|mid| (Part::Centre, format!("{own}-{mid}")));
+        let Some((min, max)) = self.tails.sides() else {
+            return vec![(Part::Only, own)];
+        };
+        let mid = self
+            .tails
+            .mid
+            .iter()
+            .map(|mid| (Part::Centre, format!("{own}-{mid}")));
         [(Part::Left, format!("{own}-{min}"))]
             .into_iter()
             .chain(mid)
@@ -107,7 +117,10 @@ pub enum Part {
 /// Takes what the loader would take, as far as it has a name.
 pub fn read(document: &Document) -> ModifierFile {
     let groups = document.root.elements();
-    let mut file = ModifierFile { modifiers: Vec::new(), is_whole: document.root.is_array() };
+    let mut file = ModifierFile {
+        modifiers: Vec::new(),
+        is_whole: document.root.is_array(),
+    };
     for (at, group) in groups.iter().enumerate() {
         let list = group.get("modifiers").filter(|list| list.is_array());
         let (Some(name), Some(list)) = (text(group, "group"), list) else {
@@ -130,7 +143,10 @@ pub fn read(document: &Document) -> ModifierFile {
 fn modifier(node: &Node, group: &str, pointer: String) -> Option<Modifier> {
     let named = |key: &str| {
         let name = text(node, key).filter(|name| !name.is_empty())?;
-        Some(NamedAt { pointer: format!("{pointer}/{key}"), name })
+        Some(NamedAt {
+            pointer: format!("{pointer}/{key}"),
+            name,
+        })
     };
     let variable = named("macrovar");
     let target = text(node, "target");
@@ -138,11 +154,17 @@ fn modifier(node: &Node, group: &str, pointer: String) -> Option<Modifier> {
         return None;
     }
     let tail = |key: &str| text(node, key).filter(|tail| !tail.is_empty());
-    let default = node.get("defaultValue").filter(|value| matches!(value.value, Value::Number(..)));
+    let default = node
+        .get("defaultValue")
+        .filter(|value| matches!(value.value, Value::Number(..)));
     Some(Modifier {
         group: group.to_owned(),
         target: target.unwrap_or_default(),
-        tails: Tails { min: tail("min"), mid: tail("mid"), max: tail("max") },
+        tails: Tails {
+            min: tail("min"),
+            mid: tail("mid"),
+            max: tail("max"),
+        },
         variable,
         class: named("modifierType"),
         default: default.and_then(Node::as_python_number),
@@ -156,18 +178,35 @@ mod tests {
     use mhlint_json::parse;
 
     fn of(modifiers: &str) -> ModifierFile {
-        read(&parse(format!(r#"[{{"group": "head/top", "modifiers": [{modifiers}]}}]"#).as_bytes()).unwrap())
+        read(
+            &parse(format!(r#"[{{"group": "head/top", "modifiers": [{modifiers}]}}]"#).as_bytes())
+                .unwrap(),
+        )
     }
 
     #[test]
     fn names_have_both_sides_or_none() {
-        let all = of(r#"{"target": "a", "min": "in", "max": "out"}, {"target": "a", "min": "in"},
+        let all = of(
+            r#"{"target": "a", "min": "in", "max": "out"}, {"target": "a", "min": "in"},
             {"target": "a/b", "min": "in", "mid": "up", "max": "out"}, {"macrovar": "Age", "target": "a", "min": "x"},
-            {"target": "a", "min": "in", "max": null}"#);
+            {"target": "a", "min": "in", "max": null}"#,
+        );
         let names: Vec<String> = all.modifiers.iter().map(Modifier::full_name).collect();
-        assert_eq!(names, ["head-top/a-in|out", "head-top/a", "head-top/a-b-in|up|out", "head-top/Age", "head-top/a"]);
+        assert_eq!(
+            names,
+            [
+                "head-top/a-in|out",
+                "head-top/a",
+                "head-top/a-b-in|up|out",
+                "head-top/Age",
+                "head-top/a"
+            ]
+        );
         assert_eq!(all.modifiers[2].target_groups().len(), 3);
-        assert_eq!(all.modifiers[3].target_groups(), [(Part::Macro, "head/top".to_owned())]);
+        assert_eq!(
+            all.modifiers[3].target_groups(),
+            [(Part::Macro, "head/top".to_owned())]
+        );
         assert_eq!(all.modifiers[1].tails.unpaired(), Some("min"));
         assert_eq!(all.modifiers[4].tails.unpaired(), Some("min"));
         assert_eq!(all.modifiers[2].tails.unpaired(), None);
@@ -176,9 +215,14 @@ mod tests {
 
     #[test]
     fn what_has_no_name_is_left_out() {
-        let all = of(r#"{"min": "in", "max": "out"}, {"target": "a", "defaultValue": "1"}, 3, {"target": 5}"#);
+        let all = of(
+            r#"{"min": "in", "max": "out"}, {"target": "a", "defaultValue": "1"}, 3, {"target": 5}"#,
+        );
         assert_eq!((all.modifiers.len(), all.is_whole), (1, false));
-        assert_eq!((all.modifiers[0].pointer.as_str(), all.modifiers[0].default), ("/0/modifiers/1", None));
+        assert_eq!(
+            (all.modifiers[0].pointer.as_str(), all.modifiers[0].default),
+            ("/0/modifiers/1", None)
+        );
         assert!(!read(&parse(b"{}").unwrap()).is_whole);
         assert!(!read(&parse(br#"[null, {"group": "a"}]"#).unwrap()).is_whole);
     }

@@ -50,7 +50,10 @@ pub struct Slider {
 impl ModifierSliders {
     /// All sliders.
     pub fn sliders(&self) -> impl Iterator<Item = &Slider> {
-        self.tabs.iter().flat_map(|tab| &tab.categories).flat_map(|category| &category.sliders)
+        self.tabs
+            .iter()
+            .flat_map(|tab| &tab.categories)
+            .flat_map(|category| &category.sliders)
     }
 
     /// All modifiers that sliders set.
@@ -64,28 +67,57 @@ pub fn read(document: &Document) -> ModifierSliders {
     let tabs = document.root.effective_members().into_iter().map(|member| {
         let pointer = below("", &member.key);
         let own = below(&pointer, "modifiers");
-        let categories = member.node.get("modifiers").map(Node::effective_members).unwrap_or_default();
+        let categories = member
+            .node
+            .get("modifiers")
+            .map(Node::effective_members)
+            .unwrap_or_default();
         let categories = categories.into_iter().map(|category| {
             let pointer = below(&own, &category.key);
-            let sliders =
-                category.node.elements().iter().enumerate().map(|(at, node)| slider(node, &nth(&pointer, at)));
-            Category { sliders: sliders.collect(), name: category.key.clone(), pointer }
+            let sliders = category
+                .node
+                .elements()
+                .iter()
+                .enumerate()
+                .map(|(at, node)| slider(node, &nth(&pointer, at)));
+            Category {
+                sliders: sliders.collect(),
+                name: category.key.clone(),
+                pointer,
+            }
         });
         let saved_as = text(&member.node, "saveName");
-        Tab { categories: categories.collect(), name: member.key.clone(), pointer, saved_as }
+        Tab {
+            categories: categories.collect(),
+            name: member.key.clone(),
+            pointer,
+            saved_as,
+        }
     });
-    ModifierSliders { tabs: tabs.collect() }
+    ModifierSliders {
+        tabs: tabs.collect(),
+    }
 }
 
 fn slider(node: &Node, pointer: &str) -> Slider {
-    let named = |key: &str| Some(NamedAt { pointer: below(pointer, key), name: text(node, key)? });
+    let named = |key: &str| {
+        Some(NamedAt {
+            pointer: below(pointer, key),
+            name: text(node, key)?,
+        })
+    };
     // An empty text turns no camera and asks for nothing.
     let filled = |key: &str| {
-        let is_filled =
-            node.get(key).is_some_and(|value| matches!(&value.value, Value::String(text) if !text.is_empty()));
+        let is_filled = node
+            .get(key)
+            .is_some_and(|value| matches!(&value.value, Value::String(text) if !text.is_empty()));
         is_filled.then(|| named(key)).flatten()
     };
-    Slider { modifier: named("mod"), camera: filled("cam"), condition: filled("enabledCondition") }
+    Slider {
+        modifier: named("mod"),
+        camera: filled("cam"),
+        condition: filled("enabledCondition"),
+    }
 }
 
 #[cfg(test)]
@@ -97,9 +129,15 @@ mod tests {
         let read = read(&mhlint_json::parse(
             br#"{"Face": {"modifiers": {"head": [{"mod": "head/oval", "cam": "frontView"}, {"cam": ""}]}}, "Torso": {}}"#,
         ).unwrap());
-        assert_eq!(read.tabs.iter().map(|tab| &*tab.name).collect::<Vec<_>>(), ["Face", "Torso"]);
+        assert_eq!(
+            read.tabs.iter().map(|tab| &*tab.name).collect::<Vec<_>>(),
+            ["Face", "Torso"]
+        );
         let sliders: Vec<&Slider> = read.sliders().collect();
-        assert_eq!(sliders[0].modifier.as_ref().unwrap().pointer, "/Face/modifiers/head/0/mod");
+        assert_eq!(
+            sliders[0].modifier.as_ref().unwrap().pointer,
+            "/Face/modifiers/head/0/mod"
+        );
         assert_eq!(sliders[0].camera.as_ref().unwrap().name, "frontView");
         assert_eq!(*sliders[1], Slider::default());
     }

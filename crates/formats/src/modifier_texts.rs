@@ -19,7 +19,10 @@ pub fn read(document: &Document) -> ModifierTexts {
     for member in document.root.effective_members() {
         let pointer = below("", &member.key);
         if !matches!(member.node.value, Value::String(_)) {
-            let at = NamedAt { pointer: pointer.clone(), name: member.key.clone() };
+            let at = NamedAt {
+                pointer: pointer.clone(),
+                name: member.key.clone(),
+            };
             texts.no_texts.push((at, member.node.type_word()));
         }
         keep(&mut texts.described, &pointer, &member.key);
@@ -36,6 +39,12 @@ mod tests {
         let read = read(&mhlint_json::parse(br#"{"a/b-in|out": "", "c": null, "d": 3}"#).unwrap());
         assert_eq!(read.described.len(), 3);
         assert_eq!(read.described[0].pointer, "/a~1b-in|out");
-        assert_eq!(read.no_texts.iter().map(|(at, _)| &*at.name).collect::<Vec<_>>(), ["c", "d"]);
+        assert_eq!(
+            read.no_texts
+                .iter()
+                .map(|(at, _)| &*at.name)
+                .collect::<Vec<_>>(),
+            ["c", "d"]
+        );
     }
 }

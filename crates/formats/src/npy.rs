@@ -1,8 +1,8 @@
 //! `.npy`: an array as `NumPy` stores it, read without `NumPy`'s dangers.
 //!
-//! Gets the bytes of a stream, returns what the array is made of, and its bytes where they are asked for, or why it
-//! cannot be used. Object arrays are rejected by their header: loading them would mean running a pickle. No size in the
-//! header is trusted.
+//! Gets the bytes of a stream, returns what the array is made of, and its bytes where they are
+//! asked for, or why it cannot be used. Object arrays are rejected by their header: loading them
+//! would mean running a pickle. No size in the header is trusted.
 
 use std::io::{ErrorKind, Read};
 
@@ -19,7 +19,8 @@ pub enum NpyFault {
     Object,
     /// No field of this name.
     MissingField(&'static str),
-    /// A field of another type or length than needed, with its type. A plain array is a field without a name.
+    /// A field of another type or length than needed, with its type. A plain array is a field
+    /// without a name.
     WrongType(&'static str, String),
     /// Not one row behind the other, or rows of another length than needed.
     Shape,
@@ -80,7 +81,8 @@ pub(super) fn read_layout(reader: &mut impl Read) -> Result<Layout, NpyFault> {
     }
     let mut length = [0; 4];
     let width = if major == 1 { 2 } else { 4 };
-    fill(reader, length.get_mut(..width).unwrap_or_default()).map_err(none_is(NpyFault::Truncated))?;
+    fill(reader, length.get_mut(..width).unwrap_or_default())
+        .map_err(none_is(NpyFault::Truncated))?;
     let length = u32::from_le_bytes(length) as usize;
     if !(1..=3).contains(&major) || length > HEADER_BYTES {
         return Err(NpyFault::Header);
@@ -92,33 +94,49 @@ pub(super) fn read_layout(reader: &mut impl Read) -> Result<Layout, NpyFault> {
 
 /// Fills the buffer; the fault is `None` where the stream just ends.
 pub(super) fn fill(reader: &mut impl Read, buffer: &mut [u8]) -> Result<(), Option<NpyFault>> {
-    reader.read_exact(buffer).map_err(|error| match error.kind() {
-        ErrorKind::UnexpectedEof => None,
-        _ => Some(NpyFault::Damaged(error.to_string())),
-    })
+    reader
+        .read_exact(buffer)
+        .map_err(|error| match error.kind() {
+            ErrorKind::UnexpectedEof => None,
+            _ => Some(NpyFault::Damaged(error.to_string())),
+        })
 }
 
 /// Reads what is left: the checksum of a zip member is only compared at its end.
 pub(super) fn finish(reader: &mut impl Read) -> Result<(), NpyFault> {
-    std::io::copy(reader, &mut std::io::sink()).map(drop).map_err(|error| NpyFault::Damaged(error.to_string()))
+    std::io::copy(reader, &mut std::io::sink())
+        .map(drop)
+        .map_err(|error| NpyFault::Damaged(error.to_string()))
 }
 
 impl Layout {
     fn of(header: &Literal) -> Result<Self, NpyFault> {
         let descr = header.get("descr").ok_or(NpyFault::Header)?;
-        if descr.any_text(&|text| text.trim_start_matches(['<', '>', '|', '=']).starts_with('O')) {
+        if descr.any_text(&|text| {
+            text.trim_start_matches(['<', '>', '|', '='])
+                .starts_with('O')
+        }) {
             return Err(NpyFault::Object);
         }
         let mut bytes = 0;
         let fields = match descr.text() {
             Some(plain) => Field::new("", plain, 1, &mut bytes).map(|field| vec![field]),
-            None => descr.items().iter().map(|field| Field::of(field, &mut bytes)).collect(),
+            None => descr
+                .items()
+                .iter()
+                .map(|field| Field::of(field, &mut bytes))
+                .collect(),
         };
         let shape = header.get("shape").map(Literal::items).unwrap_or_default();
         let shape: Option<Vec<u64>> = shape.iter().map(Literal::number).collect();
         let by_column = header.get("fortran_order").and_then(Literal::text) == Some("True");
         match (fields, shape) {
-            (Some(fields), Some(shape)) if bytes <= ROW_BYTES => Ok(Self { shape, fields, bytes, by_column }),
+            (Some(fields), Some(shape)) if bytes <= ROW_BYTES => Ok(Self {
+                shape,
+                fields,
+                bytes,
+                by_column,
+            }),
             _ => Err(NpyFault::Header),
         }
     }
@@ -127,18 +145,36 @@ impl Layout {
 impl Field {
     /// A field as a header writes it: name, type, and how many values it has if that is not one.
     fn of(field: &Literal, offset: &mut usize) -> Option<Self> {
-        let [name, kind, shape @ ..] = field.items() else { return None };
-        let values = shape
-            .first()
-            .map_or(Some(1), |shape| shape.items().iter().try_fold(1_u64, |all, part| all.checked_mul(part.number()?)));
-        Self::new(name.text()?, kind.text()?, usize::try_from(values?).ok()?, offset)
+        let [name, kind, shape @ ..] = field.items() else {
+            return None;
+        };
+        let values = shape.first().map_or(Some(1), |shape| {
+            shape
+                .items()
+                .iter()
+                .try_fold(1_u64, |all, part| all.checked_mul(part.number()?))
+        });
+        Self::new(
+            name.text()?,
+            kind.text()?,
+            usize::try_from(values?).ok()?,
+            offset,
+        )
     }
 
     /// A field behind the first `offset` bytes of an element, which then are more.
     fn new(name: &str, type_text: &str, values: usize, offset: &mut usize) -> Option<Self> {
         let scalar = Scalar::of(type_text, *offset)?;
-        *offset = values.checked_mul(scalar.bytes).and_then(|bytes| bytes.checked_add(*offset)).unwrap_or(usize::MAX);
-        Some(Self { name: name.to_owned(), type_text: type_text.to_owned(), values, scalar })
+        *offset = values
+            .checked_mul(scalar.bytes)
+            .and_then(|bytes| bytes.checked_add(*offset))
+            .unwrap_or(usize::MAX);
+        Some(Self {
+            name: name.to_owned(),
+            type_text: type_text.to_owned(),
+            values,
+            scalar,
+        })
     }
 }
 
@@ -147,12 +183,23 @@ impl Scalar {
     fn of(text: &str, offset: usize) -> Option<Self> {
         let big_endian = text.starts_with('>');
         // Another way to write a truth value.
-        let text = if text.trim_start_matches(['<', '>', '|', '=']) == "?" { "|b1" } else { text };
-        let (kind, bytes) = text.trim_start_matches(['<', '>', '|', '=']).split_at_checked(1)?;
+        let text = if text.trim_start_matches(['<', '>', '|', '=']) == "?" {
+            "|b1"
+        } else {
+            text
+        };
+        let (kind, bytes) = text
+            .trim_start_matches(['<', '>', '|', '='])
+            .split_at_checked(1)?;
         let kind = *kind.as_bytes().first()?;
         let bytes = bytes.parse().ok().filter(|bytes| *bytes <= ROW_BYTES)?;
         // Unicode texts count characters of four bytes.
-        Some(Self { offset, kind, bytes: if kind == b'U' { bytes * 4 } else { bytes }, big_endian })
+        Some(Self {
+            offset,
+            kind,
+            bytes: if kind == b'U' { bytes * 4 } else { bytes },
+            big_endian,
+        })
     }
 
     pub(super) fn is_integer(self) -> bool {
@@ -173,12 +220,17 @@ impl Scalar {
         self.kind == b'S'
     }
 
-    /// Number `at` of the values of the field. 64 bit integers beyond 2^53 are rounded: far beyond any vertex.
+    /// Number `at` of the values of the field. 64 bit integers beyond 2^53 are rounded: far beyond
+    /// any vertex.
     pub(super) fn value(self, element: &[u8], at: usize) -> Option<f64> {
         let stored = self.stored(element, at)?;
         let mut bytes = [0; 8];
         for (to, from) in bytes.iter_mut().zip(0..self.bytes) {
-            *to = *stored.get(if self.big_endian { self.bytes - 1 - from } else { from })?;
+            *to = *stored.get(if self.big_endian {
+                self.bytes - 1 - from
+            } else {
+                from
+            })?;
         }
         let bits = u64::from_le_bytes(bytes);
         let unused = 64 - 8 * u32::try_from(self.bytes).ok()?;

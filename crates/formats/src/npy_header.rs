@@ -1,7 +1,8 @@
 //! The header of a `.npy`: a dictionary written as Python would print it.
 //!
-//! Knows just what such a header is made of: texts, whole numbers, tuples, lists, dictionaries and bare
-//! words. Nothing is evaluated. Gets the text, returns the dictionary, or nothing if it is no literal.
+//! Knows just what such a header is made of: texts, whole numbers, tuples, lists, dictionaries and
+//! bare words. Nothing is evaluated. Gets the text, returns the dictionary, or nothing if it is no
+//! literal.
 
 /// A value of the header.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,30 +30,49 @@ pub(super) fn parse_header(text: &[u8]) -> Option<Literal> {
 impl Literal {
     /// A member of a dictionary.
     pub(super) fn get(&self, key: &str) -> Option<&Self> {
-        let Self::Members(members) = self else { return None };
-        members.iter().rev().find(|(name, _)| name.text() == Some(key)).map(|(_, value)| value)
+        let Self::Members(members) = self else {
+            return None;
+        };
+        members
+            .iter()
+            .rev()
+            .find(|(name, _)| name.text() == Some(key))
+            .map(|(_, value)| value)
     }
 
     pub(super) fn text(&self) -> Option<&str> {
-        if let Self::Text(text) = self { Some(text) } else { None }
+        if let Self::Text(text) = self {
+            Some(text)
+        } else {
+            None
+        }
     }
 
     pub(super) fn number(&self) -> Option<u64> {
-        if let Self::Number(number) = self { Some(*number) } else { None }
+        if let Self::Number(number) = self {
+            Some(*number)
+        } else {
+            None
+        }
     }
 
     /// Items of a tuple or list; of anything else none.
     pub(super) fn items(&self) -> &[Self] {
-        if let Self::Items(items) = self { items } else { &[] }
+        if let Self::Items(items) = self {
+            items
+        } else {
+            &[]
+        }
     }
 
     /// Whether the type texts hold one that fits: the value itself, or the second part of a field.
     pub(super) fn any_text(&self, fits: &dyn Fn(&str) -> bool) -> bool {
         match self {
             Self::Text(text) => fits(text),
-            Self::Items(fields) => {
-                fields.iter().filter_map(|field| field.items().get(1)).any(|kind| kind.any_text(fits))
-            }
+            Self::Items(fields) => fields
+                .iter()
+                .filter_map(|field| field.items().get(1))
+                .any(|kind| kind.any_text(fits)),
             _ => false,
         }
     }
@@ -85,7 +105,12 @@ impl Cursor<'_> {
             b'(' => self.items(b')', depth),
             b'[' => self.items(b']', depth),
             b'{' => self.members(depth),
-            b'0'..=b'9' => self.word()?.trim_end_matches('L').parse().ok().map(Literal::Number),
+            b'0'..=b'9' => self
+                .word()?
+                .trim_end_matches('L')
+                .parse()
+                .ok()
+                .map(Literal::Number),
             _ => self.word().map(Literal::Text),
         }
     }
@@ -101,9 +126,13 @@ impl Cursor<'_> {
 
     fn word(&mut self) -> Option<String> {
         let rest = self.text.get(self.at..)?;
-        let length = rest.iter().position(|byte| !byte.is_ascii_alphanumeric()).unwrap_or(rest.len());
+        let length = rest
+            .iter()
+            .position(|byte| !byte.is_ascii_alphanumeric())
+            .unwrap_or(rest.len());
         self.at += length;
-        (length > 0).then(|| String::from_utf8_lossy(rest.get(..length).unwrap_or_default()).into_owned())
+        (length > 0)
+            .then(|| String::from_utf8_lossy(rest.get(..length).unwrap_or_default()).into_owned())
     }
 
     fn items(&mut self, end: u8, depth: usize) -> Option<Literal> {
@@ -154,10 +183,22 @@ mod tests {
 
     #[test]
     fn broken_literals_are_refused() {
-        for text in ["", "{", "{'a'}", "{'a': 1 'b': 2}", "{'a': }", "(1,)", "{'a': 1} x", "{'a': '1}"] {
+        for text in [
+            "",
+            "{",
+            "{'a'}",
+            "{'a': 1 'b': 2}",
+            "{'a': }",
+            "(1,)",
+            "{'a': 1} x",
+            "{'a': '1}",
+        ] {
             assert_eq!(parse_header(text.as_bytes()), None, "{text}");
         }
-        assert_eq!(parse_header(format!("{{1:{}", "(".repeat(100_000)).as_bytes()), None);
+        assert_eq!(
+            parse_header(format!("{{1:{}", "(".repeat(100_000)).as_bytes()),
+            None
+        );
     }
 
     proptest! {

@@ -1,7 +1,7 @@
 //! A whole `.npy` array as rows of cells, for what has to be looked at in no particular order.
 //!
-//! Gets the stream of a member and what its rows must be made of, returns the bytes as they are: they take no more
-//! memory than was unpacked, whatever the header says.
+//! Gets the stream of a member and what its rows must be made of, returns the bytes as they are:
+//! they take no more memory than was unpacked, whatever the header says.
 
 use std::io::Read;
 
@@ -40,7 +40,11 @@ pub(super) fn read_any(reader: &mut impl Read, cells: &[Cell]) -> Result<Table, 
     read_shaped(reader, cells, true)
 }
 
-fn read_shaped(reader: &mut impl Read, cells: &[Cell], takes_values: bool) -> Result<Table, NpyFault> {
+fn read_shaped(
+    reader: &mut impl Read,
+    cells: &[Cell],
+    takes_values: bool,
+) -> Result<Table, NpyFault> {
     let layout = read_layout(reader)?;
     let (rows, width) = match *layout.shape.as_slice() {
         [] if takes_values => (1, 1),
@@ -48,12 +52,23 @@ fn read_shaped(reader: &mut impl Read, cells: &[Cell], takes_values: bool) -> Re
         [rows, width] if layout.is_plain() && cells.len() > 1 => (rows, width),
         _ => return Err(NpyFault::Shape),
     };
-    let scalars = fitting(&layout, usize::try_from(width).map_err(|_| NpyFault::Shape)?, cells)?;
+    let scalars = fitting(
+        &layout,
+        usize::try_from(width).map_err(|_| NpyFault::Shape)?,
+        cells,
+    )?;
     let bytes = read_bytes(reader, rows, width, layout.bytes)?;
     finish(reader)?;
     let rows = usize::try_from(rows).map_err(|_| NpyFault::Header)?;
     let width = usize::try_from(width).map_err(|_| NpyFault::Header)?;
-    Ok(Table { rows, cells: scalars, element: layout.bytes, width, by_column: layout.by_column, bytes })
+    Ok(Table {
+        rows,
+        cells: scalars,
+        element: layout.bytes,
+        width,
+        by_column: layout.by_column,
+        bytes,
+    })
 }
 
 impl Layout {
@@ -73,21 +88,37 @@ fn fitting(layout: &Layout, width: usize, cells: &[Cell]) -> Result<Vec<Scalar>,
     }
     let scalar = |(field, cell): (&&Field, &Cell)| {
         let is_fit = field.values == 1 && cell.takes(field.scalar);
-        is_fit.then_some(field.scalar).ok_or_else(|| NpyFault::WrongType("", field.type_text.clone()))
+        is_fit
+            .then_some(field.scalar)
+            .ok_or_else(|| NpyFault::WrongType("", field.type_text.clone()))
     };
     fields.iter().zip(cells).map(scalar).collect()
 }
 
 /// The bytes of all elements. What the header promises is no size to reserve.
-fn read_bytes(reader: &mut impl Read, rows: u64, width: u64, element: usize) -> Result<Vec<u8>, NpyFault> {
+fn read_bytes(
+    reader: &mut impl Read,
+    rows: u64,
+    width: u64,
+    element: usize,
+) -> Result<Vec<u8>, NpyFault> {
     if element == 0 && rows > 0 {
         return Err(NpyFault::Header);
     }
-    let promised = (element as u64).checked_mul(width).and_then(|row| row.checked_mul(rows));
+    let promised = (element as u64)
+        .checked_mul(width)
+        .and_then(|row| row.checked_mul(rows));
     let promised = promised.ok_or(NpyFault::Truncated)?;
     let mut bytes = Vec::new();
-    reader.take(promised).read_to_end(&mut bytes).map_err(|error| NpyFault::Damaged(error.to_string()))?;
-    if bytes.len() as u64 == promised { Ok(bytes) } else { Err(NpyFault::Truncated) }
+    reader
+        .take(promised)
+        .read_to_end(&mut bytes)
+        .map_err(|error| NpyFault::Damaged(error.to_string()))?;
+    if bytes.len() as u64 == promised {
+        Ok(bytes)
+    } else {
+        Err(NpyFault::Truncated)
+    }
 }
 
 impl Cell {
@@ -108,7 +139,10 @@ impl Table {
     }
 
     /// The whole number in a cell.
-    #[expect(clippy::cast_possible_truncation, reason = "saturates, beyond everything that it can be compared with")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "saturates, beyond everything that it can be compared with"
+    )]
     pub(super) fn integer(&self, row: usize, cell: usize) -> Option<i64> {
         Some(self.number(row, cell)? as i64)
     }
@@ -116,7 +150,10 @@ impl Table {
     /// The text in a cell, without the zeros behind it.
     pub(super) fn text(&self, row: usize, cell: usize) -> Option<&[u8]> {
         let stored = self.cells.get(cell)?.stored(self.element(row, cell)?, 0)?;
-        let length = stored.iter().rposition(|byte| *byte != 0).map_or(0, |last| last + 1);
+        let length = stored
+            .iter()
+            .rposition(|byte| *byte != 0)
+            .map_or(0, |last| last + 1);
         stored.get(..length)
     }
 

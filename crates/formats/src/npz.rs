@@ -1,9 +1,10 @@
 //! `compressedtargets.npz`: the archive that MakeHuman 2 makes of all targets of a folder.
 //!
-//! A zip of `.npy`, the key of a member being the path of its target without suffix. The application loads every member
-//! at start and asks the archive before the text file (`docs/loaders/makehuman2/targets.md#the-archive-at-the-start`,
-//! `docs/loaders/makehuman2/targets.md#the-archive`). Gets bytes and limits, returns the members with the hashes of
-//! their rows; keeps no rows.
+//! A zip of `.npy`, the key of a member being the path of its target without suffix. The
+//! application loads every member at start and asks the archive before the text file
+//! (`docs/loaders/makehuman2/targets.md#the-archive-at-the-start`,
+//! `docs/loaders/makehuman2/targets.md#the-archive`). Gets bytes and limits, returns the members
+//! with the hashes of their rows; keeps no rows.
 
 use std::collections::BTreeMap;
 use std::io::{BufReader, Cursor, Read, Take};
@@ -23,7 +24,8 @@ pub struct Archive {
     pub members: Vec<Member>,
     /// Why there are none.
     pub fault: Option<ArchiveFault>,
-    /// Unpacks beyond the limits: packed size, and the unpacked bytes at which the work was given up.
+    /// Unpacks beyond the limits: packed size, and the unpacked bytes at which the work was given
+    /// up.
     pub bomb: Option<(u64, u64)>,
     /// Where each name stands; of equal names the last.
     places: BTreeMap<String, usize>,
@@ -62,7 +64,10 @@ impl Archive {
 
     /// One that unpacks beyond the limits and was not looked into.
     pub(super) fn unread(packed: u64, unpacked: u64) -> Self {
-        Self { bomb: Some((packed, unpacked)), ..Self::default() }
+        Self {
+            bomb: Some((packed, unpacked)),
+            ..Self::default()
+        }
     }
 
     fn add(&mut self, name: String, rows: Result<Rows, NpyFault>) {
@@ -113,18 +118,25 @@ pub(super) fn open(bytes: &[u8]) -> Result<Zip<'_>, ArchiveFault> {
 
 /// Whether a zip has arrays in it, and nothing that is larger unpacked than they are.
 pub(super) fn has_arrays(bytes: &[u8]) -> bool {
-    let is_array =
-        |zip: &Zip<'_>| zip.name_for_index(0).and_then(Result::ok).is_some_and(|name| name.ends_with(".npy"));
+    let is_array = |zip: &Zip<'_>| {
+        zip.name_for_index(0)
+            .and_then(Result::ok)
+            .is_some_and(|name| name.ends_with(".npy"))
+    };
     open(bytes).is_ok_and(|zip| is_array(&zip))
 }
 
 /// The key of a member.
 pub(super) fn member_name(zip: &Zip<'_>, index: usize) -> String {
     let name = zip.name_for_index(index).and_then(Result::ok);
-    name.map_or_else(|| format!("#{index}"), |name| name.strip_suffix(".npy").unwrap_or(&name).to_owned())
+    name.map_or_else(
+        || format!("#{index}"),
+        |name| name.strip_suffix(".npy").unwrap_or(&name).to_owned(),
+    )
 }
 
-/// What `read` makes of a member, and the bytes that it unpacked to, one more than `room` if it goes beyond.
+/// What `read` makes of a member, and the bytes that it unpacked to, one more than `room` if it
+/// goes beyond.
 pub(super) fn read_member<'b, T>(
     zip: &mut Zip<'b>,
     index: usize,
@@ -153,8 +165,14 @@ impl<'b> Members<'b> {
     /// Opens an archive.
     pub(super) fn open(bytes: &'b [u8], limits: &Limits) -> Result<Self, ArchiveFault> {
         let zip = open(bytes)?;
-        let names = (0..zip.len()).map(|index| member_name(&zip, index)).collect();
-        Ok(Self { zip, names, room: limits.of_arrays().unpacked_limit(bytes.len() as u64) })
+        let names = (0..zip.len())
+            .map(|index| member_name(&zip, index))
+            .collect();
+        Ok(Self {
+            zip,
+            names,
+            room: limits.of_arrays().unpacked_limit(bytes.len() as u64),
+        })
     }
 
     /// Whether there is a member of this name.
@@ -188,7 +206,11 @@ mod tests {
     fn two_rows() -> Vec<u8> {
         let rows: [(u32, [f32; 3]); 2] = [(3, [0.119, -10.205, 0.0]), (70000, [1.0, 2.0, 3.0])];
         rows.iter()
-            .flat_map(|(i, d)| i.to_le_bytes().into_iter().chain(d.iter().flat_map(|v| v.to_le_bytes())))
+            .flat_map(|(i, d)| {
+                i.to_le_bytes()
+                    .into_iter()
+                    .chain(d.iter().flat_map(|v| v.to_le_bytes()))
+            })
             .collect()
     }
 
@@ -208,8 +230,19 @@ mod tests {
     #[test]
     fn wider_types_and_foreign_order_are_read() {
         let text = target::parse(b"3 .5 -1.25 0\n", None);
-        let big = [3_i64.to_be_bytes(), 0.5_f64.to_be_bytes(), (-1.25_f64).to_be_bytes(), 0_f64.to_be_bytes()].concat();
-        let rows = only(npy("[('index', '>i8'), ('vector', '>f8', (3,))]", "(1,)", &big)).unwrap();
+        let big = [
+            3_i64.to_be_bytes(),
+            0.5_f64.to_be_bytes(),
+            (-1.25_f64).to_be_bytes(),
+            0_f64.to_be_bytes(),
+        ]
+        .concat();
+        let rows = only(npy(
+            "[('index', '>i8'), ('vector', '>f8', (3,))]",
+            "(1,)",
+            &big,
+        ))
+        .unwrap();
         assert_eq!(rows.content, text.facts.content);
     }
 
@@ -217,12 +250,35 @@ mod tests {
     fn what_the_application_cannot_use_is_named() {
         let some = two_rows();
         assert_eq!(only(b"text".to_vec()), Err(NpyFault::NotNpy));
-        assert_eq!(only(npy("'|O'", "(1,)", b"\x80\x04.")), Err(NpyFault::Object));
-        assert_eq!(only(npy("[('index', '|O'), ('vector', '<f4', (3,))]", "(1,)", &some)), Err(NpyFault::Object));
-        assert_eq!(only(npy("'<f4'", "(8,)", &some)), Err(NpyFault::MissingField("index")));
-        assert_eq!(only(npy("[('index', '<u4')]", "(2,)", &some)), Err(NpyFault::MissingField("vector")));
+        assert_eq!(
+            only(npy("'|O'", "(1,)", b"\x80\x04.")),
+            Err(NpyFault::Object)
+        );
+        assert_eq!(
+            only(npy(
+                "[('index', '|O'), ('vector', '<f4', (3,))]",
+                "(1,)",
+                &some
+            )),
+            Err(NpyFault::Object)
+        );
+        assert_eq!(
+            only(npy("'<f4'", "(8,)", &some)),
+            Err(NpyFault::MissingField("index"))
+        );
+        assert_eq!(
+            only(npy("[('index', '<u4')]", "(2,)", &some)),
+            Err(NpyFault::MissingField("vector"))
+        );
         let wrong = NpyFault::WrongType("vector", "<f4".to_owned());
-        assert_eq!(only(npy("[('index', '<u4'), ('vector', '<f4', (2,))]", "(2,)", &some)), Err(wrong));
+        assert_eq!(
+            only(npy(
+                "[('index', '<u4'), ('vector', '<f4', (2,))]",
+                "(2,)",
+                &some
+            )),
+            Err(wrong)
+        );
         assert_eq!(only(npy(USUAL, "(1, 2)", &some)), Err(NpyFault::Shape));
         assert_eq!(only(npy(USUAL, "(3,)", &some)), Err(NpyFault::Truncated));
         assert_eq!(only(npy("nonsense(", "(1,)", &some)), Err(NpyFault::Header));
@@ -230,14 +286,24 @@ mod tests {
 
     #[test]
     fn archives_that_cannot_be_opened() {
-        assert_eq!(parse(b"", &Limits::default()).fault, Some(ArchiveFault::Empty));
-        assert!(matches!(parse(b"hello", &Limits::default()).fault, Some(ArchiveFault::NotZip(_))));
+        assert_eq!(
+            parse(b"", &Limits::default()).fault,
+            Some(ArchiveFault::Empty)
+        );
+        assert!(matches!(
+            parse(b"hello", &Limits::default()).fault,
+            Some(ArchiveFault::NotZip(_))
+        ));
     }
 
     #[test]
     fn a_bomb_is_given_up() {
         let packed = zip_of(&[("a.npy", npy(USUAL, "(4000,)", &vec![0; 64_000]))]);
-        let limits = Limits { ratio_free_bytes: 1000, unpacked_ratio: 2, ..Limits::default() };
+        let limits = Limits {
+            ratio_free_bytes: 1000,
+            unpacked_ratio: 2,
+            ..Limits::default()
+        };
         let archive = parse(&packed, &limits);
         assert!(archive.bomb.is_some() && archive.members.is_empty());
         assert_eq!(parse(&packed, &Limits::default()).bomb, None);

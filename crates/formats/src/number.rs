@@ -4,11 +4,15 @@
 //! scripts. A decimal comma and hexadecimal are rejected.
 
 /// Zeros of the digit blocks that people really type numbers in.
-const OTHER_ZEROS: [char; 8] =
-    ['\u{660}', '\u{6f0}', '\u{966}', '\u{9e6}', '\u{e50}', '\u{ff10}', '\u{17e0}', '\u{1040}'];
+const OTHER_ZEROS: [char; 8] = [
+    '\u{660}', '\u{6f0}', '\u{966}', '\u{9e6}', '\u{e50}', '\u{ff10}', '\u{17e0}', '\u{1040}',
+];
 
 /// A number as the applications store it: float32.
-#[expect(clippy::cast_possible_truncation, reason = "stored as float32, as the application does")]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "stored as float32, as the application does"
+)]
 #[inline]
 pub(super) fn stored(number: f64) -> f32 {
     number as f32
@@ -24,7 +28,12 @@ pub fn python_int(token: &[u8]) -> Option<i64> {
     if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
         return None;
     }
-    Some(digits.parse::<i64>().unwrap_or(i64::MAX).saturating_mul(sign))
+    Some(
+        digits
+            .parse::<i64>()
+            .unwrap_or(i64::MAX)
+            .saturating_mul(sign),
+    )
 }
 
 /// Python's `float(token)`: also `nan`, `inf` and `infinity`; overflow gives infinity.
@@ -36,7 +45,11 @@ pub fn python_float(token: &[u8]) -> Option<f64> {
     }
     match unsigned.to_ascii_lowercase().as_str() {
         "nan" => Some(f64::NAN),
-        "inf" | "infinity" => Some(if text.starts_with('-') { f64::NEG_INFINITY } else { f64::INFINITY }),
+        "inf" | "infinity" => Some(if text.starts_with('-') {
+            f64::NEG_INFINITY
+        } else {
+            f64::INFINITY
+        }),
         _ => None,
     }
 }
@@ -51,7 +64,11 @@ fn plain_digits(token: &[u8]) -> Option<String> {
             out.push(*character);
             continue;
         }
-        let digit = |index: Option<usize>| index.and_then(|index| plain.get(index)).is_some_and(char::is_ascii_digit);
+        let digit = |index: Option<usize>| {
+            index
+                .and_then(|index| plain.get(index))
+                .is_some_and(char::is_ascii_digit)
+        };
         if !digit(at.checked_sub(1)) || !digit(Some(at + 1)) {
             return None;
         }

@@ -1,8 +1,8 @@
 //! Wavefront OBJ as MakeHuman 2 reads it (`docs/loaders/makehuman2/base-mesh.md#obj-commands`).
 //!
-//! Knows `v`, `vt`, `f`, `g`, `o`; everything else is ignored. A new group name opens a group, a name
-//! that was open before does not switch back: the faces stay in the group opened last. Vertices used
-//! with a second texture coordinate are duplicated behind the real ones ("seam").
+//! Knows `v`, `vt`, `f`, `g`, `o`; everything else is ignored. A new group name opens a group, a
+//! name that was open before does not switch back: the faces stay in the group opened last.
+//! Vertices used with a second texture coordinate are duplicated behind the real ones ("seam").
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -60,7 +60,9 @@ impl Face {
     /// Its part of a list with an entry for each corner, such as [`Mesh::corners`].
     pub fn of(self, values: &[u32]) -> &[u32] {
         let start = self.start as usize;
-        values.get(start..start.saturating_add(self.len as usize)).unwrap_or_default()
+        values
+            .get(start..start.saturating_add(self.len as usize))
+            .unwrap_or_default()
     }
 }
 
@@ -93,7 +95,8 @@ pub fn parse(text: &[u8]) -> Mesh {
 }
 
 impl Mesh {
-    /// Whether the application gets through the file. Nothing can be measured against a mesh it stops at.
+    /// Whether the application gets through the file. Nothing can be measured against a mesh it
+    /// stops at.
     pub fn is_sound(&self) -> bool {
         let facts = &self.facts;
         facts.unreadable_lines == 0
@@ -110,13 +113,20 @@ impl Mesh {
             group.vertices = widened(group.vertices, corners);
         }
         let bounded = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
-        self.faces.push(Face { start: bounded(start), len: bounded(corners.len()), group });
+        self.faces.push(Face {
+            start: bounded(start),
+            len: bounded(corners.len()),
+            group,
+        });
     }
 
     /// How many vertices there are to be moved.
     pub fn size(&self) -> MeshSize {
         let vertices = self.facts.vertices;
-        MeshSize { vertices, with_seams: vertices + self.facts.seam_duplicates }
+        MeshSize {
+            vertices,
+            with_seams: vertices + self.facts.seam_duplicates,
+        }
     }
 }
 
@@ -140,13 +150,20 @@ impl Mesh {
     /// Name of the group that a vertex counts for. For findings: walks all faces.
     pub fn group_of(&self, vertex: u32) -> Option<&str> {
         let home = self.homes().get(vertex as usize).copied().flatten()?;
-        self.groups.get(home as usize).map(|group| group.name.as_str())
+        self.groups
+            .get(home as usize)
+            .map(|group| group.name.as_str())
     }
 
-    /// For each vertex the number of the group that it counts for, the first that uses it. Walks all faces.
+    /// For each vertex the number of the group that it counts for, the first that uses it. Walks
+    /// all faces.
     pub fn homes(&self) -> Vec<Option<u32>> {
         let mut homes = vec![None; self.positions.len()];
-        for face in self.faces.iter().filter(|face| (face.group as usize) < self.groups.len()) {
+        for face in self
+            .faces
+            .iter()
+            .filter(|face| (face.group as usize) < self.groups.len())
+        {
             for vertex in face.of(&self.corners) {
                 if let Some(home) = homes.get_mut(*vertex as usize) {
                     home.get_or_insert(face.group);
@@ -161,7 +178,9 @@ impl Parser {
     fn line(&mut self, line: &[u8]) {
         let fields = fields(line);
         // The loader skips a keyword without a value before it looks at it.
-        let Some(((_, keyword), rest)) = fields.split_first() else { return };
+        let Some(((_, keyword), rest)) = fields.split_first() else {
+            return;
+        };
         if rest.is_empty() {
             // Only MakeHuman 1 looks for the name before it asks whether there is one.
             if matches!(*keyword, b"g" | b"o") {
@@ -176,7 +195,9 @@ impl Parser {
             b"f" => self.face(line, words),
             b"g" => self.group(words.next().unwrap_or_default()),
             b"o" => {
-                let name = words.next().map(|name| String::from_utf8_lossy(name).into());
+                let name = words
+                    .next()
+                    .map(|name| String::from_utf8_lossy(name).into());
                 self.mesh.facts.object = name.map(|name| (name, self.line));
             }
             _ => {}
@@ -222,7 +243,9 @@ impl Parser {
             self.open(name, self.line);
             return;
         };
-        let lands_in = self.current_name.get_or_insert_with(|| Arc::from(DEFAULT_GROUP));
+        let lands_in = self
+            .current_name
+            .get_or_insert_with(|| Arc::from(DEFAULT_GROUP));
         let at = self.mesh.facts.reopen(*known, &name, self.line, lands_in);
         *known = Some(at);
         self.reopened = Some((at, usize::from(**lands_in != *name)));
@@ -232,7 +255,12 @@ impl Parser {
         let index = u32::try_from(self.mesh.groups.len()).unwrap_or(u32::MAX);
         self.known.insert(name.clone(), None);
         self.current_name = Some(Arc::from(name.as_str()));
-        self.mesh.groups.push(Group { name, line, faces: 0, vertices: None });
+        self.mesh.groups.push(Group {
+            name,
+            line,
+            faces: 0,
+            vertices: None,
+        });
         self.current = Some(index);
         index
     }
@@ -249,9 +277,15 @@ impl Parser {
         self.mesh.corner_uvs.truncate(start);
         let name = |_: &Mesh| row_name(&fields(line));
         match fault {
-            Some(BadCorner::Number(number)) => self.mesh.facts.face_out_of_range.add(self.line, number),
+            Some(BadCorner::Number(number)) => {
+                self.mesh.facts.face_out_of_range.add(self.line, number)
+            }
             Some(BadCorner::Text) => {
-                self.bad(line, "a face corner is `vertex`, `vertex/uv` or `vertex/uv/normal` in whole numbers", name);
+                self.bad(
+                    line,
+                    "a face corner is `vertex`, `vertex/uv` or `vertex/uv/normal` in whole numbers",
+                    name,
+                );
             }
             None => self.short_face(line),
         }
@@ -259,12 +293,18 @@ impl Parser {
 
     /// Only faces that are drawn need three corners.
     fn short_face(&mut self, line: &[u8]) {
-        let group = self.current.and_then(|group| self.mesh.groups.get(group as usize));
+        let group = self
+            .current
+            .and_then(|group| self.mesh.groups.get(group as usize));
         let group = group.map_or(DEFAULT_GROUP, |group| group.name.as_str());
         let faces = &mut self.mesh.facts.short_faces;
         // One of each run of a group is enough to tell.
         if faces.last().is_none_or(|last| last.group != group) {
-            faces.push(ShortFace { line: self.line, text: shortened(line), group: group.to_owned() });
+            faces.push(ShortFace {
+                line: self.line,
+                text: shortened(line),
+                group: group.to_owned(),
+            });
         }
     }
 
@@ -297,7 +337,11 @@ impl Parser {
         let facts = &mut self.mesh.facts;
         facts.unreadable_lines += 1;
         if facts.unreadable.len() < BAD_LINES_KEPT {
-            facts.unreadable.push(BadLine { line: self.line, text: shortened(line), what });
+            facts.unreadable.push(BadLine {
+                line: self.line,
+                text: shortened(line),
+                what,
+            });
         }
     }
 
@@ -310,12 +354,17 @@ impl Parser {
 }
 
 fn shortened(line: &[u8]) -> String {
-    String::from_utf8_lossy(line).chars().take(LONGEST_TEXT).collect()
+    String::from_utf8_lossy(line)
+        .chars()
+        .take(LONGEST_TEXT)
+        .collect()
 }
 
 fn widened(range: Option<(u32, u32)>, corners: &[u32]) -> Option<(u32, u32)> {
     corners.iter().fold(range, |range, vertex| {
-        Some(range.map_or((*vertex, *vertex), |(first, last)| (first.min(*vertex), last.max(*vertex))))
+        Some(range.map_or((*vertex, *vertex), |(first, last)| {
+            (first.min(*vertex), last.max(*vertex))
+        }))
     })
 }
 
@@ -337,7 +386,8 @@ enum BadCorner {
     Number(i64),
 }
 
-/// `v`, `v/t`, `v//n`, `v/t/n`: vertex and texture coordinate from 0, [`NO_UV`] for no texture coordinate.
+/// `v`, `v/t`, `v//n`, `v/t/n`: vertex and texture coordinate from 0, [`NO_UV`] for no texture
+/// coordinate.
 fn corner(word: &[u8]) -> Result<(u32, u32), BadCorner> {
     let mut parts = word.split(|byte| *byte == b'/');
     let vertex = one_based(parts.next().unwrap_or_default())?;
@@ -350,8 +400,12 @@ fn corner(word: &[u8]) -> Result<(u32, u32), BadCorner> {
 
 fn one_based(text: &[u8]) -> Result<u32, BadCorner> {
     let number = python_int(text).ok_or(BadCorner::Text)?;
-    let index = number.checked_sub(1).and_then(|index| u32::try_from(index).ok());
-    index.filter(|index| *index != NO_UV).ok_or(BadCorner::Number(number))
+    let index = number
+        .checked_sub(1)
+        .and_then(|index| u32::try_from(index).ok());
+    index
+        .filter(|index| *index != NO_UV)
+        .ok_or(BadCorner::Number(number))
 }
 
 #[cfg(test)]
@@ -364,51 +418,93 @@ mod tests {
 
     #[test]
     fn faces_of_a_reopened_group_stay_in_the_last_one() {
-        let text = format!("{SQUARE}g body\nf 1 2 3\ng helper\nf 1 2 4\ng body\nf 2 3 4\nf 1 3 4\ng body\nf 1 2 3\n");
+        let text = format!(
+            "{SQUARE}g body\nf 1 2 3\ng helper\nf 1 2 4\ng body\nf 2 3 4\nf 1 3 4\ng body\nf 1 2 3\n"
+        );
         let mesh = parse(text.as_bytes());
-        let groups: Vec<_> = mesh.groups.iter().map(|g| (g.name.as_str(), g.faces)).collect();
+        let groups: Vec<_> = mesh
+            .groups
+            .iter()
+            .map(|g| (g.name.as_str(), g.faces))
+            .collect();
         assert_eq!(groups, [("body", 1), ("helper", 4)]);
-        let [reopened] = mesh.facts.reopened.as_slice() else { panic!("one group") };
-        assert_eq!((reopened.name.as_str(), reopened.faces, reopened.line), ("body", 3, 9));
-        assert_eq!((reopened.strayed, reopened.lands_in.as_slice()), (3, [Arc::from("helper")].as_slice()));
+        let [reopened] = mesh.facts.reopened.as_slice() else {
+            panic!("one group")
+        };
+        assert_eq!(
+            (reopened.name.as_str(), reopened.faces, reopened.line),
+            ("body", 3, 9)
+        );
+        assert_eq!(
+            (reopened.strayed, reopened.lands_in.as_slice()),
+            (3, [Arc::from("helper")].as_slice())
+        );
     }
 
     #[test]
     fn the_group_that_faces_land_in_is_named_once() {
-        let all = |faces: &str| (0..100).map(|group| format!("g g{group}\n{faces}")).collect::<Vec<_>>().concat();
-        let text = format!("{SQUARE}{}g {}\nf 1 2 3\n{}", all(""), "L".repeat(1000), all("f 1 2 3\n"));
+        let all = |faces: &str| {
+            (0..100)
+                .map(|group| format!("g g{group}\n{faces}"))
+                .collect::<Vec<_>>()
+                .concat()
+        };
+        let text = format!(
+            "{SQUARE}{}g {}\nf 1 2 3\n{}",
+            all(""),
+            "L".repeat(1000),
+            all("f 1 2 3\n")
+        );
         let reopened = parse(text.as_bytes()).facts.reopened;
         assert_eq!(reopened.len(), 100);
-        assert!(reopened.iter().all(|one| Arc::ptr_eq(&one.lands_in[0], &reopened[0].lands_in[0])));
+        assert!(
+            reopened
+                .iter()
+                .all(|one| Arc::ptr_eq(&one.lands_in[0], &reopened[0].lands_in[0]))
+        );
     }
 
     #[test]
     fn a_group_opened_again_may_still_be_the_current_one() {
         let text = format!("{SQUARE}g a\nf 1 2 3\ng b\nf 1 2 3\ng a\nf 1 2 3\ng b\nf 1 2 3\n");
         let facts = parse(text.as_bytes()).facts;
-        let reopened: Vec<_> = facts.reopened.iter().map(|r| (r.name.as_str(), r.faces, r.strayed)).collect();
+        let reopened: Vec<_> = facts
+            .reopened
+            .iter()
+            .map(|r| (r.name.as_str(), r.faces, r.strayed))
+            .collect();
         assert_eq!(reopened, [("a", 1, 1), ("b", 1, 0)]);
     }
 
     #[test]
     fn a_group_opened_twice_in_a_row_or_without_faces_is_no_matter() {
-        let text = format!("{SQUARE}g body\nf 1 2 3\ng body\nf 1 2 4\ng joint\ng body\ng helper\nf 2 3 4\n");
+        let text = format!(
+            "{SQUARE}g body\nf 1 2 3\ng body\nf 1 2 4\ng joint\ng body\ng helper\nf 2 3 4\n"
+        );
         assert!(parse(text.as_bytes()).facts.reopened.is_empty());
     }
 
     #[test]
     fn faces_before_any_group_have_the_default_one() {
-        let mesh = parse(format!("{SQUARE}f 1 2 3 4\ng body\nf 1 2 3\ng mh_default\nf 1 2 3\n").as_bytes());
+        let mesh = parse(
+            format!("{SQUARE}f 1 2 3 4\ng body\nf 1 2 3\ng mh_default\nf 1 2 3\n").as_bytes(),
+        );
         assert_eq!(mesh.groups[0].name, DEFAULT_GROUP);
         assert_eq!(mesh.facts.reopened[0].lands_in, [Arc::from("body")]);
     }
 
     #[test]
     fn bad_lines_and_ranges_are_counted() {
-        let text = format!("{SQUARE}v 1 2\nv nan 0 0\nf 1 2\nf -1 2 3\nf 1 2 9\nf 1/1 2/1 3/1\nf 1 2 x\nf\nv\ng\n");
+        let text = format!(
+            "{SQUARE}v 1 2\nv nan 0 0\nf 1 2\nf -1 2 3\nf 1 2 9\nf 1/1 2/1 3/1\nf 1 2 x\nf\nv\ng\n"
+        );
         let facts = parse(text.as_bytes()).facts;
         assert_eq!((facts.unreadable_lines, facts.vertices), (2, 6));
-        let short = ShortFace { line: 7, text: "f 1 2".to_owned(), group: DEFAULT_GROUP.to_owned() };
+        let short = ShortFace {
+            line: 7,
+            text: "f 1 2".to_owned(),
+            group: DEFAULT_GROUP.to_owned(),
+        };
         assert_eq!(facts.short_faces, [short]);
         assert_eq!(facts.face_out_of_range.first, [(8, -1), (9, 9), (10, 1)]);
         assert_eq!(facts.non_finite.first, [(6, 5)]);
@@ -417,17 +513,29 @@ mod tests {
 
     #[test]
     fn second_uvs_of_a_vertex_make_seam_duplicates() {
-        let text =
-            format!("{SQUARE}vt 0 0\nvt 0.0005 0\nvt 0.5 0\nvt 0.5 0\nf 1/1 2/1 3/1\nf 1/2 3/3 4/1\nf 1/1 3/4 4/1\n");
+        let text = format!(
+            "{SQUARE}vt 0 0\nvt 0.0005 0\nvt 0.5 0\nvt 0.5 0\nf 1/1 2/1 3/1\nf 1/2 3/3 4/1\nf 1/1 3/4 4/1\n"
+        );
         assert_eq!(parse(text.as_bytes()).facts.seam_duplicates, 2);
     }
 
     #[test]
     fn groups_that_mix_faces_with_and_without_uvs_are_named() {
-        let text = format!("{SQUARE}vt 0 0\ng a\nf 1/1 2/1 3/1\nf 1 2 3\nf 1/1 2 3\ng b\nf 1 2 3\n");
+        let text =
+            format!("{SQUARE}vt 0 0\ng a\nf 1/1 2/1 3/1\nf 1 2 3\nf 1/1 2 3\ng b\nf 1 2 3\n");
         let facts = parse(text.as_bytes()).facts;
-        let [partial] = facts.partial_uv.as_slice() else { panic!("one group") };
-        assert_eq!((partial.name.as_str(), partial.faces, partial.without, partial.line), ("a", 3, 2, 8));
+        let [partial] = facts.partial_uv.as_slice() else {
+            panic!("one group")
+        };
+        assert_eq!(
+            (
+                partial.name.as_str(),
+                partial.faces,
+                partial.without,
+                partial.line
+            ),
+            ("a", 3, 2, 8)
+        );
     }
 
     proptest! {

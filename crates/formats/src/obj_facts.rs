@@ -31,7 +31,8 @@ pub struct MeshFacts {
     pub unreadable_names: Few<String>,
     /// Faces with a vertex or texture coordinate that does not exist (line, number as written).
     pub face_out_of_range: Tally,
-    /// Faces with fewer than three corners, which are left out; the loader stops at those that it draws.
+    /// Faces with fewer than three corners, which are left out; the loader stops at those that it
+    /// draws.
     pub short_faces: Vec<ShortFace>,
     /// Faces with a vertex twice.
     pub repeating: Vec<Repeating>,
@@ -49,7 +50,8 @@ pub struct MeshFacts {
     pub object: Option<(Box<str>, u32)>,
     /// Faces with more than four corners (line, corners).
     pub ngons: Tally,
-    /// Lowest and highest coordinate along each axis, mesh units, of the vertices that the faces of each group use.
+    /// Lowest and highest coordinate along each axis, mesh units, of the vertices that the faces of
+    /// each group use.
     pub bounds: Vec<Option<Bounds>>,
 }
 
@@ -120,20 +122,38 @@ pub struct BadLine {
 impl MeshFacts {
     /// The groups into which faces of another one are put, and those other ones.
     pub fn mixed_groups(&self) -> BTreeSet<&str> {
-        let names = self
-            .reopened
-            .iter()
-            .flat_map(|reopened| reopened.lands_in.iter().map(AsRef::as_ref).chain([reopened.name.as_str()]));
+        let names = self.reopened.iter().flat_map(|reopened| {
+            reopened
+                .lands_in
+                .iter()
+                .map(AsRef::as_ref)
+                .chain([reopened.name.as_str()])
+        });
         names.collect()
     }
 
-    /// Notes that the name `name` was opened again; takes and gives its place in [`MeshFacts::reopened`].
-    pub(super) fn reopen(&mut self, known: Option<usize>, name: &str, line: u32, lands_in: &Arc<str>) -> usize {
+    /// Notes that the name `name` was opened again; takes and gives its place in
+    /// [`MeshFacts::reopened`].
+    pub(super) fn reopen(
+        &mut self,
+        known: Option<usize>,
+        name: &str,
+        line: u32,
+        lands_in: &Arc<str>,
+    ) -> usize {
         let at = known.unwrap_or(self.reopened.len());
         if known.is_none() {
-            self.reopened.push(Reopened { name: name.to_owned(), line, faces: 0, strayed: 0, lands_in: Vec::new() });
+            self.reopened.push(Reopened {
+                name: name.to_owned(),
+                line,
+                faces: 0,
+                strayed: 0,
+                lands_in: Vec::new(),
+            });
         }
-        if let Some(Reopened { lands_in: groups, .. }) = self.reopened.get_mut(at)
+        if let Some(Reopened {
+            lands_in: groups, ..
+        }) = self.reopened.get_mut(at)
             && **lands_in != *name
             && groups.len() < LANDINGS_KEPT
             && !groups.iter().any(|group| group == lands_in)
@@ -143,7 +163,8 @@ impl MeshFacts {
         at
     }
 
-    /// Counts what only the whole mesh shows; `lines` are those of the faces, 0 where they have none.
+    /// Counts what only the whole mesh shows; `lines` are those of the faces, 0 where they have
+    /// none.
     pub(super) fn complete(&mut self, mesh: &Mesh, lines: &[u32]) {
         self.vertices = mesh.positions.len();
         self.reopened.retain(|reopened| reopened.faces > 0);
@@ -163,8 +184,12 @@ impl MeshFacts {
             }
             let corners = face.of(&mesh.corners);
             let uvs = face.of(&mesh.corner_uvs);
-            let bad_vertex = corners.iter().find(|vertex| **vertex as usize >= mesh.positions.len());
-            let bad_uv = uvs.iter().find(|uv| **uv != NO_UV && **uv as usize >= mesh.uvs.len());
+            let bad_vertex = corners
+                .iter()
+                .find(|vertex| **vertex as usize >= mesh.positions.len());
+            let bad_uv = uvs
+                .iter()
+                .find(|uv| **uv != NO_UV && **uv as usize >= mesh.uvs.len());
             if let Some(bad) = bad_vertex.or(bad_uv) {
                 self.face_out_of_range.add(*line, i64::from(*bad) + 1);
             }
@@ -187,8 +212,14 @@ impl MeshFacts {
 fn bounds(mesh: &Mesh) -> Vec<Option<Bounds>> {
     let mut bounds: Vec<Option<Bounds>> = vec![None; mesh.groups.len()];
     for face in &mesh.faces {
-        let Some(bounds) = bounds.get_mut(face.group as usize) else { continue };
-        for position in face.of(&mesh.corners).iter().filter_map(|vertex| mesh.positions.get(*vertex as usize)) {
+        let Some(bounds) = bounds.get_mut(face.group as usize) else {
+            continue;
+        };
+        for position in face
+            .of(&mesh.corners)
+            .iter()
+            .filter_map(|vertex| mesh.positions.get(*vertex as usize))
+        {
             let own = position.map(|part| (part, part));
             *bounds = Some(bounds.map_or(own, |known| joined(&known, &own)));
         }
@@ -206,21 +237,39 @@ fn repeating(mesh: &Mesh, lines: &[u32]) -> Vec<Repeating> {
     let mut seen = BTreeSet::new();
     let mut repeated = |face: Face| {
         seen.clear();
-        face.of(&mesh.corners).iter().copied().find(|vertex| !seen.insert(*vertex))
+        face.of(&mesh.corners)
+            .iter()
+            .copied()
+            .find(|vertex| !seen.insert(*vertex))
     };
     let faces = mesh.faces.iter().zip(lines);
     faces
-        .filter_map(|(face, line)| Some(Repeating { line: *line, vertex: repeated(*face)?, group: face.group }))
+        .filter_map(|(face, line)| {
+            Some(Repeating {
+                line: *line,
+                vertex: repeated(*face)?,
+                group: face.group,
+            })
+        })
         .collect()
 }
 
-/// Texture coordinates are stored group by group; the loader counts on one list per face, or none at all.
+/// Texture coordinates are stored group by group; the loader counts on one list per face, or none
+/// at all.
 fn partial_uv(mesh: &Mesh, lines: &[u32]) -> Vec<PartialUv> {
-    let blank = |group: &super::obj::Group| PartialUv { name: group.name.clone(), faces: 0, without: 0, line: 0 };
+    let blank = |group: &super::obj::Group| PartialUv {
+        name: group.name.clone(),
+        faces: 0,
+        without: 0,
+        line: 0,
+    };
     let mut groups: Vec<PartialUv> = mesh.groups.iter().map(blank).collect();
     let mut with = vec![false; groups.len()];
     for (face, line) in mesh.faces.iter().zip(lines) {
-        let (Some(group), Some(with)) = (groups.get_mut(face.group as usize), with.get_mut(face.group as usize)) else {
+        let (Some(group), Some(with)) = (
+            groups.get_mut(face.group as usize),
+            with.get_mut(face.group as usize),
+        ) else {
             continue;
         };
         let uvs = face.of(&mesh.corner_uvs);
@@ -231,17 +280,27 @@ fn partial_uv(mesh: &Mesh, lines: &[u32]) -> Vec<PartialUv> {
             group.line = if group.line == 0 { *line } else { group.line };
         }
     }
-    let mixed = groups.into_iter().zip(with).filter(|(group, with)| *with && group.without > 0);
+    let mixed = groups
+        .into_iter()
+        .zip(with)
+        .filter(|(group, with)| *with && group.without > 0);
     mixed.map(|(group, _)| group).collect()
 }
 
-/// The first texture coordinate of a vertex is its own; each other one that is far enough from it makes a
-/// duplicate, told apart by index alone.
+/// The first texture coordinate of a vertex is its own; each other one that is far enough from it
+/// makes a duplicate, told apart by index alone.
 fn count_seams(mesh: &Mesh) -> usize {
     let mut first: Vec<u32> = vec![NO_UV; mesh.positions.len()];
     let mut others: BTreeSet<(u32, u32)> = BTreeSet::new();
-    for (vertex, uv) in mesh.corners.iter().zip(&mesh.corner_uvs).filter(|(_, uv)| **uv != NO_UV) {
-        let Some(known) = first.get_mut(*vertex as usize) else { continue };
+    for (vertex, uv) in mesh
+        .corners
+        .iter()
+        .zip(&mesh.corner_uvs)
+        .filter(|(_, uv)| **uv != NO_UV)
+    {
+        let Some(known) = first.get_mut(*vertex as usize) else {
+            continue;
+        };
         if *known == NO_UV {
             *known = *uv;
         } else if *known != *uv && !is_near(mesh, *known, *uv) {
@@ -253,7 +312,10 @@ fn count_seams(mesh: &Mesh) -> usize {
 
 fn is_near(mesh: &Mesh, one: u32, other: u32) -> bool {
     match (mesh.uvs.get(one as usize), mesh.uvs.get(other as usize)) {
-        (Some(one), Some(other)) => one.iter().zip(other).all(|(one, other)| (one - other).abs() <= SEAM_DISTANCE),
+        (Some(one), Some(other)) => one
+            .iter()
+            .zip(other)
+            .all(|(one, other)| (one - other).abs() <= SEAM_DISTANCE),
         _ => true,
     }
 }

@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use super::obj::{Face, Mesh, NO_UV};
 
-/// The mesh as a text that [`super::obj::parse`] makes the same mesh of. Numbers are written with the digits that give
-/// the same float32 back.
+/// The mesh as a text that [`super::obj::parse`] makes the same mesh of. Numbers are written with
+/// the digits that give the same float32 back.
 pub fn text_of(mesh: &Mesh) -> String {
     let mut text = String::new();
     for [x, y, z] in &mesh.positions {
@@ -18,7 +18,10 @@ pub fn text_of(mesh: &Mesh) -> String {
     for face in &mesh.faces {
         if open != Some(face.group) {
             open = Some(face.group);
-            let name = mesh.groups.get(face.group as usize).map_or("", |group| group.name.as_str());
+            let name = mesh
+                .groups
+                .get(face.group as usize)
+                .map_or("", |group| group.name.as_str());
             add(&mut text, format_args!("g {name}\n"));
         }
         add_face(&mut text, mesh, *face);
@@ -51,11 +54,13 @@ mod tests {
 
     #[test]
     fn a_mesh_comes_back_from_its_text() {
-        let text =
-            "v 0 0.1 -3\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 0.25 1\nvt 1 1\ng a\nf 1/1 2/2 3/3\ng b\nf 1 3 4 2\n";
+        let text = "v 0 0.1 -3\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 0.25 1\nvt 1 1\ng a\nf 1/1 2/2 3/3\ng b\nf 1 3 4 2\n";
         let mesh = obj::parse(text.as_bytes());
         let again = obj::parse(text_of(&mesh).as_bytes());
         assert!(MeshDifference::between(&mesh, &again).is_none());
-        assert_eq!((again.facts, text_of(&mesh).as_str()), (obj::parse(text.as_bytes()).facts, text));
+        assert_eq!(
+            (again.facts, text_of(&mesh).as_str()),
+            (obj::parse(text.as_bytes()).facts, text)
+        );
     }
 }

@@ -1,5 +1,5 @@
-//! Formats of older versions of MakeHuman that no program reads any more, known by what is in a file
-//! (`docs/loaders/versions.md#formats-that-are-gone`).
+//! Formats of older versions of MakeHuman that no program reads any more, known by what is in a
+//! file (`docs/loaders/versions.md#formats-that-are-gone`).
 
 use super::fields::fields;
 use super::mhm_lines::{Line, Lines, keywords};
@@ -103,7 +103,12 @@ pub fn of_json(json: &Document) -> Option<Outdated> {
         () if is_groups(root) => Some(Outdated::VertexGroups),
         // Skeletons of today, and rigs of MPFB, have an object for each bone.
         () if has("merge") && root.get("bones").is_some_and(maps_texts) => Some(Outdated::Rig),
-        () if has("name") && has("description") && has("settings") && !has("bones") && !has("joints") => {
+        () if has("name")
+            && has("description")
+            && has("settings")
+            && !has("bones")
+            && !has("joints") =>
+        {
             Some(Outdated::Rig)
         }
         () => None,
@@ -111,36 +116,53 @@ pub fn of_json(json: &Document) -> Option<Outdated> {
 }
 
 fn maps_texts(bones: &Node) -> bool {
-    !bones.members().is_empty() && bones.members().iter().all(|bone| bone.node.as_str().is_some())
+    !bones.members().is_empty()
+        && bones
+            .members()
+            .iter()
+            .all(|bone| bone.node.as_str().is_some())
 }
 
 /// `[["group", [[vertex, weight], …]], …]`.
 fn is_groups(root: &Node) -> bool {
-    let is_pair = |pair: &Node| pair.elements().len() == 2 && pair.elements().iter().all(|one| one.as_f64().is_some());
+    let is_pair = |pair: &Node| {
+        pair.elements().len() == 2 && pair.elements().iter().all(|one| one.as_f64().is_some())
+    };
     let is_group = |group: &Node| match group.elements() {
-        [name, pairs] => name.as_str().is_some() && pairs.is_array() && pairs.elements().iter().all(is_pair),
+        [name, pairs] => {
+            name.as_str().is_some() && pairs.is_array() && pairs.elements().iter().all(is_pair)
+        }
         _ => false,
     };
     !root.elements().is_empty() && root.elements().iter().all(is_group)
 }
 
-/// A model or expression of an alpha version. Since 1.0 versions begin with `v`, and since 1.1 sliders are lines
-/// `modifier`.
+/// A model or expression of an alpha version. Since 1.0 versions begin with `v`, and since 1.1
+/// sliders are lines `modifier`.
 pub fn of_model(lines: &Lines) -> Option<Outdated> {
     let version = lines.last("version")?;
     let is_alpha = version.text.starts_with("alpha");
     if !is_alpha && !version.text.starts_with("1.0") || lines.of("modifier").next().is_some() {
         return None;
     }
-    let is_number = |line: &Line, at: usize| line.values.get(at).is_some_and(|one| is_numeric(&one.text));
+    let is_number =
+        |line: &Line, at: usize| line.values.get(at).is_some_and(|one| is_numeric(&one.text));
     // Since 1.1 the line names a file.
     let is_unit = |line: &Line| line.values.len() == 2 && is_number(line, 1);
-    let is_later = |line: &Line| matches!(&*line.keyword.text, "macro" | "face") && is_number(line, 1);
-    let is_slider = |line: &Line| !keywords().any(|known| known == &*line.keyword.text) && is_number(line, 0);
-    let is_hair = |line: &Line| line.values.first().is_some_and(|file| file.text.ends_with(".obj"));
+    let is_later =
+        |line: &Line| matches!(&*line.keyword.text, "macro" | "face") && is_number(line, 1);
+    let is_slider =
+        |line: &Line| !keywords().any(|known| known == &*line.keyword.text) && is_number(line, 0);
+    let is_hair = |line: &Line| {
+        line.values
+            .first()
+            .is_some_and(|file| file.text.ends_with(".obj"))
+    };
     match () {
         () if is_alpha || lines.all.iter().any(is_later) => Some(Outdated::LaterModel),
-        () if lines.all.iter().any(is_slider) || lines.of("hair").any(is_hair) => Some(Outdated::Model),
+        () if lines.all.iter().any(is_slider) || lines.of("hair").any(is_hair) => {
+            Some(Outdated::Model)
+        }
         () if lines.of("expression").any(is_unit) => Some(Outdated::Expression),
         () => None,
     }
@@ -161,28 +183,59 @@ mod tests {
     #[test]
     fn models_and_expressions() {
         for (text, expected) in [
-            ("version 1.0.0\ntags a\nexpression mouth-open 0.5\n", Some(Outdated::Expression)),
-            ("version 1.0.0\ngender 0.5\nhair a.obj\n", Some(Outdated::Model)),
+            (
+                "version 1.0.0\ntags a\nexpression mouth-open 0.5\n",
+                Some(Outdated::Expression),
+            ),
+            (
+                "version 1.0.0\ngender 0.5\nhair a.obj\n",
+                Some(Outdated::Model),
+            ),
             ("version 1.0.0\nhair a.obj\n", Some(Outdated::Model)),
-            ("version alpha_8_rc1\nmacro Gender 0.5\n", Some(Outdated::LaterModel)),
-            ("version 1.0.0\nmodifier head/head-oval 0.5\nexpression a 1\n", None),
+            (
+                "version alpha_8_rc1\nmacro Gender 0.5\n",
+                Some(Outdated::LaterModel),
+            ),
+            (
+                "version 1.0.0\nmodifier head/head-oval 0.5\nexpression a 1\n",
+                None,
+            ),
             ("version v1.0.0\nmacro Gender 0.5\n", None),
             ("version 1.0.0\nexpression smile.mhpose\n", None),
             ("version 1.2.0\ngender 0.5\n", None),
             ("gender 0.5\n", None),
         ] {
-            assert_eq!(of_model(&mhm_lines::read(text.as_bytes())), expected, "{text}");
+            assert_eq!(
+                of_model(&mhm_lines::read(text.as_bytes())),
+                expected,
+                "{text}"
+            );
         }
     }
 
     #[test]
     fn rigs_and_groups() {
         for (text, expected) in [
-            (r#"{"name": "b", "description": "d", "settings": {"a": 1}}"#, Some(Outdated::Rig)),
-            (r#"{"bones": {"Root": "root"}, "merge": {}}"#, Some(Outdated::Rig)),
-            (r#"{"bones": {"Root": {"parent": null}}, "merge": {}}"#, None),
-            (r#"{"name": "b", "description": "d", "settings": {}, "bones": {}}"#, None),
-            (r#"[["Root", [[1, 0.5], [2, 1]]], ["Tip", []]]"#, Some(Outdated::VertexGroups)),
+            (
+                r#"{"name": "b", "description": "d", "settings": {"a": 1}}"#,
+                Some(Outdated::Rig),
+            ),
+            (
+                r#"{"bones": {"Root": "root"}, "merge": {}}"#,
+                Some(Outdated::Rig),
+            ),
+            (
+                r#"{"bones": {"Root": {"parent": null}}, "merge": {}}"#,
+                None,
+            ),
+            (
+                r#"{"name": "b", "description": "d", "settings": {}, "bones": {}}"#,
+                None,
+            ),
+            (
+                r#"[["Root", [[1, 0.5], [2, 1]]], ["Tip", []]]"#,
+                Some(Outdated::VertexGroups),
+            ),
             (r#"[["Root", [[1, "a"]]]]"#, None),
             ("[]", None),
             ("{}", None),
@@ -194,8 +247,14 @@ mod tests {
 
     #[test]
     fn poses_and_names_of_meshes() {
-        assert_eq!(of_pose(b"# x\nRoot\tquat\t1 0 0 0\n"), Some(Outdated::QuaternionPose));
-        assert_eq!(of_pose(format!("Root matrix{}", " 1".repeat(16)).as_bytes()), Some(Outdated::MatrixPose));
+        assert_eq!(
+            of_pose(b"# x\nRoot\tquat\t1 0 0 0\n"),
+            Some(Outdated::QuaternionPose)
+        );
+        assert_eq!(
+            of_pose(format!("Root matrix{}", " 1".repeat(16)).as_bytes()),
+            Some(Outdated::MatrixPose)
+        );
         assert_eq!(of_pose(b"Root quat 1 0 0\n"), None);
         assert_eq!(Alpha::of_basemesh("alpha_7"), Some(Alpha::Seven));
         assert_eq!(Alpha::of_basemesh("hm08"), None);

@@ -1,4 +1,5 @@
-//! `packs/*.json` of MPFB: the assets of a pack, as keys (`docs/loaders/mpfb/libraries.md#the-list-of-a-pack`).
+//! `packs/*.json` of MPFB: the assets of a pack, as keys
+//! (`docs/loaders/mpfb/libraries.md#the-list-of-a-pack`).
 
 use super::unfit::{NamedAt, Unfits, below, keep};
 use mhlint_json::Document;
@@ -34,7 +35,17 @@ mod tests {
     fn the_keys_are_assets() {
         let of = |text: &str| read(&parse(text.as_bytes()).unwrap());
         let pack = of(r#"{"shirt": {"a": 1}, "hat": null}"#);
-        assert_eq!(pack.assets.iter().map(|one| &*one.name).collect::<Vec<_>>(), ["shirt", "hat"]);
-        assert_eq!((of("[]").stops.all().len(), of("null").stops.all().len(), of("{}").stops.all().len()), (1, 1, 0));
+        assert_eq!(
+            pack.assets.iter().map(|one| &*one.name).collect::<Vec<_>>(),
+            ["shirt", "hat"]
+        );
+        assert_eq!(
+            (
+                of("[]").stops.all().len(),
+                of("null").stops.all().len(),
+                of("{}").stops.all().len()
+            ),
+            (1, 1, 0)
+        );
     }
 }

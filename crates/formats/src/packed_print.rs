@@ -1,17 +1,19 @@
-//! What rows of targets are compared by where `MakeHuman` 1 packs them: thousandths of a decimetre in 16 bits, and the
-//! vertex in 16 bits (`docs/loaders/makehuman1/target-archive.md#content`).
+//! What rows of targets are compared by where `MakeHuman` 1 packs them: thousandths of a decimetre
+//! in 16 bits, and the vertex in 16 bits (`docs/loaders/makehuman1/target-archive.md#content`).
 
 /// Added to a number this moves its whole part, rounded to even, to the lowest bits.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
 /// An odd number that spreads bits.
 const SPREAD: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// A hash over rows in their order. It is made of every target of a repository, so it costs a few instructions a row.
+/// A hash over rows in their order. It is made of every target of a repository, so it costs a few
+/// instructions a row.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct PackedPrint(u64);
 
 impl PackedPrint {
-    /// Takes a row, its displacement in thousandths of a decimetre. What does not fit goes around, as `NumPy` lets it.
+    /// Takes a row, its displacement in thousandths of a decimetre. What does not fit goes around,
+    /// as `NumPy` lets it.
     #[inline]
     pub(super) fn add(&mut self, vertex: u32, [x, y, z]: [f64; 3]) {
         let part = |number: f64| (number + WHOLE).to_bits() & 0xffff;
@@ -30,15 +32,22 @@ mod tests {
 
     fn of(rows: &[(u32, [f64; 3])]) -> u64 {
         let mut print = PackedPrint::default();
-        rows.iter().for_each(|(vertex, parts)| print.add(*vertex, *parts));
+        rows.iter()
+            .for_each(|(vertex, parts)| print.add(*vertex, *parts));
         print.finish()
     }
 
     #[test]
     fn numbers_are_rounded_to_even_and_go_around() {
-        assert_eq!(of(&[(3, [119.4, -10_205.5, 0.5])]), of(&[(3, [119.0, -10_206.0, 0.0])]));
+        assert_eq!(
+            of(&[(3, [119.4, -10_205.5, 0.5])]),
+            of(&[(3, [119.0, -10_206.0, 0.0])])
+        );
         assert_eq!(of(&[(3, [1.5, -1.5, -0.0])]), of(&[(3, [2.0, -2.0, 0.0])]));
-        assert_eq!(of(&[(65_539, [33_100.0, -32_769.0, 65_536.0])]), of(&[(3, [-32_436.0, 32_767.0, 0.0])]));
+        assert_eq!(
+            of(&[(65_539, [33_100.0, -32_769.0, 65_536.0])]),
+            of(&[(3, [-32_436.0, 32_767.0, 0.0])])
+        );
     }
 
     #[test]

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use imagesize::{ImageError, ImageType, blob_size, image_type};
 
-/// As much of the beginning of a picture as is read: JPEG keeps its size behind thumbnails and colour profiles.
+/// As much of the beginning of a picture as is read: JPEG keeps its size behind thumbnails and
+/// colour profiles.
 pub const HEAD: usize = 64 << 10;
 /// As much of its end.
 pub const TAIL: usize = 4 << 10;
@@ -86,28 +87,50 @@ impl PictureFormat {
 }
 
 /// What drawings begin with that are texts: SVG, XPM and XBM.
-const DRAWINGS: [&[u8]; 6] = [b"<svg", b"<?xml", b"<!--", b"<!DOCTYPE svg", b"/* XPM", b"#define"];
+const DRAWINGS: [&[u8]; 6] = [
+    b"<svg",
+    b"<?xml",
+    b"<!--",
+    b"<!DOCTYPE svg",
+    b"/* XPM",
+    b"#define",
+];
 
 /// Looks at the ends of a picture of `size` bytes; `tail` is empty where `head` is all of it.
 pub fn read(head: &[u8], tail: &[u8], size: u64) -> Picture {
     let is_whole = head.len() as u64 >= size;
     let Ok(kind) = image_type(head) else {
-        let is_text = DRAWINGS.iter().any(|mark| head.trim_ascii_start().starts_with(mark));
+        let is_text = DRAWINGS
+            .iter()
+            .any(|mark| head.trim_ascii_start().starts_with(mark));
         let fault = (!is_text).then_some(PictureFault::NotAPicture);
-        return Picture { fault, ..Picture::default() };
+        return Picture {
+            fault,
+            ..Picture::default()
+        };
     };
     let format = format(kind);
     let size_in_header = blob_size(head);
-    let measured = size_in_header.as_ref().ok().map(|size| (size.width as u64, size.height as u64));
+    let measured = size_in_header
+        .as_ref()
+        .ok()
+        .map(|size| (size.width as u64, size.height as u64));
     let pixels = pixels(format, head);
     let fault = match (&size_in_header, measured) {
         (Err(ImageError::IoError(_)), _) if !is_whole => None,
         (Err(_), _) => Some(PictureFault::Header),
         (_, Some((0, _) | (_, 0))) => Some(PictureFault::NoPixels),
-        _ if format == PictureFormat::Png => png_fault(head, tail, size, measured.unwrap_or_default()),
+        _ if format == PictureFormat::Png => {
+            png_fault(head, tail, size, measured.unwrap_or_default())
+        }
         _ => None,
     };
-    Picture { format: Some(format), size: measured, pixels, fault }
+    Picture {
+        format: Some(format),
+        size: measured,
+        pixels,
+        fault,
+    }
 }
 
 const fn format(kind: ImageType) -> PictureFormat {
@@ -135,8 +158,16 @@ const PNG_HEADER: usize = 33;
 /// What deflate packs into one byte at most, and what is around it.
 const DEFLATE: u64 = 1040;
 
-fn png_fault(head: &[u8], tail: &[u8], size: u64, (width, height): (u64, u64)) -> Option<PictureFault> {
-    let (Some(data), Some(sum)) = (head.get(12..PNG_HEADER - 4), head.get(PNG_HEADER - 4..PNG_HEADER)) else {
+fn png_fault(
+    head: &[u8],
+    tail: &[u8],
+    size: u64,
+    (width, height): (u64, u64),
+) -> Option<PictureFault> {
+    let (Some(data), Some(sum)) = (
+        head.get(12..PNG_HEADER - 4),
+        head.get(PNG_HEADER - 4..PNG_HEADER),
+    ) else {
         return Some(PictureFault::CutOff);
     };
     let mut own = flate2::Crc::new();
@@ -150,7 +181,9 @@ fn png_fault(head: &[u8], tail: &[u8], size: u64, (width, height): (u64, u64)) -
         return Some(PictureFault::TooManyPixels);
     }
     let end = if tail.is_empty() { head } else { tail };
-    let has_end = end.get(end.len().saturating_sub(TAIL)..).is_some_and(|end| holds(end, *b"IEND"));
+    let has_end = end
+        .get(end.len().saturating_sub(TAIL)..)
+        .is_some_and(|end| holds(end, *b"IEND"));
     (!has_end).then_some(PictureFault::CutOff)
 }
 
@@ -173,18 +206,33 @@ fn pixels(format: PictureFormat, head: &[u8]) -> Option<Pixels> {
         PictureFormat::Png => {
             let bits = *head.get(24)?;
             Some(match head.get(25)? {
-                0 => Pixels::Grey { bits, keyed: png_has_key(head) },
+                0 => Pixels::Grey {
+                    bits,
+                    keyed: png_has_key(head),
+                },
                 3 => Pixels::Palette,
-                colour => Pixels::Channels { bits, colour: *colour != 4 },
+                colour => Pixels::Channels {
+                    bits,
+                    colour: *colour != 4,
+                },
             })
         }
         PictureFormat::Jpeg => Some(match jpeg_components(head)? {
-            1 => Pixels::Grey { bits: 8, keyed: false },
-            _ => Pixels::Channels { bits: 8, colour: true },
+            1 => Pixels::Grey {
+                bits: 8,
+                keyed: false,
+            },
+            _ => Pixels::Channels {
+                bits: 8,
+                colour: true,
+            },
         }),
         PictureFormat::Bmp => Some(match head.get(28)? {
             1..=8 => Pixels::Palette,
-            _ => Pixels::Channels { bits: 8, colour: true },
+            _ => Pixels::Channels {
+                bits: 8,
+                colour: true,
+            },
         }),
         PictureFormat::Other(_) | PictureFormat::Source(_) => None,
     }
@@ -194,7 +242,10 @@ fn pixels(format: PictureFormat, head: &[u8]) -> Option<Pixels> {
 fn png_has_key(head: &[u8]) -> bool {
     let mut at = PNG_HEADER;
     while let Some(Range { start, .. }) = head.get(at..at + 8).map(|_| at..at + 8) {
-        let length = head.get(start..start + 4).and_then(|bytes| bytes.try_into().ok()).map_or(0, u32::from_be_bytes);
+        let length = head
+            .get(start..start + 4)
+            .and_then(|bytes| bytes.try_into().ok())
+            .map_or(0, u32::from_be_bytes);
         match head.get(start + 4..start + 8) {
             Some(b"tRNS") => return true,
             Some(b"IDAT") => return false,
@@ -236,7 +287,12 @@ mod tests {
             png.extend(data);
             png.extend(sum.sum().to_be_bytes());
         };
-        let header = [&size.0.to_be_bytes()[..], &size.1.to_be_bytes(), &[depth, colour, 0, 0, 0]].concat();
+        let header = [
+            &size.0.to_be_bytes()[..],
+            &size.1.to_be_bytes(),
+            &[depth, colour, 0, 0, 0],
+        ]
+        .concat();
         chunk(b"IHDR", &header);
         chunk(b"IDAT", &vec![0; pixels]);
         chunk(b"IEND", b"");
@@ -250,12 +306,35 @@ mod tests {
     #[test]
     fn a_png_shows_size_and_pixels() {
         let own = all(&png((16, 8), 8, 2, 40));
-        let pixels = Some(Pixels::Channels { bits: 8, colour: true });
-        assert_eq!(own, Picture { format: Some(PictureFormat::Png), size: Some((16, 8)), pixels, fault: None });
+        let pixels = Some(Pixels::Channels {
+            bits: 8,
+            colour: true,
+        });
+        assert_eq!(
+            own,
+            Picture {
+                format: Some(PictureFormat::Png),
+                size: Some((16, 8)),
+                pixels,
+                fault: None
+            }
+        );
         for (colour, pixels) in [
-            (0, Pixels::Grey { bits: 8, keyed: false }),
+            (
+                0,
+                Pixels::Grey {
+                    bits: 8,
+                    keyed: false,
+                },
+            ),
             (3, Pixels::Palette),
-            (4, Pixels::Channels { bits: 8, colour: false }),
+            (
+                4,
+                Pixels::Channels {
+                    bits: 8,
+                    colour: false,
+                },
+            ),
         ] {
             assert_eq!(all(&png((1, 1), 8, colour, 9)).pixels, Some(pixels));
         }
@@ -265,34 +344,65 @@ mod tests {
     fn a_jpeg_and_a_bmp_show_how_their_pixels_are_stored() {
         let jpeg = |components: u8| {
             let app = [&b"\xff\xd8\xff\xe0\0\x10"[..], &[0; 14]].concat();
-            [&app[..], b"\xff\xc0\0\x11\x08\0\x04\0\x06", &[components], &[0; 12]].concat()
+            [
+                &app[..],
+                b"\xff\xc0\0\x11\x08\0\x04\0\x06",
+                &[components],
+                &[0; 12],
+            ]
+            .concat()
         };
-        assert_eq!(all(&jpeg(1)).pixels, Some(Pixels::Grey { bits: 8, keyed: false }));
+        assert_eq!(
+            all(&jpeg(1)).pixels,
+            Some(Pixels::Grey {
+                bits: 8,
+                keyed: false
+            })
+        );
         let colour = all(&jpeg(3));
         assert_eq!((colour.size, colour.fault), (Some((6, 4)), None));
         let mut bmp = vec![0; 60];
         bmp[..2].copy_from_slice(b"BM");
         (bmp[14], bmp[18], bmp[22], bmp[28]) = (40, 4, 4, 8);
-        assert_eq!((all(&bmp).size, all(&bmp).pixels), (Some((4, 4)), Some(Pixels::Palette)));
+        assert_eq!(
+            (all(&bmp).size, all(&bmp).pixels),
+            (Some((4, 4)), Some(Pixels::Palette))
+        );
     }
 
     #[test]
     fn what_is_no_picture_or_lies_has_its_fault() {
         let fault = |bytes: &[u8]| all(bytes).fault;
         let good = png((4, 4), 8, 2, 40);
-        assert_eq!(fault(b"just a text, nothing else"), Some(PictureFault::NotAPicture));
+        assert_eq!(
+            fault(b"just a text, nothing else"),
+            Some(PictureFault::NotAPicture)
+        );
         assert_eq!(fault(b"short"), Some(PictureFault::NotAPicture));
-        assert_eq!(fault(b"<!DOCTYPE html><html></html>"), Some(PictureFault::NotAPicture));
+        assert_eq!(
+            fault(b"<!DOCTYPE html><html></html>"),
+            Some(PictureFault::NotAPicture)
+        );
         assert_eq!(fault(b"<svg xmlns='http://www.w3.org/2000/svg'/>"), None);
         assert_eq!(fault(&good[..20]), Some(PictureFault::Header));
         assert_eq!(fault(&good[..60]), Some(PictureFault::CutOff));
         assert_eq!(fault(&png((0, 4), 8, 2, 40)), Some(PictureFault::NoPixels));
-        assert_eq!(fault(&png((60_000, 60_000), 8, 6, 40)), Some(PictureFault::TooManyPixels));
+        assert_eq!(
+            fault(&png((60_000, 60_000), 8, 6, 40)),
+            Some(PictureFault::TooManyPixels)
+        );
         let mut changed = good.clone();
         changed[19] ^= 1;
         assert_eq!(fault(&changed), Some(PictureFault::Header));
-        assert_eq!(read(&good[..50], &good[50..], good.len() as u64).fault, None);
-        assert_eq!(read(b"\xff\xd8\xff\xe0\xff\xff      ", b"\xff\xd9", 99_999).fault, None, "nobody can tell");
+        assert_eq!(
+            read(&good[..50], &good[50..], good.len() as u64).fault,
+            None
+        );
+        assert_eq!(
+            read(b"\xff\xd8\xff\xe0\xff\xff      ", b"\xff\xd9", 99_999).fault,
+            None,
+            "nobody can tell"
+        );
     }
 
     proptest! {

@@ -38,7 +38,8 @@ pub struct Turn {
 /// How far a matrix M is from a rotation.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Bend {
-    /// The largest entry of M·Mᵀ − 1, without its sign: rows that are too long or at no right angle.
+    /// The largest entry of M·Mᵀ − 1, without its sign: rows that are too long or at no right
+    /// angle.
     pub off: f64,
     /// Whether it swaps left and right: its determinant is below zero.
     pub mirrors: bool,
@@ -62,7 +63,14 @@ const NUMBERS: usize = 9;
 
 /// Takes what the loader would take.
 pub fn read(document: &Document) -> PoseUnits {
-    PoseUnits { units: document.root.effective_members().into_iter().map(unit).collect() }
+    PoseUnits {
+        units: document
+            .root
+            .effective_members()
+            .into_iter()
+            .map(unit)
+            .collect(),
+    }
 }
 
 fn unit(member: &Member) -> Unit {
@@ -74,7 +82,11 @@ fn unit(member: &Member) -> Unit {
                 Ok(matrix) => (None, bend(&matrix)),
                 Err(fault) => (Some(fault), Bend::default()),
             };
-            Turn { bone: bone.key.clone(), fault, bend }
+            Turn {
+                bone: bone.key.clone(),
+                fault,
+                bend,
+            }
         };
         Some(bones.map(turn).collect())
     };
@@ -82,7 +94,9 @@ fn unit(member: &Member) -> Unit {
         name: member.key.clone(),
         bones: turns("bones"),
         reverse: turns("reverse"),
-        partner: ["rsym", "lsym"].into_iter().find_map(|key| Some((key, text(node, key)?))),
+        partner: ["rsym", "lsym"]
+            .into_iter()
+            .find_map(|key| Some((key, text(node, key)?))),
     }
 }
 
@@ -93,28 +107,56 @@ fn matrix(node: &Node) -> Result<[[f64; 3]; 3], TurnFault> {
     }
     let rows = node.elements();
     let is_nested = rows.iter().any(Node::is_array);
-    let cells: Vec<&Node> =
-        if is_nested { rows.iter().flat_map(Node::elements).collect() } else { rows.iter().collect() };
+    let cells: Vec<&Node> = if is_nested {
+        rows.iter().flat_map(Node::elements).collect()
+    } else {
+        rows.iter().collect()
+    };
     let is_even = !is_nested || rows.iter().all(|row| row.elements().len() == 3);
     let count = cells.len();
-    let numbers: Vec<f64> = cells.into_iter().filter_map(Node::as_python_number).collect();
+    let numbers: Vec<f64> = cells
+        .into_iter()
+        .filter_map(Node::as_python_number)
+        .collect();
     match <[f64; NUMBERS]>::try_from(numbers) {
         _ if count != NUMBERS => Err(TurnFault::Count(count)),
         Err(_) => Err(TurnFault::NotANumber),
         Ok(_) if !is_even => Err(TurnFault::Count(count)),
-        Ok(numbers) if numbers.iter().any(|number| !number.is_finite()) => Err(TurnFault::NonFinite),
-        Ok(all) => Ok([[all[0], all[1], all[2]], [all[3], all[4], all[5]], [all[6], all[7], all[8]]]),
+        Ok(numbers) if numbers.iter().any(|number| !number.is_finite()) => {
+            Err(TurnFault::NonFinite)
+        }
+        Ok(all) => Ok([
+            [all[0], all[1], all[2]],
+            [all[3], all[4], all[5]],
+            [all[6], all[7], all[8]],
+        ]),
     }
 }
 
 fn bend(matrix: &[[f64; 3]; 3]) -> Bend {
     let [a, b, c] = matrix;
-    let dot = |one: &[f64; 3], other: &[f64; 3]| one.iter().zip(other).map(|(one, other)| one * other).sum::<f64>();
+    let dot = |one: &[f64; 3], other: &[f64; 3]| {
+        one.iter()
+            .zip(other)
+            .map(|(one, other)| one * other)
+            .sum::<f64>()
+    };
     let lengths = [a, b, c].map(|row| dot(row, row) - 1.0);
     let angles = [dot(a, b), dot(b, c), dot(c, a)];
-    let off = lengths.into_iter().chain(angles).map(f64::abs).fold(0.0, f64::max);
-    let across = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
-    Bend { off, mirrors: dot(a, &across) < 0.0 }
+    let off = lengths
+        .into_iter()
+        .chain(angles)
+        .map(f64::abs)
+        .fold(0.0, f64::max);
+    let across = [
+        b[1] * c[2] - b[2] * c[1],
+        b[2] * c[0] - b[0] * c[2],
+        b[0] * c[1] - b[1] * c[0],
+    ];
+    Bend {
+        off,
+        mirrors: dot(a, &across) < 0.0,
+    }
 }
 
 #[cfg(test)]
@@ -157,15 +199,26 @@ mod tests {
         ] {
             let units = of(&format!(r#"{{"u": {{"bones": {{"b": {matrix}}}}}}}"#)).units;
             let bend = units[0].bones.as_ref().unwrap()[0].bend;
-            assert!((bend.off - off).abs() < 1e-12 && bend.mirrors == mirrors, "{matrix}: {bend:?}");
+            assert!(
+                (bend.off - off).abs() < 1e-12 && bend.mirrors == mirrors,
+                "{matrix}: {bend:?}"
+            );
         }
     }
 
     #[test]
     fn units_know_their_halves_and_partners() {
-        let units = of(r#"{"Rest": {}, "L": {"bones": {}, "rsym": "R"}, "N": {"reverse": {}}, "x": 5}"#).units;
-        let told: Vec<_> = units.iter().map(|unit| (unit.bones.is_some(), unit.reverse.is_some())).collect();
-        assert_eq!(told, [(false, false), (true, false), (false, true), (false, false)]);
+        let units =
+            of(r#"{"Rest": {}, "L": {"bones": {}, "rsym": "R"}, "N": {"reverse": {}}, "x": 5}"#)
+                .units;
+        let told: Vec<_> = units
+            .iter()
+            .map(|unit| (unit.bones.is_some(), unit.reverse.is_some()))
+            .collect();
+        assert_eq!(
+            told,
+            [(false, false), (true, false), (false, true), (false, false)]
+        );
         assert_eq!(units[1].partner, Some(("rsym", "R".to_owned())));
     }
 

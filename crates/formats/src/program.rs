@@ -27,11 +27,21 @@ pub struct Shaders {
 /// Takes what the program would take.
 pub fn version(document: &Document) -> Version {
     let root = &document.root;
-    let support = root.get("support_urls").map(Node::effective_members).unwrap_or_default().into_iter();
+    let support = root
+        .get("support_urls")
+        .map(Node::effective_members)
+        .unwrap_or_default()
+        .into_iter();
     Version {
         standard_mesh: text(root, "standardmesh"),
-        keys: root.members().iter().map(|member| member.key.clone()).collect(),
-        support: support.filter_map(|one| Some((one.key.clone(), one.node.as_str()?.to_owned()))).collect(),
+        keys: root
+            .members()
+            .iter()
+            .map(|member| member.key.clone())
+            .collect(),
+        support: support
+            .filter_map(|one| Some((one.key.clone(), one.node.as_str()?.to_owned())))
+            .collect(),
     }
 }
 
@@ -39,7 +49,9 @@ pub fn version(document: &Document) -> Version {
 pub fn shaders(document: &Document) -> Shaders {
     let root = &document.root;
     Shaders {
-        has_skybox: root.get("skybox").is_some_and(|node| node.value == Value::Bool(true)),
+        has_skybox: root
+            .get("skybox")
+            .is_some_and(|node| node.value == Value::Bool(true)),
         skybox: text(root, "skyboxname"),
     }
 }
@@ -53,7 +65,8 @@ mod tests {
 
     #[test]
     fn what_is_named_is_kept() {
-        let text = br#"{"standardmesh": "figure", "url_a": "x", "support_urls": {"A": "url_a", "B": 5}}"#;
+        let text =
+            br#"{"standardmesh": "figure", "url_a": "x", "support_urls": {"A": "url_a", "B": 5}}"#;
         let found = version(&parse(text).unwrap());
         assert_eq!(found.standard_mesh.as_deref(), Some("figure"));
         assert_eq!(found.support, [("A".to_owned(), "url_a".to_owned())]);

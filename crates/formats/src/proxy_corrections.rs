@@ -28,7 +28,9 @@ pub fn read(document: &Document) -> ProxyCorrections {
         Value::Object(_) => {}
         // One looks in vain for a key in them.
         Value::Array(_) | Value::String(_) => found.ignored.add_type("", root, "an object"),
-        Value::Null | Value::Bool(_) | Value::Number(..) => found.stops.add_type("", root, "an object"),
+        Value::Null | Value::Bool(_) | Value::Number(..) => {
+            found.stops.add_type("", root, "an object")
+        }
     }
     for member in root.effective_members() {
         let pointer = below("", &member.key);
@@ -47,7 +49,9 @@ impl ProxyCorrections {
             Value::String(text) if text.contains(FLAG) => {}
             Value::Array(names) if names.iter().any(|name| name.as_str() == Some(FLAG)) => {}
             Value::String(_) | Value::Array(_) => self.ignored.add_type(pointer, node, "an object"),
-            Value::Null | Value::Bool(_) | Value::Number(..) => self.stops.add_type(pointer, node, "an object"),
+            Value::Null | Value::Bool(_) | Value::Number(..) => {
+                self.stops.add_type(pointer, node, "an object")
+            }
         }
     }
 
@@ -79,17 +83,39 @@ mod tests {
     /// How much there is of each sort: what stops, what is ignored, what is not read.
     fn counts(text: &str) -> [usize; 3] {
         let found = of(text);
-        [found.stops.all().len(), found.ignored.all().len(), found.unread.len()]
+        [
+            found.stops.all().len(),
+            found.ignored.all().len(),
+            found.unread.len(),
+        ]
     }
 
     #[test]
     fn that_there_is_a_flag_counts() {
-        assert_eq!(counts(r#"{"a": {"fix_leftright_weights_for_groups": true}, "b": {}}"#), [0, 0, 0]);
-        assert_eq!(counts(r#"{"a": "fix_leftright_weights_for_groups"}"#), [0, 0, 0]);
-        assert_eq!(counts(r#"{"a": ["fix_leftright_weights_for_groups"]}"#), [0, 0, 0]);
-        assert_eq!(counts(r#"{"a": {"fix_leftright_weights_for_groups": ["hand.l"]}}"#), [0, 0, 1]);
-        assert_eq!(counts(r#"{"a": {"fix_leftright_weights_for_groups": false}}"#), [0, 0, 1]);
-        assert_eq!(counts(r#"{"a": {"fix_leftright_weight": true}}"#), [0, 1, 0]);
+        assert_eq!(
+            counts(r#"{"a": {"fix_leftright_weights_for_groups": true}, "b": {}}"#),
+            [0, 0, 0]
+        );
+        assert_eq!(
+            counts(r#"{"a": "fix_leftright_weights_for_groups"}"#),
+            [0, 0, 0]
+        );
+        assert_eq!(
+            counts(r#"{"a": ["fix_leftright_weights_for_groups"]}"#),
+            [0, 0, 0]
+        );
+        assert_eq!(
+            counts(r#"{"a": {"fix_leftright_weights_for_groups": ["hand.l"]}}"#),
+            [0, 0, 1]
+        );
+        assert_eq!(
+            counts(r#"{"a": {"fix_leftright_weights_for_groups": false}}"#),
+            [0, 0, 1]
+        );
+        assert_eq!(
+            counts(r#"{"a": {"fix_leftright_weight": true}}"#),
+            [0, 1, 0]
+        );
     }
 
     #[test]

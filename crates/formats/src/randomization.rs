@@ -1,8 +1,8 @@
 //! Presets of the randomizer of MPFB, `randomization.<name>.json`
 //! (`docs/loaders/mpfb/models.md#presets-of-the-randomizer`).
 //!
-//! The loader takes every key with `[]` and sets a property of Blender to its value, one after the other: at the first key
-//! that is missing, or value that the property does not take, it stops.
+//! The loader takes every key with `[]` and sets a property of Blender to its value, one after the
+//! other: at the first key that is missing, or value that the property does not take, it stops.
 
 use super::unfit::{Unfits, Why, below, is_number};
 use mhlint_json::{Document, Member, Node, Value};
@@ -12,26 +12,36 @@ use mhlint_json::{Document, Member, Node, Value};
 pub struct Randomization {
     /// What stops the loader, whatever sections the catalogue has.
     stops: Unfits,
-    /// The sections of the catalogue that it has settings for, each with what stops the loader there; nothing where it has
-    /// no such object.
+    /// The sections of the catalogue that it has settings for, each with what stops the loader
+    /// there; nothing where it has no such object.
     sections: Option<Vec<(String, Unfits)>>,
 }
 
 impl Randomization {
-    /// What stops the loader. Settings for a section that the catalogue does not have are passed over, whatever they are;
-    /// `None` if the catalogue is not at hand.
+    /// What stops the loader. Settings for a section that the catalogue does not have are passed
+    /// over, whatever they are; `None` if the catalogue is not at hand.
     pub fn stops(&self, catalog: Option<&[&str]>) -> Unfits {
         let mut stops = self.stops.clone();
         let is_read = |name: &str| catalog.is_none_or(|catalog| catalog.contains(&name));
-        let sections = self.sections.iter().flatten().filter(|(name, _)| is_read(name));
+        let sections = self
+            .sections
+            .iter()
+            .flatten()
+            .filter(|(name, _)| is_read(name));
         sections.for_each(|(_, faults)| stops.extend(faults.clone()));
         stops
     }
 
     /// The sections of a catalogue that it has no settings for.
     pub fn lacks<'c>(&self, catalog: &[&'c str]) -> Vec<&'c str> {
-        let Some(sections) = &self.sections else { return Vec::new() };
-        catalog.iter().copied().filter(|wanted| sections.iter().all(|(name, _)| name != wanted)).collect()
+        let Some(sections) = &self.sections else {
+            return Vec::new();
+        };
+        catalog
+            .iter()
+            .copied()
+            .filter(|wanted| sections.iter().all(|(name, _)| name != wanted))
+            .collect()
     }
 }
 
@@ -62,11 +72,19 @@ enum Wants {
 use Wants::{Anything, Flag, Keys, Names, Number, Sections, Text, Whole, Word};
 
 const fn key(name: &'static str, wants: Wants) -> Key {
-    Key { name, wants, is_optional: false }
+    Key {
+        name,
+        wants,
+        is_optional: false,
+    }
 }
 
 const fn later(name: &'static str, wants: Wants) -> Key {
-    Key { name, wants, is_optional: true }
+    Key {
+        name,
+        wants,
+        is_optional: true,
+    }
 }
 
 const PRESET: &[Key] = &[
@@ -98,9 +116,18 @@ const ATTRIBUTES: &[Key] = &[
     key("race", Keys(&[key("include", Flag), key("allowed", Names)])),
 ];
 /// What is drawn at random around a value.
-const DRAWN: &[Key] = &[key("include", Flag), key("neutral", Number), key("deviation", Number)];
+const DRAWN: &[Key] = &[
+    key("include", Flag),
+    key("neutral", Number),
+    key("deviation", Number),
+];
 /// The same where a few values may be all there are.
-const CHOSEN: &[Key] = &[key("include", Flag), key("neutral", Number), key("deviation", Number), key("allowed", Names)];
+const CHOSEN: &[Key] = &[
+    key("include", Flag),
+    key("neutral", Number),
+    key("deviation", Number),
+    key("allowed", Names),
+];
 
 const CREATION: &[Key] = &[
     key("scale_factor", Word(&["METER", "DECIMETER", "CENTIMETER"])),
@@ -140,7 +167,10 @@ const SKIN: &[Key] = &[
 ];
 const EYES: &[Key] = &[
     key("mode", Word(&["DONOTADD", "HIGHPOLY", "LOWPOLY"])),
-    key("material_type", Word(&["GAMEENGINE", "MAKESKIN", "PROCEDURAL_EYES"])),
+    key(
+        "material_type",
+        Word(&["GAMEENGINE", "MAKESKIN", "PROCEDURAL_EYES"]),
+    ),
     key("randomize_alt_materials", Flag),
 ];
 const HAIR: &[Key] = &[
@@ -152,7 +182,12 @@ const HAIR: &[Key] = &[
     key("exclude", Text),
     key("randomize_alt_materials", Flag),
 ];
-const PART: &[Key] = &[key("enabled", Flag), key("pack", Text), key("include", Text), key("exclude", Text)];
+const PART: &[Key] = &[
+    key("enabled", Flag),
+    key("pack", Text),
+    key("include", Text),
+    key("exclude", Text),
+];
 const CLOTHES: &[Key] = &[
     key("head", Keys(GARMENT)),
     key("full_body", Keys(GARMENT)),
@@ -173,9 +208,18 @@ const GARMENT: &[Key] = &[
     key("exclude", Text),
 ];
 
-const DETAILS: &[Key] = &[key("enabled", Flag), key("symmetry", Flag), key("sections", Sections)];
-const SECTION: &[Key] =
-    &[key("min", Whole), key("max", Whole), key("include", Text), key("exclude", Text), key("deviation", Number)];
+const DETAILS: &[Key] = &[
+    key("enabled", Flag),
+    key("symmetry", Flag),
+    key("sections", Sections),
+];
+const SECTION: &[Key] = &[
+    key("min", Whole),
+    key("max", Whole),
+    key("include", Text),
+    key("exclude", Text),
+    key("deviation", Number),
+];
 
 const BATCH: &[Key] = &[
     key("count", Whole),
@@ -198,14 +242,28 @@ pub fn read(document: &Document) -> Randomization {
     let root = &document.root;
     let mut preset = Randomization::default();
     check_keys(&mut preset.stops, "", root, PRESET);
-    let sections = root.get("details").and_then(|details| details.get("sections")).filter(|node| node.is_object());
-    preset.sections = sections.map(|sections| sections.effective_members().into_iter().map(section).collect());
+    let sections = root
+        .get("details")
+        .and_then(|details| details.get("sections"))
+        .filter(|node| node.is_object());
+    preset.sections = sections.map(|sections| {
+        sections
+            .effective_members()
+            .into_iter()
+            .map(section)
+            .collect()
+    });
     preset
 }
 
 fn section(member: &Member) -> (String, Unfits) {
     let mut stops = Unfits::default();
-    check_keys(&mut stops, &below("/details/sections", &member.key), &member.node, SECTION);
+    check_keys(
+        &mut stops,
+        &below("/details/sections", &member.key),
+        &member.node,
+        SECTION,
+    );
     (member.key.clone(), stops)
 }
 
@@ -250,7 +308,12 @@ mod tests {
 
     fn pointers(text: &str) -> Vec<String> {
         let preset = read(&parse(text.as_bytes()).unwrap());
-        preset.stops(None).all().iter().map(|one| one.pointer.clone()).collect()
+        preset
+            .stops(None)
+            .all()
+            .iter()
+            .map(|one| one.pointer.clone())
+            .collect()
     }
 
     /// A preset with everything in it, in the order of the tables.
@@ -276,14 +339,22 @@ mod tests {
         let text = whole(PRESET);
         assert_eq!(pointers(&text), [""; 0]);
         let preset = read(&parse(text.as_bytes()).unwrap());
-        assert_eq!((preset.lacks(&["nose"]), preset.lacks(&["chin", "nose"])), (vec![], vec!["chin"]));
+        assert_eq!(
+            (preset.lacks(&["nose"]), preset.lacks(&["chin", "nose"])),
+            (vec![], vec!["chin"])
+        );
     }
 
     #[test]
     fn what_older_presets_lack_is_not_missed() {
-        let text = whole(PRESET).replace("\"origin_x\": 0.5, ", "").replace("\"add_subdiv_modifier\": true, ", "");
+        let text = whole(PRESET)
+            .replace("\"origin_x\": 0.5, ", "")
+            .replace("\"add_subdiv_modifier\": true, ", "");
         assert_eq!(pointers(&text), [""; 0]);
-        assert_eq!(pointers(&text.replace("\"spacing_x\": 0.5, ", "")), ["/batch"]);
+        assert_eq!(
+            pointers(&text.replace("\"spacing_x\": 0.5, ", "")),
+            ["/batch"]
+        );
     }
 
     #[test]
@@ -295,13 +366,29 @@ mod tests {
         };
         assert_eq!(of("\"count\": 3", "\"count\": 2.5"), ["/batch/count"]);
         assert_eq!(of("\"count\": 3", "\"count\": true"), [""; 0]);
-        assert_eq!(of("\"distribution\": \"flat\"", "\"distribution\": \"Flat\""), ["/phenotype/distribution"]);
-        assert_eq!(of("\"neutral\": 0.5", "\"neutral\": \"0.5\""), ["/phenotype/attributes/gender/neutral"]);
-        assert_eq!(of("\"discrete_race\": true", "\"discrete_race\": null"), ["/phenotype/discrete_race"]);
+        assert_eq!(
+            of("\"distribution\": \"flat\"", "\"distribution\": \"Flat\""),
+            ["/phenotype/distribution"]
+        );
+        assert_eq!(
+            of("\"neutral\": 0.5", "\"neutral\": \"0.5\""),
+            ["/phenotype/attributes/gender/neutral"]
+        );
+        assert_eq!(
+            of("\"discrete_race\": true", "\"discrete_race\": null"),
+            ["/phenotype/discrete_race"]
+        );
         let text = whole(PRESET).replace("\"min\": 3", "\"min\": null");
         let preset = read(&parse(text.as_bytes()).unwrap());
         let count = |catalog| preset.stops(catalog).all().len();
-        assert_eq!((count(None), count(Some(&["nose"][..])), count(Some(&["chin"][..]))), (1, 1, 0));
+        assert_eq!(
+            (
+                count(None),
+                count(Some(&["nose"][..])),
+                count(Some(&["chin"][..]))
+            ),
+            (1, 1, 0)
+        );
         assert_eq!(pointers("[]"), [""]);
         assert_eq!(pointers("{}"), [""; 5]);
     }

@@ -8,9 +8,9 @@ use super::json_file::{self, JsonFacts, JsonFault};
 use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
 use super::{
-    Content, bvh, index_table as table, mesh_metadata, meta as metadata, mhbin, mhbin_asset, mhclo, mhm, mhmat, mhpose,
-    mhw, modifier_mapping, npz, obj, outdated, picture, picture_list as list, scene, shader_source,
-    stored_pose as stored, targets_npz, uv_layer as layer, uv_map,
+    Content, bvh, index_table as table, mesh_metadata, meta as metadata, mhbin, mhbin_asset, mhclo,
+    mhm, mhmat, mhpose, mhw, modifier_mapping, npz, obj, outdated, picture, picture_list as list,
+    scene, shader_source, stored_pose as stored, targets_npz, uv_layer as layer, uv_map,
 };
 use mhlint_json::{self as json, Document, SchemaFaults};
 use mhlint_source::{Encoding, GzipFault, Limits, gunzip_at_most, zip_bomb};
@@ -55,13 +55,19 @@ impl Format {
     /// Reads a file of this format.
     pub fn read(&self, input: &Input<'_>) -> Parsed {
         if input.encoding.lfs_pointer {
-            return Parsed { content: self.without(JsonFault::LfsPointer), ..Parsed::default() };
+            return Parsed {
+                content: self.without(JsonFault::LfsPointer),
+                ..Parsed::default()
+            };
         }
         let parsed = self.parsed(input);
         if self.comments.is_empty() {
             return parsed;
         }
-        Parsed { ignores: inline_ignore::of_lines(input.bytes, self.comments), ..parsed }
+        Parsed {
+            ignores: inline_ignore::of_lines(input.bytes, self.comments),
+            ..parsed
+        }
     }
 
     fn parsed(&self, input: &Input<'_>) -> Parsed {
@@ -75,29 +81,43 @@ impl Format {
 
     /// What stands for the content of a file that could not be read for `fault`.
     pub fn without(&self, fault: JsonFault) -> Content {
-        if self.syntax == Syntax::Json { Content::Broken(fault) } else { Content::Unread }
+        if self.syntax == Syntax::Json {
+            Content::Broken(fault)
+        } else {
+            Content::Unread
+        }
     }
 }
 
 fn hashed(input: &Input<'_>) -> Parsed {
-    Parsed { content_hash: Some(xxh3_64(input.bytes)), ..Parsed::default() }
+    Parsed {
+        content_hash: Some(xxh3_64(input.bytes)),
+        ..Parsed::default()
+    }
 }
 
 fn tree(input: &Input<'_>, schema: Option<&str>, model: fn(&Document) -> Content) -> Parsed {
     match json_file::parse(input.bytes, input.encoding) {
         Ok(document) => Parsed {
             json: JsonFacts::of(&document),
-            schema: schema.map_or_else(SchemaFaults::default, |schema| json::check(schema, &document)),
+            schema: schema.map_or_else(SchemaFaults::default, |schema| {
+                json::check(schema, &document)
+            }),
             content: model(&document),
             ..Parsed::default()
         },
-        Err(fault) => Parsed { content: Content::Broken(fault), ..Parsed::default() },
+        Err(fault) => Parsed {
+            content: Content::Broken(fault),
+            ..Parsed::default()
+        },
     }
 }
 
 /// A target, with its rows.
 pub(super) fn target(input: &Input<'_>) -> Parsed {
-    let Some(parsed) = target::parse_file(input.bytes, input.encoding, input.mesh) else { return Parsed::default() };
+    let Some(parsed) = target::parse_file(input.bytes, input.encoding, input.mesh) else {
+        return Parsed::default();
+    };
     Parsed {
         content_hash: Some(parsed.facts.displacement),
         ignores: parsed.ignores,
@@ -110,25 +130,41 @@ pub(super) fn target(input: &Input<'_>) -> Parsed {
 /// What is worn.
 pub(super) fn clothes(input: &Input<'_>) -> Parsed {
     let clothes = mhclo::parse(input.bytes, input.mesh).kept();
-    Parsed { content: Content::Clothes(Box::new(clothes)), ..hashed(input) }
+    Parsed {
+        content: Content::Clothes(Box::new(clothes)),
+        ..hashed(input)
+    }
 }
 
-/// What has the extension of an asset where no list looks, or one that no list takes any more: of interest only for its
-/// age.
+/// What has the extension of an asset where no list looks, or one that no list takes any more: of
+/// interest only for its age.
 pub(super) fn unlisted(input: &Input<'_>) -> Parsed {
     let found = outdated::of_pose(input.bytes).or_else(|| mhclo::parse(input.bytes, None).outdated);
-    Parsed { content: found.map_or(Content::Unread, Content::Outdated), ..hashed(input) }
+    Parsed {
+        content: found.map_or(Content::Unread, Content::Outdated),
+        ..hashed(input)
+    }
 }
 
 /// A material. One without anything in it names nothing.
 pub(super) fn material(input: &Input<'_>) -> Parsed {
-    Parsed { content: Content::Material(Box::new(mhmat::read(input.bytes))), ..hashed(input) }
+    Parsed {
+        content: Content::Material(Box::new(mhmat::read(input.bytes))),
+        ..hashed(input)
+    }
 }
 
 /// A picture. One without anything in it is empty, and nothing more.
 pub(super) fn picture(input: &Input<'_>) -> Parsed {
     let read = || Content::Picture(Box::new(picture::read(input.bytes, input.tail, input.size)));
-    Parsed { content: if input.size == 0 { Content::Unread } else { read() }, ..Parsed::default() }
+    Parsed {
+        content: if input.size == 0 {
+            Content::Unread
+        } else {
+            read()
+        },
+        ..Parsed::default()
+    }
 }
 
 /// A motion. Of one that is blank or is no UTF-8 the loader reads nothing.
@@ -142,12 +178,18 @@ pub(super) fn motion(input: &Input<'_>) -> Parsed {
 
 /// A model. One that is blank sets nothing.
 pub(super) fn model(input: &Input<'_>) -> Parsed {
-    Parsed { content: Content::Model(Box::new(mhm::read(input.bytes))), ..hashed(input) }
+    Parsed {
+        content: Content::Model(Box::new(mhm::read(input.bytes))),
+        ..hashed(input)
+    }
 }
 
 /// The table of older names.
 pub(super) fn modifier_mapping(input: &Input<'_>) -> Parsed {
-    Parsed { content: Content::Mapping(Box::new(modifier_mapping::read(input.bytes))), ..hashed(input) }
+    Parsed {
+        content: Content::Mapping(Box::new(modifier_mapping::read(input.bytes))),
+        ..hashed(input)
+    }
 }
 
 /// What is said of a motion. Of one that is no UTF-8 the scan reads nothing.
@@ -161,17 +203,28 @@ pub(super) fn meta(input: &Input<'_>) -> Parsed {
 
 /// A pose. Copies of one another are told by their bytes.
 pub(super) fn pose(input: &Input<'_>) -> Parsed {
-    let parsed = tree(input, Some("mhpose"), |json| Content::Pose(Box::new(mhpose::read(json))));
-    Parsed { content_hash: Some(xxh3_64(input.bytes)), ..parsed }
+    let parsed = tree(input, Some("mhpose"), |json| {
+        Content::Pose(Box::new(mhpose::read(json)))
+    });
+    Parsed {
+        content_hash: Some(xxh3_64(input.bytes)),
+        ..parsed
+    }
 }
 
 /// A pose of MPFB. Copies of one another are told by their bytes.
 pub(super) fn stored_pose(input: &Input<'_>) -> Parsed {
-    let parsed = tree(input, Some("mpfb_pose"), |json| Content::StoredPose(Box::new(stored::read(json))));
-    Parsed { content_hash: Some(xxh3_64(input.bytes)), ..parsed }
+    let parsed = tree(input, Some("mpfb_pose"), |json| {
+        Content::StoredPose(Box::new(stored::read(json)))
+    });
+    Parsed {
+        content_hash: Some(xxh3_64(input.bytes)),
+        ..parsed
+    }
 }
 
-/// Bytes of a packed JSON at most; those of MPFB come to a fortieth of it. What is larger is not looked into.
+/// Bytes of a packed JSON at most; those of MPFB come to a fortieth of it. What is larger is not
+/// looked into.
 const LARGEST_JSON: usize = 64 << 20;
 
 /// A packed JSON. One without a byte is empty, and nothing more.
@@ -180,23 +233,34 @@ fn packed_json(input: &Input<'_>, read: fn(&[u8], &Encoding) -> Content) -> Pars
         return Parsed::default();
     }
     match gunzip_at_most(input.bytes, input.limits, LARGEST_JSON) {
-        Err(fault) => Parsed { gzip_fault: Some(fault), ..hashed(input) },
+        Err(fault) => Parsed {
+            gzip_fault: Some(fault),
+            ..hashed(input)
+        },
         Ok(None) => hashed(input),
-        Ok(Some(bytes)) => Parsed { content: read(&bytes, &Encoding::of(&bytes)), ..hashed(input) },
+        Ok(Some(bytes)) => Parsed {
+            content: read(&bytes, &Encoding::of(&bytes)),
+            ..hashed(input)
+        },
     }
 }
 
 /// A UV layer of MPFB.
 pub(super) fn uv_layer(input: &Input<'_>) -> Parsed {
-    packed_json(input, |text, encoding| Content::UvLayer(Box::new(layer::read(text, encoding))))
+    packed_json(input, |text, encoding| {
+        Content::UvLayer(Box::new(layer::read(text, encoding)))
+    })
 }
 
 /// A table of faces or vertices of MPFB's base mesh.
 pub(super) fn index_table(input: &Input<'_>) -> Parsed {
-    packed_json(input, |text, encoding| Content::IndexTable(Box::new(table::read(text, encoding))))
+    packed_json(input, |text, encoding| {
+        Content::IndexTable(Box::new(table::read(text, encoding)))
+    })
 }
 
-/// A file without anything in it gives no mesh: everything measured against none would be out of range.
+/// A file without anything in it gives no mesh: everything measured against none would be out of
+/// range.
 pub(super) fn mesh(input: &Input<'_>) -> Parsed {
     let mut parsed = hashed(input);
     if !input.encoding.blank && !input.encoding.only_comments {
@@ -216,28 +280,47 @@ pub(super) fn asset_mesh(input: &Input<'_>) -> Parsed {
 
 /// The mirror table of MPFB.
 pub(super) fn mirror_table(input: &Input<'_>) -> Parsed {
-    Parsed { content: Content::MirrorTable(Box::new(mesh_metadata::mirror(input.bytes))), ..hashed(input) }
+    Parsed {
+        content: Content::MirrorTable(Box::new(mesh_metadata::mirror(input.bytes))),
+        ..hashed(input)
+    }
 }
 
 /// Source of a shader.
 pub(super) fn shader_source(input: &Input<'_>) -> Parsed {
-    Parsed { content: Content::ShaderSource(Box::new(shader_source::read(input.bytes))), ..hashed(input) }
+    Parsed {
+        content: Content::ShaderSource(Box::new(shader_source::read(input.bytes))),
+        ..hashed(input)
+    }
 }
 
 /// A scene. One without a byte is empty, and nothing more.
 pub(super) fn scene(input: &Input<'_>) -> Parsed {
     let read = || Content::Scene(Box::new(scene::read(input.bytes)));
-    Parsed { content: if input.bytes.is_empty() { Content::Unread } else { read() }, ..hashed(input) }
+    Parsed {
+        content: if input.bytes.is_empty() {
+            Content::Unread
+        } else {
+            read()
+        },
+        ..hashed(input)
+    }
 }
 
 /// What the program remembers of a library.
 pub(super) fn library_cache(input: &Input<'_>) -> Parsed {
-    Parsed { content: Content::LibraryCache(scene::dangers_of_list(input.bytes)), ..hashed(input) }
+    Parsed {
+        content: Content::LibraryCache(scene::dangers_of_list(input.bytes)),
+        ..hashed(input)
+    }
 }
 
 /// A map of texture coordinates.
 pub(super) fn uv_map(input: &Input<'_>) -> Parsed {
-    Parsed { content: Content::UvMap(Box::new(uv_map::read(input.bytes))), ..hashed(input) }
+    Parsed {
+        content: Content::UvMap(Box::new(uv_map::read(input.bytes))),
+        ..hashed(input)
+    }
 }
 
 /// A packed base mesh. What unpacks beyond all limits is not looked into.
@@ -249,18 +332,37 @@ pub(super) fn mesh_archive(input: &Input<'_>) -> Parsed {
     parsed
 }
 
-/// Weights are read without a tree; the tree is made only to explain what the typed reader rejected.
+/// Weights are read without a tree; the tree is made only to explain what the typed reader
+/// rejected.
 pub(super) fn weights(input: &Input<'_>) -> Parsed {
-    let weights = match mhw::parse(input.bytes, input.encoding, input.mesh.map(|mesh| mesh.vertices)) {
+    let weights = match mhw::parse(
+        input.bytes,
+        input.encoding,
+        input.mesh.map(|mesh| mesh.vertices),
+    ) {
         Ok(weights) => weights,
-        Err(fault) => return Parsed { content: Content::Broken(fault), ..Parsed::default() },
+        Err(fault) => {
+            return Parsed {
+                content: Content::Broken(fault),
+                ..Parsed::default()
+            };
+        }
     };
-    let needs_explaining = !weights.has_weights || weights.has_shapeless_bone || weights.facts.has_duplicate_keys;
-    let explained = if needs_explaining { tree(input, Some("mhw"), |_| Content::Json) } else { Parsed::default() };
-    Parsed { content: Content::Weights(Box::new(weights)), ..explained }
+    let needs_explaining =
+        !weights.has_weights || weights.has_shapeless_bone || weights.facts.has_duplicate_keys;
+    let explained = if needs_explaining {
+        tree(input, Some("mhw"), |_| Content::Json)
+    } else {
+        Parsed::default()
+    };
+    Parsed {
+        content: Content::Weights(Box::new(weights)),
+        ..explained
+    }
 }
 
-/// Bytes of a target at most; those of MPFB come to a hundredth of it. What is larger is not looked into.
+/// Bytes of a target at most; those of MPFB come to a hundredth of it. What is larger is not looked
+/// into.
 const LARGEST_TARGET: usize = 64 << 20;
 
 /// A packed target, with its rows. One without a byte is an empty target.
@@ -269,24 +371,46 @@ pub(super) fn packed(input: &Input<'_>) -> Parsed {
         return Parsed::default();
     }
     match gunzip_at_most(input.bytes, input.limits, LARGEST_TARGET) {
-        Err(fault) => Parsed { gzip_fault: Some(fault), ..Parsed::default() },
+        Err(fault) => Parsed {
+            gzip_fault: Some(fault),
+            ..Parsed::default()
+        },
         Ok(None) => Parsed::default(),
         Ok(Some(bytes)) => {
             // Whoever unpacks it has no finding on a mark but that its first line is no row.
-            let encoding = Encoding { byte_order_mark: false, ..Encoding::of(&bytes) };
-            let parsed = target(&Input { bytes: &bytes, encoding: &encoding, ..*input });
+            let encoding = Encoding {
+                byte_order_mark: false,
+                ..Encoding::of(&bytes)
+            };
+            let parsed = target(&Input {
+                bytes: &bytes,
+                encoding: &encoding,
+                ..*input
+            });
             let reason = || GzipFault::Corrupt("what is in it is not UTF-8".to_owned());
-            Parsed { gzip_fault: encoding.invalid_utf8_at.map(|_| reason()), ignores: Vec::new(), ..parsed }
+            Parsed {
+                gzip_fault: encoding.invalid_utf8_at.map(|_| reason()),
+                ignores: Vec::new(),
+                ..parsed
+            }
         }
     }
 }
 
 /// An archive of any kind: whether it can be unpacked, and what is in it if it is that of an asset.
 pub(super) fn zip(input: &Input<'_>) -> Parsed {
-    let limits = if npz::has_arrays(input.bytes) { input.limits.of_arrays() } else { *input.limits };
+    let limits = if npz::has_arrays(input.bytes) {
+        input.limits.of_arrays()
+    } else {
+        *input.limits
+    };
     let mut parsed = zip_within(input, &limits);
     if parsed.gzip_fault.is_none() {
-        parsed.content = Content::Packed(Box::new(mhbin_asset::parse(input.bytes, input.limits, input.mesh)));
+        parsed.content = Content::Packed(Box::new(mhbin_asset::parse(
+            input.bytes,
+            input.limits,
+            input.mesh,
+        )));
     }
     parsed
 }
@@ -302,7 +426,10 @@ pub(super) fn base_zip(input: &Input<'_>) -> Parsed {
 }
 
 fn zip_within(input: &Input<'_>, limits: &Limits) -> Parsed {
-    Parsed { gzip_fault: zip_bomb(input.bytes, limits), ..Parsed::default() }
+    Parsed {
+        gzip_fault: zip_bomb(input.bytes, limits),
+        ..Parsed::default()
+    }
 }
 
 /// An archive of targets. What unpacks beyond all limits is not looked into.
@@ -312,20 +439,32 @@ pub(super) fn archive(input: &Input<'_>) -> Parsed {
         Some(GzipFault::Bomb { packed, unpacked }) => npz::Archive::unread(*packed, *unpacked),
         _ => npz::parse(input.bytes, input.limits),
     };
-    Parsed { content: Content::Archive(Box::new(archive)), ..parsed }
+    Parsed {
+        content: Content::Archive(Box::new(archive)),
+        ..parsed
+    }
 }
 
 /// The archive of all targets of MakeHuman 1.
 pub(super) fn targets_archive(input: &Input<'_>) -> Parsed {
     let parsed = zip_within(input, &input.limits.of_arrays());
     let archive = match &parsed.gzip_fault {
-        Some(_) => targets_npz::TargetsNpz { is_bomb: true, ..targets_npz::TargetsNpz::default() },
+        Some(_) => targets_npz::TargetsNpz {
+            is_bomb: true,
+            ..targets_npz::TargetsNpz::default()
+        },
         None => targets_npz::parse(input.bytes, input.limits),
     };
-    Parsed { content: Content::TargetsNpz(Box::new(archive)), ..parsed }
+    Parsed {
+        content: Content::TargetsNpz(Box::new(archive)),
+        ..parsed
+    }
 }
 
 /// The pictures of sliders.
 pub(super) fn picture_list(input: &Input<'_>) -> Parsed {
-    Parsed { content: Content::PictureList(Box::new(list::read(input.bytes))), ..hashed(input) }
+    Parsed {
+        content: Content::PictureList(Box::new(list::read(input.bytes))),
+        ..hashed(input)
+    }
 }

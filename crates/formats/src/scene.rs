@@ -1,6 +1,7 @@
 //! `.mhscene` of MakeHuman 1: its lights, in pickles one behind the other
-//! (`docs/loaders/makehuman1/scenes.md#values-of-a-scene`). And the lists of its libraries, `cache/*.mhc`, which are pickles
-//! as well (`docs/loaders/makehuman1/libraries.md#lists-of-libraries`).
+//! (`docs/loaders/makehuman1/scenes.md#values-of-a-scene`). And the lists of its libraries,
+//! `cache/*.mhc`, which are pickles as well
+//! (`docs/loaders/makehuman1/libraries.md#lists-of-libraries`).
 //!
 //! Gets bytes, returns what in them would run code, and what keeps them from being loaded.
 
@@ -60,7 +61,14 @@ enum Shape {
 /// Reads a scene.
 pub fn read(bytes: &[u8]) -> Scene {
     let mut scene = Scene::default();
-    let mut reader = Reader { bytes, at: 0, count: 0, needed: 4, heap: Heap::default(), dangers: Vec::new() };
+    let mut reader = Reader {
+        bytes,
+        at: 0,
+        count: 0,
+        needed: 4,
+        heap: Heap::default(),
+        dangers: Vec::new(),
+    };
     match reader.scene() {
         Ok(lights) => scene.lights = lights,
         Err(fault) => scene.fault = Some(fault),
@@ -93,9 +101,13 @@ impl Reader<'_> {
         self.value("ambience", Shape::Color)?;
         self.value("skybox", Shape::Any)?;
         let lights = self.value("the number of lights", Shape::Integer)?;
-        let Node::Integer(lights) = *self.heap.get(lights) else { return Ok(0) };
+        let Node::Integer(lights) = *self.heap.get(lights) else {
+            return Ok(0);
+        };
         let lights = usize::try_from(lights).unwrap_or_default();
-        self.needed = lights.saturating_mul(LIGHT.len()).saturating_add(self.needed);
+        self.needed = lights
+            .saturating_mul(LIGHT.len())
+            .saturating_add(self.needed);
         for light in 0..lights {
             // Of each light nothing is kept: there may be many.
             self.heap = Heap::default();
@@ -106,12 +118,18 @@ impl Reader<'_> {
         Ok(lights)
     }
 
-    /// The value of the next pickle. Behind one that imports or calls the walk goes on as far as it can, without values.
+    /// The value of the next pickle. Behind one that imports or calls the walk goes on as far as it
+    /// can, without values.
     fn value(&mut self, what: &str, shape: Shape) -> Result<Value, SceneFault> {
         if self.at >= self.bytes.len() {
             return Err(SceneFault::Ends(self.count, self.needed));
         }
-        let walk = pickle::walk(self.bytes, self.at, |module, name| (module, name) == COLOR, false);
+        let walk = pickle::walk(
+            self.bytes,
+            self.at,
+            |module, name| (module, name) == COLOR,
+            false,
+        );
         let found = walk.dangers.len();
         self.dangers.extend(walk.dangers);
         if found > 0 {
@@ -120,20 +138,34 @@ impl Reader<'_> {
         let run = pickle::run(self.bytes, self.at, &mut self.heap);
         // Protocol 0 has no mark at its beginning.
         let is_none = self.count == 0 && self.bytes.first() != Some(&0x80);
-        let (value, next) =
-            run.map_err(|(at, fault)| if is_none { SceneFault::NoPickle } else { SceneFault::Pickle(at, fault) })?;
+        let (value, next) = run.map_err(|(at, fault)| {
+            if is_none {
+                SceneFault::NoPickle
+            } else {
+                SceneFault::Pickle(at, fault)
+            }
+        })?;
         self.at = next;
         self.count += 1;
         match self.expected(value, shape) {
             None => Ok(value),
-            Some(expected) => Err(SceneFault::Value(what.to_owned(), expected, self.words(value))),
+            Some(expected) => Err(SceneFault::Value(
+                what.to_owned(),
+                expected,
+                self.words(value),
+            )),
         }
     }
 
     /// Gathers what else imports or calls, so that all of it is told at once.
     fn walk_on(&mut self, mut next: Option<usize>) -> SceneFault {
         while let Some(at) = next.filter(|at| *at < self.bytes.len()) {
-            let walk = pickle::walk(self.bytes, at, |module, name| (module, name) == COLOR, false);
+            let walk = pickle::walk(
+                self.bytes,
+                at,
+                |module, name| (module, name) == COLOR,
+                false,
+            );
             self.dangers.extend(walk.dangers);
             next = walk.end.ok();
         }
@@ -144,7 +176,10 @@ impl Reader<'_> {
     fn expected(&self, value: Value, shape: Shape) -> Option<&'static str> {
         let (fits, words) = match shape {
             Shape::Any => (true, ""),
-            Shape::Integer => (matches!(self.heap.get(value), Node::Integer(_)), "an integer"),
+            Shape::Integer => (
+                matches!(self.heap.get(value), Node::Integer(_)),
+                "an integer",
+            ),
             Shape::Number => (self.number(value).is_some(), "a number"),
             Shape::Three => (self.is_three(value), "a tuple of three numbers"),
             Shape::Color => (self.is_color(value), "a colour"),
@@ -161,13 +196,17 @@ impl Reader<'_> {
     }
 
     fn is_three(&self, value: Value) -> bool {
-        let (Node::Tuple(values) | Node::List(values)) = self.heap.get(value) else { return false };
+        let (Node::Tuple(values) | Node::List(values)) = self.heap.get(value) else {
+            return false;
+        };
         values.len() == 3 && values.iter().all(|value| self.number(*value).is_some())
     }
 
     fn is_color(&self, value: Value) -> bool {
         match self.heap.get(value) {
-            Node::Color(members) => members.iter().all(|own| own.is_some_and(|own| self.number(own).is_some())),
+            Node::Color(members) => members
+                .iter()
+                .all(|own| own.is_some_and(|own| self.number(own).is_some())),
             _ => self.is_three(value),
         }
     }
@@ -189,20 +228,28 @@ impl Reader<'_> {
     }
 }
 
-/// What the program can put into the lists of its libraries: plain values, sets of tags, the licence of a pose, classes of
-/// its own module for them. To make one of these runs nothing of a stranger. Up to protocol 1 Python calls a function of
-/// its own for each object, with its class and the class of all.
+/// What the program can put into the lists of its libraries: plain values, sets of tags, the
+/// licence of a pose, classes of its own module for them. To make one of these runs nothing of a
+/// stranger. Up to protocol 1 Python calls a function of its own for each object, with its class
+/// and the class of all.
 fn is_plain(module: &str, name: &str) -> bool {
-    let is_builtin = matches!(name, "set" | "frozenset" | "dict" | "list" | "tuple" | "object");
+    let is_builtin = matches!(
+        name,
+        "set" | "frozenset" | "dict" | "list" | "tuple" | "object"
+    );
     matches!(module, "builtins" | "__builtin__") && is_builtin
         || matches!(module, "copyreg" | "copy_reg") && name == "_reconstructor"
-        || matches!((module, name), ("collections", "OrderedDict") | ("makehuman", "LicenseInfo"))
+        || matches!(
+            (module, name),
+            ("collections", "OrderedDict") | ("makehuman", "LicenseInfo")
+        )
         || matches!(module, "filecache" | "shared.filecache")
             && name.starts_with(|first: char| first.is_ascii_uppercase())
             && !name.contains('.')
 }
 
-/// Instructions in the list of a library that import or call something else. What is damaged in it is made again.
+/// Instructions in the list of a library that import or call something else. What is damaged in it
+/// is made again.
 pub fn dangers_of_list(bytes: &[u8]) -> Vec<Danger> {
     pickle::walk(bytes, 0, is_plain, true).dangers
 }
@@ -215,13 +262,16 @@ mod tests {
     use crate::pickle::Break;
 
     /// The scene of the example: one light.
-    const EXAMPLE: &[u8] = include_bytes!("../../../fixtures/makehuman1/data/scenes/default.mhscene");
+    const EXAMPLE: &[u8] =
+        include_bytes!("../../../fixtures/makehuman1/data/scenes/default.mhscene");
     /// Instructions that import or call, but for the class of colours.
     const CALLS: &[u8] = b"RiocPQ\x82\x83\x84\x92\x93";
 
     /// Where the instructions of a file begin.
     fn instructions(bytes: &[u8]) -> Vec<usize> {
-        (0..bytes.len()).filter(|at| is_instruction(bytes, *at)).collect()
+        (0..bytes.len())
+            .filter(|at| is_instruction(bytes, *at))
+            .collect()
     }
 
     /// A file that is cut off there has read everything before.
@@ -233,14 +283,23 @@ mod tests {
 
     #[test]
     fn the_example_has_a_light() {
-        assert_eq!(read(EXAMPLE), Scene { lights: 1, ..Scene::default() });
+        assert_eq!(
+            read(EXAMPLE),
+            Scene {
+                lights: 1,
+                ..Scene::default()
+            }
+        );
     }
 
     #[test]
     fn every_truncation_is_a_fault_and_nothing_worse() {
         for length in 0..EXAMPLE.len() {
             let scene = read(&EXAMPLE[..length]);
-            assert!(scene.fault.is_some() && scene.dangers.is_empty(), "{length}");
+            assert!(
+                scene.fault.is_some() && scene.dangers.is_empty(),
+                "{length}"
+            );
             assert_ne!(scene.fault, Some(SceneFault::NoPickle));
         }
     }
@@ -256,9 +315,13 @@ mod tests {
                 let scene = read(&changed);
                 assert!(scene.dangers.is_empty() || scene.fault.is_none());
                 // One whose argument goes beyond the file is cut off.
-                let is_cut = scene.fault == Some(SceneFault::Pickle(at, Fault::Break(Break::Truncated)));
+                let is_cut =
+                    scene.fault == Some(SceneFault::Pickle(at, Fault::Break(Break::Truncated)));
                 if CALLS.contains(&code) && EXAMPLE[at] != code && !is_cut {
-                    assert!(scene.dangers.iter().any(|danger| danger.offset == at), "{at} {code:#04x}");
+                    assert!(
+                        scene.dangers.iter().any(|danger| danger.offset == at),
+                        "{at} {code:#04x}"
+                    );
                 }
             }
         }
@@ -271,12 +334,21 @@ mod tests {
         let bomb = [b"\x80\x02K\x05.\x80\x02".to_vec(), doubled, b".".to_vec()].concat();
         assert!(matches!(read(&bomb).fault, Some(SceneFault::Value(..))));
         // A dictionary of many members, given to a colour again and again.
-        let members: Vec<u8> =
-            (0..4000_u16).flat_map(|at| [b'M', at.to_le_bytes()[0], at.to_le_bytes()[1], b'N']).collect();
-        let given =
-            [b"cmaterial\nColor\n)\x81}(".to_vec(), members, b"uq\x01b".to_vec(), b"h\x01b".repeat(4000)].concat();
+        let members: Vec<u8> = (0..4000_u16)
+            .flat_map(|at| [b'M', at.to_le_bytes()[0], at.to_le_bytes()[1], b'N'])
+            .collect();
+        let given = [
+            b"cmaterial\nColor\n)\x81}(".to_vec(),
+            members,
+            b"uq\x01b".to_vec(),
+            b"h\x01b".repeat(4000),
+        ]
+        .concat();
         let bomb = [b"\x80\x02K\x05.".to_vec(), given, b".".to_vec()].concat();
-        assert!(matches!(read(&bomb).fault, Some(SceneFault::Pickle(_, Fault::Unbounded))));
+        assert!(matches!(
+            read(&bomb).fault,
+            Some(SceneFault::Pickle(_, Fault::Unbounded))
+        ));
     }
 
     /// Each of these has a value for each of its bytes, or nearly.
@@ -286,18 +358,28 @@ mod tests {
             let large = [b"\x80\x02", &bytes.repeat(1 << 20)[..]].concat();
             let found = read(&large);
             assert!(
-                matches!(found.fault, Some(SceneFault::Pickle(_, Fault::Unbounded | Fault::Break(_)))),
+                matches!(
+                    found.fault,
+                    Some(SceneFault::Pickle(_, Fault::Unbounded | Fault::Break(_)))
+                ),
                 "{found:?}"
             );
             let unsafe_one = [&large[..], b"cos\nsystem\n."].concat();
-            assert_eq!(read(&unsafe_one).dangers.first().and_then(|one| one.import.as_deref()), Some("os.system"));
+            assert_eq!(
+                read(&unsafe_one)
+                    .dangers
+                    .first()
+                    .and_then(|one| one.import.as_deref()),
+                Some("os.system")
+            );
         }
     }
 
     #[test]
     fn lists_of_libraries_have_sets_and_nothing_else_to_call() {
-        let named =
-            |import: &str| dangers_of_list(&[b"\x80\x02c", import.as_bytes(), b"\n](K\x01e\x85R."].concat()).len();
+        let named = |import: &str| {
+            dangers_of_list(&[b"\x80\x02c", import.as_bytes(), b"\n](K\x01e\x85R."].concat()).len()
+        };
         assert_eq!(named("__builtin__\nset"), 0);
         assert_eq!(named("builtins\nfrozenset"), 0);
         assert_eq!(named("builtins\neval"), 1);
@@ -305,11 +387,21 @@ mod tests {
         let of_stack = |module: &[u8], name: &[u8]| {
             let text = |text: &[u8]| [&[0x8c, u8::try_from(text.len()).unwrap()], text].concat();
             dangers_of_list(
-                &[b"\x80\x04".to_vec(), text(module), b"\x94".to_vec(), text(name), b"\x94\x93.".to_vec()].concat(),
+                &[
+                    b"\x80\x04".to_vec(),
+                    text(module),
+                    b"\x94".to_vec(),
+                    text(name),
+                    b"\x94\x93.".to_vec(),
+                ]
+                .concat(),
             )
         };
         assert_eq!(of_stack(b"builtins", b"set"), []);
-        assert_eq!(of_stack(b"os", b"system")[0].import.as_deref(), Some("os.system"));
+        assert_eq!(
+            of_stack(b"os", b"system")[0].import.as_deref(),
+            Some("os.system")
+        );
     }
 
     /// As Python 3 writes the list of a user's poses in each protocol.
@@ -323,9 +415,15 @@ mod tests {
             b"ccopy_reg\n_reconstructor\nq\x00(cmakehuman\nLicenseInfo\nq\x01c__builtin__\nobject\nq\x02Ntq\x03R}q\x04\
             X\x06\x00\x00\x00authorX\x03\x00\x00\x00Annsb.";
         assert_eq!(dangers_of_list(binary), []);
-        let object = |class: &[u8]| [b"\x80\x02c", class, b"\n)\x81}U\x06authorU\x03Annsb."].concat();
+        let object =
+            |class: &[u8]| [b"\x80\x02c", class, b"\n)\x81}U\x06authorU\x03Annsb."].concat();
         assert_eq!(dangers_of_list(&object(b"makehuman\nLicenseInfo")), []);
-        for other in [&b"makehuman\nsys"[..], b"makehuman\nLicenseInfo.x", b"mh\nLicenseInfo", b"copyreg\n__newobj__"] {
+        for other in [
+            &b"makehuman\nsys"[..],
+            b"makehuman\nLicenseInfo.x",
+            b"mh\nLicenseInfo",
+            b"copyreg\n__newobj__",
+        ] {
             assert_eq!(dangers_of_list(&object(other)).len(), 1);
         }
         let stacked = b"\x80\x04\x95\x20\0\0\0\0\0\0\0\x8c\x09makehuman\x94\x8c\x0bLicenseInfo\x94\x93\x94)\x81.";

@@ -1,8 +1,8 @@
 //! `selection_filter.json`: the tree of labels by which the assets of a category are chosen
 //! (`docs/loaders/makehuman2/libraries.md#filters`).
 //!
-//! Labels are in small letters, those of a path joined by `:`. The elements of a list also stand for themselves: a tag of
-//! that name gets their path.
+//! Labels are in small letters, those of a path joined by `:`. The elements of a list also stand
+//! for themselves: a tag of that name gets their path.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -85,7 +85,11 @@ pub fn read(document: &Document) -> SelectionFilter {
 impl SelectionFilter {
     fn add(&mut self, above: &str, label: &str, node: &Node, room: &mut usize) {
         let label = label.to_lowercase();
-        let path = if above.is_empty() { label.clone() } else { format!("{above}:{label}") };
+        let path = if above.is_empty() {
+            label.clone()
+        } else {
+            format!("{above}:{label}")
+        };
         if path.len() > LONGEST || path.len() > *room {
             self.is_cut = true;
             return;
@@ -94,7 +98,12 @@ impl SelectionFilter {
         for member in node.effective_members() {
             self.add(&path, &member.key, &member.node, room);
         }
-        for leaf in node.elements().iter().filter_map(Node::as_str).map(str::to_lowercase) {
+        for leaf in node
+            .elements()
+            .iter()
+            .filter_map(Node::as_str)
+            .map(str::to_lowercase)
+        {
             let below = format!("{path}:{leaf}");
             let Some(left) = room.checked_sub(below.len()) else {
                 self.is_cut = true;
@@ -107,8 +116,8 @@ impl SelectionFilter {
         self.paths.insert(path);
     }
 
-    /// Whether what a tag or a part of a name leads to is no label. Labels are in small letters, paths as they are
-    /// written.
+    /// Whether what a tag or a part of a name leads to is no label. Labels are in small letters,
+    /// paths as they are written.
     pub fn is_dead(&self, target: &str) -> bool {
         let path = target.strip_prefix('=').unwrap_or(target);
         !path.is_empty() && !self.is_cut && !self.paths.contains(path)
@@ -129,8 +138,13 @@ impl SelectionFilter {
 
     /// The path that the name of an asset stands for: that of its longest part.
     pub fn guessed(&self, name: &str) -> Option<&str> {
-        let parts = self.guess.iter().filter(|(part, _)| name.contains(part.as_str()));
-        parts.max_by_key(|(part, _)| part.len()).map(|(_, led)| led.to.as_str())
+        let parts = self
+            .guess
+            .iter()
+            .filter(|(part, _)| name.contains(part.as_str()));
+        parts
+            .max_by_key(|(part, _)| part.len())
+            .map(|(_, led)| led.to.as_str())
     }
 }
 
@@ -149,13 +163,27 @@ fn guesses(node: &Node) -> BTreeMap<String, Led<String>> {
 
 fn led<T>(node: &Node, value: impl Fn(&Node) -> Option<T>) -> BTreeMap<String, Led<T>> {
     let members = node.effective_members().into_iter();
-    let all = members.filter_map(|one| Some(Led { key: one.key.clone(), to: value(&one.node)? }));
+    let all = members.filter_map(|one| {
+        Some(Led {
+            key: one.key.clone(),
+            to: value(&one.node)?,
+        })
+    });
     all.map(|led| (led.key.to_lowercase(), led)).collect()
 }
 
 fn shortcuts(node: &Node) -> Vec<(usize, String)> {
-    let rule = |node: &Node| node.elements().get(1).and_then(Node::as_str).map(str::to_owned);
-    node.elements().iter().enumerate().filter_map(|(at, node)| Some((at, rule(node)?))).collect()
+    let rule = |node: &Node| {
+        node.elements()
+            .get(1)
+            .and_then(Node::as_str)
+            .map(str::to_owned)
+    };
+    node.elements()
+        .iter()
+        .enumerate()
+        .filter_map(|(at, node)| Some((at, rule(node)?)))
+        .collect()
 }
 
 /// The special key that a key is but for capitals and a plural.
@@ -170,14 +198,26 @@ fn meant(key: &str) -> Option<&'static str> {
 
 fn misspelt(key: &str, meant: &'static str, node: &Node) -> Misspelt {
     // Labels are texts; a list in a list is none, and neither is null.
-    let outcome = if node.elements().iter().any(|element| element.as_str().is_none()) {
+    let outcome = if node
+        .elements()
+        .iter()
+        .any(|element| element.as_str().is_none())
+    {
         Outcome::CrashesAtStart
-    } else if node.effective_members().iter().any(|member| member.node.value == Value::Null) {
+    } else if node
+        .effective_members()
+        .iter()
+        .any(|member| member.node.value == Value::Null)
+    {
         Outcome::CrashesInList
     } else {
         Outcome::Labels
     };
-    Misspelt { key: key.to_owned(), meant, outcome }
+    Misspelt {
+        key: key.to_owned(),
+        meant,
+        outcome,
+    }
 }
 
 #[cfg(test)]
@@ -193,16 +233,27 @@ mod tests {
 
     #[test]
     fn labels_are_paths_and_tags_lead_to_them() {
-        let filter =
-            of(r#"{"Slot": {"Top": ["Vest", "Shirt"]}, "Translate": {"hat": "=slot:head", "old": null, "red": "slot"},
-                "GuessName": {"vest": "slot:top", "longvest": "slot"}, "Shortcut": [["i", "slot:top", "t"], ["i"]]}"#);
+        let filter = of(
+            r#"{"Slot": {"Top": ["Vest", "Shirt"]}, "Translate": {"hat": "=slot:head", "old": null, "red": "slot"},
+                "GuessName": {"vest": "slot:top", "longvest": "slot"}, "Shortcut": [["i", "slot:top", "t"], ["i"]]}"#,
+        );
         let paths: Vec<&str> = filter.paths.iter().map(String::as_str).collect();
-        assert_eq!(paths, ["slot", "slot:top", "slot:top:shirt", "slot:top:vest"]);
+        assert_eq!(
+            paths,
+            ["slot", "slot:top", "slot:top:shirt", "slot:top:vest"]
+        );
         let led = ["vest", "VEST", "hat", "old", "red", "other"].map(|tag| filter.path_of(tag));
         let some = |path: &str| Some(path.to_owned());
         assert_eq!(
             led,
-            [some("slot:top:vest"), some("slot:top:vest"), some("slot:head"), None, some("slot:red"), some("other")]
+            [
+                some("slot:top:vest"),
+                some("slot:top:vest"),
+                some("slot:head"),
+                None,
+                some("slot:red"),
+                some("other")
+            ]
         );
         assert_eq!(filter.guessed("my_longvest"), Some("slot"));
         assert_eq!(filter.shortcuts, [(0, "slot:top".to_owned())]);
@@ -210,8 +261,13 @@ mod tests {
 
     #[test]
     fn special_keys_are_written_in_one_way() {
-        let filter = of(r#"{"shortcut": [["a", "b", "c"]], "translate": {"a": "b"}, "Shortcuts": []}"#);
-        let told: Vec<_> = filter.misspelt.iter().map(|one| (&*one.key, one.meant, one.outcome)).collect();
+        let filter =
+            of(r#"{"shortcut": [["a", "b", "c"]], "translate": {"a": "b"}, "Shortcuts": []}"#);
+        let told: Vec<_> = filter
+            .misspelt
+            .iter()
+            .map(|one| (&*one.key, one.meant, one.outcome))
+            .collect();
         assert_eq!(
             told,
             [
@@ -226,7 +282,11 @@ mod tests {
     #[test]
     fn deep_trees_do_not_outgrow_the_file() {
         let depth = 900;
-        let text = format!("{}[]{}", r#"{"abcdefghij": "#.repeat(depth), "}".repeat(depth));
+        let text = format!(
+            "{}[]{}",
+            r#"{"abcdefghij": "#.repeat(depth),
+            "}".repeat(depth)
+        );
         assert!(of(&text).paths.len() < depth);
     }
 

@@ -9,7 +9,8 @@ use mhlint_source::lines;
 /// One source of a shader.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct ShaderSource {
-    /// The names that it asks for with `#ifdef` or `#ifndef`, as the application finds them: also in comments.
+    /// The names that it asks for with `#ifdef` or `#ifndef`, as the application finds them: also
+    /// in comments.
     pub defines: BTreeSet<Box<str>>,
     /// Its parameters by name.
     pub uniforms: BTreeMap<Box<str>, Uniform>,
@@ -39,8 +40,15 @@ pub enum Shape {
 
 /// Reads a source.
 pub fn read(text: &[u8]) -> ShaderSource {
-    let mut source = ShaderSource { defines: defines(text), ..ShaderSource::default() };
-    let mut words = Words { code: without_comments(text), at: 0, depth: 0 };
+    let mut source = ShaderSource {
+        defines: defines(text),
+        ..ShaderSource::default()
+    };
+    let mut words = Words {
+        code: without_comments(text),
+        at: 0,
+        depth: 0,
+    };
     let mut used: BTreeSet<Box<str>> = BTreeSet::new();
     while let Some(word) = words.next() {
         source.has_main |= &*word == "main";
@@ -52,7 +60,10 @@ pub fn read(text: &[u8]) -> ShaderSource {
         }
         let is_outermost = words.depth == 0;
         for (name, value) in declared(&mut words) {
-            let uniform = Uniform { value, is_certain: is_outermost };
+            let uniform = Uniform {
+                value,
+                is_certain: is_outermost,
+            };
             source.uniforms.entry(name).or_insert(uniform);
         }
     }
@@ -66,8 +77,13 @@ pub fn read(text: &[u8]) -> ShaderSource {
 fn defines(text: &[u8]) -> BTreeSet<Box<str>> {
     let asked = lines(text).filter_map(|(_, line)| {
         let words = fields(line);
-        let is_asked = words.first().is_some_and(|(_, first)| matches!(*first, b"#ifdef" | b"#ifndef"));
-        words.get(1).filter(|_| is_asked).map(|(_, name)| String::from_utf8_lossy(name).into())
+        let is_asked = words
+            .first()
+            .is_some_and(|(_, first)| matches!(*first, b"#ifdef" | b"#ifndef"));
+        words
+            .get(1)
+            .filter(|_| is_asked)
+            .map(|(_, name)| String::from_utf8_lossy(name).into())
     });
     asked.collect()
 }
@@ -75,7 +91,10 @@ fn defines(text: &[u8]) -> BTreeSet<Box<str>> {
 /// `highp float a = 1.0, b;` behind `uniform`: the names, with what they take.
 fn declared(words: &mut Words) -> Vec<(Box<str>, Shape)> {
     let mut kind = words.next();
-    while kind.as_deref().is_some_and(|word| matches!(word, "lowp" | "mediump" | "highp")) {
+    while kind
+        .as_deref()
+        .is_some_and(|word| matches!(word, "lowp" | "mediump" | "highp"))
+    {
         kind = words.next();
     }
     let shape = kind.map_or(Shape::Other, |kind| shape(&kind));
@@ -116,7 +135,10 @@ fn without_comments(text: &[u8]) -> Vec<u8> {
     while let Some((first, behind)) = rest.split_first() {
         let end = match rest.get(..2) {
             Some(b"//") => rest.iter().position(|byte| *byte == b'\n'),
-            Some(b"/*") => rest.get(2..).and_then(|rest| rest.windows(2).position(|two| two == b"*/")).map(|at| at + 4),
+            Some(b"/*") => rest
+                .get(2..)
+                .and_then(|rest| rest.windows(2).position(|two| two == b"*/"))
+                .map(|at| at + 4),
             _ => {
                 code.push(*first);
                 rest = behind;
@@ -146,9 +168,13 @@ impl Words {
             }
         }
         let rest = self.code.get(self.at..)?;
-        let length = rest.iter().position(|byte| !is_of_word(*byte)).unwrap_or(rest.len());
+        let length = rest
+            .iter()
+            .position(|byte| !is_of_word(*byte))
+            .unwrap_or(rest.len());
         self.at += length;
-        rest.get(..length).map(|word| String::from_utf8_lossy(word).into())
+        rest.get(..length)
+            .map(|word| String::from_utf8_lossy(word).into())
     }
 
     /// Passes over a line of the preprocessor.
@@ -204,8 +230,19 @@ mod tests {
     #[test]
     fn names_are_found_as_the_application_finds_them() {
         let source = read(SOURCE);
-        assert_eq!(source.defines.iter().map(|name| &**name).collect::<Vec<_>>(), ["DIFFUSE", "IN_COMMENT"]);
-        let told: Vec<_> = source.uniforms.iter().map(|(name, one)| (&**name, one.value, one.is_certain)).collect();
+        assert_eq!(
+            source
+                .defines
+                .iter()
+                .map(|name| &**name)
+                .collect::<Vec<_>>(),
+            ["DIFFUSE", "IN_COMMENT"]
+        );
+        let told: Vec<_> = source
+            .uniforms
+            .iter()
+            .map(|(name, one)| (&**name, one.value, one.is_certain))
+            .collect();
         let expected = [
             ("ball", Shape::Picture, true),
             ("bones", Shape::Other, true),
@@ -220,9 +257,14 @@ mod tests {
 
     #[test]
     fn what_does_not_end_ends_with_the_file() {
-        for text in
-            ["uniform", "uniform float", "uniform float a", "uniform float a = (1, 2", "/* uniform float a;", "#"]
-        {
+        for text in [
+            "uniform",
+            "uniform float",
+            "uniform float a",
+            "uniform float a = (1, 2",
+            "/* uniform float a;",
+            "#",
+        ] {
             assert!(read(text.as_bytes()).uniforms.len() <= 1, "{text}");
         }
     }

@@ -1,4 +1,5 @@
-//! Stored poses of MPFB, `poses/<rig>_<fk|ik|partial>/<name>.json` (`docs/loaders/mpfb/poses.md#stored-poses`).
+//! Stored poses of MPFB, `poses/<rig>_<fk|ik|partial>/<name>.json`
+//! (`docs/loaders/mpfb/poses.md#stored-poses`).
 
 use super::unfit::{NamedAt, Unfits, Why, below, is_number, keep, nth};
 use mhlint_json::{Document, Node, Value};
@@ -8,7 +9,8 @@ use mhlint_json::{Document, Node, Value};
 pub struct StoredPose {
     /// What stops the loader.
     pub stops: Unfits,
-    /// Whether the pose is for a default rig, whose spine and shoulders are measured when it is loaded.
+    /// Whether the pose is for a default rig, whose spine and shoulders are measured when it is
+    /// loaded.
     pub is_default: bool,
     /// Whether it has a key that only poses have: any other JSON may lie in `poses`, too.
     pub is_pose: bool,
@@ -27,7 +29,16 @@ const TRANSLATIONS: &str = "bone_translations";
 const LENGTHS: [&str; 2] = ["original_spine_length", "original_shoulder_width"];
 
 /// How a bone turns.
-const ROTATION_MODES: &[&str] = &["QUATERNION", "AXIS_ANGLE", "XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"];
+const ROTATION_MODES: &[&str] = &[
+    "QUATERNION",
+    "AXIS_ANGLE",
+    "XYZ",
+    "XZY",
+    "YXZ",
+    "YZX",
+    "ZXY",
+    "ZYX",
+];
 
 /// Takes what the loader would take.
 pub fn read(document: &Document) -> StoredPose {
@@ -37,17 +48,29 @@ pub fn read(document: &Document) -> StoredPose {
         pose.stops.add_type("", root, "an object");
         return pose;
     }
-    pose.is_pose = ["skeleton_type", ROTATIONS, TRANSLATIONS].iter().any(|key| root.get(key).is_some());
-    for key in ["skeleton_type", ROTATIONS, TRANSLATIONS].into_iter().filter(|key| root.get(key).is_none()) {
+    pose.is_pose = ["skeleton_type", ROTATIONS, TRANSLATIONS]
+        .iter()
+        .any(|key| root.get(key).is_some());
+    for key in ["skeleton_type", ROTATIONS, TRANSLATIONS]
+        .into_iter()
+        .filter(|key| root.get(key).is_none())
+    {
         pose.stops.add("", Why::Lacks(key));
     }
     match root.get("skeleton_type") {
-        Some(Node { value: Value::String(text), .. }) => pose.is_default = text.contains("default"),
+        Some(Node {
+            value: Value::String(text),
+            ..
+        }) => pose.is_default = text.contains("default"),
         Some(other) => pose.stops.add_type("/skeleton_type", other, "a string"),
         None => {}
     }
-    if let Some(modes) = root.get(MODES).filter(|node| !node.is_object() && !is_empty_list(node)) {
-        pose.stops.add_type("/bone_rotation_modes", modes, "an object");
+    if let Some(modes) = root
+        .get(MODES)
+        .filter(|node| !node.is_object() && !is_empty_list(node))
+    {
+        pose.stops
+            .add_type("/bone_rotation_modes", modes, "an object");
     }
     for key in LENGTHS.into_iter().filter(|_| pose.is_default) {
         if let Some(length) = root.get(key).filter(|node| !is_number(node)) {
@@ -55,12 +78,20 @@ pub fn read(document: &Document) -> StoredPose {
         }
     }
     pose.each(root, ROTATIONS, |pose, pointer, bone, node| {
-        let mode = root.get(MODES).and_then(|modes| modes.get(bone)).filter(|mode| !mode.is_falsy());
+        let mode = root
+            .get(MODES)
+            .and_then(|modes| modes.get(bone))
+            .filter(|mode| !mode.is_falsy());
         pose.rotation(pointer, bone, node, mode);
     });
     pose.each(root, TRANSLATIONS, |pose, pointer, bone, node| {
         // Numbers behind the third are not read.
-        pose.numbers(pointer, bone, node, |length| if length < 3 { Some(3) } else { None });
+        pose.numbers(
+            pointer,
+            bone,
+            node,
+            |length| if length < 3 { Some(3) } else { None },
+        );
     });
     pose
 }
@@ -111,7 +142,13 @@ impl StoredPose {
     }
 
     /// Checks a list of numbers; `wanted` says of a length that does not fit which one would.
-    fn numbers(&mut self, pointer: &str, bone: &str, node: &Node, wanted: impl Fn(usize) -> Option<usize>) {
+    fn numbers(
+        &mut self,
+        pointer: &str,
+        bone: &str,
+        node: &Node,
+        wanted: impl Fn(usize) -> Option<usize>,
+    ) {
         if !node.is_array() {
             return self.stops.add_type(pointer, node, "a list of numbers");
         }
@@ -121,7 +158,9 @@ impl StoredPose {
         }
         match elements.iter().enumerate().find(|(_, one)| !is_number(one)) {
             Some((at, odd)) => self.stops.add_type(&nth(pointer, at), odd, "a number"),
-            None if elements.iter().all(|one| one.as_python_number().is_some_and(f64::is_finite)) => {}
+            None if elements
+                .iter()
+                .all(|one| one.as_python_number().is_some_and(f64::is_finite)) => {}
             None => keep(&mut self.non_finite, pointer, bone),
         }
     }
@@ -137,9 +176,15 @@ mod tests {
     }
 
     fn stops(keys: &str) -> Vec<String> {
-        let text =
-            format!(r#"{{"skeleton_type": "default", "bone_rotations": {{}}, "bone_translations": {{}}, {keys}}}"#);
-        of(&text).stops.all().iter().map(|one| one.pointer.clone()).collect()
+        let text = format!(
+            r#"{{"skeleton_type": "default", "bone_rotations": {{}}, "bone_translations": {{}}, {keys}}}"#
+        );
+        of(&text)
+            .stops
+            .all()
+            .iter()
+            .map(|one| one.pointer.clone())
+            .collect()
     }
 
     #[test]
@@ -149,13 +194,19 @@ mod tests {
         assert_eq!(of("[]").stops.all().len(), 1);
         assert!(stops(r#""x": 1"#).is_empty());
         assert_eq!(stops(r#""skeleton_type": null"#), ["/skeleton_type"]);
-        assert_eq!(stops(r#""bone_rotations": [], "bone_translations": 5"#), ["/bone_translations"]);
+        assert_eq!(
+            stops(r#""bone_rotations": [], "bone_translations": 5"#),
+            ["/bone_translations"]
+        );
     }
 
     #[test]
     fn numbers_fit_the_mode_of_the_bone() {
         let turned = |list: &str, mode: &str| {
-            stops(&format!(r#""bone_rotations": {{"a": {list}}}, "bone_rotation_modes": {{"a": {mode}}}"#)).len()
+            stops(&format!(
+                r#""bone_rotations": {{"a": {list}}}, "bone_rotation_modes": {{"a": {mode}}}"#
+            ))
+            .len()
         };
         for (list, mode, count) in [
             ("[1, 2, 3]", "null", 0),
@@ -174,28 +225,52 @@ mod tests {
         ] {
             assert_eq!(turned(list, mode), count, "{list} {mode}");
         }
-        assert_eq!(stops(r#""bone_rotation_modes": null"#), ["/bone_rotation_modes"]);
+        assert_eq!(
+            stops(r#""bone_rotation_modes": null"#),
+            ["/bone_rotation_modes"]
+        );
     }
 
     #[test]
     fn translations_have_three_numbers_or_more() {
         let moved = |list: &str| stops(&format!(r#""bone_translations": {{"a": {list}}}"#)).len();
-        assert_eq!([moved("[1, 2, 3]"), moved("[1, 2, 3, 4]"), moved("[1, 2]"), moved("5")], [0, 0, 1, 1]);
+        assert_eq!(
+            [
+                moved("[1, 2, 3]"),
+                moved("[1, 2, 3, 4]"),
+                moved("[1, 2]"),
+                moved("5")
+            ],
+            [0, 0, 1, 1]
+        );
     }
 
     #[test]
     fn lengths_are_read_for_default_rigs() {
-        assert_eq!(stops(r#""original_spine_length": "0.5""#), ["/original_spine_length"]);
+        assert_eq!(
+            stops(r#""original_spine_length": "0.5""#),
+            ["/original_spine_length"]
+        );
         assert!(stops(r#""skeleton_type": "mixamo", "original_spine_length": "0.5""#).is_empty());
     }
 
     #[test]
     fn numbers_that_mean_no_rotation_are_kept() {
-        let pose =
-            of(r#"{"skeleton_type": "x", "bone_rotations": {"a": [0, 0, 0, 0], "b": [NaN, 0, 0], "c": [0, 0, 0]},
-            "bone_translations": {"a": [0, 0, Infinity]}}"#);
-        assert_eq!(pose.zero.iter().map(|one| &*one.name).collect::<Vec<_>>(), ["a"]);
-        assert_eq!(pose.non_finite.iter().map(|one| &*one.name).collect::<Vec<_>>(), ["b", "a"]);
+        let pose = of(
+            r#"{"skeleton_type": "x", "bone_rotations": {"a": [0, 0, 0, 0], "b": [NaN, 0, 0], "c": [0, 0, 0]},
+            "bone_translations": {"a": [0, 0, Infinity]}}"#,
+        );
+        assert_eq!(
+            pose.zero.iter().map(|one| &*one.name).collect::<Vec<_>>(),
+            ["a"]
+        );
+        assert_eq!(
+            pose.non_finite
+                .iter()
+                .map(|one| &*one.name)
+                .collect::<Vec<_>>(),
+            ["b", "a"]
+        );
         assert_eq!(pose.bones.len(), 4);
     }
 }

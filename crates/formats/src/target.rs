@@ -1,8 +1,9 @@
 //! `.target`: rows of a vertex index and its displacement.
 //!
-//! MakeHuman 2 strips a line, ignores it if it begins with `#`, splits at white space and takes it as data if there are
-//! exactly four fields; everything else is dropped silently. Numbers go through `int()` and `float()`; a failure there
-//! stops the program at start (`docs/loaders/makehuman2/targets.md#rows`).
+//! MakeHuman 2 strips a line, ignores it if it begins with `#`, splits at white space and takes it
+//! as data if there are exactly four fields; everything else is dropped silently. Numbers go
+//! through `int()` and `float()`; a failure there stops the program at start
+//! (`docs/loaders/makehuman2/targets.md#rows`).
 
 use super::content_hash::ContentHash;
 use super::faulty_rows::row_name;
@@ -29,8 +30,8 @@ pub struct Target {
     pub ignores: Vec<InlineIgnore>,
 }
 
-/// One displacement as evaluation takes it: the vertex as written, in 32 bits as the application holds it, and how it
-/// moves along x, y, z, in decimetres.
+/// One displacement as evaluation takes it: the vertex as written, in 32 bits as the application
+/// holds it, and how it moves along x, y, z, in decimetres.
 pub type Row = (u32, [f32; 3]);
 
 /// Size of the mesh a target is for, where it is known.
@@ -54,7 +55,8 @@ pub struct Recognised {
     pub basemesh: Option<String>,
 }
 
-/// Whether a file called `.target` is one: it says which base mesh it is for, or has a row. Systemd has others.
+/// Whether a file called `.target` is one: it says which base mesh it is for, or has a row. Systemd
+/// has others.
 pub fn recognise(text: &[u8]) -> Option<Recognised> {
     let mut has_row = false;
     for (_, line) in lines(text) {
@@ -62,11 +64,14 @@ pub fn recognise(text: &[u8]) -> Option<Recognised> {
         match fields.as_slice() {
             [(_, first), ..] if first.starts_with(b"#") => {
                 if let Some(basemesh) = basemesh_of(line) {
-                    return Some(Recognised { basemesh: Some(basemesh) });
+                    return Some(Recognised {
+                        basemesh: Some(basemesh),
+                    });
                 }
             }
             [(_, index), (_, x), (_, y), (_, z)] => {
-                has_row = python_int(index).is_some() && [x, y, z].iter().all(|word| python_float(word).is_some());
+                has_row = python_int(index).is_some()
+                    && [x, y, z].iter().all(|word| python_float(word).is_some());
             }
             _ => {}
         }
@@ -87,14 +92,18 @@ pub fn has_broken_rows(text: &[u8]) -> bool {
 
 /// Whether a line that is no row was to be one: prose begins with a word.
 fn begins_a_row(fields: &[(usize, &[u8])]) -> bool {
-    fields.first().is_some_and(|(_, first)| python_float(first).is_some())
+    fields
+        .first()
+        .is_some_and(|(_, first)| python_float(first).is_some())
 }
 
 /// The name in a header `# basemesh NAME`.
 fn basemesh_of(comment: &[u8]) -> Option<String> {
     let text = String::from_utf8_lossy(comment);
     let mut words = text.trim().trim_start_matches('#').split_whitespace();
-    (words.next() == Some("basemesh")).then(|| words.next().map(str::to_owned)).flatten()
+    (words.next() == Some("basemesh"))
+        .then(|| words.next().map(str::to_owned))
+        .flatten()
 }
 
 /// Parses a target. `mesh` is the size of the mesh it is for.
@@ -102,8 +111,8 @@ pub fn parse(text: &[u8], mesh: Option<MeshSize>) -> Target {
     parse_by(fast_row, text, mesh)
 }
 
-/// Parses a file with its encoding. `None` if it is no UTF-8: the application decodes the whole file before it uses a
-/// row, so nothing of it counts.
+/// Parses a file with its encoding. `None` if it is no UTF-8: the application decodes the whole
+/// file before it uses a row, so nothing of it counts.
 pub fn parse_file(bytes: &[u8], encoding: &Encoding, mesh: Option<MeshSize>) -> Option<Target> {
     if encoding.invalid_utf8_at.is_some() {
         return None;
@@ -111,16 +120,26 @@ pub fn parse_file(bytes: &[u8], encoding: &Encoding, mesh: Option<MeshSize>) -> 
     if !encoding.byte_order_mark {
         return Some(parse(bytes, mesh));
     }
-    // The mark is a fault of its own; blanks in its place keep it out of the first row and all offsets right.
+    // The mark is a fault of its own; blanks in its place keep it out of the first row and all
+    // offsets right.
     let mut unmarked = bytes.to_vec();
     unmarked.iter_mut().take(3).for_each(|byte| *byte = b' ');
     Some(parse(&unmarked, mesh))
 }
 
 /// `fast` reads the lines it knows; tests take it away.
-fn parse_by(fast: impl Fn(&[u8]) -> (Option<Row>, usize), text: &[u8], mesh: Option<MeshSize>) -> Target {
-    let mut parser =
-        Parser { target: Target::default(), mesh, lengths: Vec::new(), zeros: Vec::new(), line_offsets: Vec::new() };
+fn parse_by(
+    fast: impl Fn(&[u8]) -> (Option<Row>, usize),
+    text: &[u8],
+    mesh: Option<MeshSize>,
+) -> Target {
+    let mut parser = Parser {
+        target: Target::default(),
+        mesh,
+        lengths: Vec::new(),
+        zeros: Vec::new(),
+        line_offsets: Vec::new(),
+    };
     parser.target.rows.reserve(text.len() / 20);
     let mut line = 1;
     let mut start = 0;
@@ -174,7 +193,11 @@ impl Parser {
         }
         // Lines that the fast path knows are read alike by all.
         if is_odd {
-            self.target.facts.blanks.get_or_insert_default().read(line, offset, text);
+            self.target
+                .facts
+                .blanks
+                .get_or_insert_default()
+                .read(line, offset, text);
         }
         length
     }
@@ -240,10 +263,16 @@ impl Parser {
         self.target.facts.rows += 1;
         self.index(line, index);
         self.displacement(line, index, delta);
-        let Ok(index) = u32::try_from(index) else { return };
+        let Ok(index) = u32::try_from(index) else {
+            return;
+        };
         let at = self.target.rows.len();
         let offset = (line as usize).wrapping_sub(at);
-        if self.line_offsets.last().is_none_or(|(_, known)| *known != offset) {
+        if self
+            .line_offsets
+            .last()
+            .is_none_or(|(_, known)| *known != offset)
+        {
             self.line_offsets.push((at, offset));
         }
         self.target.rows.push((index, delta));
@@ -280,7 +309,11 @@ impl Parser {
         facts.moving += 1;
         self.lengths.push(length);
         if facts.largest.is_none_or(|largest| length > largest.length) {
-            facts.largest = Some(Largest { length, line, index });
+            facts.largest = Some(Largest {
+                length,
+                line,
+                index,
+            });
         }
     }
 
@@ -293,18 +326,34 @@ impl Parser {
         self.target
     }
 
-    /// The first row that the archive of MakeHuman 1 cannot hold. There is none where the longest displacement fits.
+    /// The first row that the archive of MakeHuman 1 cannot hold. There is none where the longest
+    /// displacement fits.
     fn beyond_sixteen_bits(&self) -> Option<(u32, i64, f32)> {
         let facts = &self.target.facts;
-        let fits = facts.largest.is_none_or(|largest| largest.length < PACKED_PART);
-        if fits && facts.max_index.is_none_or(|most| most <= i64::from(u16::MAX)) {
+        let fits = facts
+            .largest
+            .is_none_or(|largest| largest.length < PACKED_PART);
+        if fits
+            && facts
+                .max_index
+                .is_none_or(|most| most <= i64::from(u16::MAX))
+        {
             return None;
         }
         let longest = |delta: &[f32; 3]| {
-            delta.iter().copied().fold(0.0_f32, |most, part| if part.abs() > most.abs() { part } else { most })
+            delta.iter().copied().fold(
+                0.0_f32,
+                |most, part| if part.abs() > most.abs() { part } else { most },
+            )
         };
-        let is_beyond = |row: &Row| longest(&row.1).abs() >= PACKED_PART || row.0 > u32::from(u16::MAX);
-        let (at, row) = self.target.rows.iter().enumerate().find(|(_, row)| is_beyond(row))?;
+        let is_beyond =
+            |row: &Row| longest(&row.1).abs() >= PACKED_PART || row.0 > u32::from(u16::MAX);
+        let (at, row) = self
+            .target
+            .rows
+            .iter()
+            .enumerate()
+            .find(|(_, row)| is_beyond(row))?;
         Some((self.line_of(at), i64::from(row.0), longest(&row.1)))
     }
 
@@ -319,31 +368,44 @@ impl Parser {
         facts.median_length = *median;
         let outliers = (count / ROWS_PER_OUTLIER).max(1);
         let tail = above.len().checked_sub(1 + outliers);
-        facts.tail_length = tail.map_or(*median, |tail| *above.select_nth_unstable_by(tail, f32::total_cmp).1);
+        facts.tail_length = tail.map_or(*median, |tail| {
+            *above.select_nth_unstable_by(tail, f32::total_cmp).1
+        });
         facts.keep_longest(&self.target.rows);
     }
 
     fn count_repeats(&mut self) {
         let repeats = repeats(&self.target.rows);
         for at in &repeats.rows {
-            let Some(index) = self.target.rows.get(*at).map(|row| i64::from(row.0)) else { continue };
+            let Some(index) = self.target.rows.get(*at).map(|row| i64::from(row.0)) else {
+                continue;
+            };
             let line = self.line_of(*at);
             self.target.facts.duplicate.add(line, index);
         }
         let facts = &mut self.target.facts;
-        let replaced = repeats.replaced.iter().filter_map(|at| self.target.rows.get(*at));
+        let replaced = repeats
+            .replaced
+            .iter()
+            .filter_map(|at| self.target.rows.get(*at));
         let is_counted = |row: &&Row| moves(row) && row.1.iter().all(|part| part.is_finite());
         facts.moving -= replaced.filter(is_counted).count();
         facts.repeats_are_equal = facts.duplicate.count > 0 && !repeats.differ;
         facts.displacement = repeats.displacement(&self.target.rows);
-        let zeros = self.zeros.iter().filter(|(_, index)| repeats.vertices.binary_search(index).is_err());
+        let zeros = self
+            .zeros
+            .iter()
+            .filter(|(_, index)| repeats.vertices.binary_search(index).is_err());
         zeros.for_each(|(line, index)| facts.zero.add(*line, *index));
     }
 
     /// Line of a kept row.
     fn line_of(&self, at: usize) -> u32 {
         let known = self.line_offsets.partition_point(|(from, _)| *from <= at);
-        let offset = known.checked_sub(1).and_then(|last| self.line_offsets.get(last)).map_or(0, |(_, offset)| *offset);
+        let offset = known
+            .checked_sub(1)
+            .and_then(|last| self.line_offsets.get(last))
+            .map_or(0, |(_, offset)| *offset);
         u32::try_from(at.wrapping_add(offset)).unwrap_or(u32::MAX)
     }
 }
@@ -354,7 +416,8 @@ pub const PACKED_PART: f32 = 32.768;
 /// What rows are compared by in `targets.npz`.
 fn thousandths(rows: &[Row]) -> u64 {
     let mut print = PackedPrint::default();
-    rows.iter().for_each(|(index, delta)| print.add(*index, delta.map(|part| f64::from(part) * 1000.0)));
+    rows.iter()
+        .for_each(|(index, delta)| print.add(*index, delta.map(|part| f64::from(part) * 1000.0)));
     print.finish()
 }
 
@@ -365,22 +428,46 @@ mod tests {
     use super::*;
 
     fn facts(text: &str) -> TargetFacts {
-        let mesh = MeshSize { vertices: 10, with_seams: 12 };
+        let mesh = MeshSize {
+            vertices: 10,
+            with_seams: 12,
+        };
         parse(text.as_bytes(), Some(mesh)).facts
     }
 
     #[test]
     fn rows_are_read_with_any_line_end() {
-        let target = parse(b"# basemesh hm08\n0 .119 -10.205 -.775\r\n1 1 2 3\r2 0 0 0", None);
+        let target = parse(
+            b"# basemesh hm08\n0 .119 -10.205 -.775\r\n1 1 2 3\r2 0 0 0",
+            None,
+        );
         let rows = target.rows;
-        assert_eq!(rows, [(0, [0.119, -10.205, -0.775]), (1, [1.0, 2.0, 3.0]), (2, [0.0, 0.0, 0.0])]);
+        assert_eq!(
+            rows,
+            [
+                (0, [0.119, -10.205, -0.775]),
+                (1, [1.0, 2.0, 3.0]),
+                (2, [0.0, 0.0, 0.0])
+            ]
+        );
         assert_eq!(target.facts.basemesh, Some((1, "hm08".to_owned())));
-        assert_eq!((target.facts.zero.first_line(), target.facts.moving), (Some(4), 2));
+        assert_eq!(
+            (target.facts.zero.first_line(), target.facts.moving),
+            (Some(4), 2)
+        );
     }
 
     #[test]
     fn fast_and_slow_path_agree() {
-        for number in ["0", "-0.001", ".5", "12.25", "123456789", "0.12345678", "-7."] {
+        for number in [
+            "0",
+            "-0.001",
+            ".5",
+            "12.25",
+            "123456789",
+            "0.12345678",
+            "-7.",
+        ] {
             let fast = parse(format!("3 {number} 1 2\n").as_bytes(), None);
             let slow = parse(format!("3  {number} 1 2\n").as_bytes(), None);
             assert_eq!(fast.rows, slow.rows, "{number}");
@@ -397,7 +484,11 @@ mod tests {
     #[test]
     fn bad_fields_know_their_place() {
         let facts = facts("0 0 0 1\n1.0 0 0 1\n2 0 1,5 0\n");
-        let bad: Vec<_> = facts.unreadable.iter().map(|f| (f.line, f.start, f.field.as_str())).collect();
+        let bad: Vec<_> = facts
+            .unreadable
+            .iter()
+            .map(|f| (f.line, f.start, f.field.as_str()))
+            .collect();
         assert_eq!(bad, [(2, 8, "1.0"), (3, 22, "1,5")]);
     }
 
@@ -408,7 +499,13 @@ mod tests {
             Some(MeshSize { vertices: 10, with_seams: 12 }),
         );
         let facts = &target.facts;
-        let tallies = [&facts.negative, &facts.seam, &facts.out_of_range, &facts.overflow, &facts.duplicate];
+        let tallies = [
+            &facts.negative,
+            &facts.seam,
+            &facts.out_of_range,
+            &facts.overflow,
+            &facts.duplicate,
+        ];
         assert_eq!(tallies.map(|tally| tally.count), [1, 1, 3, 2, 1]);
         assert_eq!(facts.duplicate.first, [(6, 9)]);
         assert_eq!((facts.rows, target.rows.len()), (8, 5));
@@ -419,13 +516,19 @@ mod tests {
         let facts = facts("1 0 .1 0\n1 0 0 0\n2 0 0 0\n3 0 0 0\n3 0 0 0\n4 0 0 0\n4 0 .1 0\n");
         assert_eq!(facts.zero.first, [(3, 2), (4, 3), (5, 3)]);
         assert_eq!(facts.duplicate.first, [(2, 1), (7, 4)]);
-        assert_eq!((facts.rows, facts.moving, facts.moves_nothing()), (7, 1, false));
+        assert_eq!(
+            (facts.rows, facts.moving, facts.moves_nothing()),
+            (7, 1, false)
+        );
     }
 
     #[test]
     fn a_target_whose_rows_are_all_undone_moves_nothing() {
         let undone = facts("1 0 .1 0\n1 0 0 0\n");
-        assert_eq!((undone.zero.count, undone.moving, undone.moves_nothing()), (0, 0, true));
+        assert_eq!(
+            (undone.zero.count, undone.moving, undone.moves_nothing()),
+            (0, 0, true)
+        );
         assert!(!facts("1 nan 0 0\n").moves_nothing() && !facts("# a\n").moves_nothing());
     }
 
@@ -437,12 +540,17 @@ mod tests {
 
     #[test]
     fn lengths_are_measured_without_the_outlier() {
-        let rows: Vec<_> = (0..9).map(|at| format!("{at} 0 0 {}\n", if at == 4 { 100 } else { 1 + at })).collect();
+        let rows: Vec<_> = (0..9)
+            .map(|at| format!("{at} 0 0 {}\n", if at == 4 { 100 } else { 1 + at }))
+            .collect();
         let facts = facts(&rows.concat());
         assert_eq!((facts.median_length, facts.tail_length), (6.0, 9.0));
         let pair = parse(b"1 0 0 .01\n2 0 0 100\n", None).facts;
         assert_eq!((pair.median_length, pair.tail_length), (0.01, 0.01));
-        assert_eq!(facts.largest.map(|largest| (largest.length, largest.line)), Some((100.0, 5)));
+        assert_eq!(
+            facts.largest.map(|largest| (largest.length, largest.line)),
+            Some((100.0, 5))
+        );
     }
 
     #[test]
@@ -472,10 +580,16 @@ mod tests {
     fn every_truncation_agrees_on_both_paths() {
         let text =
             b"# basemesh hm08\n0 .119 -10.205 -.775\r\n1 1 2 3\r9 0 0 0\n\n11 -.5 7. 123456789\n4 1 2\n3 1e3 nan _\n";
-        let mesh = Some(MeshSize { vertices: 10, with_seams: 12 });
+        let mesh = Some(MeshSize {
+            vertices: 10,
+            with_seams: 12,
+        });
         for length in 0..=text.len() {
             let text = &text[..length];
-            assert_eq!(seen(&parse(text, mesh)), seen(&by_the_slow_path(text, mesh)));
+            assert_eq!(
+                seen(&parse(text, mesh)),
+                seen(&by_the_slow_path(text, mesh))
+            );
         }
     }
 

@@ -1,4 +1,5 @@
-//! `target_cat.json`: the categories under which sliders are shown (`docs/loaders/makehuman2/sliders.md#categories`).
+//! `target_cat.json`: the categories under which sliders are shown
+//! (`docs/loaders/makehuman2/sliders.md#categories`).
 
 use super::macro_json::text;
 use mhlint_json::{Document, Node};
@@ -33,7 +34,11 @@ pub struct Item {
 impl Category {
     /// The group an item shows: `group|cat`, compared as text with the sliders' `group`.
     pub fn group_of(&self, item: &Item) -> Option<String> {
-        Some(format!("{}|{}", self.group.as_deref().unwrap_or("default"), item.cat.as_deref()?))
+        Some(format!(
+            "{}|{}",
+            self.group.as_deref().unwrap_or("default"),
+            item.cat.as_deref()?
+        ))
     }
 }
 
@@ -45,12 +50,22 @@ pub fn read(document: &Document) -> TargetCategories {
             .map(|member| Category {
                 name: member.key.clone(),
                 group: text(&member.node, "group"),
-                items: member.node.get("items").map(Node::elements).unwrap_or_default().iter().map(item).collect(),
+                items: member
+                    .node
+                    .get("items")
+                    .map(Node::elements)
+                    .unwrap_or_default()
+                    .iter()
+                    .map(item)
+                    .collect(),
             })
             .collect(),
     }
 }
 
 fn item(node: &Node) -> Item {
-    Item { title: text(node, "title"), cat: text(node, "cat") }
+    Item {
+        title: text(node, "title"),
+        cat: text(node, "cat"),
+    }
 }

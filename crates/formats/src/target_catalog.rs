@@ -13,7 +13,10 @@ pub struct TargetCatalog {
 
 /// Sliders whose targets lie in one folder.
 #[derive(Debug, Clone, PartialEq, Default)]
-#[expect(clippy::struct_excessive_bools, reason = "each says one thing of the section")]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each says one thing of the section"
+)]
 pub struct Section {
     /// Its key, which is the name of the folder.
     pub name: String,
@@ -70,9 +73,14 @@ const SLOTS: [(&str, bool); 6] = [
 ];
 
 impl Category {
-    /// The slots that the slider asks for. If all of them are empty the targets are those of the other kind.
+    /// The slots that the slider asks for. If all of them are empty the targets are those of the
+    /// other kind.
     pub fn slots_in_use(&self) -> impl Iterator<Item = &Slot> {
-        let slots = self.slots.iter().flatten().filter(|slot| slot.is_sided == self.is_sided);
+        let slots = self
+            .slots
+            .iter()
+            .flatten()
+            .filter(|slot| slot.is_sided == self.is_sided);
         let is_filled = slots.clone().any(|slot| !slot.stem.is_empty());
         slots.filter(move |_| is_filled)
     }
@@ -80,7 +88,11 @@ impl Category {
     /// Whether no slot of the sides that it has names a target, and one of the other kind does.
     pub fn has_slots_of_other_kind(&self) -> bool {
         let filled = |is_sided: bool| {
-            let mut slots = self.slots.iter().flatten().filter(|slot| slot.is_sided == is_sided);
+            let mut slots = self
+                .slots
+                .iter()
+                .flatten()
+                .filter(|slot| slot.is_sided == is_sided);
             slots.any(|slot| !slot.stem.is_empty())
         };
         !filled(self.is_sided) && filled(!self.is_sided)
@@ -101,20 +113,38 @@ impl Category {
 /// Takes what the loader would take.
 pub fn read(document: &Document) -> TargetCatalog {
     let sections = document.root.effective_members().into_iter().map(|member| {
-        let list = member.node.get("categories").map(Node::elements).unwrap_or_default();
-        let categories: Vec<Category> =
-            list.iter().enumerate().filter_map(|(index, node)| category(index, node)).collect();
-        let is_list = member.node.get("categories").is_some_and(|node| matches!(node.value, Value::Array(_)));
+        let list = member
+            .node
+            .get("categories")
+            .map(Node::elements)
+            .unwrap_or_default();
+        let categories: Vec<Category> = list
+            .iter()
+            .enumerate()
+            .filter_map(|(index, node)| category(index, node))
+            .collect();
+        let is_list = member
+            .node
+            .get("categories")
+            .is_some_and(|node| matches!(node.value, Value::Array(_)));
         Section {
             name: member.key.clone(),
             is_whole: is_list && categories.len() == list.len(),
             categories,
             is_empty: member.node.get("categories").is_some_and(is_empty_list),
-            has_unsorted: member.node.get("unsorted").is_some_and(|list| !list.elements().is_empty()),
-            is_excluded: member.node.get("include_per_default").is_some_and(Node::is_falsy),
+            has_unsorted: member
+                .node
+                .get("unsorted")
+                .is_some_and(|list| !list.elements().is_empty()),
+            is_excluded: member
+                .node
+                .get("include_per_default")
+                .is_some_and(Node::is_falsy),
         }
     });
-    TargetCatalog { sections: sections.collect() }
+    TargetCatalog {
+        sections: sections.collect(),
+    }
 }
 
 fn is_empty_list(node: &Node) -> bool {
@@ -123,15 +153,24 @@ fn is_empty_list(node: &Node) -> bool {
 
 /// One without a name stops the add-on.
 fn category(index: usize, node: &Node) -> Option<Category> {
-    let targets = node.get("targets").map(Node::elements).unwrap_or_default().iter().enumerate();
+    let targets = node
+        .get("targets")
+        .map(Node::elements)
+        .unwrap_or_default()
+        .iter()
+        .enumerate();
     Some(Category {
         index,
         name: text(node, "name")?,
         label: text(node, "label"),
-        is_sided: node.get("has_left_and_right").is_some_and(|value| !value.is_falsy()),
+        is_sided: node
+            .get("has_left_and_right")
+            .is_some_and(|value| !value.is_falsy()),
         slots: node.get("opposites").map(slots),
         has_full_path: node.get("full_path").is_some(),
-        targets: targets.filter_map(|(at, entry)| Some((at, entry.as_str()?.to_owned()))).collect(),
+        targets: targets
+            .filter_map(|(at, entry)| Some((at, entry.as_str()?.to_owned())))
+            .collect(),
     })
 }
 
@@ -142,7 +181,11 @@ fn slots(node: &Node) -> Vec<Slot> {
             Value::Null => String::new(),
             _ => return None,
         };
-        Some(Slot { key, is_sided, stem })
+        Some(Slot {
+            key,
+            is_sided,
+            stem,
+        })
     };
     SLOTS.into_iter().filter_map(slot).collect()
 }
@@ -161,17 +204,33 @@ mod tests {
     fn only_slots_of_the_side_in_use_are_asked_for() {
         let slots = r#""opposites": {"negative-left": "l-a", "negative-unsided": "a", "positive-unsided": null}"#;
         let asked = |sided: &str| {
-            let all = categories(&format!(r#"{{"name": "a", "has_left_and_right": {sided}, {slots}}}"#));
-            all[0].slots_in_use().map(|slot| (slot.key, slot.stem.clone())).collect::<Vec<_>>()
+            let all = categories(&format!(
+                r#"{{"name": "a", "has_left_and_right": {sided}, {slots}}}"#
+            ));
+            all[0]
+                .slots_in_use()
+                .map(|slot| (slot.key, slot.stem.clone()))
+                .collect::<Vec<_>>()
         };
         assert_eq!(asked("\"false\""), [("negative-left", "l-a".to_owned())]);
-        assert_eq!(asked("0"), [("negative-unsided", "a".to_owned()), ("positive-unsided", String::new())]);
+        assert_eq!(
+            asked("0"),
+            [
+                ("negative-unsided", "a".to_owned()),
+                ("positive-unsided", String::new())
+            ]
+        );
     }
 
     #[test]
     fn what_has_another_shape_is_left_out() {
-        let all = categories(r#"{"name": 1}, 3, {"name": "a", "opposites": null, "targets": ["b", 2, "c"]}"#);
-        assert_eq!((all.len(), all[0].index, all[0].slots.as_deref()), (1, 2, Some([].as_slice())));
+        let all = categories(
+            r#"{"name": 1}, 3, {"name": "a", "opposites": null, "targets": ["b", 2, "c"]}"#,
+        );
+        assert_eq!(
+            (all.len(), all[0].index, all[0].slots.as_deref()),
+            (1, 2, Some([].as_slice()))
+        );
         assert_eq!(all[0].targets, [(0, "b".to_owned()), (2, "c".to_owned())]);
         assert!(all[0].slots_in_use().next().is_none());
     }

@@ -33,8 +33,8 @@ pub struct TargetFacts {
     pub negative: Tally,
     /// Indices at or beyond the vertex count of the mesh, seam duplicates included.
     pub out_of_range: Tally,
-    /// Indices beyond 32 bits, which the application cannot hold; also counted as out of range where the
-    /// mesh is known.
+    /// Indices beyond 32 bits, which the application cannot hold; also counted as out of range
+    /// where the mesh is known.
     pub overflow: Tally,
     /// Indices that name a seam duplicate: accepted and without effect.
     pub seam: Tally,
@@ -44,8 +44,8 @@ pub struct TargetFacts {
     pub repeats_are_equal: bool,
     /// Rows with NaN or infinity.
     pub non_finite: Tally,
-    /// Rows that move nothing, of vertices that no row moves: a zero beside another row of its vertex undoes that or
-    /// is replaced by it.
+    /// Rows that move nothing, of vertices that no row moves: a zero beside another row of its
+    /// vertex undoes that or is replaced by it.
     pub zero: Tally,
     /// Rows that move something and are not replaced by a later row of their vertex.
     pub moving: usize,
@@ -53,20 +53,24 @@ pub struct TargetFacts {
     pub largest: Option<Largest>,
     /// Median length of the displacements that move something, in decimetres.
     pub median_length: f32,
-    /// Length that all but the longest two percent (at least one row) stay below or reach, in decimetres.
+    /// Length that all but the longest two percent (at least one row) stay below or reach, in
+    /// decimetres.
     pub tail_length: f32,
-    /// Rows that are longer than that and the next one, where these are far from the others. Where the longest one is
-    /// at least `STANDS_OUT` times as long these are all, which shows whether it leaves its neighbours in the mesh.
+    /// Rows that are longer than that and the next one, where these are far from the others. Where
+    /// the longest one is at least `STANDS_OUT` times as long these are all, which shows whether it
+    /// leaves its neighbours in the mesh.
     pub longest: Vec<(u32, [f32; 3])>,
     /// Largest index.
     pub max_index: Option<i64>,
     /// Base mesh that the header names (`# basemesh NAME`), with its line.
     pub basemesh: Option<(u32, String)>,
-    /// What a loader makes of the text that splits at single blanks; nothing where that is what all others make of it.
+    /// What a loader makes of the text that splits at single blanks; nothing where that is what all
+    /// others make of it.
     pub blanks: Option<Box<BlankFacts>>,
     /// Hash over the decoded rows: equal rows, equal hash.
     pub content: u64,
-    /// Hash over the rows as `targets.npz` holds them: thousandths of a decimetre in 16 bits, and the vertex in 16 bits.
+    /// Hash over the rows as `targets.npz` holds them: thousandths of a decimetre in 16 bits, and
+    /// the vertex in 16 bits.
     pub thousandths: u64,
     /// The first row with a part that does not fit into these: line, vertex, part in decimetres.
     pub beyond_sixteen_bits: Option<(u32, i64, f32)>,
@@ -75,13 +79,21 @@ pub struct TargetFacts {
 }
 
 impl TargetFacts {
-    /// Keeps the longest rows where they are far from the others: all of them where they stand out, else a few.
+    /// Keeps the longest rows where they are far from the others: all of them where they stand out,
+    /// else a few.
     pub(super) fn keep_longest(&mut self, rows: &[(u32, [f32; 3])]) {
-        let Some(largest) = self.largest.filter(|largest| largest.length > FAR * self.median_length) else { return };
+        let Some(largest) = self
+            .largest
+            .filter(|largest| largest.length > FAR * self.median_length)
+        else {
+            return;
+        };
         let stands_out = largest.length >= STANDS_OUT * self.tail_length;
         let lengths = || rows.iter().map(|row| (row, length_of(row.1)));
         let longer = lengths().filter(|(_, length)| *length > self.tail_length);
-        let next = lengths().filter(|(_, length)| length.total_cmp(&self.tail_length).is_eq()).take(1);
+        let next = lengths()
+            .filter(|(_, length)| length.total_cmp(&self.tail_length).is_eq())
+            .take(1);
         let most = if stands_out { usize::MAX } else { FEW_LONGEST };
         self.longest = longer.take(most).chain(next).map(|(row, _)| *row).collect();
     }
@@ -92,13 +104,16 @@ impl TargetFacts {
     }
 }
 
-/// How far a displacement goes, in its unit. The square of a finite one can overflow or vanish; such a row still moves.
+/// How far a displacement goes, in its unit. The square of a finite one can overflow or vanish;
+/// such a row still moves.
 pub(super) fn length_of(delta: [f32; 3]) -> f32 {
     let square = delta.iter().map(|part| part * part).sum::<f32>();
     if square.is_finite() && square > 0.0 {
         square.sqrt()
     } else {
-        delta.iter().fold(0.0_f32, |most, part| most.max(part.abs()))
+        delta
+            .iter()
+            .fold(0.0_f32, |most, part| most.max(part.abs()))
     }
 }
 

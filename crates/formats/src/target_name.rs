@@ -1,5 +1,5 @@
-//! What the path of a target tells MakeHuman 1: the group it is in, and the macro variables that it depends on
-//! (`docs/loaders/makehuman1/targets.md#names`).
+//! What the path of a target tells MakeHuman 1: the group it is in, and the macro variables that it
+//! depends on (`docs/loaders/makehuman1/targets.md#names`).
 
 /// The categories of macro variables with the words that stand for their values.
 pub const CATEGORIES: [(&str, &[&str]); 9] = [
@@ -10,8 +10,18 @@ pub const CATEGORIES: [(&str, &[&str]); 9] = [
     ("weight", &["minweight", "averageweight", "maxweight"]),
     ("height", &["minheight", "averageheight", "maxheight"]),
     ("breastsize", &["mincup", "averagecup", "maxcup"]),
-    ("breastfirmness", &["minfirmness", "averagefirmness", "maxfirmness"]),
-    ("bodyproportions", &["uncommonproportions", "regularproportions", "idealproportions"]),
+    (
+        "breastfirmness",
+        &["minfirmness", "averagefirmness", "maxfirmness"],
+    ),
+    (
+        "bodyproportions",
+        &[
+            "uncommonproportions",
+            "regularproportions",
+            "idealproportions",
+        ],
+    ),
 ];
 
 /// What a path comes to.
@@ -31,20 +41,30 @@ pub type Values = [Option<&'static str>; CATEGORIES.len()];
 /// # Errors
 /// As [`TargetName::of`].
 pub fn values_below(mut values: Values, element: &str) -> Result<Values, Clash> {
-    words(element).filter_map(reserved).try_for_each(|own| add(&mut values, own)).map(|()| values)
+    words(element)
+        .filter_map(reserved)
+        .try_for_each(|own| add(&mut values, own))
+        .map(|()| values)
 }
 
 /// The words of an element that count.
 fn words(element: &str) -> impl Iterator<Item = &str> {
     let all = element.split(['-', '_', '.']).enumerate();
-    all.filter(|(at, word)| !(*at == 0 && *word == "targets" || *word == "target")).map(|(_, word)| word)
+    all.filter(|(at, word)| !(*at == 0 && *word == "targets" || *word == "target"))
+        .map(|(_, word)| word)
 }
 
 fn add(values: &mut Values, (place, value): (usize, &'static str)) -> Result<(), Clash> {
-    let Some(slot) = values.get_mut(place) else { return Ok(()) };
+    let Some(slot) = values.get_mut(place) else {
+        return Ok(());
+    };
     if let Some(first) = slot.filter(|first| *first != value) {
         let category = CATEGORIES.get(place).map_or("", |(category, _)| category);
-        return Err(Clash { category, first, second: value });
+        return Err(Clash {
+            category,
+            first,
+            second: value,
+        });
     }
     *slot = Some(value);
     Ok(())
@@ -92,7 +112,9 @@ impl TargetName {
 
     /// The value that it has of a category.
     pub fn value(&self, category: &str) -> Option<&'static str> {
-        self.categories().find(|(own, _)| *own == category).map(|(_, value)| value)
+        self.categories()
+            .find(|(own, _)| *own == category)
+            .map(|(_, value)| value)
     }
 
     /// Whether it depends on some macro variable.
@@ -108,13 +130,20 @@ impl TargetName {
 
 /// The place of the category that a word is a value of, and the word.
 fn reserved(word: &str) -> Option<(usize, &'static str)> {
-    let value = |(_, values): &(&str, &'static [&'static str])| values.iter().find(|value| **value == word).copied();
-    CATEGORIES.iter().enumerate().find_map(|(place, row)| Some((place, value(row)?)))
+    let value = |(_, values): &(&str, &'static [&'static str])| {
+        values.iter().find(|value| **value == word).copied()
+    };
+    CATEGORIES
+        .iter()
+        .enumerate()
+        .find_map(|(place, row)| Some((place, value(row)?)))
 }
 
 /// The category that a word is a value of, such as `gender` of `male`.
 pub fn category_of(word: &str) -> Option<&'static str> {
-    CATEGORIES.get(reserved(word)?.0).map(|(category, _)| *category)
+    CATEGORIES
+        .get(reserved(word)?.0)
+        .map(|(category, _)| *category)
 }
 
 #[cfg(test)]
@@ -129,8 +158,14 @@ mod tests {
     #[test]
     fn words_are_values_or_parts_of_the_group() {
         let race = vec![("gender", "female"), ("age", "baby"), ("race", "asian")];
-        assert_eq!(of("targets/macrodetails/asian-female-baby.target"), ("macrodetails".to_owned(), race));
-        assert_eq!(of("targets/head/head-oval.target"), ("head-head-oval".to_owned(), Vec::new()));
+        assert_eq!(
+            of("targets/macrodetails/asian-female-baby.target"),
+            ("macrodetails".to_owned(), race)
+        );
+        assert_eq!(
+            of("targets/head/head-oval.target"),
+            ("head-head-oval".to_owned(), Vec::new())
+        );
         assert_eq!(of("head/targets-head_oval.target").0, "head-head-oval");
         assert_eq!(of("head/oval-targets.target").0, "head-oval-targets");
         assert_eq!(of("targets/targets/head/target/oval.target").0, "head-oval");
@@ -138,15 +173,25 @@ mod tests {
         assert_eq!(of("targets/head/Female.TARGET").0, "head-Female-TARGET");
         assert_eq!(
             of("targets/macrodetails/height/minheight.target"),
-            ("macrodetails-height".to_owned(), vec![("height", "minheight")])
+            (
+                "macrodetails-height".to_owned(),
+                vec![("height", "minheight")]
+            )
         );
         assert_eq!(of("targets/female.target").0, "");
     }
 
     #[test]
     fn one_category_has_one_value() {
-        assert_eq!(of("targets/female/female-old.target").1, [("gender", "female"), ("age", "old")]);
-        let clash = Clash { category: "gender", first: "male", second: "female" };
+        assert_eq!(
+            of("targets/female/female-old.target").1,
+            [("gender", "female"), ("age", "old")]
+        );
+        let clash = Clash {
+            category: "gender",
+            first: "male",
+            second: "female",
+        };
         assert_eq!(TargetName::of("clothes/male_female_shirt"), Err(clash));
         assert!(TargetName::of("hair/old/young").is_err());
         assert!(TargetName::of("hair/Old/young").is_ok());

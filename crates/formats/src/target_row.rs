@@ -1,17 +1,21 @@
 //! The fast path of the target parser: the plain row, and numbers short enough to be exact in f64.
 //!
-//! Gets bytes at the beginning of a line, returns the row and the bytes consumed, or nothing for any
-//! line that is written otherwise; then the slow path decides. Both must agree on every row.
+//! Gets bytes at the beginning of a line, returns the row and the bytes consumed, or nothing for
+//! any line that is written otherwise; then the slow path decides. Both must agree on every row.
 
 use super::stored;
 use super::target::Row;
 
-/// The plain row `INDEX X Y Z`, single blanks, at most nine digits a number: nearly every line of every
-/// shipped target. Gives the row and the bytes consumed, or nothing for any other line.
+/// The plain row `INDEX X Y Z`, single blanks, at most nine digits a number: nearly every line of
+/// every shipped target. Gives the row and the bytes consumed, or nothing for any other line.
 pub(super) fn fast_row(text: &[u8]) -> (Option<Row>, usize) {
     let mut at = 0;
     let mut index = 0_u32;
-    while let Some(digit) = text.get(at).map(|byte| byte.wrapping_sub(b'0')).filter(|digit| *digit < 10) {
+    while let Some(digit) = text
+        .get(at)
+        .map(|byte| byte.wrapping_sub(b'0'))
+        .filter(|digit| *digit < 10)
+    {
         index = index.wrapping_mul(10).wrapping_add(u32::from(digit));
         at += 1;
     }
@@ -39,8 +43,8 @@ pub(super) fn fast_row(text: &[u8]) -> (Option<Row>, usize) {
 
 const POWERS: [f64; 10] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];
 
-/// A decimal of at most nine digits. Mantissa and power of ten are exact in f64, so the quotient is the
-/// correctly rounded value, as in Python.
+/// A decimal of at most nine digits. Mantissa and power of ten are exact in f64, so the quotient is
+/// the correctly rounded value, as in Python.
 fn fast_decimal(text: &[u8]) -> Option<(f32, usize)> {
     let negative = text.first() == Some(&b'-');
     let mut at = usize::from(negative);
@@ -50,7 +54,9 @@ fn fast_decimal(text: &[u8]) -> Option<(f32, usize)> {
     loop {
         match text.get(at) {
             Some(byte @ b'0'..=b'9') => {
-                mantissa = mantissa.wrapping_mul(10).wrapping_add(u32::from(byte - b'0'));
+                mantissa = mantissa
+                    .wrapping_mul(10)
+                    .wrapping_add(u32::from(byte - b'0'));
                 digits += 1;
             }
             Some(b'.') if point.is_none() => point = Some(digits),

@@ -1,8 +1,9 @@
 //! `targets.npz`: the archive that MakeHuman 1 makes of all targets in its data
 //! (`docs/loaders/makehuman1/target-archive.md#content`).
 //!
-//! A zip of `.npy`, two for each target: the vertices, and what moves them in thousandths of a decimetre. Gets bytes and
-//! limits, returns what is in it for each target with a hash of its rows; keeps no rows.
+//! A zip of `.npy`, two for each target: the vertices, and what moves them in thousandths of a
+//! decimetre. Gets bytes and limits, returns what is in it for each target with a hash of its rows;
+//! keeps no rows.
 
 use std::collections::BTreeMap;
 
@@ -53,8 +54,13 @@ impl PackedTarget {
 
     /// What is wrong with a member, the first of the two.
     pub fn fault(&self) -> Option<&NpyFault> {
-        let fault = |part: &'_ Option<Result<usize, NpyFault>>| part.as_ref().is_some_and(Result::is_err);
-        let part = if fault(&self.index) { &self.index } else { &self.vector };
+        let fault =
+            |part: &'_ Option<Result<usize, NpyFault>>| part.as_ref().is_some_and(Result::is_err);
+        let part = if fault(&self.index) {
+            &self.index
+        } else {
+            &self.vector
+        };
         part.as_ref().and_then(|part| part.as_ref().err())
     }
 }
@@ -64,13 +70,20 @@ pub fn parse(bytes: &[u8], limits: &Limits) -> TargetsNpz {
     let mut archive = TargetsNpz::default();
     let mut zip = match npz::open(bytes) {
         Ok(zip) => zip,
-        Err(fault) => return TargetsNpz { fault: Some(fault), ..archive },
+        Err(fault) => {
+            return TargetsNpz {
+                fault: Some(fault),
+                ..archive
+            };
+        }
     };
     let mut room = limits.of_arrays().unpacked_limit(bytes.len() as u64);
     let mut pending: BTreeMap<String, Table> = BTreeMap::new();
     for place in 0..zip.len() {
         let name = npz::member_name(&zip, place);
-        let Some((target, part)) = name.rsplit_once('.') else { continue };
+        let Some((target, part)) = name.rsplit_once('.') else {
+            continue;
+        };
         let cells: &[Cell] = match part {
             "index" => &[Cell::Integer],
             "vector" => &[Cell::Number; 3],
@@ -81,9 +94,14 @@ pub fn parse(bytes: &[u8], limits: &Limits) -> TargetsNpz {
             }
             _ => continue,
         };
-        let (table, used) = npz::read_member(&mut zip, place, room, |reader| npy_table::read(reader, cells));
+        let (table, used) = npz::read_member(&mut zip, place, room, |reader| {
+            npy_table::read(reader, cells)
+        });
         let Some(left) = room.checked_sub(used) else {
-            return TargetsNpz { is_bomb: true, ..TargetsNpz::default() };
+            return TargetsNpz {
+                is_bomb: true,
+                ..TargetsNpz::default()
+            };
         };
         room = left;
         archive.add(target, part == "index", table, &mut pending);
@@ -95,14 +113,24 @@ pub fn parse(bytes: &[u8], limits: &Limits) -> TargetsNpz {
 pub fn rows(bytes: &[u8], limits: &Limits, target: &str) -> Option<Vec<Row>> {
     let mut members = npz::Members::open(bytes, limits).ok()?;
     let mut part = |part: &str, cells: &[Cell]| {
-        members.read(&format!("{target}.{part}"), |reader| npy_table::read(reader, cells))?.ok()
+        members
+            .read(&format!("{target}.{part}"), |reader| {
+                npy_table::read(reader, cells)
+            })?
+            .ok()
     };
-    let (index, vector) = (part("index", &[Cell::Integer])?, part("vector", &[Cell::Number; 3])?);
+    let (index, vector) = (
+        part("index", &[Cell::Integer])?,
+        part("vector", &[Cell::Number; 3])?,
+    );
     if index.rows != vector.rows {
         return None;
     }
     // As the program has it: a number of 32 bits times a thousandth.
-    #[expect(clippy::cast_possible_truncation, reason = "an `int16` where the program made it")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "an `int16` where the program made it"
+    )]
     let value = |at: usize, axis: usize| Some(vector.number(at, axis)? as f32 * 1e-3);
     let row = |at: usize| {
         let vertex = u32::try_from(index.integer(at, 0)?).ok()?;
@@ -126,13 +154,21 @@ impl TargetsNpz {
     ) {
         let own = self.target(name);
         let rows = table.as_ref().map(|table| table.rows).map_err(Clone::clone);
-        *(if is_index { &mut own.index } else { &mut own.vector }) = Some(rows);
+        *(if is_index {
+            &mut own.index
+        } else {
+            &mut own.vector
+        }) = Some(rows);
         let Ok(table) = table else { return };
         let Some(other) = pending.remove(name) else {
             pending.insert(name.to_owned(), table);
             return;
         };
-        let (index, vector) = if is_index { (&table, &other) } else { (&other, &table) };
+        let (index, vector) = if is_index {
+            (&table, &other)
+        } else {
+            (&other, &table)
+        };
         own.take(index, vector);
     }
 }
@@ -160,11 +196,20 @@ mod tests {
     use crate::target;
 
     fn pair() -> Vec<(&'static str, Vec<u8>)> {
-        let index: Vec<u8> = [3_u16, 7].iter().flat_map(|own| own.to_le_bytes()).collect();
-        let vector: Vec<u8> = [119_i16, -10205, 0, 1, 2, 3].iter().flat_map(|own| own.to_le_bytes()).collect();
+        let index: Vec<u8> = [3_u16, 7]
+            .iter()
+            .flat_map(|own| own.to_le_bytes())
+            .collect();
+        let vector: Vec<u8> = [119_i16, -10205, 0, 1, 2, 3]
+            .iter()
+            .flat_map(|own| own.to_le_bytes())
+            .collect();
         vec![
             ("targets/head/oval.index.npy", npy("'<u2'", "(2,)", &index)),
-            ("targets/head/oval.vector.npy", npy("'<i2'", "(2, 3)", &vector)),
+            (
+                "targets/head/oval.vector.npy",
+                npy("'<i2'", "(2, 3)", &vector),
+            ),
         ]
     }
 
@@ -177,11 +222,23 @@ mod tests {
         let text = |text: &[u8]| target::parse(text, None).facts.thousandths;
         let own = only(&pair());
         assert!(own.is_sound());
-        assert_eq!(own.content, Some(text(b"3 .119 -10.205 0\n7 .001 .002 .003\n")));
-        assert_eq!(own.content, Some(text(b"3 .11904 -10.2053 -0\n7 .001 .002 .003\n")));
+        assert_eq!(
+            own.content,
+            Some(text(b"3 .119 -10.205 0\n7 .001 .002 .003\n"))
+        );
+        assert_eq!(
+            own.content,
+            Some(text(b"3 .11904 -10.2053 -0\n7 .001 .002 .003\n"))
+        );
         // What does not fit goes around.
-        assert_eq!(own.content, Some(text(b"65539 65.655 -10.205 0\n7 .001 .002 .003\n")));
-        assert_ne!(own.content, Some(text(b"3 .12 -10.205 0\n7 .001 .002 .003\n")));
+        assert_eq!(
+            own.content,
+            Some(text(b"65539 65.655 -10.205 0\n7 .001 .002 .003\n"))
+        );
+        assert_ne!(
+            own.content,
+            Some(text(b"3 .12 -10.205 0\n7 .001 .002 .003\n"))
+        );
     }
 
     #[test]
@@ -192,12 +249,27 @@ mod tests {
             only(&members)
         };
         let vector = "targets/head/oval.vector.npy";
-        assert_eq!(with(1, vector, b"text".to_vec()).fault(), Some(&NpyFault::NotNpy));
-        assert_eq!(with(1, vector, npy("'|O'", "(2,)", b"")).fault(), Some(&NpyFault::Object));
-        assert_eq!(with(1, vector, npy("'<i2'", "(2, 3)", &[0; 5])).fault(), Some(&NpyFault::Truncated));
-        assert_eq!(with(1, vector, npy("'<i2'", "(1, 3)", &[0; 6])).content, None);
+        assert_eq!(
+            with(1, vector, b"text".to_vec()).fault(),
+            Some(&NpyFault::NotNpy)
+        );
+        assert_eq!(
+            with(1, vector, npy("'|O'", "(2,)", b"")).fault(),
+            Some(&NpyFault::Object)
+        );
+        assert_eq!(
+            with(1, vector, npy("'<i2'", "(2, 3)", &[0; 5])).fault(),
+            Some(&NpyFault::Truncated)
+        );
+        assert_eq!(
+            with(1, vector, npy("'<i2'", "(1, 3)", &[0; 6])).content,
+            None
+        );
         assert_eq!(with(1, "other.npy", Vec::new()).vector, None);
-        let by_column: Vec<u8> = [119_i16, 1, -10205, 2, 0, 3].iter().flat_map(|own| own.to_be_bytes()).collect();
+        let by_column: Vec<u8> = [119_i16, 1, -10205, 2, 0, 3]
+            .iter()
+            .flat_map(|own| own.to_be_bytes())
+            .collect();
         let fortran = crate::npz_samples::npy_in_order("'>i2'", "True", "(2, 3)", &by_column);
         assert_eq!(with(1, vector, fortran), only(&pair()));
         let mut licensed = pair();
@@ -207,12 +279,22 @@ mod tests {
 
     #[test]
     fn a_bomb_is_given_up() {
-        let dense = zip_of(&[("a.vector.npy", npy("'|i1'", "(1000000, 3)", &vec![0; 3_000_000]))]);
-        let limits = Limits { ratio_free_bytes: 1000, unpacked_ratio: 2, ..Limits::default() };
+        let dense = zip_of(&[(
+            "a.vector.npy",
+            npy("'|i1'", "(1000000, 3)", &vec![0; 3_000_000]),
+        )]);
+        let limits = Limits {
+            ratio_free_bytes: 1000,
+            unpacked_ratio: 2,
+            ..Limits::default()
+        };
         assert!(parse(&dense, &limits).is_bomb);
         // A header can promise what it wants.
         let promised = npy("'<i2'", "(1000000000000, 3)", &[0; 60]);
-        assert_eq!(only(&[("targets/head/oval.vector.npy", promised)]).fault(), Some(&NpyFault::Truncated));
+        assert_eq!(
+            only(&[("targets/head/oval.vector.npy", promised)]).fault(),
+            Some(&NpyFault::Truncated)
+        );
     }
 
     #[test]

@@ -19,7 +19,8 @@ pub enum Why {
     Lacks(&'static str),
     /// Its key is none of those that are known.
     Key(&'static [&'static str]),
-    /// Its key is no property of what it is set on; those that are, some of them in one text with blanks between them.
+    /// Its key is no property of what it is set on; those that are, some of them in one text with
+    /// blanks between them.
     Property(Vec<&'static str>),
     /// It is of another type.
     Type {
@@ -69,7 +70,10 @@ impl Unfits {
     /// Adds one.
     pub(super) fn add(&mut self, pointer: &str, why: Why) {
         if self.0.len() < MOST {
-            self.0.push(Unfit { pointer: pointer.to_owned(), why });
+            self.0.push(Unfit {
+                pointer: pointer.to_owned(),
+                why,
+            });
         }
     }
 
@@ -81,11 +85,22 @@ impl Unfits {
 
     /// Adds that a value is of another type.
     pub(super) fn add_type(&mut self, pointer: &str, node: &Node, wanted: &'static str) {
-        self.add(pointer, Why::Type { found: node.type_word(), wanted });
+        self.add(
+            pointer,
+            Why::Type {
+                found: node.type_word(),
+                wanted,
+            },
+        );
     }
 
     /// Adds a text that is none of the known ones. Any other type is passed over.
-    pub(super) fn check_word(&mut self, pointer: &str, node: &Node, known: &'static [&'static str]) {
+    pub(super) fn check_word(
+        &mut self,
+        pointer: &str,
+        node: &Node,
+        known: &'static [&'static str],
+    ) {
         if let Some(text) = node.as_str().filter(|text| !known.contains(text)) {
             self.add(pointer, Why::Word(text.to_owned(), known));
         }
@@ -95,7 +110,10 @@ impl Unfits {
 impl NamedAt {
     /// A name at a pointer.
     pub(super) fn new(pointer: &str, name: &str) -> Self {
-        Self { pointer: pointer.to_owned(), name: name.to_owned() }
+        Self {
+            pointer: pointer.to_owned(),
+            name: name.to_owned(),
+        }
     }
 }
 

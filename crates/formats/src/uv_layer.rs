@@ -76,16 +76,23 @@ type Step<T> = Result<T, SyntaxFault>;
 
 /// Reads all faces.
 pub fn read(text: &[u8], encoding: &Encoding) -> UvLayer {
-    let mut layer = UvLayer { fault: text_fault(text, encoding), ..UvLayer::default() };
+    let mut layer = UvLayer {
+        fault: text_fault(text, encoding),
+        ..UvLayer::default()
+    };
     if layer.fault.is_none() {
-        layer.fault = layer.file(&mut Reader::new(text)).err().map(JsonFault::Syntax);
+        layer.fault = layer
+            .file(&mut Reader::new(text))
+            .err()
+            .map(JsonFault::Syntax);
     }
     layer.loops.sort_unstable();
     layer
 }
 
 impl UvLayer {
-    /// How many loops the mesh does not have: those from `count` on, and those before `-count`, which count from the end.
+    /// How many loops the mesh does not have: those from `count` on, and those before `-count`,
+    /// which count from the end.
     pub fn beyond(&self, count: i64) -> usize {
         let below = self.loops.partition_point(|one| *one < -count);
         self.loops.len() - self.loops.partition_point(|one| *one < count) + below
@@ -120,7 +127,11 @@ impl UvLayer {
     }
 
     fn stop(&mut self, face: Option<&str>, corner: Option<&str>, why: StopWhy) {
-        let stop = || Stop { face: face.map(str::to_owned), corner: corner.map(str::to_owned), why };
+        let stop = || Stop {
+            face: face.map(str::to_owned),
+            corner: corner.map(str::to_owned),
+            why,
+        };
         self.stop.get_or_insert_with(|| (stop(), 0)).1 += 1;
     }
 
@@ -135,14 +146,18 @@ impl UvLayer {
         while reader.more(b'}')? {
             let (name, _) = reader.key()?;
             if let Some(number) = python_int(name.trim().as_bytes()) {
-                own = Some(own.map_or((number, number), |(low, high)| (low.min(number), high.max(number))));
+                own = Some(own.map_or((number, number), |(low, high)| {
+                    (low.min(number), high.max(number))
+                }));
                 self.take(face, number);
             } else {
                 self.stop(Some(face), Some(&name), StopWhy::Name);
             }
             self.coordinates(reader, face, &name)?;
         }
-        let Some((low, high)) = own else { return Ok(()) };
+        let Some((low, high)) = own else {
+            return Ok(());
+        };
         let quad = low.div_euclid(CORNERS);
         if quad != high.div_euclid(CORNERS) {
             self.mixed.add(face);
@@ -156,10 +171,18 @@ impl UvLayer {
         if self.loops.len() < MOST {
             self.loops.push(number);
         }
-        if self.highest.as_ref().is_none_or(|(highest, _)| number > *highest) {
+        if self
+            .highest
+            .as_ref()
+            .is_none_or(|(highest, _)| number > *highest)
+        {
             self.highest = Some((number, face.to_owned()));
         }
-        if self.lowest.as_ref().is_none_or(|(lowest, _)| number < *lowest) {
+        if self
+            .lowest
+            .as_ref()
+            .is_none_or(|(lowest, _)| number < *lowest)
+        {
             self.lowest = Some((number, face.to_owned()));
         }
     }
@@ -241,18 +264,40 @@ mod tests {
 
     #[test]
     fn loops_of_faces_have_two_numbers() {
-        let layer = of(r#"{"0": {"0": [0, 1], "1": [0.5, 0.5]}, "2": {"8": [0, 0], "11": [1, 1.5]}, "3": {}}"#);
-        assert_eq!((layer.faces, layer.loops.as_slice(), layer.fault.as_ref()), (3, [0, 1, 8, 11].as_slice(), None));
-        assert_eq!((layer.highest.as_ref().unwrap().0, layer.outside.count), (11, 1));
-        assert_eq!((layer.beyond(11), layer.beyond(12), layer.negative(), layer.repeated()), (1, 0, 0, None));
-        assert_eq!((layer.mixed.count, layer.elsewhere.count, layer.stop), (0, 0, None));
+        let layer = of(
+            r#"{"0": {"0": [0, 1], "1": [0.5, 0.5]}, "2": {"8": [0, 0], "11": [1, 1.5]}, "3": {}}"#,
+        );
+        assert_eq!(
+            (layer.faces, layer.loops.as_slice(), layer.fault.as_ref()),
+            (3, [0, 1, 8, 11].as_slice(), None)
+        );
+        assert_eq!(
+            (layer.highest.as_ref().unwrap().0, layer.outside.count),
+            (11, 1)
+        );
+        assert_eq!(
+            (
+                layer.beyond(11),
+                layer.beyond(12),
+                layer.negative(),
+                layer.repeated()
+            ),
+            (1, 0, 0, None)
+        );
+        assert_eq!(
+            (layer.mixed.count, layer.elsewhere.count, layer.stop),
+            (0, 0, None)
+        );
     }
 
     #[test]
     fn what_stops_the_loader_is_noted() {
         let stop = |text: &str| of(text).stop.map(|(stop, count)| (stop.why, count));
         assert_eq!(stop("[]"), Some((StopWhy::NotObject("a list"), 1)));
-        assert_eq!(stop(r#"{"0": [1], "1": null}"#), Some((StopWhy::NotObject("a list"), 2)));
+        assert_eq!(
+            stop(r#"{"0": [1], "1": null}"#),
+            Some((StopWhy::NotObject("a list"), 2))
+        );
         for (value, why) in [
             ("[0]", Some(StopWhy::Length(1))),
             ("[0, \"1\"]", Some(StopWhy::NotNumbers)),
@@ -261,7 +306,10 @@ mod tests {
             ("[true, NaN]", None),
         ] {
             let found = of(&format!(r#"{{"0": {{"3": {value}}}}}"#)).stop;
-            assert_eq!(found.map(|(stop, _)| (stop.corner, stop.why)), why.map(|why| (Some("3".to_owned()), why)));
+            assert_eq!(
+                found.map(|(stop, _)| (stop.corner, stop.why)),
+                why.map(|why| (Some("3".to_owned()), why))
+            );
         }
         assert_eq!(stop(r#"{"0": {"a": [0, 0]}}"#), Some((StopWhy::Name, 1)));
         assert!(of("{\"0\": ").fault.is_some());
@@ -270,9 +318,21 @@ mod tests {
 
     #[test]
     fn loops_belong_to_one_face() {
-        let layer = of(r#"{"0": {"3": [0, 0], "4": [0, 0]}, "1": {"8": [0, 0]}, "2": {"8": [NaN, 0], "-1": [0, 0]}}"#);
-        assert_eq!((layer.mixed.count, layer.elsewhere.count, layer.non_finite.count), (2, 1, 1));
-        assert_eq!((layer.repeated(), layer.negative(), layer.beyond(1)), (Some((8, 1)), 1, 4));
+        let layer = of(
+            r#"{"0": {"3": [0, 0], "4": [0, 0]}, "1": {"8": [0, 0]}, "2": {"8": [NaN, 0], "-1": [0, 0]}}"#,
+        );
+        assert_eq!(
+            (
+                layer.mixed.count,
+                layer.elsewhere.count,
+                layer.non_finite.count
+            ),
+            (2, 1, 1)
+        );
+        assert_eq!(
+            (layer.repeated(), layer.negative(), layer.beyond(1)),
+            (Some((8, 1)), 1, 4)
+        );
     }
 
     proptest! {

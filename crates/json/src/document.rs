@@ -77,11 +77,26 @@ pub struct Member {
 /// The first place at which it is no JSON.
 pub fn parse(text: &[u8]) -> Result<Document, SyntaxFault> {
     let reader = Reader::new(text);
-    let mut builder = Builder { reader, duplicates: Vec::new(), room: Room::default(), pointer: String::new() };
+    let mut builder = Builder {
+        reader,
+        duplicates: Vec::new(),
+        room: Room::default(),
+        pointer: String::new(),
+    };
     let root = builder.value()?;
     builder.reader.finish()?;
-    let Builder { reader, duplicates, room: Room { left_out, .. }, .. } = builder;
-    Ok(Document { root, duplicates, duplicates_left_out: left_out, specials: reader.specials })
+    let Builder {
+        reader,
+        duplicates,
+        room: Room { left_out, .. },
+        ..
+    } = builder;
+    Ok(Document {
+        root,
+        duplicates,
+        duplicates_left_out: left_out,
+        specials: reader.specials,
+    })
 }
 
 impl Document {
@@ -104,10 +119,15 @@ impl Node {
 
     /// Members of an object; empty for anything else.
     pub fn members(&self) -> &[Member] {
-        if let Value::Object(members) = &self.value { members } else { &[] }
+        if let Value::Object(members) = &self.value {
+            members
+        } else {
+            &[]
+        }
     }
 
-    /// Members as the applications see them: of equal keys the value of the last at the place of the first.
+    /// Members as the applications see them: of equal keys the value of the last at the place of
+    /// the first.
     pub fn effective_members(&self) -> Vec<&Member> {
         let mut effective: Vec<&Member> = Vec::with_capacity(self.members().len());
         let mut seen = std::collections::BTreeMap::new();
@@ -129,15 +149,24 @@ impl Node {
 
     /// Elements of an array; empty for anything else.
     pub fn elements(&self) -> &[Self] {
-        if let Value::Array(elements) = &self.value { elements } else { &[] }
+        if let Value::Array(elements) = &self.value {
+            elements
+        } else {
+            &[]
+        }
     }
 
     /// The text of a string.
     pub fn as_str(&self) -> Option<&str> {
-        if let Value::String(text) = &self.value { Some(text) } else { None }
+        if let Value::String(text) = &self.value {
+            Some(text)
+        } else {
+            None
+        }
     }
 
-    /// Bytes in the file of a part of a string's text: exact where nothing is escaped, else the whole value.
+    /// Bytes in the file of a part of a string's text: exact where nothing is escaped, else the
+    /// whole value.
     pub fn span_of_text(&self, part: Range<usize>) -> Range<usize> {
         match self.as_str() {
             Some(text) if text.len() + 2 == self.span.len() && part.end <= text.len() => {
@@ -158,30 +187,44 @@ impl Node {
 
     /// The value of a number.
     pub fn as_f64(&self) -> Option<f64> {
-        if let Value::Number(number, _) = self.value { Some(number) } else { None }
+        if let Value::Number(number, _) = self.value {
+            Some(number)
+        } else {
+            None
+        }
     }
 
     /// The value of a number that is written as an integer; beyond 64 bits it saturates.
     pub fn as_i64(&self) -> Option<i64> {
         match self.value {
-            #[expect(clippy::cast_possible_truncation, reason = "saturates, which is as far out of any range")]
+            #[expect(
+                clippy::cast_possible_truncation,
+                reason = "saturates, which is as far out of any range"
+            )]
             Value::Number(number, true) => Some(number as i64),
             _ => None,
         }
     }
 
-    /// The value without places: of equal keys the last, and for `NaN` and infinities what stands for them.
+    /// The value without places: of equal keys the last, and for `NaN` and infinities what stands
+    /// for them.
     pub fn plain(&self, non_finite: &Plain) -> Plain {
         match &self.value {
             Value::Null => Plain::Null,
             Value::Bool(value) => Plain::Bool(*value),
             Value::Number(number, false) if !number.is_finite() => non_finite.clone(),
-            Value::Number(number, _) => self.as_i64().map_or_else(|| Plain::from(*number), Plain::from),
+            Value::Number(number, _) => self
+                .as_i64()
+                .map_or_else(|| Plain::from(*number), Plain::from),
             Value::String(text) => Plain::from(text.as_str()),
-            Value::Array(elements) => elements.iter().map(|element| element.plain(non_finite)).collect(),
-            Value::Object(members) => {
-                members.iter().map(|member| (member.key.clone(), member.node.plain(non_finite))).collect()
-            }
+            Value::Array(elements) => elements
+                .iter()
+                .map(|element| element.plain(non_finite))
+                .collect(),
+            Value::Object(members) => members
+                .iter()
+                .map(|member| (member.key.clone(), member.node.plain(non_finite)))
+                .collect(),
         }
     }
 
@@ -222,7 +265,9 @@ impl Node {
     /// Whether both hold the same, wherever they stand.
     fn is_same(&self, other: &Self) -> bool {
         match (&self.value, &other.value) {
-            (Value::Array(a), Value::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.is_same(b)),
+            (Value::Array(a), Value::Array(b)) => {
+                a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.is_same(b))
+            }
             (Value::Object(a), Value::Object(b)) => {
                 let same = |(a, b): (&Member, &Member)| a.key == b.key && a.node.is_same(&b.node);
                 a.len() == b.len() && a.iter().zip(b).all(same)
@@ -232,7 +277,8 @@ impl Node {
     }
 
     fn step(&self, step: &str) -> Option<&Self> {
-        self.get(step).or_else(|| self.elements().get(step.parse::<usize>().ok()?))
+        self.get(step)
+            .or_else(|| self.elements().get(step.parse::<usize>().ok()?))
     }
 }
 
@@ -253,14 +299,21 @@ impl Builder<'_> {
             Some(b'"') => Value::String(self.reader.string()?.into_owned()),
             _ => self.scalar()?,
         };
-        Ok(Node { span: start..self.reader.offset(), value })
+        Ok(Node {
+            span: start..self.reader.offset(),
+            value,
+        })
     }
 
     fn scalar(&mut self) -> Result<Value, SyntaxFault> {
         if let Some((number, integer)) = self.reader.number()? {
             return Ok(Value::Number(number, integer));
         }
-        for (word, value) in [("null", Value::Null), ("true", Value::Bool(true)), ("false", Value::Bool(false))] {
+        for (word, value) in [
+            ("null", Value::Null),
+            ("true", Value::Bool(true)),
+            ("false", Value::Bool(false)),
+        ] {
             if self.reader.literal(word) {
                 return Ok(value);
             }
@@ -287,7 +340,11 @@ impl Builder<'_> {
             let length = self.descend(&key);
             let node = self.value()?;
             self.pointer.truncate(length);
-            members.push(Member { key: key.into_owned(), key_span, node });
+            members.push(Member {
+                key: key.into_owned(),
+                key_span,
+                node,
+            });
         }
         self.note_duplicates(&members);
         Ok(Value::Object(members))
@@ -344,10 +401,23 @@ mod tests {
         let document = parse(br#"{"a": {"b": 1, "c": 2, "b": 3}}"#).unwrap();
         assert_eq!(document.at("/a/b").unwrap().as_i64(), Some(3));
         assert_eq!(document.duplicates.len(), 1);
-        assert_eq!((document.duplicates[0].pointer.as_str(), document.duplicates[0].equal), ("/a/b", false));
+        assert_eq!(
+            (
+                document.duplicates[0].pointer.as_str(),
+                document.duplicates[0].equal
+            ),
+            ("/a/b", false)
+        );
         let twins = parse(br#"{"a": [{"b": 1}], "a":[{"b":1}]}"#).unwrap();
         assert!(twins.duplicates[0].equal);
-        let keys: Vec<_> = document.root.get("a").unwrap().effective_members().iter().map(|m| &m.key).collect();
+        let keys: Vec<_> = document
+            .root
+            .get("a")
+            .unwrap()
+            .effective_members()
+            .iter()
+            .map(|m| &m.key)
+            .collect();
         assert_eq!(keys, ["b", "c"]);
     }
 
@@ -380,7 +450,11 @@ mod tests {
     #[test]
     fn a_part_of_a_text_has_its_bytes_unless_something_is_escaped() {
         let document = parse(br#"["abc", "a\nc"]"#).unwrap();
-        let spans = document.root.elements().iter().map(|node| node.span_of_text(1..2));
+        let spans = document
+            .root
+            .elements()
+            .iter()
+            .map(|node| node.span_of_text(1..2));
         assert_eq!(spans.collect::<Vec<_>>(), [3..4, 8..14]);
     }
 
@@ -404,7 +478,8 @@ mod tests {
             if serde_json::from_str::<serde_json::Value>(&text).is_ok() {
                 prop_assert!(ours.is_ok(), "{text}");
             } else if let Ok(document) = ours {
-                // Python takes numbers beyond the range of f64 and lone surrogates; nothing else is let through.
+                // Python takes numbers beyond the range of f64 and lone surrogates; nothing else is
+                // let through.
                 let beyond = text.contains(['e', 'E']) || text.contains("\\u");
                 prop_assert!(beyond || !document.specials.is_empty(), "{text}");
             }

@@ -15,14 +15,23 @@ pub fn set_value(finder: &mut Finder, pointer: &str, text: Option<&str>) -> Opti
 
 /// Gives the member at `pointer` another key.
 pub fn set_key(finder: &mut Finder, pointer: &str, key: &str) -> Option<Edit> {
-    Some(Edit::replacement(finder.key_at(pointer)?, serde_json::Value::from(key).to_string()))
+    Some(Edit::replacement(
+        finder.key_at(pointer)?,
+        serde_json::Value::from(key).to_string(),
+    ))
 }
 
 /// Takes the elements at `pointers` out of their lists.
 pub fn remove_elements(text: &[u8], finder: &mut Finder, pointers: &[&str]) -> Vec<Edit> {
     let mut by_list: BTreeMap<&str, BTreeSet<usize>> = BTreeMap::new();
-    for (list, position) in pointers.iter().filter_map(|pointer| pointer.rsplit_once('/')) {
-        by_list.entry(list).or_default().extend(position.parse::<usize>());
+    for (list, position) in pointers
+        .iter()
+        .filter_map(|pointer| pointer.rsplit_once('/'))
+    {
+        by_list
+            .entry(list)
+            .or_default()
+            .extend(position.parse::<usize>());
     }
     let mut edits = Vec::new();
     for (pointer, gone) in by_list {
@@ -39,12 +48,15 @@ pub(crate) type Spans<'p> = (usize, &'p dyn Fn(usize) -> Option<Range<usize>>);
 
 /// Takes parts out of a list or object: the parts at the positions `gone`, with one comma each.
 ///
-/// A part that shares its line with the one before leaves that line; a part alone on its lines takes them along.
+/// A part that shares its line with the one before leaves that line; a part alone on its lines
+/// takes them along.
 pub fn removals(text: &[u8], whole: &Node, parts: Spans<'_>, gone: &BTreeSet<usize>) -> Vec<Edit> {
     let (count, _) = parts;
     let gone = || gone.range(..count).copied();
     if count > 0 && gone().count() == count {
-        return vec![Edit::removal(whole.span.start + 1..whole.span.end.saturating_sub(1))];
+        return vec![Edit::removal(
+            whole.span.start + 1..whole.span.end.saturating_sub(1),
+        )];
     }
     let mut runs: Vec<Range<usize>> = Vec::new();
     for at in gone() {
@@ -53,7 +65,9 @@ pub fn removals(text: &[u8], whole: &Node, parts: Spans<'_>, gone: &BTreeSet<usi
             None => runs.push(at..at + 1),
         }
     }
-    runs.into_iter().filter_map(|run| run_removal(text, parts, run)).collect()
+    runs.into_iter()
+        .filter_map(|run| run_removal(text, parts, run))
+        .collect()
 }
 
 /// Takes neighbouring parts out; others remain.
@@ -66,7 +80,9 @@ fn run_removal(text: &[u8], (_, part): Spans<'_>, run: Range<usize>) -> Option<E
             .is_some_and(|between| !between.iter().any(|byte| matches!(byte, b'\n' | b'\r')))
     };
     match (before, part(run.end)) {
-        (Some(before), Some(_)) if shares_line(&before) => Some(Edit::removal(before.end..last.end)),
+        (Some(before), Some(_)) if shares_line(&before) => {
+            Some(Edit::removal(before.end..last.end))
+        }
         (_, Some(next)) => Some(Edit::removal(first.start..next.start)),
         (Some(before), None) => Some(Edit::removal(before.end..last.end)),
         (None, None) => None,
@@ -88,14 +104,26 @@ mod tests {
     }
 
     fn without(text: &str, pointers: &[&str]) -> String {
-        edited(text, remove_elements(text.as_bytes(), &mut Finder::new(parse(text.as_bytes()).unwrap()), pointers))
+        edited(
+            text,
+            remove_elements(
+                text.as_bytes(),
+                &mut Finder::new(parse(text.as_bytes()).unwrap()),
+                pointers,
+            ),
+        )
     }
 
     #[test]
     fn a_value_changes_and_its_surroundings_do_not() {
         let text = "{ \"a\" : [ \"x\\\\y\",1.50 ] }";
         let mut finder = Finder::new(parse(text.as_bytes()).unwrap());
-        let mut set = |value| edited(text, set_value(&mut finder, "/a/0", value).into_iter().collect());
+        let mut set = |value| {
+            edited(
+                text,
+                set_value(&mut finder, "/a/0", value).into_iter().collect(),
+            )
+        };
         assert_eq!(set(Some("x/y")), "{ \"a\" : [ \"x/y\",1.50 ] }");
         assert_eq!(set(Some("\"")), "{ \"a\" : [ \"\\\"\",1.50 ] }");
         assert_eq!(set(None), "{ \"a\" : [ null,1.50 ] }");
@@ -115,8 +143,14 @@ mod tests {
     fn elements_take_their_own_lines_along() {
         assert_eq!(without("[\n  1,\n  2,\n  3\n]", &["/1"]), "[\n  1,\n  3\n]");
         assert_eq!(without("[\n  1,\n  2,\n  3\n]", &["/2"]), "[\n  1,\n  2\n]");
-        assert_eq!(without("[\n  1, 2,\n  3, 4\n]", &["/1"]), "[\n  1,\n  3, 4\n]");
-        assert_eq!(without("[\n  1, 2,\n  3, 4\n]", &["/2"]), "[\n  1, 2,\n  4\n]");
+        assert_eq!(
+            without("[\n  1, 2,\n  3, 4\n]", &["/1"]),
+            "[\n  1,\n  3, 4\n]"
+        );
+        assert_eq!(
+            without("[\n  1, 2,\n  3, 4\n]", &["/2"]),
+            "[\n  1, 2,\n  4\n]"
+        );
     }
 
     #[test]

@@ -28,7 +28,10 @@ pub struct Finder {
 impl Finder {
     /// Looks into a document.
     pub fn new(document: Document) -> Self {
-        Self { document, sorted: Sorted::default() }
+        Self {
+            document,
+            sorted: Sorted::default(),
+        }
     }
 
     /// The value a pointer leads to; of equal keys the last, as the applications see it.
@@ -41,7 +44,9 @@ impl Finder {
         let (parent, _) = pointer.rsplit_once('/')?;
         let key = steps(pointer).last()?;
         let object = self.sorted.find(&self.document.root, parent)?;
-        self.sorted.member(object, &key).map(|member| member.key_span.clone())
+        self.sorted
+            .member(object, &key)
+            .map(|member| member.key_span.clone())
     }
 }
 
@@ -67,7 +72,13 @@ impl Sorted {
         if members.len() <= FEW {
             return node.member(key);
         }
-        let numbered = || members.iter().enumerate().map(|(number, member)| (member.key.clone(), number)).collect();
+        let numbered = || {
+            members
+                .iter()
+                .enumerate()
+                .map(|(number, member)| (member.key.clone(), number))
+                .collect()
+        };
         let by_key = self.objects.entry(node.span.start).or_insert_with(numbered);
         members.get(*by_key.get(key)?)
     }
@@ -80,30 +91,67 @@ mod tests {
 
     #[test]
     fn places_are_found_as_in_the_document() {
-        let many: Vec<String> = (0..40).map(|number| format!("\"k{}\": [{number}]", number % 30)).collect();
-        let text = format!("{{\"a~/b\": {{{}}}, \"few\": {{\"k\": 1, \"k\": 2}}, \"list\": [7]}}", many.join(", "));
+        let many: Vec<String> = (0..40)
+            .map(|number| format!("\"k{}\": [{number}]", number % 30))
+            .collect();
+        let text = format!(
+            "{{\"a~/b\": {{{}}}, \"few\": {{\"k\": 1, \"k\": 2}}, \"list\": [7]}}",
+            many.join(", ")
+        );
         let document = parse(text.as_bytes()).unwrap();
         let mut finder = Finder::new(document.clone());
-        let pointers = ["", "/few/k", "/list/0", "/list/1", "/list/k", "/none", "/a~0~1b", "/a~0~1b/none", "/few/k/0"];
+        let pointers = [
+            "",
+            "/few/k",
+            "/list/0",
+            "/list/1",
+            "/list/k",
+            "/none",
+            "/a~0~1b",
+            "/a~0~1b/none",
+            "/few/k/0",
+        ];
         let numbered = (0..40).map(|number| format!("/a~0~1b/k{number}"));
         for pointer in pointers.map(str::to_owned).into_iter().chain(numbered) {
             assert_eq!(finder.at(&pointer), document.at(&pointer), "{pointer}");
         }
         assert_eq!(finder.at("/a~0~1b/k3/0").and_then(Node::as_i64), Some(33));
-        for (pointer, key) in [("/a~0~1b", "\"a~/b\""), ("/few/k", "\"k\""), ("/a~0~1b/k3", "\"k3\"")] {
+        for (pointer, key) in [
+            ("/a~0~1b", "\"a~/b\""),
+            ("/few/k", "\"k\""),
+            ("/a~0~1b/k3", "\"k3\""),
+        ] {
             let last = text.rfind(&format!("{key}: "));
             assert_eq!(
-                finder.key_at(pointer).map(|span| (Some(span.start), &text[span])),
+                finder
+                    .key_at(pointer)
+                    .map(|span| (Some(span.start), &text[span])),
                 last.map(|at| (Some(at), key))
             );
         }
-        assert_eq!((finder.key_at(""), finder.key_at("/none"), finder.key_at("/list/0")), (None, None, None));
+        assert_eq!(
+            (
+                finder.key_at(""),
+                finder.key_at("/none"),
+                finder.key_at("/list/0")
+            ),
+            (None, None, None)
+        );
     }
 
     #[test]
     fn members_are_gone_through_once_however_many_are_asked_for() {
-        let members = |value: &str| (0..20_000).map(|at| format!("\"k{at}\": {value}")).collect::<Vec<_>>().join(", ");
-        let text = format!("{{\"wide\": {{{}}}, \"deep\": {{{}}}}}", members("7"), members("{\"default\": \"x\"}"));
+        let members = |value: &str| {
+            (0..20_000)
+                .map(|at| format!("\"k{at}\": {value}"))
+                .collect::<Vec<_>>()
+                .join(", ")
+        };
+        let text = format!(
+            "{{\"wide\": {{{}}}, \"deep\": {{{}}}}}",
+            members("7"),
+            members("{\"default\": \"x\"}")
+        );
         let mut finder = Finder::new(parse(text.as_bytes()).unwrap());
         for at in 0..20_000 {
             assert!(finder.at(&format!("/wide/k{at}")).is_some());

@@ -1,7 +1,7 @@
 //! JSON as the applications read it, with positions.
 //!
-//! Python's dialect (`NaN`, `Infinity`, duplicate keys with the last one winning) plus byte spans of
-//! every value, which `serde_json` does not keep. No asset knowledge here.
+//! Python's dialect (`NaN`, `Infinity`, duplicate keys with the last one winning) plus byte spans
+//! of every value, which `serde_json` does not keep. No asset knowledge here.
 
 // Files, streams and surroundings have few doors, and who may use them says so; tests are free.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]

@@ -1,5 +1,5 @@
-//! Names of places in a JSON that stay when elements are added before them: a pointer in which an element of a list
-//! goes by its own name.
+//! Names of places in a JSON that stay when elements are added before them: a pointer in which an
+//! element of a list goes by its own name.
 
 use super::Document;
 use super::document::{Node, Value};
@@ -11,7 +11,8 @@ const NAMES: [&str; 2] = ["name", "title"];
 /// Longest name of one step, in characters.
 const LONGEST: usize = 48;
 
-/// The pointer with names for positions in lists; `*` for an element without one. `sorted` is of the same document.
+/// The pointer with names for positions in lists; `*` for an element without one. `sorted` is of
+/// the same document.
 pub(super) fn named(document: &Document, sorted: &mut Sorted, pointer: &str) -> String {
     let mut node = Some(&document.root);
     let mut out = String::new();
@@ -21,7 +22,13 @@ pub(super) fn named(document: &Document, sorted: &mut Sorted, pointer: &str) -> 
         match next.filter(|_| is_list) {
             Some(element) => {
                 out.push('/');
-                out.extend(element_name(element, sorted).as_deref().unwrap_or("*").chars().take(LONGEST));
+                out.extend(
+                    element_name(element, sorted)
+                        .as_deref()
+                        .unwrap_or("*")
+                        .chars()
+                        .take(LONGEST),
+                );
             }
             None => add_step(&mut out, &step),
         }
@@ -32,17 +39,22 @@ pub(super) fn named(document: &Document, sorted: &mut Sorted, pointer: &str) -> 
 
 fn element_name(element: &Node, sorted: &mut Sorted) -> Option<String> {
     match &element.value {
-        Value::Object(_) => NAMES.iter().find_map(|key| match &sorted.member(element, key)?.node.value {
-            Value::String(name) => Some(name.clone()),
-            _ => None,
-        }),
+        Value::Object(_) => {
+            NAMES
+                .iter()
+                .find_map(|key| match &sorted.member(element, key)?.node.value {
+                    Value::String(name) => Some(name.clone()),
+                    _ => None,
+                })
+        }
         Value::String(text) => Some(text.clone()),
         Value::Number(number, _) => Some(number.to_string()),
         _ => None,
     }
 }
 
-/// The same for the end of a text that is broken behind it: the members and elements that are open there.
+/// The same for the end of a text that is broken behind it: the members and elements that are open
+/// there.
 pub(super) fn named_end(text: &[u8]) -> String {
     let mut open: Vec<Open> = Vec::new();
     let mut at = 0;
@@ -50,26 +62,53 @@ pub(super) fn named_end(text: &[u8]) -> String {
         let start = at;
         at += 1;
         match byte {
-            b'{' | b'[' => open.push(Open { is_list: *byte == b'[', ..Open::default() }),
+            b'{' | b'[' => open.push(Open {
+                is_list: *byte == b'[',
+                ..Open::default()
+            }),
             b'}' | b']' => close(&mut open),
             b'"' => {
                 at = string_end(text, at);
                 let string = text.get(start + 1..at).unwrap_or_default();
                 at += 1;
-                open.last_mut().into_iter().for_each(|inner| inner.string(string));
+                open.last_mut()
+                    .into_iter()
+                    .for_each(|inner| inner.string(string));
             }
-            b':' => open.last_mut().into_iter().for_each(|inner| inner.in_value = true),
-            b',' => open.last_mut().into_iter().for_each(|inner| inner.in_value = false),
+            b':' => open
+                .last_mut()
+                .into_iter()
+                .for_each(|inner| inner.in_value = true),
+            b',' => open
+                .last_mut()
+                .into_iter()
+                .for_each(|inner| inner.in_value = false),
             byte if is_plain(*byte) => {
-                at += text.get(at..).unwrap_or_default().iter().take_while(|byte| is_plain(**byte)).count();
+                at += text
+                    .get(at..)
+                    .unwrap_or_default()
+                    .iter()
+                    .take_while(|byte| is_plain(**byte))
+                    .count();
                 let word = text.get(start..at).unwrap_or_default();
-                open.last_mut().filter(|inner| inner.is_list).into_iter().for_each(|inner| inner.element(word));
+                open.last_mut()
+                    .filter(|inner| inner.is_list)
+                    .into_iter()
+                    .for_each(|inner| inner.element(word));
             }
             _ => {}
         }
     }
-    let shown = |bytes: &[u8]| String::from_utf8_lossy(bytes).chars().take(LONGEST).collect::<String>();
-    open.iter().map(|inner| format!("/{}:{}", shown(inner.name), shown(inner.last))).collect::<Vec<_>>().concat()
+    let shown = |bytes: &[u8]| {
+        String::from_utf8_lossy(bytes)
+            .chars()
+            .take(LONGEST)
+            .collect::<String>()
+    };
+    open.iter()
+        .map(|inner| format!("/{}:{}", shown(inner.name), shown(inner.last)))
+        .collect::<Vec<_>>()
+        .concat()
 }
 
 /// A list or object that is not closed.
@@ -77,7 +116,8 @@ pub(super) fn named_end(text: &[u8]) -> String {
 struct Open<'t> {
     is_list: bool,
     in_value: bool,
-    /// What it is called: its member `name`, or the first element of a list (the vertex of a weight).
+    /// What it is called: its member `name`, or the first element of a list (the vertex of a
+    /// weight).
     name: &'t [u8],
     /// The last key or element.
     last: &'t [u8],
@@ -128,7 +168,8 @@ mod tests {
 
     #[test]
     fn elements_go_by_their_names() {
-        let document = parse(br#"{"a": [{"title": "x", "cat": 1}, [1, "two"], {}], "7": 0}"#).unwrap();
+        let document =
+            parse(br#"{"a": [{"title": "x", "cat": 1}, [1, "two"], {}], "7": 0}"#).unwrap();
         let all = ["/a/0/cat", "/a/0/gone", "/a/1/1", "/a/2", "/7", ""]
             .map(|pointer| named(&document, &mut Sorted::default(), pointer));
         assert_eq!(all, ["/a/x/cat", "/a/x/gone", "/a/*/two", "/a/*", "/7", ""]);
@@ -138,9 +179,18 @@ mod tests {
     fn the_end_of_a_broken_text_is_named_whatever_its_layout() {
         let ends = [
             (r#"{"a": [{"name": "x", "t": [0.5, 1"#, "/:a/:/x:t/0.5:1"),
-            ("{\"a\":\n\n[ {\"name\":\"x\",\"t\":[ 0.5,1 ", "/:a/:/x:t/0.5:1"),
-            (r#"{"weights": {"head": [[158, 1.0], [159, 0.5]"#, "/:weights/:head/:159"),
-            (r#"{"weights": {"head": [[158, 1.0]"#, "/:weights/:head/:158"),
+            (
+                "{\"a\":\n\n[ {\"name\":\"x\",\"t\":[ 0.5,1 ",
+                "/:a/:/x:t/0.5:1",
+            ),
+            (
+                r#"{"weights": {"head": [[158, 1.0], [159, 0.5]"#,
+                "/:weights/:head/:159",
+            ),
+            (
+                r#"{"weights": {"head": [[158, 1.0]"#,
+                "/:weights/:head/:158",
+            ),
             (r#"{"a": "b\"c", "d"#, "/:d"),
             ("]}", ""),
         ];

@@ -1,5 +1,5 @@
-//! A pull reader over JSON text. [`super::parse`] builds trees with it; bulk formats read through it
-//! without a tree.
+//! A pull reader over JSON text. [`super::parse`] builds trees with it; bulk formats read through
+//! it without a tree.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -68,7 +68,13 @@ type Step<T> = Result<T, SyntaxFault>;
 impl<'a> Reader<'a> {
     /// Starts at the beginning of `text`.
     pub fn new(text: &'a [u8]) -> Self {
-        Self { text, at: 0, depth: 0, is_fresh: false, specials: Vec::new() }
+        Self {
+            text,
+            at: 0,
+            depth: 0,
+            is_fresh: false,
+            specials: Vec::new(),
+        }
     }
 
     /// The next significant byte, not consumed.
@@ -118,8 +124,16 @@ impl<'a> Reader<'a> {
             }
             Some(b',') if !first => self.after_comma(close),
             Some(_) if first => Ok(true),
-            None => Err(self.end(if close == b']' { "`,` or `]`" } else { "`,` or `}`" })),
-            Some(_) => Err(self.expected(if close == b']' { "`,` or `]`" } else { "`,` or `}`" })),
+            None => Err(self.end(if close == b']' {
+                "`,` or `]`"
+            } else {
+                "`,` or `}`"
+            })),
+            Some(_) => Err(self.expected(if close == b']' {
+                "`,` or `]`"
+            } else {
+                "`,` or `}`"
+            })),
         }
     }
 
@@ -157,13 +171,17 @@ impl<'a> Reader<'a> {
     pub fn string(&mut self) -> Step<Cow<'a, str>> {
         let start = self.at + 1;
         let rest = self.text.get(start..).unwrap_or_default();
-        let plain = rest.iter().position(|byte| matches!(byte, b'"' | b'\\' | 0..=0x1f));
+        let plain = rest
+            .iter()
+            .position(|byte| matches!(byte, b'"' | b'\\' | 0..=0x1f));
         let Some(length) = plain else {
             return Err(self.fault(self.at..self.text.len(), SyntaxKind::CutText));
         };
         if rest.get(length) == Some(&b'"') {
             self.at = start + length + 1;
-            return Ok(String::from_utf8_lossy(rest.get(..length).unwrap_or_default()));
+            return Ok(String::from_utf8_lossy(
+                rest.get(..length).unwrap_or_default(),
+            ));
         }
         self.escaped_string().map(Cow::Owned)
     }
@@ -178,7 +196,10 @@ impl<'a> Reader<'a> {
                 Some(b'"') => break,
                 Some(b'\\') => self.escape(&mut out)?,
                 Some(b'\n' | b'\r') => {
-                    return Err(self.fault(open..self.at, SyntaxKind::BadString("does not end on its line")));
+                    return Err(self.fault(
+                        open..self.at,
+                        SyntaxKind::BadString("does not end on its line"),
+                    ));
                 }
                 Some(0..=0x1f) => {
                     let what = SyntaxKind::BadString("contains an unescaped control character");
@@ -205,7 +226,10 @@ impl<'a> Reader<'a> {
             Some(b'u') => return self.unicode_escape(out),
             _ => {
                 let end = (self.at + 2).min(self.text.len());
-                return Err(self.fault(self.at..end, SyntaxKind::BadString("contains an unknown escape sequence")));
+                return Err(self.fault(
+                    self.at..end,
+                    SyntaxKind::BadString("contains an unknown escape sequence"),
+                ));
             }
         };
         out.push(plain);
@@ -217,7 +241,8 @@ impl<'a> Reader<'a> {
         let high = self.four_digits(self.at)?;
         self.at += 6;
         let mut code = high;
-        let low_follows = (0xd800..0xdc00).contains(&high) && self.text.get(self.at..self.at + 2) == Some(b"\\u");
+        let low_follows =
+            (0xd800..0xdc00).contains(&high) && self.text.get(self.at..self.at + 2) == Some(b"\\u");
         if low_follows {
             let low = self.four_digits(self.at)?;
             if (0xdc00..0xe000).contains(&low) {
@@ -239,19 +264,27 @@ impl<'a> Reader<'a> {
             .and_then(|text| u32::from_str_radix(text, 16).ok())
             .ok_or_else(|| {
                 let end = (escape + 6).min(self.text.len());
-                self.fault(escape..end, SyntaxKind::BadString("contains an invalid `\\u` escape sequence"))
+                self.fault(
+                    escape..end,
+                    SyntaxKind::BadString("contains an invalid `\\u` escape sequence"),
+                )
             })
     }
 
-    /// A number; `None` if the next token is none. Gives its value and whether it is written as an integer.
-    /// `NaN` and the infinities are accepted as Python does and noted in [`Reader::specials`].
+    /// A number; `None` if the next token is none. Gives its value and whether it is written as an
+    /// integer. `NaN` and the infinities are accepted as Python does and noted in
+    /// [`Reader::specials`].
     ///
     /// # Errors
     /// A sign without a number.
     pub fn number(&mut self) -> Step<Option<(f64, bool)>> {
         self.peek();
         let rest = self.text.get(self.at..).unwrap_or_default();
-        for (word, value) in [("NaN", f64::NAN), ("Infinity", f64::INFINITY), ("-Infinity", f64::NEG_INFINITY)] {
+        for (word, value) in [
+            ("NaN", f64::NAN),
+            ("Infinity", f64::INFINITY),
+            ("-Infinity", f64::NEG_INFINITY),
+        ] {
             if rest.starts_with(word.as_bytes()) {
                 self.specials.push(self.at..self.at + word.len());
                 self.at += word.len();
@@ -266,7 +299,10 @@ impl<'a> Reader<'a> {
         };
         let digits = rest.get(..length).unwrap_or_default();
         self.at += length;
-        Ok(Some((fast_float2::parse(digits).unwrap_or(f64::NAN), integer)))
+        Ok(Some((
+            fast_float2::parse(digits).unwrap_or(f64::NAN),
+            integer,
+        )))
     }
 
     /// `null`, `true` or `false`.
@@ -302,8 +338,15 @@ impl<'a> Reader<'a> {
             }
             Some(b'"') => self.string().map(|_| ()),
             _ => {
-                let known = self.number()?.is_some() || ["null", "true", "false"].iter().any(|word| self.literal(word));
-                if known { Ok(()) } else { Err(self.expected("a value")) }
+                let known = self.number()?.is_some()
+                    || ["null", "true", "false"]
+                        .iter()
+                        .any(|word| self.literal(word));
+                if known {
+                    Ok(())
+                } else {
+                    Err(self.expected("a value"))
+                }
             }
         }
     }
@@ -327,7 +370,10 @@ impl<'a> Reader<'a> {
             [] => return self.end(expected),
             [b'/', b'/' | b'*', ..] | [b'#', ..] => SyntaxKind::Comment,
             rest if rest.starts_with(CONFLICT) => SyntaxKind::Conflict,
-            _ => SyntaxKind::Expected { expected, found: next_word(rest) },
+            _ => SyntaxKind::Expected {
+                expected,
+                found: next_word(rest),
+            },
         };
         let length = match &kind {
             SyntaxKind::Expected { found, .. } => found.len(),
@@ -338,14 +384,21 @@ impl<'a> Reader<'a> {
     }
 
     fn end(&self, expected: &'static str) -> SyntaxFault {
-        self.fault(self.text.len()..self.text.len(), SyntaxKind::UnexpectedEnd(expected))
+        self.fault(
+            self.text.len()..self.text.len(),
+            SyntaxKind::UnexpectedEnd(expected),
+        )
     }
 
     fn fault(&self, span: Range<usize>, kind: SyntaxKind) -> SyntaxFault {
         let end = span.end.min(self.text.len());
         let start = span.start.min(end);
         let within = named_end(self.text.get(..start).unwrap_or_default());
-        SyntaxFault { span: start..end, kind, within }
+        SyntaxFault {
+            span: start..end,
+            kind,
+            within,
+        }
     }
 }
 
@@ -380,7 +433,12 @@ fn number_length(text: &[u8]) -> Option<(usize, bool)> {
 fn next_word(text: &[u8]) -> String {
     let length = text
         .iter()
-        .position(|byte| matches!(byte, b' ' | b'\t' | b'\n' | b'\r' | b',' | b':' | b'[' | b']' | b'{' | b'}'))
+        .position(|byte| {
+            matches!(
+                byte,
+                b' ' | b'\t' | b'\n' | b'\r' | b',' | b':' | b'[' | b']' | b'{' | b'}'
+            )
+        })
         .unwrap_or(text.len())
         .clamp(1, 24);
     String::from_utf8_lossy(text.get(..length.min(text.len())).unwrap_or_default()).into_owned()

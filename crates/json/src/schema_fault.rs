@@ -1,7 +1,8 @@
-//! A validation error as a fact: what was found and what is allowed. Its words are the rules' (`rules/json`).
+//! A validation error as a fact: what was found and what is allowed. Its words are the rules'
+//! (`rules/json`).
 //!
-//! Of the branches of `anyOf` and `oneOf` only the one that comes closest speaks, as people read one
-//! sentence and not a tree of alternatives.
+//! Of the branches of `anyOf` and `oneOf` only the one that comes closest speaks, as people read
+//! one sentence and not a tree of alternatives.
 
 use jsonschema::error::{TypeKind, ValidationErrorKind};
 use jsonschema::{JsonType, ValidationError};
@@ -110,7 +111,11 @@ pub enum Found {
 impl SchemaFault {
     /// The key that the object lacks, if that is the fault.
     pub fn missing(&self) -> Option<&str> {
-        if let Misfit::Missing { key, .. } = &self.fault { Some(key) } else { None }
+        if let Misfit::Missing { key, .. } = &self.fault {
+            Some(key)
+        } else {
+            None
+        }
     }
 
     /// Whether the object at `pointer` lacks `key`.
@@ -140,7 +145,14 @@ pub(super) fn describe(error: &ValidationError<'_>, schema: &Value) -> SchemaFau
     let (closest, hidden) = closest(error);
     let keyword = closest.schema_path().to_string();
     let (fault, other_forms) = match alternatives(error) {
-        Some(wanted) => (Misfit::Type { found: found(error.instance()), wanted, elements: None }, 0),
+        Some(wanted) => (
+            Misfit::Type {
+                found: found(error.instance()),
+                wanted,
+                elements: None,
+            },
+            0,
+        ),
         None => (misfit(closest, schema), hidden),
     };
     SchemaFault {
@@ -156,17 +168,23 @@ pub(super) fn describe(error: &ValidationError<'_>, schema: &Value) -> SchemaFau
 /// Branches of an error that offers several forms.
 fn branches<'e>(error: &'e ValidationError<'_>) -> &'e [Vec<ValidationError<'static>>] {
     match error.kind() {
-        ValidationErrorKind::AnyOf { context } | ValidationErrorKind::OneOfNotValid { context } => context,
+        ValidationErrorKind::AnyOf { context } | ValidationErrorKind::OneOfNotValid { context } => {
+            context
+        }
         _ => &[],
     }
 }
 
-/// The error of the branch that comes closest, and how many branches it hides: the deepest counts, then
-/// one of the right type, then the one with the fewest errors.
+/// The error of the branch that comes closest, and how many branches it hides: the deepest counts,
+/// then one of the right type, then the one with the fewest errors.
 fn closest<'e>(error: &'e ValidationError<'_>) -> (&'e ValidationError<'e>, usize) {
     let branches = branches(error);
     let rank = |branch: &&Vec<ValidationError<'static>>| {
-        let depth = branch.iter().map(|error| depth(error)).max().unwrap_or_default();
+        let depth = branch
+            .iter()
+            .map(|error| depth(error))
+            .max()
+            .unwrap_or_default();
         let right_type = !branch.iter().any(|error| is_type(error));
         (depth, right_type, std::cmp::Reverse(branch.len()))
     };
@@ -192,10 +210,12 @@ fn is_type(error: &ValidationError<'_>) -> bool {
 
 /// If every branch rejects the type of the value itself, the types of all.
 fn alternatives(error: &ValidationError<'_>) -> Option<Vec<JsonType>> {
-    let types = branches(error).iter().map(|branch| match branch.as_slice() {
-        [inner] if inner.instance_path() == error.instance_path() => types(inner.kind()),
-        _ => None,
-    });
+    let types = branches(error)
+        .iter()
+        .map(|branch| match branch.as_slice() {
+            [inner] if inner.instance_path() == error.instance_path() => types(inner.kind()),
+            _ => None,
+        });
     let types = types.collect::<Option<Vec<_>>>()?.concat();
     (!types.is_empty()).then_some(types)
 }
@@ -206,35 +226,55 @@ fn misfit(error: &ValidationError<'_>, schema: &Value) -> Misfit {
     match error.kind() {
         kind @ ValidationErrorKind::Type { .. } => {
             let elements = elements(schema, &error.schema_path().to_string());
-            Misfit::Type { found, wanted: types(kind).unwrap_or_default(), elements }
+            Misfit::Type {
+                found,
+                wanted: types(kind).unwrap_or_default(),
+                elements,
+            }
         }
-        ValidationErrorKind::Required { property } => {
-            Misfit::Missing { key: property.as_str().unwrap_or_default().to_owned(), and_more: false }
-        }
-        ValidationErrorKind::Pattern { .. } => {
-            Misfit::Pattern { found, form: text_at(schema, &error.schema_path().to_string(), "title") }
-        }
+        ValidationErrorKind::Required { property } => Misfit::Missing {
+            key: property.as_str().unwrap_or_default().to_owned(),
+            and_more: false,
+        },
+        ValidationErrorKind::Pattern { .. } => Misfit::Pattern {
+            found,
+            form: text_at(schema, &error.schema_path().to_string(), "title"),
+        },
         ValidationErrorKind::Enum { options } => {
             let options = options.as_array().map(Vec::as_slice).unwrap_or_default();
-            Misfit::Enum { found, allowed: options.iter().map(Value::to_string).collect() }
+            Misfit::Enum {
+                found,
+                allowed: options.iter().map(Value::to_string).collect(),
+            }
         }
-        ValidationErrorKind::Constant { expected_value } => {
-            Misfit::Enum { found, allowed: vec![expected_value.to_string()] }
-        }
-        ValidationErrorKind::MinItems { limit } => {
-            Misfit::Length { found: length(), bound: Bound::Least(limit.to_string()) }
-        }
-        ValidationErrorKind::MaxItems { limit } => {
-            Misfit::Length { found: length(), bound: Bound::Most(limit.to_string()) }
-        }
-        ValidationErrorKind::Minimum { limit } => Misfit::Range { found, bound: Bound::Least(limit.to_string()) },
-        ValidationErrorKind::Maximum { limit } => Misfit::Range { found, bound: Bound::Most(limit.to_string()) },
+        ValidationErrorKind::Constant { expected_value } => Misfit::Enum {
+            found,
+            allowed: vec![expected_value.to_string()],
+        },
+        ValidationErrorKind::MinItems { limit } => Misfit::Length {
+            found: length(),
+            bound: Bound::Least(limit.to_string()),
+        },
+        ValidationErrorKind::MaxItems { limit } => Misfit::Length {
+            found: length(),
+            bound: Bound::Most(limit.to_string()),
+        },
+        ValidationErrorKind::Minimum { limit } => Misfit::Range {
+            found,
+            bound: Bound::Least(limit.to_string()),
+        },
+        ValidationErrorKind::Maximum { limit } => Misfit::Range {
+            found,
+            bound: Bound::Most(limit.to_string()),
+        },
         _ => Misfit::Other(error.to_string()),
     }
 }
 
 fn types(kind: &ValidationErrorKind) -> Option<Vec<JsonType>> {
-    let ValidationErrorKind::Type { kind } = kind else { return None };
+    let ValidationErrorKind::Type { kind } = kind else {
+        return None;
+    };
     Some(match kind {
         TypeKind::Single(one) => vec![*one],
         TypeKind::Multiple(set) => {
@@ -251,14 +291,20 @@ fn found(value: &Value) -> Found {
         Value::Null => Found::Null,
         Value::Bool(value) => Found::Bool(*value),
         Value::Number(number) => Found::Number(number.to_string()),
-        Value::String(text) => Found::Text((text.chars().nth(QUOTED).is_none()).then(|| text.clone())),
-        Value::Array(elements) => Found::List { is_empty: elements.is_empty() },
+        Value::String(text) => {
+            Found::Text((text.chars().nth(QUOTED).is_none()).then(|| text.clone()))
+        }
+        Value::Array(elements) => Found::List {
+            is_empty: elements.is_empty(),
+        },
         Value::Object(_) => Found::Object,
     }
 }
 
 fn description(fault: &Misfit, schema: &Value, keyword: &str) -> Option<String> {
-    let Misfit::Missing { key, .. } = fault else { return text_at(schema, keyword, "description") };
+    let Misfit::Missing { key, .. } = fault else {
+        return text_at(schema, keyword, "description");
+    };
     let of_key = owner(schema, keyword)?.get("properties")?.get(key)?;
     of_key.get("description")?.as_str().map(str::to_owned)
 }
@@ -266,7 +312,10 @@ fn description(fault: &Misfit, schema: &Value, keyword: &str) -> Option<String> 
 /// The type of the elements of the list that the schema wants.
 fn elements(schema: &Value, pointer: &str) -> Option<JsonType> {
     let items = owner(schema, pointer)?.get("items")?;
-    let definition = items.get("$ref").and_then(Value::as_str).and_then(|place| place.strip_prefix('#'));
+    let definition = items
+        .get("$ref")
+        .and_then(Value::as_str)
+        .and_then(|place| place.strip_prefix('#'));
     let items = definition.map_or(Some(items), |place| schema.pointer(place))?;
     items.get("type")?.as_str()?.parse().ok()
 }
@@ -279,5 +328,8 @@ fn owner<'s>(schema: &'s Value, pointer: &str) -> Option<&'s Value> {
 
 /// A text of the schema object that holds the keyword at `pointer`.
 fn text_at(schema: &Value, pointer: &str, member: &str) -> Option<String> {
-    owner(schema, pointer)?.get(member)?.as_str().map(str::to_owned)
+    owner(schema, pointer)?
+        .get(member)?
+        .as_str()
+        .map(str::to_owned)
 }

@@ -1,4 +1,5 @@
-//! Where values stand in a text, without a tree of it: files of weights become many times as large as one.
+//! Where values stand in a text, without a tree of it: files of weights become many times as large
+//! as one.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -6,7 +7,8 @@ use std::ops::Range;
 use super::reader::{Reader, SyntaxFault};
 use mhlint_diag::steps;
 
-/// Values that are looked for, and where they stand: of equal keys the last, as the applications see it.
+/// Values that are looked for, and where they stand: of equal keys the last, as the applications
+/// see it.
 #[derive(Debug, Default)]
 pub struct Spans {
     value: Option<Range<usize>>,
@@ -80,7 +82,10 @@ impl Spans {
     }
 
     fn read_list(&mut self, reader: &mut Reader<'_>) -> Result<(), SyntaxFault> {
-        let numbered = self.below.iter_mut().filter_map(|(step, spans)| Some((step.parse::<usize>().ok()?, spans)));
+        let numbered = self
+            .below
+            .iter_mut()
+            .filter_map(|(step, spans)| Some((step.parse::<usize>().ok()?, spans)));
         let mut wanted: BTreeMap<usize, &mut Self> = numbered.collect();
         reader.open()?;
         let mut at = 0;
@@ -123,14 +128,31 @@ mod tests {
         ];
         let spans = Spans::of(text.as_bytes(), pointers.into_iter());
         for pointer in pointers {
-            assert_eq!(spans.at(pointer), document.at(pointer).map(|node| node.span.clone()), "{pointer}");
+            assert_eq!(
+                spans.at(pointer),
+                document.at(pointer).map(|node| node.span.clone()),
+                "{pointer}"
+            );
         }
-        assert_eq!(spans.key_at("/few/j").map(|span| &text[span]), Some("\"j\""));
-        assert_eq!((spans.key_at(""), spans.key_at("/few/k"), spans.key_at("/list/0")), (None, None, None));
+        assert_eq!(
+            spans.key_at("/few/j").map(|span| &text[span]),
+            Some("\"j\"")
+        );
+        assert_eq!(
+            (
+                spans.key_at(""),
+                spans.key_at("/few/k"),
+                spans.key_at("/list/0")
+            ),
+            (None, None, None)
+        );
     }
 
     #[test]
     fn nothing_is_found_in_what_is_no_json() {
-        assert_eq!(Spans::of(b"{\"a\": 1, \"b\"", ["/a"].into_iter()).at("/a"), None);
+        assert_eq!(
+            Spans::of(b"{\"a\": 1, \"b\"", ["/a"].into_iter()).at("/a"),
+            None
+        );
     }
 }

@@ -10,7 +10,11 @@ impl fmt::Display for SyntaxFault {
         match &self.kind {
             SyntaxKind::Expected { expected, found } => match self.invisible() {
                 Some(letter) => {
-                    write!(f, "expected {expected}, found the invisible character U+{:04X}", u32::from(letter))
+                    write!(
+                        f,
+                        "expected {expected}, found the invisible character U+{:04X}",
+                        u32::from(letter)
+                    )
                 }
                 None => write!(f, "expected {expected}, found `{found}`"),
             },
@@ -19,8 +23,12 @@ impl fmt::Display for SyntaxFault {
             SyntaxKind::Conflict => f.write_str("unresolved merge conflict"),
             SyntaxKind::CutText => f.write_str("the file ends inside a string"),
             SyntaxKind::BadString(what) => write!(f, "string {what}"),
-            SyntaxKind::UnexpectedEnd(expected) => write!(f, "expected {expected}, but the file ends"),
-            SyntaxKind::TrailingText => f.write_str("unexpected text after the end of the JSON value"),
+            SyntaxKind::UnexpectedEnd(expected) => {
+                write!(f, "expected {expected}, but the file ends")
+            }
+            SyntaxKind::TrailingText => {
+                f.write_str("unexpected text after the end of the JSON value")
+            }
             SyntaxKind::TooDeep => write!(f, "nested deeper than {DEEPEST} levels"),
         }
     }
@@ -29,7 +37,9 @@ impl fmt::Display for SyntaxFault {
 impl SyntaxFault {
     /// The character at the fault, if nobody can see it.
     pub fn invisible(&self) -> Option<char> {
-        let SyntaxKind::Expected { found, .. } = &self.kind else { return None };
+        let SyntaxKind::Expected { found, .. } = &self.kind else {
+            return None;
+        };
         let is_invisible = |letter: &char| {
             letter.is_control()
                 || (letter.is_whitespace() && !letter.is_ascii())

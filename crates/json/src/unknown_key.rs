@@ -1,7 +1,7 @@
 //! Keys that no application reads: a walk over document and schema side by side.
 //!
-//! An object is checked if its schema lists `properties` and leaves no room for others. A value whose
-//! schema is a choice is left alone, as is everything below it.
+//! An object is checked if its schema lists `properties` and leaves no room for others. A value
+//! whose schema is a choice is left alone, as is everything below it.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -17,7 +17,12 @@ const TRAPS: [(&str, [&str; 2]); 1] = [("sym", ["lsym", "rsym"])];
 
 /// The unknown keys below `node`, in order of the text, and how many more there are.
 pub(super) fn find(node: &Node, schema: &Value) -> (Vec<UnknownKey>, usize) {
-    let mut walk = Walk { schema, pointer: String::new(), found: Vec::new(), room: Room::default() };
+    let mut walk = Walk {
+        schema,
+        pointer: String::new(),
+        found: Vec::new(),
+        room: Room::default(),
+    };
     walk.value(node, schema);
     mark_alone(&mut walk.found);
     (walk.found, walk.room.left_out)
@@ -29,8 +34,14 @@ fn mark_alone(found: &mut [UnknownKey]) {
     for key in found.iter() {
         *counts.entry(owner(key)).or_default() += 1;
     }
-    let alone: Vec<bool> = found.iter().map(|key| counts.get(owner(key)) == Some(&1)).collect();
-    found.iter_mut().zip(alone).for_each(|(key, is_alone)| key.is_alone = is_alone);
+    let alone: Vec<bool> = found
+        .iter()
+        .map(|key| counts.get(owner(key)) == Some(&1))
+        .collect();
+    found
+        .iter_mut()
+        .zip(alone)
+        .for_each(|(key, is_alone)| key.is_alone = is_alone);
 }
 
 /// Pointer to the object that a key is in.
@@ -49,13 +60,21 @@ impl<'s> Walk<'s> {
     fn value(&mut self, node: &Node, schema: &'s Value) {
         let schema = self.resolved(schema);
         for member in node.effective_members() {
-            self.below(&member.key, |walk| match member_schema(&schema, &member.key) {
-                Some(below) => walk.value(&member.node, below),
-                None => walk.note(&schema, &member.key, !member.node.effective_members().is_empty()),
+            self.below(&member.key, |walk| {
+                match member_schema(&schema, &member.key) {
+                    Some(below) => walk.value(&member.node, below),
+                    None => walk.note(
+                        &schema,
+                        &member.key,
+                        !member.node.effective_members().is_empty(),
+                    ),
+                }
             });
         }
         for (index, element) in node.elements().iter().enumerate() {
-            let Some(below) = element_schema(&schema, index) else { continue };
+            let Some(below) = element_schema(&schema, index) else {
+                continue;
+            };
             self.below(&index.to_string(), |walk| walk.value(element, below));
         }
     }
@@ -75,8 +94,13 @@ impl<'s> Walk<'s> {
         for _ in 0..8 {
             let Some(object) = next else { break };
             all.add(object);
-            let target = object.get("$ref").and_then(Value::as_str).and_then(|text| text.strip_prefix('#'));
-            next = target.and_then(|pointer| self.schema.pointer(pointer)).and_then(Value::as_object);
+            let target = object
+                .get("$ref")
+                .and_then(Value::as_str)
+                .and_then(|text| text.strip_prefix('#'));
+            next = target
+                .and_then(|pointer| self.schema.pointer(pointer))
+                .and_then(Value::as_object);
         }
         all
     }
@@ -86,13 +110,20 @@ impl<'s> Walk<'s> {
             return;
         }
         self.room.take(&self.pointer);
-        let known = schema.properties.iter().flat_map(|properties| properties.keys()).map(String::as_str);
+        let known = schema
+            .properties
+            .iter()
+            .flat_map(|properties| properties.keys())
+            .map(String::as_str);
         let known: Vec<&str> = known.collect();
         self.found.push(UnknownKey {
             pointer: self.pointer.clone(),
             name: String::new(),
             key: key.to_owned(),
-            object: schema.title.filter(|_| self.pointer.matches('/').count() > 1).map(str::to_owned),
+            object: schema
+                .title
+                .filter(|_| self.pointer.matches('/').count() > 1)
+                .map(str::to_owned),
             nearest: meant(key, &known).map(Cow::into_owned),
             is_object,
             is_alone: false,
@@ -106,17 +137,25 @@ fn meant<'k>(key: &str, known: &[&'k str]) -> Option<Cow<'k, str>> {
     if key.starts_with('_') {
         return None;
     }
-    let trap = TRAPS.iter().find(|(trap, meant)| *trap == key && meant.iter().all(|name| known.contains(name)));
+    let trap = TRAPS
+        .iter()
+        .find(|(trap, meant)| *trap == key && meant.iter().all(|name| known.contains(name)));
     match trap {
         Some((_, [left, right])) => Some(Cow::Owned(format!("{left}` or `{right}"))),
         None => nearest(key, known.iter().copied()).map(Cow::Borrowed),
     }
 }
 
-/// The schema of a member; one that fits anything where the object leaves room, none for an unknown key.
+/// The schema of a member; one that fits anything where the object leaves room, none for an unknown
+/// key.
 fn member_schema<'s>(schema: &Keywords<'s>, key: &str) -> Option<&'s Value> {
-    let named = schema.properties.iter().find_map(|properties| properties.get(key));
-    named.or(schema.others).or((schema.properties.is_empty() || schema.has_patterns).then_some(&Value::Null))
+    let named = schema
+        .properties
+        .iter()
+        .find_map(|properties| properties.get(key));
+    named
+        .or(schema.others)
+        .or((schema.properties.is_empty() || schema.has_patterns).then_some(&Value::Null))
 }
 
 fn element_schema<'s>(schema: &Keywords<'s>, index: usize) -> Option<&'s Value> {
@@ -137,11 +176,14 @@ struct Keywords<'s> {
 
 impl<'s> Keywords<'s> {
     fn add(&mut self, object: &'s Map<String, Value>) {
-        self.properties.extend(object.get("properties").and_then(Value::as_object));
+        self.properties
+            .extend(object.get("properties").and_then(Value::as_object));
         self.others = self.others.or(object.get("additionalProperties"));
         self.has_patterns |= object.contains_key("patternProperties");
         self.items = self.items.or(object.get("items"));
-        self.prefix = self.prefix.or(object.get("prefixItems").and_then(Value::as_array));
+        self.prefix = self
+            .prefix
+            .or(object.get("prefixItems").and_then(Value::as_array));
         self.title = self.title.or(object.get("title").and_then(Value::as_str));
     }
 }
@@ -152,7 +194,11 @@ mod tests {
 
     fn unknown(name: &str, text: &str) -> Vec<(String, Option<String>)> {
         let found = check(name, &parse(text.as_bytes()).unwrap());
-        found.unknown.into_iter().map(|key| (key.pointer, key.nearest)).collect()
+        found
+            .unknown
+            .into_iter()
+            .map(|key| (key.pointer, key.nearest))
+            .collect()
     }
 
     #[test]
@@ -163,7 +209,10 @@ mod tests {
             [
                 ("/macrodef/0/comps".to_owned(), Some("comp".to_owned())),
                 ("/macrodef/0/targets/0/zz".to_owned(), None),
-                ("/components/x~1y/value".to_owned(), Some("values".to_owned())),
+                (
+                    "/components/x~1y/value".to_owned(),
+                    Some("values".to_owned())
+                ),
             ]
         );
     }
@@ -171,7 +220,10 @@ mod tests {
     #[test]
     fn the_symmetry_key_of_other_formats_is_recognised() {
         assert_eq!(
-            unknown("modelling", r#"{"A": {"sym": "x", "display": {"slots": 1}}}"#),
+            unknown(
+                "modelling",
+                r#"{"A": {"sym": "x", "display": {"slots": 1}}}"#
+            ),
             [
                 ("/A/sym".to_owned(), Some("lsym` or `rsym".to_owned())),
                 ("/A/display/slots".to_owned(), Some("slot".to_owned())),
@@ -183,13 +235,29 @@ mod tests {
     fn a_key_is_alone_in_its_own_object() {
         let text = r#"{"A": {"qqq": 1}, "B": {"qqq": 1, "www": 2}, "C": {"display": {"qqq": 1}, "www": 2}}"#;
         let found = check("modelling", &parse(text.as_bytes()).unwrap()).unknown;
-        let alone: Vec<&str> = found.iter().filter(|key| key.is_alone).map(|key| key.pointer.as_str()).collect();
+        let alone: Vec<&str> = found
+            .iter()
+            .filter(|key| key.is_alone)
+            .map(|key| key.pointer.as_str())
+            .collect();
         assert_eq!(alone, ["/A/qqq", "/C/display/qqq", "/C/www"]);
     }
 
     #[test]
     fn names_of_things_are_no_keys() {
-        assert_eq!(unknown("mhw", r#"{"weights": {"any bone": [[0, 1]]}, "comment": {"a": 1}}"#), []);
-        assert_eq!(unknown("base", r#"{"target-opposites": {"a": "b"}, "name": {"free": 1}}"#), []);
+        assert_eq!(
+            unknown(
+                "mhw",
+                r#"{"weights": {"any bone": [[0, 1]]}, "comment": {"a": 1}}"#
+            ),
+            []
+        );
+        assert_eq!(
+            unknown(
+                "base",
+                r#"{"target-opposites": {"a": "b"}, "name": {"free": 1}}"#
+            ),
+            []
+        );
     }
 }

@@ -13,13 +13,17 @@ const OF_MPFB: [&str; 4] = ["3dobjs", "mesh_metadata", "node_trees", "settings"]
 impl Layer {
     /// Whether it is a pack.
     pub fn is_pack_of(&self, application: Application) -> bool {
-        self.identities.get(&application).is_some_and(|identity| identity.kind == Some(PlaceKind::Pack))
+        self.identities
+            .get(&application)
+            .is_some_and(|identity| identity.kind == Some(PlaceKind::Pack))
     }
 
-    /// Whether a file lies in a folder of a pack that an application does not read, and that is not called nearly as one
-    /// that it reads.
+    /// Whether a file lies in a folder of a pack that an application does not read, and that is not
+    /// called nearly as one that it reads.
     pub fn is_aside(&self, application: Application, file: &FileFacts) -> bool {
-        let Some((top, _)) = file.rel.split_once('/') else { return false };
+        let Some((top, _)) = file.rel.split_once('/') else {
+            return false;
+        };
         let is_read = || match application {
             Application::Makehuman2 => true,
             Application::Makehuman1 => {
@@ -35,17 +39,26 @@ fn is_library(top: &str) -> bool {
     library_extension(top).is_some() || matches!(top, OF_MAKEHUMAN1 | "models")
 }
 
-/// Whether it is a target where MakeHuman 1 looks for those of users; assets of other kinds it does not read there.
+/// Whether it is a target where MakeHuman 1 looks for those of users; assets of other kinds it does
+/// not read there.
 fn is_own_target(top: &str, file: &FileFacts) -> bool {
     top == CUSTOM && extension(&file.rel) == "target"
 }
 
 fn is_of_mpfb(top: &str) -> bool {
-    let (own, other) = (Layout::of(Application::Mpfb), Layout::of(Application::Makehuman1));
+    let (own, other) = (
+        Layout::of(Application::Mpfb),
+        Layout::of(Application::Makehuman1),
+    );
     own.has_at_top(top) || other.has_at_top(top) || near_of_mpfb(top).is_some()
 }
 
 /// The folder of a user of MPFB that a name is nearly that of.
 pub fn near_of_mpfb(top: &str) -> Option<&'static str> {
-    nearest(top, Layout::of(Application::Mpfb).at_top().filter(|one| !OF_MPFB.contains(one)))
+    nearest(
+        top,
+        Layout::of(Application::Mpfb)
+            .at_top()
+            .filter(|one| !OF_MPFB.contains(one)),
+    )
 }

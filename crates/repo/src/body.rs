@@ -43,7 +43,8 @@ pub struct Body<'v> {
     pub doubt: Option<Doubt>,
     /// Groups of the mesh that are shown, if that is said anywhere.
     pub visible_groups: Option<&'v BTreeSet<String>>,
-    /// Endings of the names of targets that are meant to be one-sided. `None` where nobody can tell.
+    /// Endings of the names of targets that are meant to be one-sided. `None` where nobody can
+    /// tell.
     pub one_sided_endings: Option<&'v [String]>,
     /// `macro.json` in use.
     pub macros: Option<(&'v FileFacts, &'v MacroFile)>,
@@ -163,7 +164,8 @@ pub struct PoseUnitsFile<'v> {
 pub struct BodyWeights<'v> {
     /// Their file.
     pub file: &'v FileFacts,
-    /// What a skeleton of the body has to call them; `None` where they are for another mesh than its own.
+    /// What a skeleton of the body has to call them; `None` where they are for another mesh than
+    /// its own.
     pub name: Option<&'v str>,
     /// What becomes of them.
     pub used: WeightsUse,
@@ -206,7 +208,11 @@ impl<'a> Rig<'a> {
 impl<'v> Body<'v> {
     /// A body with nothing but targets.
     pub(super) fn new(name: &'v str, view: &'v View<'v>, targets: Vec<Target<'v>>) -> Self {
-        let by_path = targets.iter().enumerate().map(|(at, target)| (target.file.path.as_str(), at)).collect();
+        let by_path = targets
+            .iter()
+            .enumerate()
+            .map(|(at, target)| (target.file.path.as_str(), at))
+            .collect();
         let (mesh, obj, visible_groups, one_sided_endings, macros, rigs) =
             (None, None, None, None, None, [].as_slice());
         let (weights, worn, layers) = (Vec::new(), [].as_slice(), view.layers());
@@ -267,16 +273,36 @@ impl<'v> Body<'v> {
 
     /// The units that a pose is made of, if they could be read.
     pub fn units_of(&self, pose: &BodyPose<'_>) -> Option<(&'v FileFacts, &'v PoseUnits)> {
-        let category = if pose.is_expression { "expressions" } else { "poses" };
-        self.pose_units.iter().find(|units| units.category == category)?.units
+        let category = if pose.is_expression {
+            "expressions"
+        } else {
+            "poses"
+        };
+        self.pose_units
+            .iter()
+            .find(|units| units.category == category)?
+            .units
     }
 
     /// The names of the units that a pose can set, if they could be read.
     pub fn unit_names(&self, pose: &BodyPose<'_>) -> Option<(&'v FileFacts, BTreeSet<&'v str>)> {
-        let category = if pose.is_expression { "expressions" } else { "poses" };
-        let own = self.pose_units.iter().find(|units| units.category == category)?;
-        let turns = || own.units.map(|(file, units)| (file, units.units.iter().map(|unit| &*unit.name).collect()));
-        let frames = || own.frames.map(|(file, names)| (file, names.iter().map(String::as_str).collect()));
+        let category = if pose.is_expression {
+            "expressions"
+        } else {
+            "poses"
+        };
+        let own = self
+            .pose_units
+            .iter()
+            .find(|units| units.category == category)?;
+        let turns = || {
+            own.units
+                .map(|(file, units)| (file, units.units.iter().map(|unit| &*unit.name).collect()))
+        };
+        let frames = || {
+            own.frames
+                .map(|(file, names)| (file, names.iter().map(String::as_str).collect()))
+        };
         turns().or_else(frames)
     }
 
@@ -295,56 +321,85 @@ impl<'v> Body<'v> {
         self.weights.iter().filter(|weights| weights.name.is_some())
     }
 
-    /// Adds weights for other meshes than its own. Those that lie beside what is worn are for that: they are read if
-    /// some of it names them.
+    /// Adds weights for other meshes than its own. Those that lie beside what is worn are for that:
+    /// they are read if some of it names them.
     pub(super) fn add_worn_weights(&mut self, files: impl IntoIterator<Item = &'v FileFacts>) {
-        let named: BTreeSet<&str> = self.worn.iter().flat_map(Worn::weights).map(|file| file.path.as_str()).collect();
+        let named: BTreeSet<&str> = self
+            .worn
+            .iter()
+            .flat_map(Worn::weights)
+            .map(|file| file.path.as_str())
+            .collect();
         let mut is_known: BTreeMap<&str, bool> = BTreeMap::new();
         for worn in self.worn {
             *is_known.entry(worn.file.folder()).or_insert(true) &= worn.references.is_some();
         }
         let used = |file: &FileFacts| {
-            let can_tell = is_known.get(file.folder()).is_some_and(|is_known| *is_known);
-            if can_tell && !named.contains(file.path.as_str()) { WeightsUse::Unread } else { WeightsUse::Applied }
+            let can_tell = is_known
+                .get(file.folder())
+                .is_some_and(|is_known| *is_known);
+            if can_tell && !named.contains(file.path.as_str()) {
+                WeightsUse::Unread
+            } else {
+                WeightsUse::Applied
+            }
         };
-        self.weights.extend(files.into_iter().map(|file| BodyWeights { file, name: None, used: used(file) }));
+        self.weights
+            .extend(files.into_iter().map(|file| BodyWeights {
+                file,
+                name: None,
+                used: used(file),
+            }));
     }
 
     /// A vertex with its place on the body: ``vertex 17960 (`helper-tights`, near `pelvis.L`)``.
     pub fn vertex(&self, vertex: impl TryInto<u32> + Display + Copy) -> String {
-        let known = self.whole_mesh().map(|mesh| self.landmarks(mesh).vertex(vertex));
+        let known = self
+            .whole_mesh()
+            .map(|mesh| self.landmarks(mesh).vertex(vertex));
         known.unwrap_or_else(|| format!("vertex {vertex}"))
     }
 
-    /// Vertices that a face uses, without those in `reached`, which are in order. None without a whole mesh, or if all are
-    /// reached.
+    /// Vertices that a face uses, without those in `reached`, which are in order. None without a
+    /// whole mesh, or if all are reached.
     pub fn unreached<'b>(&'b self, reached: &'b [u32]) -> Option<Unreached<'b>> {
         // Most weights reach every vertex: then the mesh is not walked.
-        let mesh = self.whole_mesh().filter(|_| self.doubt != Some(Doubt::Foreign));
+        let mesh = self
+            .whole_mesh()
+            .filter(|_| self.doubt != Some(Doubt::Foreign));
         let mesh = mesh.filter(|mesh| reached.len() < mesh.positions.len())?;
-        let unreached = self.landmarks(mesh).unreached(reached, |group| self.shows(group));
+        let unreached = self
+            .landmarks(mesh)
+            .unreached(reached, |group| self.shows(group));
         (unreached.count > 0).then_some(unreached)
     }
 
     /// What a vertex is part of; `None` where the mesh, or what of it is shown, is not known.
     pub fn region(&self, vertex: u32) -> Option<Region> {
-        let mesh = self.whole_mesh().filter(|_| self.visible_groups.is_some())?;
+        let mesh = self
+            .whole_mesh()
+            .filter(|_| self.visible_groups.is_some())?;
         Some(self.landmarks(mesh).region(vertex))
     }
 
     fn landmarks(&self, mesh: &'v Mesh) -> &Landmarks<'v> {
         let skeleton = || self.default_rig().and_then(Rig::skeleton);
-        self.landmarks.get_or_init(|| Landmarks::of(mesh, skeleton(), |group| self.shows(group)))
+        self.landmarks
+            .get_or_init(|| Landmarks::of(mesh, skeleton(), |group| self.shows(group)))
     }
 
     /// Whether a group of the mesh is shown; where that is said nowhere, all of them are.
     pub fn shows(&self, group: &str) -> bool {
-        self.visible_groups.is_none_or(|visible| visible.contains(group))
+        self.visible_groups
+            .is_none_or(|visible| visible.contains(group))
     }
 
-    /// The mesh, if every line of it could be read. Otherwise vertices have other numbers than their author meant.
+    /// The mesh, if every line of it could be read. Otherwise vertices have other numbers than
+    /// their author meant.
     pub fn whole_mesh(&self) -> Option<&'v Mesh> {
-        self.mesh.map(|(_, mesh)| mesh).filter(|mesh| mesh.facts.unreadable_lines == 0)
+        self.mesh
+            .map(|(_, mesh)| mesh)
+            .filter(|mesh| mesh.facts.unreadable_lines == 0)
     }
 
     /// The target at a printed path.
@@ -357,12 +412,16 @@ impl<'v> Body<'v> {
     where
         'v: 'f,
     {
-        self.target(&file.path).map_or_else(|| parent(&file.rel), |target| target.folder)
+        self.target(&file.path)
+            .map_or_else(|| parent(&file.rel), |target| target.folder)
     }
 
-    /// Whether a target lies where the folder of a base mesh is missing, or in that of one that no layer has: nobody loads it.
+    /// Whether a target lies where the folder of a base mesh is missing, or in that of one that no
+    /// layer has: nobody loads it.
     pub fn is_without_base(&self, file: &FileFacts) -> bool {
-        let View::Makehuman2(view) = self.view else { return false };
+        let View::Makehuman2(view) = self.view else {
+            return false;
+        };
         view.is_unsorted(file) || !file.is_loose && view.is_nowhere(self.name)
     }
 
@@ -375,13 +434,21 @@ impl<'v> Body<'v> {
 impl<'v> Target<'v> {
     /// The archive that stands for its text.
     pub fn archive(&self) -> Option<&'v Archive> {
-        self.packed_in?.archive().filter(|archive| archive.is_sound())
+        self.packed_in?
+            .archive()
+            .filter(|archive| archive.is_sound())
     }
 
     /// Its copy in that archive.
     pub fn member(&self) -> Option<&'v Member> {
         let folder = parent(&self.packed_in?.rel);
-        self.archive()?.member(self.file.rel.strip_prefix(folder)?.strip_prefix('/')?.strip_suffix(".target")?)
+        self.archive()?.member(
+            self.file
+                .rel
+                .strip_prefix(folder)?
+                .strip_prefix('/')?
+                .strip_suffix(".target")?,
+        )
     }
 
     /// Whether nobody parses its text: the archive has it, or nothing asks for it.
@@ -389,9 +456,11 @@ impl<'v> Target<'v> {
         self.archive().is_some() && (self.is_unused || self.member().is_some())
     }
 
-    /// Whether the archive has other numbers than the text, so that those of the text are not applied.
+    /// Whether the archive has other numbers than the text, so that those of the text are not
+    /// applied.
     pub fn is_outdated(&self) -> bool {
         let rows = self.member().and_then(|member| member.rows.as_ref().ok());
-        rows.zip(self.file.target()).is_some_and(|(rows, facts)| rows.content != facts.content)
+        rows.zip(self.file.target())
+            .is_some_and(|(rows, facts)| rows.content != facts.content)
     }
 }

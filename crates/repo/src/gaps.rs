@@ -13,10 +13,16 @@ pub struct Gaps<'a> {
 
 impl<'a> Gaps<'a> {
     /// Of what names targets, with whether there is a file for one.
-    pub(super) fn of_references(references: &'a References<'a>, has: impl Fn(&Reference<'a>) -> bool) -> Self {
+    pub(super) fn of_references(
+        references: &'a References<'a>,
+        has: impl Fn(&Reference<'a>) -> bool,
+    ) -> Self {
         let targets = || references.iter().filter(|one| one.kind.is_target());
         let missing = targets().filter(|one| !has(one));
-        Self { named: targets().count(), missing: missing.map(|one| one.rel.as_str()).collect() }
+        Self {
+            named: targets().count(),
+            missing: missing.map(|one| one.rel.as_str()).collect(),
+        }
     }
 
     /// Whether more than half of it is missing.

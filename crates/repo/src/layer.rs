@@ -19,7 +19,11 @@ pub fn fold(path: &str) -> String {
 
 /// A path with whole letters where it has separate accent marks (Unicode normalization form C).
 pub fn composed(path: &str) -> Cow<'_, str> {
-    if path.is_ascii() || is_nfc(path) { Cow::Borrowed(path) } else { path.nfc().collect() }
+    if path.is_ascii() || is_nfc(path) {
+        Cow::Borrowed(path)
+    } else {
+        path.nfc().collect()
+    }
 }
 
 /// One data root with the facts of its files.
@@ -110,10 +114,13 @@ impl Layer {
 
     /// Whether there is a folder at a path.
     pub fn has_folder(&self, rel: &str) -> bool {
-        self.folders.binary_search_by(|folder| folder.as_str().cmp(rel)).is_ok()
+        self.folders
+            .binary_search_by(|folder| folder.as_str().cmp(rel))
+            .is_ok()
     }
 
-    /// The text of an asset, or of a mesh, that an archive at a path is made from: it lies beside it.
+    /// The text of an asset, or of a mesh, that an archive at a path is made from: it lies beside
+    /// it.
     pub fn text_of_archive(&self, rel: &str) -> Option<&FileFacts> {
         let (stem, extension) = rel.rsplit_once('.')?;
         let texts: &[&str] = match extension {
@@ -121,13 +128,17 @@ impl Layer {
             "npz" => &["obj"],
             _ => &[],
         };
-        texts.iter().find_map(|suffix| self.file(&format!("{stem}.{suffix}")))
+        texts
+            .iter()
+            .find_map(|suffix| self.file(&format!("{stem}.{suffix}")))
     }
 
     /// What the file at a path is for to an application, or would be if there were one.
     pub fn kind_at(&self, rel: &str, application: Application) -> Kind {
-        self.file(rel)
-            .map_or_else(|| kind_in(&uses_of(rel, &self.layouts), application), |file| file.kind_in(application))
+        self.file(rel).map_or_else(
+            || kind_in(&uses_of(rel, &self.layouts), application),
+            |file| file.kind_in(application),
+        )
     }
 
     /// The file at a printed path.
@@ -140,12 +151,23 @@ impl Layer {
 
     /// The base meshes that what is at a printed path belongs to.
     pub fn bases_at(&self, path: &str) -> Vec<String> {
-        let from = self.loose().range(path.to_owned()..).take_while(|(own, _)| own.starts_with(path));
-        let loose = from.filter(|(own, _)| is_below(own, path)).map(|(_, rel)| rel.as_str());
-        let own = if self.loose().is_empty() { self.relative(path) } else { None };
+        let from = self
+            .loose()
+            .range(path.to_owned()..)
+            .take_while(|(own, _)| own.starts_with(path));
+        let loose = from
+            .filter(|(own, _)| is_below(own, path))
+            .map(|(_, rel)| rel.as_str());
+        let own = if self.loose().is_empty() {
+            self.relative(path)
+        } else {
+            None
+        };
         let at = loose.chain(own);
-        let mut bases: Vec<String> =
-            at.flat_map(|rel| uses_of(rel, &self.layouts)).filter_map(|one| one.owner).collect();
+        let mut bases: Vec<String> = at
+            .flat_map(|rel| uses_of(rel, &self.layouts))
+            .filter_map(|one| one.owner)
+            .collect();
         bases.dedup();
         bases
     }
@@ -153,7 +175,9 @@ impl Layer {
     fn loose(&self) -> &BTreeMap<String, String> {
         self.loose.get_or_init(|| {
             let loose = self.files.values().filter(|file| file.is_loose);
-            loose.map(|file| (file.path.clone(), file.rel.clone())).collect()
+            loose
+                .map(|file| (file.path.clone(), file.rel.clone()))
+                .collect()
         })
     }
 
@@ -165,10 +189,12 @@ impl Layer {
     /// All files whose path begins so, in order.
     pub fn beginning_with(&self, prefix: String) -> impl Iterator<Item = &FileFacts> + use<'_> {
         let from = self.files.range(prefix.clone()..);
-        from.take_while(move |(rel, _)| rel.starts_with(&prefix)).map(|(_, file)| file)
+        from.take_while(move |(rel, _)| rel.starts_with(&prefix))
+            .map(|(_, file)| file)
     }
 
-    /// The first file whose path differs from `rel` in nothing but case, or the form of its accented letters.
+    /// The first file whose path differs from `rel` in nothing but case, or the form of its
+    /// accented letters.
     pub fn file_ignoring_case(&self, rel: &str) -> Option<&FileFacts> {
         self.alike(rel).first().and_then(|alike| self.file(alike))
     }
@@ -180,12 +206,18 @@ impl Layer {
             self.files.keys().for_each(|rel| enter(&mut folded, rel));
             folded
         });
-        folded.get(&fold(rel)).map(Vec::as_slice).unwrap_or_default()
+        folded
+            .get(&fold(rel))
+            .map(Vec::as_slice)
+            .unwrap_or_default()
     }
 
-    /// Whether it has a folder whose path differs from `rel` in nothing but case, or the form of its accented letters.
+    /// Whether it has a folder whose path differs from `rel` in nothing but case, or the form of
+    /// its accented letters.
     pub fn has_folder_ignoring_case(&self, rel: &str) -> bool {
-        let folded = self.folded_folders.get_or_init(|| self.folders.iter().map(|folder| fold(folder)).collect());
+        let folded = self
+            .folded_folders
+            .get_or_init(|| self.folders.iter().map(|folder| fold(folder)).collect());
         folded.contains(&fold(rel))
     }
 
@@ -194,12 +226,25 @@ impl Layer {
         if let Some(file) = self.file(rel) {
             return file.path.clone();
         }
-        if let Some(folder) = self.below(rel).next().filter(|file| file.is_loose).map(FileFacts::folder) {
-            return if folder.is_empty() { ".".to_owned() } else { folder.to_owned() };
+        if let Some(folder) = self
+            .below(rel)
+            .next()
+            .filter(|file| file.is_loose)
+            .map(FileFacts::folder)
+        {
+            return if folder.is_empty() {
+                ".".to_owned()
+            } else {
+                folder.to_owned()
+            };
         }
         if let Some(beside) = rel.strip_prefix("../") {
             let above = parent(&self.path);
-            return if above.is_empty() { beside.to_owned() } else { format!("{above}/{beside}") };
+            return if above.is_empty() {
+                beside.to_owned()
+            } else {
+                format!("{above}/{beside}")
+            };
         }
         match (self.path.is_empty(), rel.is_empty()) {
             (true, _) => rel.to_owned(),
@@ -210,7 +255,11 @@ impl Layer {
 
     /// The path of a folder to show where one below the data root is wanted.
     pub fn shown<'p>(&'p self, folder: &'p str) -> Cow<'p, str> {
-        if self.is_loose { self.display(folder).into() } else { folder.into() }
+        if self.is_loose {
+            self.display(folder).into()
+        } else {
+            folder.into()
+        }
     }
 
     /// Whether there is something at a path: what cannot be used has a finding of its own.
@@ -218,16 +267,24 @@ impl Layer {
         self.file(rel).is_some() || self.has_unusable(rel)
     }
 
-    /// Whether something other than a file stands at a path, or above it something that could not be walked.
+    /// Whether something other than a file stands at a path, or above it something that could not
+    /// be walked.
     pub fn has_unusable(&self, rel: &str) -> bool {
         // Folders with other names, such as those of images, are not reported.
         self.has_fault(rel)
-            || uses_of(rel, &self.layouts).iter().any(|one| Format::of(one.kind).is_text()) && self.has_folder(rel)
+            || uses_of(rel, &self.layouts)
+                .iter()
+                .any(|one| Format::of(one.kind).is_text())
+                && self.has_folder(rel)
     }
 
     /// Whether a path, or something above it, could not be walked. That has a finding of its own.
     pub fn has_fault(&self, rel: &str) -> bool {
-        let is_fault = |path: &str| self.walk_faults.binary_search_by(|fault| fault.path.as_str().cmp(path)).is_ok();
+        let is_fault = |path: &str| {
+            self.walk_faults
+                .binary_search_by(|fault| fault.path.as_str().cmp(path))
+                .is_ok()
+        };
         let mut above = rel.match_indices('/').filter_map(|(end, _)| rel.get(..end));
         is_fault(rel) || above.any(is_fault)
     }
@@ -243,12 +300,18 @@ impl Layer {
         if self.is_loose && path == self.path {
             return Some("");
         }
-        inside(path, &self.path).or_else(supposed).or_else(|| self.fault_beside(path))
+        inside(path, &self.path)
+            .or_else(supposed)
+            .or_else(|| self.fault_beside(path))
     }
 
     /// What could not be walked and lies beside the root.
     fn fault_beside(&self, path: &str) -> Option<&str> {
-        let mut beside = self.walk_faults.iter().map(|fault| fault.path.as_str()).filter(|rel| rel.starts_with("../"));
+        let mut beside = self
+            .walk_faults
+            .iter()
+            .map(|fault| fault.path.as_str())
+            .filter(|rel| rel.starts_with("../"));
         beside.find(|rel| self.display(rel) == path)
     }
 }

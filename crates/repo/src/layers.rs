@@ -10,8 +10,8 @@ pub struct Layers<'a> {
     pub system: Option<&'a Layer>,
     /// User data. May be the same root as the system data when one root plays both parts.
     pub user: Option<&'a Layer>,
-    /// User data that is checked in the same run: what a system names may lie there where that is checked, and what a
-    /// user names where an application knows a second folder of the user.
+    /// User data that is checked in the same run: what a system names may lie there where that is
+    /// checked, and what a user names where an application knows a second folder of the user.
     pub beside: Option<&'a Layer>,
     /// The layer that findings are reported for: one of the two.
     pub checked: &'a Layer,
@@ -20,10 +20,12 @@ pub struct Layers<'a> {
 impl<'a> Layers<'a> {
     /// Whether it is the system that is checked.
     pub fn checks_system(&self) -> bool {
-        self.system.is_some_and(|system| std::ptr::eq(system, self.checked))
+        self.system
+            .is_some_and(|system| std::ptr::eq(system, self.checked))
     }
 
-    /// The version of an application that the data are of, if something says so: those of the program say it for all.
+    /// The version of an application that the data are of, if something says so: those of the
+    /// program say it for all.
     pub fn version(&self, application: Application) -> Option<Version> {
         let of = |layer: &Layer| layer.identities.get(&application)?.version;
         self.system.and_then(of).or_else(|| of(self.checked))
@@ -31,7 +33,8 @@ impl<'a> Layers<'a> {
 
     /// Whether the data are of a version of an application that is older than the one called so.
     pub fn are_before(&self, application: Application, version: &str) -> bool {
-        self.version(application).is_some_and(|own| own.is_before(version))
+        self.version(application)
+            .is_some_and(|own| own.is_before(version))
     }
 
     /// Whether one root plays both parts.
@@ -41,7 +44,11 @@ impl<'a> Layers<'a> {
 
     /// The layers, strongest first.
     pub fn strongest_first(&self) -> impl Iterator<Item = &'a Layer> + use<'a> {
-        let system = if self.is_one_root() { None } else { self.system };
+        let system = if self.is_one_root() {
+            None
+        } else {
+            self.system
+        };
         self.user.into_iter().chain(system)
     }
 
@@ -52,7 +59,9 @@ impl<'a> Layers<'a> {
 
     /// Whether a file belongs to the checked layer.
     pub fn is_checked(&self, file: &FileFacts) -> bool {
-        self.checked.file(&file.rel).is_some_and(|own| std::ptr::eq(own, file))
+        self.checked
+            .file(&file.rel)
+            .is_some_and(|own| std::ptr::eq(own, file))
     }
 
     /// A file in words: beside one of the checked layer, of another layer with whose it is.

@@ -1,8 +1,8 @@
 //! Facts of all files, connected: layers, who wins, what refers to what.
 //!
 //! Gets the facts of each layer and answers as the application would: which file is taken, which
-//! folder targets come from, what a name leads to. Knows no bytes and gives no levels. What every application has is
-//! here, what one does in its own way is in its folder.
+//! folder targets come from, what a name leads to. Knows no bytes and gives no levels. What every
+//! application has is here, what one does in its own way is in its folder.
 
 // Files, streams and surroundings have few doors, and who may use them says so; tests are free.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
@@ -30,7 +30,9 @@ mod surface;
 mod view;
 mod worn;
 
-pub use body::{Body, BodyPose, BodyWeights, Doubt, PoseUnitsFile, Rig, Shown, StoredBones, Target, WeightsUse};
+pub use body::{
+    Body, BodyPose, BodyWeights, Doubt, PoseUnitsFile, Rig, Shown, StoredBones, Target, WeightsUse,
+};
 pub use facts::FileFacts;
 pub use gaps::Gaps;
 pub use landmarks::{Landmarks, Region, Unreached};

@@ -1,4 +1,5 @@
-//! Folders that no loader lists because their names have other capitals than those that are looked for.
+//! Folders that no loader lists because their names have other capitals than those that are looked
+//! for.
 
 use std::collections::BTreeMap;
 
@@ -16,8 +17,8 @@ pub struct MisnamedFolder {
     pub files: usize,
 }
 
-/// The folders of a layer that `other` gives another name, of which it also says what is below: counted are files with a
-/// reader.
+/// The folders of a layer that `other` gives another name, of which it also says what is below:
+/// counted are files with a reader.
 pub(super) fn misnamed_folders<'l>(
     layer: &'l Layer,
     layout: &Layout,
@@ -29,16 +30,31 @@ pub(super) fn misnamed_folders<'l>(
             *found.entry((folder, right)).or_default() += 1;
         }
     }
-    found.into_iter().map(|((rel, right), files)| MisnamedFolder { rel, right, files }).collect()
+    found
+        .into_iter()
+        .map(|((rel, right), files)| MisnamedFolder { rel, right, files })
+        .collect()
 }
 
-/// A folder at the top of a data root that differs from one of the application in its capitals alone.
-pub(super) fn top_in_other_case<'l>(layout: &Layout, rel: &'l str) -> Option<(String, String, &'l str)> {
+/// A folder at the top of a data root that differs from one of the application in its capitals
+/// alone.
+pub(super) fn top_in_other_case<'l>(
+    layout: &Layout,
+    rel: &'l str,
+) -> Option<(String, String, &'l str)> {
     let (top, rest) = rel.split_once('/')?;
-    Some((top.to_owned(), layout.folder_in_other_case(top)?.to_owned(), rest))
+    Some((
+        top.to_owned(),
+        layout.folder_in_other_case(top)?.to_owned(),
+        rest,
+    ))
 }
 
 /// Whether the file at a path has a reader.
 fn is_read(layout: &Layout, rel: &str) -> bool {
-    (layout.opens)(rel) && !matches!(layout.use_of(rel).kind, Kind::Other | Kind::Image | Kind::Json)
+    (layout.opens)(rel)
+        && !matches!(
+            layout.use_of(rel).kind,
+            Kind::Other | Kind::Image | Kind::Json
+        )
 }

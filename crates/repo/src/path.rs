@@ -1,4 +1,5 @@
-//! Names followed to files: links to other folders, capitals, backslashes, and ways out of the data root.
+//! Names followed to files: links to other folders, capitals, backslashes, and ways out of the data
+//! root.
 
 use super::{Layer, Resolution};
 use mhlint_source::normalized;
@@ -8,7 +9,8 @@ const LONGEST: usize = 4096;
 
 /// As much of a name as a path may have.
 pub fn shortened(text: &str) -> &str {
-    text.get(..text.floor_char_boundary(LONGEST)).unwrap_or(text)
+    text.get(..text.floor_char_boundary(LONGEST))
+        .unwrap_or(text)
 }
 
 /// Whether a name begins at a root or a drive instead of the folder it is looked for in.
@@ -42,10 +44,17 @@ pub(super) fn resolve<'a>(layers: &[&'a Layer], text: &str, rel: &str) -> Resolu
         };
         let exact = layers.iter().find_map(|layer| layer.file(&slashed));
         // Where `\` separates folders, capitals make no difference either.
-        let found = exact.or_else(|| layers.iter().find_map(|layer| layer.file_ignoring_case(&slashed)));
+        let found = exact.or_else(|| {
+            layers
+                .iter()
+                .find_map(|layer| layer.file_ignoring_case(&slashed))
+        });
         return Resolution::Backslash(found);
     }
-    match layers.iter().find_map(|layer| layer.file_ignoring_case(&normal)) {
+    match layers
+        .iter()
+        .find_map(|layer| layer.file_ignoring_case(&normal))
+    {
         Some(file) => Resolution::CaseOnly(file),
         None => Resolution::Missing,
     }
@@ -53,7 +62,9 @@ pub(super) fn resolve<'a>(layers: &[&'a Layer], text: &str, rel: &str) -> Resolu
 
 /// Whether the folders are there that `..` leaves again. Only Windows does without.
 fn has_way(layer: &Layer, rel: &str) -> bool {
-    let exists = |folder: &String| layer.folders.binary_search(folder).is_ok() || layer.below(folder).next().is_some();
+    let exists = |folder: &String| {
+        layer.folders.binary_search(folder).is_ok() || layer.below(folder).next().is_some()
+    };
     let mut at: Vec<&str> = Vec::new();
     for part in rel.split('/') {
         match part {

@@ -89,7 +89,8 @@ pub enum Resolution<'a> {
     OtherLayer(&'a FileFacts),
     /// Something that cannot be opened: a folder, a broken link, a link that leaves the root.
     Unusable,
-    /// Something in the same pack that is no longer there once that is imported or unpacked: a fault of the pack.
+    /// Something in the same pack that is no longer there once that is imported or unpacked: a
+    /// fault of the pack.
     Moved,
     /// Nothing.
     Missing,
@@ -104,7 +105,8 @@ pub struct PictureFolders<'a> {
     pub own: &'a str,
     /// The one above, where that is asked as well.
     pub above: Option<&'a str>,
-    /// The folder of all assets of this sort. A name that begins with `sort` loses its first part there.
+    /// The folder of all assets of this sort. A name that begins with `sort` loses its first part
+    /// there.
     pub all: String,
     /// What the assets are called.
     pub sort: &'a str,
@@ -113,12 +115,16 @@ pub struct PictureFolders<'a> {
 impl ReferenceKind {
     /// Whether it is a morph target.
     pub const fn is_target(self) -> bool {
-        matches!(self, Self::MacroTarget | Self::Incr | Self::Decr | Self::Slot | Self::SliderName)
+        matches!(
+            self,
+            Self::MacroTarget | Self::Incr | Self::Decr | Self::Slot | Self::SliderName
+        )
     }
 }
 
 impl<'a> Resolution<'a> {
-    /// The file that is meant, also where the name is not quite right: that has a finding of its own.
+    /// The file that is meant, also where the name is not quite right: that has a finding of its
+    /// own.
     pub fn meant(self) -> Option<&'a FileFacts> {
         match self {
             Self::Found(file) | Self::CaseOnly(file) | Self::Backslash(Some(file)) => Some(file),
@@ -128,12 +134,21 @@ impl<'a> Resolution<'a> {
 
     /// What is missing although a pack has it is a fault of the pack.
     pub(super) fn in_pack(self, layers: &[&Layer], from: &FileFacts, text: &str) -> Self {
-        let is_moved = |layer: &&Layer| layer.pack.as_ref().is_some_and(|pack| pack.explains(&layer.path, from, text));
-        if matches!(self, Self::Missing) && layers.iter().any(is_moved) { Self::Moved } else { self }
+        let is_moved = |layer: &&Layer| {
+            layer
+                .pack
+                .as_ref()
+                .is_some_and(|pack| pack.explains(&layer.path, from, text))
+        };
+        if matches!(self, Self::Missing) && layers.iter().any(is_moved) {
+            Self::Moved
+        } else {
+            self
+        }
     }
 
-    /// How far from the file a place is: what is there outweighs what only another system finds, and that outweighs
-    /// nothing at all.
+    /// How far from the file a place is: what is there outweighs what only another system finds,
+    /// and that outweighs nothing at all.
     pub(super) const fn distance(&self) -> u8 {
         match self {
             Self::Found(_) => 0,
@@ -157,12 +172,26 @@ impl<'a> Reference<'a> {
         rel: String,
     ) -> Self {
         let resolution = resolve(layers, text, &rel).in_pack(layers, from, text);
-        Self { kind, base, from, place, text, owner: from.stem(), folder_at_fault: None, rel, resolution }
+        Self {
+            kind,
+            base,
+            from,
+            place,
+            text,
+            owner: from.stem(),
+            folder_at_fault: None,
+            rel,
+            resolution,
+        }
     }
 
     /// The file, if the name is right.
     pub fn found(&self) -> Option<&'a FileFacts> {
-        if let Resolution::Found(file) = self.resolution { Some(file) } else { None }
+        if let Resolution::Found(file) = self.resolution {
+            Some(file)
+        } else {
+            None
+        }
     }
 
     /// As [`Resolution::meant`].

@@ -1,4 +1,5 @@
-//! All references of a view, found by the file they stand in, the base they are for, and the file they lead to.
+//! All references of a view, found by the file they stand in, the base they are for, and the file
+//! they lead to.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -20,11 +21,22 @@ impl<'a> References<'a> {
         all.sort_by_key(|reference| reference.base);
         let mut references = Self::default();
         for (number, reference) in all.iter().enumerate() {
-            let of_base = references.by_base.entry(reference.base).or_insert(number..number);
+            let of_base = references
+                .by_base
+                .entry(reference.base)
+                .or_insert(number..number);
             of_base.end = number + 1;
-            references.by_owner.entry(&reference.from.path).or_default().push(number);
+            references
+                .by_owner
+                .entry(&reference.from.path)
+                .or_default()
+                .push(number);
             if let Some(file) = reference.meant() {
-                references.by_target.entry(&file.path).or_default().push(number);
+                references
+                    .by_target
+                    .entry(&file.path)
+                    .or_default()
+                    .push(number);
             }
         }
         Self { all, ..references }
@@ -37,7 +49,10 @@ impl<'a> References<'a> {
 
     /// Those for a base.
     pub fn of_base(&self, base: &str) -> &[Reference<'a>] {
-        self.by_base.get(base).and_then(|range| self.all.get(range.clone())).unwrap_or_default()
+        self.by_base
+            .get(base)
+            .and_then(|range| self.all.get(range.clone()))
+            .unwrap_or_default()
     }
 
     /// Those that stand in a file.

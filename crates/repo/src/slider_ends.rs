@@ -6,11 +6,17 @@ use super::{Body, FileFacts, Reference, ReferenceKind, View};
 use mhlint_diag::{Place, grouped};
 
 impl View<'_> {
-    /// The targets of each slider that has two, by their paths; one for both sides of the body has them twice.
+    /// The targets of each slider that has two, by their paths; one for both sides of the body has
+    /// them twice.
     pub fn slider_ends(&self) -> Vec<[&FileFacts; 2]> {
         use ReferenceKind::{Decr, Incr, Slot};
-        let ends = self.references().iter().filter(|one| matches!(one.kind, Incr | Decr | Slot));
-        let by_slider = grouped(ends.filter_map(|one| Some(((&one.from.path, one.owner, side(one)), one.found()?))));
+        let ends = self
+            .references()
+            .iter()
+            .filter(|one| matches!(one.kind, Incr | Decr | Slot));
+        let by_slider = grouped(
+            ends.filter_map(|one| Some(((&one.from.path, one.owner, side(one)), one.found()?))),
+        );
         by_slider.into_values().filter_map(two).collect()
     }
 
@@ -18,7 +24,10 @@ impl View<'_> {
     pub(super) fn share_slider_ends<'v>(&'v self, bodies: &mut [Body<'v>]) {
         let numbered = bodies.iter().enumerate();
         let of_body = |(number, body): (usize, &Body<'v>)| {
-            body.targets.iter().map(move |one| (one.file.path.as_str(), number)).collect::<Vec<_>>()
+            body.targets
+                .iter()
+                .map(move |one| (one.file.path.as_str(), number))
+                .collect::<Vec<_>>()
         };
         let owner: BTreeMap<&str, usize> = numbered.flat_map(of_body).collect();
         for ends in self.slider_ends() {
@@ -41,7 +50,9 @@ fn two(mut files: Vec<&FileFacts>) -> Option<[&FileFacts; 2]> {
 /// The side of the body that a slot is for, as its key ends.
 fn side<'r>(one: &'r Reference<'_>) -> &'r str {
     match &one.place {
-        Place::Pointer(pointer) if one.kind == ReferenceKind::Slot => pointer.rsplit('-').next().unwrap_or_default(),
+        Place::Pointer(pointer) if one.kind == ReferenceKind::Slot => {
+            pointer.rsplit('-').next().unwrap_or_default()
+        }
         _ => "",
     }
 }

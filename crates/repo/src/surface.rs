@@ -68,41 +68,70 @@ pub struct Shader<'a> {
 impl<'a> Shader<'a> {
     /// Its sources, if all of them could be read.
     pub fn sources(&self) -> Option<Vec<&'a ShaderSource>> {
-        let sources: Vec<_> = self.files.iter().filter_map(|file| file.shader_source()).collect();
-        (!self.is_open && !sources.is_empty() && sources.len() == self.files.len()).then_some(sources)
+        let sources: Vec<_> = self
+            .files
+            .iter()
+            .filter_map(|file| file.shader_source())
+            .collect();
+        (!self.is_open && !sources.is_empty() && sources.len() == self.files.len())
+            .then_some(sources)
     }
 
     /// A parameter that one of its sources declares.
     pub fn uniform(&self, name: &str) -> Option<Uniform> {
         let sources = self.files.iter().filter_map(|file| file.shader_source());
-        let mut all = sources.filter_map(|source| source.uniforms.get(name)).copied();
+        let mut all = sources
+            .filter_map(|source| source.uniforms.get(name))
+            .copied();
         let first = all.next()?;
-        Some(all.fold(first, |known, other| Uniform { is_certain: known.is_certain || other.is_certain, ..known }))
+        Some(all.fold(first, |known, other| Uniform {
+            is_certain: known.is_certain || other.is_certain,
+            ..known
+        }))
     }
 }
 
 impl<'a> Surface<'a> {
     /// Whether the last line of a keyword says so, as both `MakeHuman`s read it.
     pub fn is_true(&self, keyword: &str) -> bool {
-        let said = self.material.last(keyword).map(|line| line.word(0).to_lowercase());
+        let said = self
+            .material
+            .last(keyword)
+            .map(|line| line.word(0).to_lowercase());
         said.is_some_and(|word| matches!(word.as_str(), "yes" | "enabled" | "true"))
     }
 
     /// The picture of a keyword.
     pub fn picture(&self, keyword: &str) -> Option<&Picture<'a>> {
-        self.pictures.iter().find(|(own, _)| *own == keyword).map(|(_, picture)| picture)
+        self.pictures
+            .iter()
+            .find(|(own, _)| *own == keyword)
+            .map(|(_, picture)| picture)
     }
 
     /// Whether the picture of a keyword is there; `None` where nobody can tell.
     pub fn has(&self, keyword: &str) -> Option<bool> {
-        self.picture(keyword).map_or(Some(false), |picture| (!picture.is_open).then_some(picture.file.is_some()))
+        self.picture(keyword).map_or(Some(false), |picture| {
+            (!picture.is_open).then_some(picture.file.is_some())
+        })
     }
 
     /// All pictures that are there, with what they are for.
     pub fn found(&self) -> impl Iterator<Item = (&'a str, &Picture<'a>, &'a FileFacts)> {
-        let litsphere = self.litsphere.iter().map(|picture| ("litsphereTexture", picture));
-        let parameters = self.parameters.iter().map(|(name, picture)| (*name, picture));
-        let all = self.pictures.iter().map(|(keyword, picture)| (*keyword, picture)).chain(litsphere).chain(parameters);
+        let litsphere = self
+            .litsphere
+            .iter()
+            .map(|picture| ("litsphereTexture", picture));
+        let parameters = self
+            .parameters
+            .iter()
+            .map(|(name, picture)| (*name, picture));
+        let all = self
+            .pictures
+            .iter()
+            .map(|(keyword, picture)| (*keyword, picture))
+            .chain(litsphere)
+            .chain(parameters);
         all.filter_map(|(keyword, picture)| Some((keyword, picture, picture.file?)))
     }
 

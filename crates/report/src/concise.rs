@@ -15,8 +15,11 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
     if !view.quiet {
         let summary = &outcome.summary;
         let unchecked: Vec<String> = unchecked(outcome).collect();
-        let unchecked =
-            if unchecked.is_empty() { String::new() } else { format!("; not checked: {}", unchecked.join("; ")) };
+        let unchecked = if unchecked.is_empty() {
+            String::new()
+        } else {
+            format!("; not checked: {}", unchecked.join("; "))
+        };
         writeln!(
             out,
             "{}: {}, {}, {} in {}{}{}",
@@ -34,10 +37,19 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
 
 /// `; MakeHuman 2: pass, MPFB: fail`: the verdict for each of several applications.
 fn endings(outcome: &Outcome) -> String {
-    let word = |verdict| if verdict == Verdict::Pass { "pass" } else { "fail" };
+    let word = |verdict| {
+        if verdict == Verdict::Pass {
+            "pass"
+        } else {
+            "fail"
+        }
+    };
     let ending = |one: &ApplicationVerdict| format!("{}: {}", one.application, word(one.verdict));
     match outcome.applications.as_slice() {
         [] | [_] => String::new(),
-        several => format!("; {}", several.iter().map(ending).collect::<Vec<_>>().join(", ")),
+        several => format!(
+            "; {}",
+            several.iter().map(ending).collect::<Vec<_>>().join(", ")
+        ),
     }
 }

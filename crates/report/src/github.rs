@@ -1,7 +1,7 @@
 //! Workflow commands of GitHub Actions: each becomes an annotation at its line in a pull request.
 //!
-//! GitHub shows a bounded number for each step and drops the rest without a word; this writer keeps to the
-//! bound, gravest first, and says what it left out.
+//! GitHub shows a bounded number for each step and drops the rest without a word; this writer keeps
+//! to the bound, gravest first, and says what it left out.
 
 use std::io::{self, Write};
 
@@ -17,7 +17,11 @@ const SHOWN: usize = 10;
 pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
     let mut left = Vec::new();
     for level in [Level::Error, Level::Warning, Level::Info] {
-        let of_level: Vec<&Finding> = outcome.findings.iter().filter(|finding| finding.level == level).collect();
+        let of_level: Vec<&Finding> = outcome
+            .findings
+            .iter()
+            .filter(|finding| finding.level == level)
+            .collect();
         for finding in of_level.iter().take(SHOWN) {
             writeln!(out, "{}", command(finding))?;
         }
@@ -27,12 +31,20 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
     }
     if !left.is_empty() {
         let left = left.join(", ");
-        writeln!(out, "{left} more: GitHub shows {SHOWN} of each level; the other reports list all")?;
+        writeln!(
+            out,
+            "{left} more: GitHub shows {SHOWN} of each level; the other reports list all"
+        )?;
     }
     if view.quiet {
         return Ok(());
     }
-    writeln!(out, "{} in {}", verdict::tally(outcome), verdict::files(&outcome.summary))?;
+    writeln!(
+        out,
+        "{} in {}",
+        verdict::tally(outcome),
+        verdict::files(&outcome.summary)
+    )?;
     writeln!(out, "{}", verdict::words(outcome, view))?;
     for line in Matrix::of(outcome).iter().flat_map(Matrix::lines) {
         writeln!(out, "{line}")?;
@@ -50,10 +62,14 @@ fn command(finding: &Finding) -> String {
         Level::Info => "notice",
     };
     let Standing { file, location } = Standing::of(finding);
-    let file = file.map(|file| format!("file={},", property(&phrase::path(file, location)))).unwrap_or_default();
+    let file = file
+        .map(|file| format!("file={},", property(&phrase::path(file, location))))
+        .unwrap_or_default();
     let numbers = [("line", location.line), ("col", location.column)];
-    let place: Vec<String> =
-        numbers.into_iter().filter_map(|(name, number)| Some(format!("{name}={},", number?))).collect();
+    let place: Vec<String> = numbers
+        .into_iter()
+        .filter_map(|(name, number)| Some(format!("{name}={},", number?)))
+        .collect();
     format!(
         "::{word} {file}{}title={}::{}",
         place.concat(),
@@ -64,7 +80,9 @@ fn command(finding: &Finding) -> String {
 
 /// The message of a command: the runner decodes exactly these.
 fn data(text: &str) -> String {
-    text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")
+    text.replace('%', "%25")
+        .replace('\r', "%0D")
+        .replace('\n', "%0A")
 }
 
 /// A property of a command ends at a comma or colon as well.

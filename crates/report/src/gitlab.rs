@@ -12,7 +12,11 @@ use mhlint_diag::{Finding, Level, Outcome, fingerprint};
 /// Writes the list of issues, an empty one if there are none.
 pub(super) fn write(outcome: &Outcome, out: &mut dyn Write) -> io::Result<()> {
     let mut seen = BTreeSet::new();
-    let issues: Vec<Value> = outcome.findings.iter().map(|finding| issue(finding, &mut seen)).collect();
+    let issues: Vec<Value> = outcome
+        .findings
+        .iter()
+        .map(|finding| issue(finding, &mut seen))
+        .collect();
     serde_json::to_writer_pretty(&mut *out, &issues)?;
     writeln!(out)
 }
@@ -31,7 +35,8 @@ fn issue(finding: &Finding, seen: &mut BTreeSet<String>) -> Value {
     })
 }
 
-/// GitLab shows one issue for a fingerprint, and two data roots may hold the same asset with the same fault.
+/// GitLab shows one issue for a fingerprint, and two data roots may hold the same asset with the
+/// same fault.
 fn unique(finding: &Finding, seen: &mut BTreeSet<String>) -> String {
     let own = finding.fingerprint.clone();
     if seen.insert(own.clone()) {

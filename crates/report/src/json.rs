@@ -10,8 +10,9 @@ use serde_json::value::to_raw_value;
 use super::View;
 use super::phrase::message;
 use mhlint_diag::{
-    Application, ApplicationVerdict, AssetGroup, Break, Compared, Confidence, Consumed, Consumer, Evidence, Fares,
-    Finding, Grown, Level, Location, MeasureKind, NotChecked, Outcome, Related, RootSummary, Summary, Verdict,
+    Application, ApplicationVerdict, AssetGroup, Break, Compared, Confidence, Consumed, Consumer,
+    Evidence, Fares, Finding, Grown, Level, Location, MeasureKind, NotChecked, Outcome, Related,
+    RootSummary, Summary, Verdict,
 };
 
 #[derive(Serialize)]
@@ -60,7 +61,11 @@ impl Serialize for Consumers<'_> {
 }
 
 fn row(one: &Consumed) -> Row<'_> {
-    Row { path: &one.path, group: one.group, applications: one.by.iter().map(cell).collect() }
+    Row {
+        path: &one.path,
+        group: one.group,
+        applications: one.by.iter().map(cell).collect(),
+    }
 }
 
 fn cell(consumer: &Consumer) -> Cell<'_> {
@@ -115,14 +120,24 @@ struct FixItem<'a> {
 pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
     let report = Report {
         format: "mhlint-report/1",
-        tool: Tool { name: crate::NAME, version: env!("CARGO_PKG_VERSION") },
-        verdict: if view.pass { Verdict::Pass } else { Verdict::Fail },
+        tool: Tool {
+            name: crate::NAME,
+            version: env!("CARGO_PKG_VERSION"),
+        },
+        verdict: if view.pass {
+            Verdict::Pass
+        } else {
+            Verdict::Fail
+        },
         roots: &outcome.roots,
         summary: &outcome.summary,
         applications: &outcome.applications,
         consumers: Consumers(&outcome.consumers),
         not_checked: &outcome.not_checked,
-        compared: outcome.compared.as_ref().or(outcome.compared_with_baseline.as_ref()),
+        compared: outcome
+            .compared
+            .as_ref()
+            .or(outcome.compared_with_baseline.as_ref()),
         findings: outcome.findings.iter().map(item).collect(),
         notes: outcome.notes.iter().map(super::note).collect(),
     };
@@ -141,10 +156,16 @@ fn item(finding: &Finding) -> Item<'_> {
         help: finding.help.as_deref(),
         breaks: &finding.breaks,
         evidence: finding.evidence.clone().map(finite),
-        measure: finding.measure().map(|one| MeasureItem { of: one.grows.of, value: one.value.0 }),
+        measure: finding.measure().map(|one| MeasureItem {
+            of: one.grows.of,
+            value: one.value.0,
+        }),
         grown: finding.grown,
         related: &finding.related,
-        fix: finding.fix.as_ref().map(|fix| FixItem { kind: fix.kind.word(), title: &fix.title }),
+        fix: finding.fix.as_ref().map(|fix| FixItem {
+            kind: fix.kind.word(),
+            title: &fix.title,
+        }),
         fingerprint: &finding.fingerprint,
     }
 }

@@ -44,7 +44,10 @@ pub const DESCRIPTION: &str = "Checks and evaluates the assets of MakeHuman 2, M
 
 /// What a report writer may know besides the outcome.
 #[derive(Debug, Clone, Copy)]
-#[expect(clippy::struct_excessive_bools, reason = "switches that have nothing to do with each other")]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "switches that have nothing to do with each other"
+)]
 pub struct View<'a> {
     /// Whether the run passes at the level it was asked to fail on.
     pub pass: bool,
@@ -142,7 +145,12 @@ impl Format {
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write(format: Format, outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
+pub fn write(
+    format: Format,
+    outcome: &Outcome,
+    view: &View<'_>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
     match format {
         Format::Human => human::write(outcome, view, out),
         Format::Concise => concise::write(outcome, view, out),

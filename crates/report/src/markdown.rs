@@ -24,15 +24,23 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
     out.write_all(summary(outcome, view, usize::MAX).as_bytes())
 }
 
-/// The Markdown report in at most `room` bytes. Where not all of it fits, the gravest findings are kept and the
-/// number of the others is said. Empty if there is no room for anything.
+/// The Markdown report in at most `room` bytes. Where not all of it fits, the gravest findings are
+/// kept and the number of the others is said. Empty if there is no room for anything.
 pub fn summary(outcome: &Outcome, view: &View<'_>, room: usize) -> String {
     let mut text = head(outcome, view);
-    let explain = if outcome.findings.is_empty() { "" } else { EXPLAIN };
+    let explain = if outcome.findings.is_empty() {
+        ""
+    } else {
+        EXPLAIN
+    };
     let tail = notes(outcome) + explain;
     let fixed = text.len() + tail.len() + RESERVE;
     if fixed > room {
-        return if text.len() <= room { text } else { String::new() };
+        return if text.len() <= room {
+            text
+        } else {
+            String::new()
+        };
     }
     let (all, mut left) = for_page(&outcome.findings);
     let body = Body::of(&all);
@@ -62,10 +70,16 @@ struct Body {
 
 impl Body {
     fn of(findings: &[&Finding]) -> Self {
-        let (infos, loud): (Vec<&Finding>, Vec<&Finding>) =
-            findings.iter().copied().partition(|finding| finding.level == Level::Info);
+        let (infos, loud): (Vec<&Finding>, Vec<&Finding>) = findings
+            .iter()
+            .copied()
+            .partition(|finding| finding.level == Level::Info);
         let ordered = |findings: &[&Finding]| blocks(&by_file(findings).concat());
-        Self { loud: ordered(&loud), infos: ordered(&infos), count: infos.len() }
+        Self {
+            loud: ordered(&loud),
+            infos: ordered(&infos),
+            count: infos.len(),
+        }
     }
 
     fn length(&self) -> usize {
@@ -78,12 +92,17 @@ impl Body {
             return loud;
         }
         let title = count(self.count, "info");
-        format!("{loud}\n<details><summary>{title}</summary>\n{}\n</details>\n", self.infos.concat())
+        format!(
+            "{loud}\n<details><summary>{title}</summary>\n{}\n</details>\n",
+            self.infos.concat()
+        )
     }
 }
 
 fn left_out(number: usize) -> String {
-    format!("\n**{number} more findings** do not fit here; the gravest are shown, the other reports list all.\n")
+    format!(
+        "\n**{number} more findings** do not fit here; the gravest are shown, the other reports list all.\n"
+    )
 }
 
 /// How many blocks fit, from the first on.
@@ -115,26 +134,59 @@ fn head(outcome: &Outcome, view: &View<'_>) -> String {
         summary.info,
         verdict::files(summary),
     );
-    let roots: Vec<String> = verdict::roots(outcome).iter().map(|root| inline(&printable(root))).collect();
-    let checked = if roots.is_empty() { String::new() } else { format!("\nChecked: {}\n", roots.join(", ")) };
-    let taken: Vec<String> = taken::lines(outcome, false).iter().map(|line| inline(&printable(line))).collect();
-    let taken = if taken.is_empty() { String::new() } else { format!("\n{}\n", taken.join("\n\n")) };
+    let roots: Vec<String> = verdict::roots(outcome)
+        .iter()
+        .map(|root| inline(&printable(root)))
+        .collect();
+    let checked = if roots.is_empty() {
+        String::new()
+    } else {
+        format!("\nChecked: {}\n", roots.join(", "))
+    };
+    let taken: Vec<String> = taken::lines(outcome, false)
+        .iter()
+        .map(|line| inline(&printable(line)))
+        .collect();
+    let taken = if taken.is_empty() {
+        String::new()
+    } else {
+        format!("\n{}\n", taken.join("\n\n"))
+    };
     table + &checked + &taken + &matrix(outcome)
 }
 
 /// Who loads what, where several applications do.
 fn matrix(outcome: &Outcome) -> String {
-    let Some(matrix) = Matrix::of(outcome) else { return String::new() };
-    let titles: Vec<&str> = matrix.applications.iter().map(|application| application.title()).collect();
-    let row = |(title, cells): &(&str, Vec<String>)| format!("| {title} | {} |\n", cells.join(" | "));
+    let Some(matrix) = Matrix::of(outcome) else {
+        return String::new();
+    };
+    let titles: Vec<&str> = matrix
+        .applications
+        .iter()
+        .map(|application| application.title())
+        .collect();
+    let row =
+        |(title, cells): &(&str, Vec<String>)| format!("| {title} | {} |\n", cells.join(" | "));
     let rows: Vec<String> = matrix.rows.iter().map(row).collect();
-    format!("\n| loaded by | {} |\n|---|{}\n{}", titles.join(" | "), "---|".repeat(titles.len()), rows.concat())
+    format!(
+        "\n| loaded by | {} |\n|---|{}\n{}",
+        titles.join(" | "),
+        "---|".repeat(titles.len()),
+        rows.concat()
+    )
 }
 
 fn notes(outcome: &Outcome) -> String {
     let list = |title: &str, lines: &mut dyn Iterator<Item = String>| {
-        let lines = lines.map(|line| format!("- {}\n", inline(&printable(&line)))).collect::<Vec<_>>().concat();
-        if lines.is_empty() { String::new() } else { format!("\n### {title}\n\n{lines}") }
+        let lines = lines
+            .map(|line| format!("- {}\n", inline(&printable(&line))))
+            .collect::<Vec<_>>()
+            .concat();
+        if lines.is_empty() {
+            String::new()
+        } else {
+            format!("\n### {title}\n\n{lines}")
+        }
     };
     let notes = list("Notes", &mut outcome.notes.iter().map(super::note));
     notes + &list("Not checked", &mut unchecked(outcome))
@@ -146,7 +198,11 @@ fn blocks(findings: &[&Finding]) -> Vec<String> {
     let mut blocks = Vec::with_capacity(findings.len());
     for finding in findings {
         let is_new = path.replace(&finding.path) != Some(finding.path.as_str());
-        let heading = if is_new { format!("\n### {}\n\n", code(&phrase::path_of(finding))) } else { String::new() };
+        let heading = if is_new {
+            format!("\n### {}\n\n", code(&phrase::path_of(finding)))
+        } else {
+            String::new()
+        };
         blocks.push(heading + &item(finding));
     }
     blocks
@@ -166,19 +222,32 @@ fn item(finding: &Finding) -> String {
     );
     let lines = phrase::lines(finding).into_iter();
     let lines = lines.map(|line| format!("  - {}: {}\n", line.label, inline(&line.text)));
-    [message, quoted(finding)].into_iter().chain(lines).collect::<Vec<_>>().concat()
+    [message, quoted(finding)]
+        .into_iter()
+        .chain(lines)
+        .collect::<Vec<_>>()
+        .concat()
 }
 
-/// The source lines as a block of code, its fence longer than any in them. Infos are folded and do without.
+/// The source lines as a block of code, its fence longer than any in them. Infos are folded and do
+/// without.
 fn quoted(finding: &Finding) -> String {
-    let excerpt = finding.location.excerpt.as_ref().filter(|_| finding.level > Level::Info);
+    let excerpt = finding
+        .location
+        .excerpt
+        .as_ref()
+        .filter(|_| finding.level > Level::Info);
     let Some(found) = excerpt.and_then(|excerpt| snippet(excerpt, WIDTH)) else {
         return String::new();
     };
     let fence = "`".repeat(longest_run(&found.text).max(2) + 1);
     let (marked, mark) = mark(&found);
     let numbered = |(at, line): (usize, &str)| {
-        let below = if at == marked { format!("  {:>5} | {mark}\n", "") } else { String::new() };
+        let below = if at == marked {
+            format!("  {:>5} | {mark}\n", "")
+        } else {
+            String::new()
+        };
         format!("  {:>5} | {line}\n{below}", found.first_line + at)
     };
     let lines: Vec<String> = found.text.split('\n').enumerate().map(numbered).collect();
@@ -191,17 +260,31 @@ fn mark(found: &Snippet) -> (usize, String) {
     let lead = before.rsplit('\n').next().unwrap_or_default();
     let marked = found.text.get(found.mark.clone()).unwrap_or_default();
     let length = |text: &str| text.chars().count();
-    (before.matches('\n').count(), format!("{}{}", " ".repeat(length(lead)), "^".repeat(length(marked).max(1))))
+    (
+        before.matches('\n').count(),
+        format!(
+            "{}{}",
+            " ".repeat(length(lead)),
+            "^".repeat(length(marked).max(1))
+        ),
+    )
 }
 
 fn longest_run(text: &str) -> usize {
-    text.split(|character| character != '`').map(str::len).max().unwrap_or(0)
+    text.split(|character| character != '`')
+        .map(str::len)
+        .max()
+        .unwrap_or(0)
 }
 
 /// A name as code: nothing inside is read as Markdown.
 fn code(name: &str) -> String {
     let fence = "`".repeat(longest_run(name) + 1);
-    let pad = if name.contains('`') || name.trim().len() < name.len() || name.is_empty() { " " } else { "" };
+    let pad = if name.contains('`') || name.trim().len() < name.len() || name.is_empty() {
+        " "
+    } else {
+        ""
+    };
     format!("{fence}{pad}{name}{pad}{fence}")
 }
 
@@ -227,8 +310,8 @@ fn escape(words: &str) -> String {
     let mut escaped = String::with_capacity(words.len());
     for (at, character) in words.char_indices() {
         let before = words.get(..at).unwrap_or_default();
-        let links =
-            (character == ':' && words[at..].starts_with("://")) || (character == '.' && before.ends_with("www"));
+        let links = (character == ':' && words[at..].starts_with("://"))
+            || (character == '.' && before.ends_with("www"));
         if links || "\\`*_[]<>&|~#!$".contains(character) {
             escaped.push('\\');
         }
@@ -247,8 +330,14 @@ mod tests {
 
     #[test]
     fn words_stay_words() {
-        assert_eq!(inline("a `b*` <i> [x](y) _z_"), "a `b*` \\<i\\> \\[x\\](y) \\_z\\_");
-        assert_eq!(inline("see http://x and www.y for @me"), "see http\\://x and www\\.y for @\u{200b}me");
+        assert_eq!(
+            inline("a `b*` <i> [x](y) _z_"),
+            "a `b*` \\<i\\> \\[x\\](y) \\_z\\_"
+        );
+        assert_eq!(
+            inline("see http://x and www.y for @me"),
+            "see http\\://x and www\\.y for @\u{200b}me"
+        );
         assert_eq!(inline("`a``b`"), "`a` `b`");
     }
 
@@ -261,18 +350,38 @@ mod tests {
     #[test]
     fn the_mark_stands_below_its_text() {
         let marked = |text: &str, range: std::ops::Range<usize>| {
-            mark(&Snippet { text: text.to_owned(), first_line: 1, mark: range })
+            mark(&Snippet {
+                text: text.to_owned(),
+                first_line: 1,
+                mark: range,
+            })
         };
         assert_eq!(marked("a\n\u{e4}bc\nd", 4..6), (1, " ^^".to_owned()));
-        assert_eq!(marked("ab", 2..2), (0, "  ^".to_owned()), "the end of a line");
+        assert_eq!(
+            marked("ab", 2..2),
+            (0, "  ^".to_owned()),
+            "the end of a line"
+        );
     }
 
     fn outcome(count: usize) -> Outcome {
         let finding = |number| {
-            let level = if number % 10 == 0 { Level::Error } else { Level::Info };
-            Finding::new(&RuleInfo::new("a-rule", level, ""), format!("f{number}"), Place::File, "it is so")
+            let level = if number % 10 == 0 {
+                Level::Error
+            } else {
+                Level::Info
+            };
+            Finding::new(
+                &RuleInfo::new("a-rule", level, ""),
+                format!("f{number}"),
+                Place::File,
+                "it is so",
+            )
         };
-        let mut outcome = Outcome { findings: (0..count).map(finding).collect(), ..Outcome::default() };
+        let mut outcome = Outcome {
+            findings: (0..count).map(finding).collect(),
+            ..Outcome::default()
+        };
         outcome.summary.info = count;
         outcome
     }
@@ -283,10 +392,17 @@ mod tests {
         assert_eq!(all.matches("**info**").count(), 90);
         let room = all.len() / 2;
         let some = summary(&outcome(100), &View::PLAIN, room);
-        assert!(some.len() <= room && some.len() > room / 2, "{} of {room}", some.len());
+        assert!(
+            some.len() <= room && some.len() > room / 2,
+            "{} of {room}",
+            some.len()
+        );
         assert_eq!(some.matches("**error**").count(), 10);
         let left = 90 - some.matches("**info**").count();
-        assert!(some.contains(&format!("**{left} more findings**")), "{some}");
+        assert!(
+            some.contains(&format!("**{left} more findings**")),
+            "{some}"
+        );
         assert_eq!(summary(&outcome(100), &View::PLAIN, 10), "");
     }
 }

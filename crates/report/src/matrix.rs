@@ -21,31 +21,67 @@ impl Matrix {
         if outcome.applications.len() < 2 {
             return None;
         }
-        let applications: Vec<Application> = outcome.applications.iter().map(|one| one.application).collect();
+        let applications: Vec<Application> = outcome
+            .applications
+            .iter()
+            .map(|one| one.application)
+            .collect();
         let all = tallies(outcome);
-        let cell = |group, own: &Application| all.get(&(group, *own)).map_or(NONE.to_owned(), |tally| tally.words());
-        let cells = |group| applications.iter().map(|own| cell(group, own)).collect::<Vec<_>>();
-        let rows = AssetGroup::ALL.into_iter().map(|group| (title(group), cells(group)));
-        let mut rows: Vec<(&str, Vec<String>)> =
-            rows.filter(|(_, cells)| cells.iter().any(|cell| cell != NONE)).collect();
+        let cell = |group, own: &Application| {
+            all.get(&(group, *own))
+                .map_or(NONE.to_owned(), |tally| tally.words())
+        };
+        let cells = |group| {
+            applications
+                .iter()
+                .map(|own| cell(group, own))
+                .collect::<Vec<_>>()
+        };
+        let rows = AssetGroup::ALL
+            .into_iter()
+            .map(|group| (title(group), cells(group)));
+        let mut rows: Vec<(&str, Vec<String>)> = rows
+            .filter(|(_, cells)| cells.iter().any(|cell| cell != NONE))
+            .collect();
         if rows.is_empty() {
             return None;
         }
-        rows.push(("verdict", outcome.applications.iter().map(|one| verdict(one.verdict).to_owned()).collect()));
+        rows.push((
+            "verdict",
+            outcome
+                .applications
+                .iter()
+                .map(|one| verdict(one.verdict).to_owned())
+                .collect(),
+        ));
         Some(Self { applications, rows })
     }
 
     /// Lines in columns.
     pub(super) fn lines(&self) -> Vec<String> {
-        let titles = self.applications.iter().map(|application| application.title().to_owned());
+        let titles = self
+            .applications
+            .iter()
+            .map(|application| application.title().to_owned());
         let head = ("loaded by", titles.collect::<Vec<_>>());
         let rows: Vec<&(&str, Vec<String>)> = std::iter::once(&head).chain(&self.rows).collect();
-        let width = |at: usize| rows.iter().filter_map(|(_, cells)| cells.get(at)).map(String::len).max().unwrap_or(0);
+        let width = |at: usize| {
+            rows.iter()
+                .filter_map(|(_, cells)| cells.get(at))
+                .map(String::len)
+                .max()
+                .unwrap_or(0)
+        };
         let widths: Vec<usize> = (0..self.applications.len()).map(width).collect();
         let first = rows.iter().map(|(title, _)| title.len()).max().unwrap_or(0);
         let line = |(title, cells): &(&str, Vec<String>)| {
-            let cells = cells.iter().zip(&widths).map(|(cell, width)| format!("  {cell:<width$}"));
-            format!("{title:<first$}{}", cells.collect::<Vec<_>>().concat()).trim_end().to_owned()
+            let cells = cells
+                .iter()
+                .zip(&widths)
+                .map(|(cell, width)| format!("  {cell:<width$}"));
+            format!("{title:<first$}{}", cells.collect::<Vec<_>>().concat())
+                .trim_end()
+                .to_owned()
         };
         rows.into_iter().map(line).collect()
     }
@@ -73,7 +109,11 @@ pub(super) type Tallies = BTreeMap<(AssetGroup, Application), Tally>;
 pub(super) fn tallies(outcome: &Outcome) -> Tallies {
     let mut all = Tallies::new();
     for row in &outcome.consumers {
-        row.by.iter().for_each(|one| all.entry((row.group, one.application)).or_default().add(one));
+        row.by.iter().for_each(|one| {
+            all.entry((row.group, one.application))
+                .or_default()
+                .add(one)
+        });
     }
     all
 }
@@ -96,7 +136,11 @@ impl Tally {
             Self { warning: 1.., .. } => format!("warning in {} of {}", self.warning, self.files),
             Self { not_checked: 0, .. } => self.files.to_string(),
             _ if self.not_checked == self.files => format!("{} not checked", self.files),
-            _ => format!("{} and {} not checked", self.files - self.not_checked, self.not_checked),
+            _ => format!(
+                "{} and {} not checked",
+                self.files - self.not_checked,
+                self.not_checked
+            ),
         }
     }
 }
@@ -136,27 +180,47 @@ mod tests {
             archive: None,
             fares: *fares,
         });
-        Consumed { path: path.to_owned(), group, by: by.collect() }
+        Consumed {
+            path: path.to_owned(),
+            group,
+            by: by.collect(),
+        }
     }
 
     fn run(verdicts: &[(Application, Verdict)]) -> Outcome {
         use Application::{Makehuman2, Mpfb};
-        let clothes = |path, fares| row(path, AssetGroup::Clothes, &[(Makehuman2, Fares::Fine), (Mpfb, fares)]);
+        let clothes = |path, fares| {
+            row(
+                path,
+                AssetGroup::Clothes,
+                &[(Makehuman2, Fares::Fine), (Mpfb, fares)],
+            )
+        };
         let applications = verdicts
             .iter()
-            .map(|(application, verdict)| ApplicationVerdict { application: *application, verdict: *verdict });
+            .map(|(application, verdict)| ApplicationVerdict {
+                application: *application,
+                verdict: *verdict,
+            });
         let consumers = vec![
             clothes("a", Fares::Warning),
             clothes("b", Fares::Error),
             clothes("c", Fares::Info),
             row("d", AssetGroup::Program, &[(Mpfb, Fares::NotChecked)]),
         ];
-        Outcome { consumers, applications: applications.collect(), ..Outcome::default() }
+        Outcome {
+            consumers,
+            applications: applications.collect(),
+            ..Outcome::default()
+        }
     }
 
     #[test]
     fn each_application_has_a_column_with_its_gravest_level() {
-        let both = [(Application::Makehuman2, Verdict::Pass), (Application::Mpfb, Verdict::Fail)];
+        let both = [
+            (Application::Makehuman2, Verdict::Pass),
+            (Application::Mpfb, Verdict::Fail),
+        ];
         let lines = Matrix::of(&run(&both)).unwrap().lines();
         let wanted = [
             "loaded by  MakeHuman 2  MPFB",

@@ -23,13 +23,23 @@ pub(super) fn step(step: &FailedStep) -> String {
 /// One sentence, not made harmless yet.
 pub fn note(note: &Note) -> String {
     match note {
-        Note::SystemIsChecked { path } => format!("`--system` names the checked folder itself; {path} is checked"),
+        Note::SystemIsChecked { path } => {
+            format!("`--system` names the checked folder itself; {path} is checked")
+        }
         Note::StandsAlone { path, application } => {
-            format!("{path} is the data of {application} itself, and was checked without those of `--system`")
+            format!(
+                "{path} is the data of {application} itself, and was checked without those of `--system`"
+            )
         }
         Note::NothingFor { applications } => {
-            let titles: Vec<&str> = applications.iter().map(|application| application.title()).collect();
-            format!("nothing was checked for {}: no PATH has the layout of its data", titles.join(", "))
+            let titles: Vec<&str> = applications
+                .iter()
+                .map(|application| application.title())
+                .collect();
+            format!(
+                "nothing was checked for {}: no PATH has the layout of its data",
+                titles.join(", ")
+            )
         }
         Note::Compared { with, gone } => {
             let gone = match gone {

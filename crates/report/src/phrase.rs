@@ -1,10 +1,12 @@
-//! Findings in words that every format for people uses: places, evidence, and the whole as lines of plain text.
+//! Findings in words that every format for people uses: places, evidence, and the whole as lines of
+//! plain text.
 
 use std::borrow::Cow;
 
 use super::{count, printable};
 use mhlint_diag::{
-    Confidence, Evidence, Finding, Fix, FixKind, Grown, IgnoredFiles, Location, MeasureKind, NewParts, Related, Worst,
+    Confidence, Evidence, Finding, Fix, FixKind, Grown, IgnoredFiles, Location, MeasureKind,
+    NewParts, Related, Worst,
 };
 
 /// Related places that a text names; formats with room for more have their own bound.
@@ -21,8 +23,15 @@ pub(super) struct Line {
 
 /// Everything below the message: consequence for each application, evidence, other places, help.
 pub(super) fn lines(finding: &Finding) -> Vec<Line> {
-    let line = |label: &str, text: &str| Line { label: label.to_owned(), text: printable(text) };
-    let mut lines: Vec<Line> = finding.breaks.iter().map(|one| line(one.application.title(), &one.effect)).collect();
+    let line = |label: &str, text: &str| Line {
+        label: label.to_owned(),
+        text: printable(text),
+    };
+    let mut lines: Vec<Line> = finding
+        .breaks
+        .iter()
+        .map(|one| line(one.application.title(), &one.effect))
+        .collect();
     if let Some(evidence) = evidence_of(finding) {
         lines.push(line("seen", &evidence));
     }
@@ -30,7 +39,10 @@ pub(super) fn lines(finding: &Finding) -> Vec<Line> {
         lines.push(line("see", &note(finding, related)));
     }
     if finding.related.len() > RELATED {
-        lines.push(line("see", &count(finding.related.len() - RELATED, "more place")));
+        lines.push(line(
+            "see",
+            &count(finding.related.len() - RELATED, "more place"),
+        ));
     }
     if let Some(help) = &finding.help {
         lines.push(line("help", help));
@@ -48,25 +60,49 @@ pub(super) fn is_note(finding: &Finding, related: &Related) -> bool {
 
 /// Another place and what is there.
 fn note(finding: &Finding, related: &Related) -> String {
-    let place = || format!("{}{}", path(&related.path, &related.location), colons(&related.location));
-    if is_note(finding, related) { related.message.clone() } else { format!("{}: {}", place(), related.message) }
+    let place = || {
+        format!(
+            "{}{}",
+            path(&related.path, &related.location),
+            colons(&related.location)
+        )
+    };
+    if is_note(finding, related) {
+        related.message.clone()
+    } else {
+        format!("{}: {}", place(), related.message)
+    }
 }
 
 /// The evidence in words, without a number and a worst case that the message names.
 pub(super) fn evidence_of(finding: &Finding) -> Option<String> {
     let evidence = finding.evidence.as_ref()?;
     let number = counted(evidence);
-    let things = if finding.counts.is_empty() { String::new() } else { format!(" {}", finding.counts) };
+    let things = if finding.counts.is_empty() {
+        String::new()
+    } else {
+        format!(" {}", finding.counts)
+    };
     let number = (!counts(&message(finding), &number)).then(|| number + &things);
     // Of one case the message says how bad it is.
     let worst = evidence.worst.as_ref().filter(|_| evidence.count > 1);
-    let mut texts = finding.related.iter().map(|one| &one.message).chain([&finding.message]);
-    evidence_line(evidence, number, worst.filter(|worst| !texts.any(|text| names(text, &worst.place))))
+    let mut texts = finding
+        .related
+        .iter()
+        .map(|one| &one.message)
+        .chain([&finding.message]);
+    evidence_line(
+        evidence,
+        number,
+        worst.filter(|worst| !texts.any(|text| names(text, &worst.place))),
+    )
 }
 
 /// `108 of 216`.
 fn counted(evidence: &Evidence) -> String {
-    let of = evidence.of.map_or_else(String::new, |of| format!(" of {of}"));
+    let of = evidence
+        .of
+        .map_or_else(String::new, |of| format!(" of {of}"));
     format!("{}{of}", evidence.count)
 }
 
@@ -79,22 +115,32 @@ fn counts(text: &str, number: &str) -> bool {
     };
     let found = text.match_indices(number);
     let mut sides = found.map(|(at, _)| (text.get(..at), text.get(at + number.len()..)));
-    sides.any(|(before, after)| !before.is_some_and(|text| text.ends_with(is_part)) && !after.is_some_and(behind))
+    sides.any(|(before, after)| {
+        !before.is_some_and(|text| text.ends_with(is_part)) && !after.is_some_and(behind)
+    })
 }
 
 /// Whether a text names a place: `vertex 17`, not only `vertex 170`.
 fn names(text: &str, place: &str) -> bool {
     let ends = |behind: &str| !behind.starts_with(|next: char| next.is_ascii_digit());
-    !place.is_empty() && text.match_indices(place).any(|(at, _)| text.get(at + place.len()..).is_some_and(ends))
+    !place.is_empty()
+        && text
+            .match_indices(place)
+            .any(|(at, _)| text.get(at + place.len()..).is_some_and(ends))
 }
 
 /// Which option fixes it, and how.
 pub(super) fn fixed_by(fix: &Fix) -> String {
-    let option = if fix.kind == FixKind::Safe { "`--fix`" } else { "`--fix --unsafe-fixes`" };
+    let option = if fix.kind == FixKind::Safe {
+        "`--fix`"
+    } else {
+        "`--fix --unsafe-fixes`"
+    };
     format!("{} ({option})", fix.title)
 }
 
-/// What is wrong; how much of it is new, how much more of it there is, or how many of the files that have it are ignored.
+/// What is wrong; how much of it is new, how much more of it there is, or how many of the files
+/// that have it are ignored.
 pub(super) fn message(finding: &Finding) -> Cow<'_, str> {
     let be = |count: u64| if count == 1 { "is" } else { "are" };
     let message = &finding.message;
@@ -102,12 +148,16 @@ pub(super) fn message(finding: &Finding) -> Cow<'_, str> {
         return Cow::Owned(format!("{message}; {}", worse(grown)));
     }
     match (&finding.new_parts, &finding.ignored) {
-        (Some(NewParts { count, of }), _) if count < of => {
-            Cow::Owned(format!("{message}; {count} of these {of} {} new", be(*count)))
-        }
+        (Some(NewParts { count, of }), _) if count < of => Cow::Owned(format!(
+            "{message}; {count} of these {of} {} new",
+            be(*count)
+        )),
         (_, Some(IgnoredFiles { files, of })) => {
             let count = files.len();
-            Cow::Owned(format!("{message}; {count} of these {of} files {} ignored", be(count as u64)))
+            Cow::Owned(format!(
+                "{message}; {count} of these {of} files {} ignored",
+                be(count as u64)
+            ))
         }
         _ => Cow::Borrowed(message),
     }
@@ -125,19 +175,30 @@ fn worse(grown: &Grown) -> String {
         MeasureKind::Weight => "weight",
         MeasureKind::Sine => "sine of the angle",
     };
-    format!("{of} {} now, {} before", figure(grown.to), figure(grown.from))
+    format!(
+        "{of} {} now, {} before",
+        figure(grown.to),
+        figure(grown.from)
+    )
 }
 
 /// With four digits that count, and seven behind the point at most.
 fn figure(value: f64) -> String {
     const LEAST: [f64; 7] = [1000.0, 100.0, 10.0, 1.0, 0.1, 0.01, 0.001];
-    let digits = LEAST.iter().take_while(|least| value.abs() < **least).count();
+    let digits = LEAST
+        .iter()
+        .take_while(|least| value.abs() < **least)
+        .count();
     format!("{value:.digits$}")
 }
 
 /// Message and lines as plain text, each on its own line.
 pub(super) fn plain(finding: &Finding) -> String {
-    let mut text = format!("{}{}", printable(&message(finding)), doubt(finding.confidence));
+    let mut text = format!(
+        "{}{}",
+        printable(&message(finding)),
+        doubt(finding.confidence)
+    );
     for line in lines(finding) {
         text.push('\n');
         text.push_str(&line.label);
@@ -165,8 +226,8 @@ pub(super) enum Piece<'a> {
     Name(&'a str),
 }
 
-/// Takes a text apart at its back quotes. A name that holds one itself only shifts what counts as a name, so
-/// both kinds have to be escaped.
+/// Takes a text apart at its back quotes. A name that holds one itself only shifts what counts as a
+/// name, so both kinds have to be escaped.
 pub(super) fn pieces(text: &str) -> Vec<Piece<'_>> {
     let mut pieces = Vec::new();
     let mut rest = text;
@@ -184,7 +245,11 @@ pub(super) fn pieces(text: &str) -> Vec<Piece<'_>> {
 /// The path of a place; the working directory has a name as well, and a folder ends in a slash.
 pub(super) fn path(path: &str, location: &Location) -> String {
     let path = if path.is_empty() { "." } else { path };
-    let slash = if location.folder.is_some() && !path.ends_with('/') { "/" } else { "" };
+    let slash = if location.folder.is_some() && !path.ends_with('/') {
+        "/"
+    } else {
+        ""
+    };
     printable(&format!("{path}{slash}"))
 }
 
@@ -199,8 +264,13 @@ pub(super) fn bare_place(location: &Location) -> Option<String> {
         Some(column) => format!("line {line}, column {column}"),
         None => format!("line {line}"),
     });
-    let element = location.element.map(|element| format!("{} {}", element.kind, element.index));
-    let pointer = location.pointer.clone().filter(|pointer| line.is_none() && !pointer.is_empty());
+    let element = location
+        .element
+        .map(|element| format!("{} {}", element.kind, element.index));
+    let pointer = location
+        .pointer
+        .clone()
+        .filter(|pointer| line.is_none() && !pointer.is_empty());
     let parts: Vec<String> = [line, element, pointer].into_iter().flatten().collect();
     (!parts.is_empty()).then(|| parts.join(", "))
 }
@@ -208,7 +278,12 @@ pub(super) fn bare_place(location: &Location) -> Option<String> {
 /// `path:line:column: level[rule] message`.
 pub(super) fn one_line(finding: &Finding) -> String {
     let place = format!("{}{}", path_of(finding), colons(&finding.location));
-    format!("{place}: {}[{}] {}", finding.level, finding.rule, printable(&message(finding)))
+    format!(
+        "{place}: {}[{}] {}",
+        finding.level,
+        finding.rule,
+        printable(&message(finding))
+    )
 }
 
 /// `:line:column` behind a path.
@@ -220,12 +295,20 @@ pub(super) fn colons(location: &Location) -> String {
     }
 }
 
-/// `108 of 216: a, b, c and 105 more; worst 0.5 at vertex 7`. Nothing for a single case: the message says it.
-fn evidence_line(evidence: &Evidence, count: Option<String>, worst: Option<&Worst>) -> Option<String> {
+/// `108 of 216: a, b, c and 105 more; worst 0.5 at vertex 7`. Nothing for a single case: the
+/// message says it.
+fn evidence_line(
+    evidence: &Evidence,
+    count: Option<String>,
+    worst: Option<&Worst>,
+) -> Option<String> {
     if evidence.count < 2 {
         return None;
     }
-    let left = evidence.groups.unwrap_or(evidence.count).saturating_sub(evidence.examples.len() as u64);
+    let left = evidence
+        .groups
+        .unwrap_or(evidence.count)
+        .saturating_sub(evidence.examples.len() as u64);
     let examples = match (evidence.examples.is_empty(), left) {
         (true, _) => None,
         (false, 0) => Some(evidence.examples.join(", ")),
@@ -233,8 +316,11 @@ fn evidence_line(evidence: &Evidence, count: Option<String>, worst: Option<&Wors
     };
     let cases: Vec<String> = [count, examples].into_iter().flatten().collect();
     let worst = worst.map(|worst| format!("worst {} at {}", number(worst.value), worst.place));
-    let parts: Vec<String> =
-        [Some(cases.join(": ")), worst].into_iter().flatten().filter(|part| !part.is_empty()).collect();
+    let parts: Vec<String> = [Some(cases.join(": ")), worst]
+        .into_iter()
+        .flatten()
+        .filter(|part| !part.is_empty())
+        .collect();
     (!parts.is_empty()).then(|| parts.join("; "))
 }
 
@@ -247,8 +333,13 @@ fn number(value: f64) -> String {
     if !(1e-3..1e7).contains(&size) {
         let text = format!("{value:.3e}");
         // What is not finite has no power.
-        let Some((digits, power)) = text.split_once('e') else { return text };
-        return format!("{}e{power}", digits.trim_end_matches('0').trim_end_matches('.'));
+        let Some((digits, power)) = text.split_once('e') else {
+            return text;
+        };
+        return format!(
+            "{}e{power}",
+            digits.trim_end_matches('0').trim_end_matches('.')
+        );
     }
     let text = format!("{value:.4}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -264,22 +355,41 @@ mod tests {
         let named = Evidence::of_groups(["a-*", "b-*"], 108).out_of(216);
         assert_eq!(said("it", named).as_deref(), Some("108 of 216: a-*, b-*"));
         let cut = Evidence::of_groups(["a"; 7], 99);
-        assert_eq!(said("it", cut).as_deref(), Some("99: a, a, a, a, a and 2 more"));
+        assert_eq!(
+            said("it", cut).as_deref(),
+            Some("99: a, a, a, a, a and 2 more")
+        );
         let single = Evidence::counted(1).with_worst(0.5, "vertex 3");
         assert_eq!(said("it", single), None);
     }
 
     #[test]
     fn what_is_counted_has_a_noun_where_the_rule_has_one() {
-        let rule = RuleInfo { counts: "rows", ..RuleInfo::new("a-rule", Level::Error, "") };
-        let finding = Finding::new(&rule, "a", Place::File, "it").evidence(Evidence::of_unnamed(["x", "y"]).out_of(9));
+        let rule = RuleInfo {
+            counts: "rows",
+            ..RuleInfo::new("a-rule", Level::Error, "")
+        };
+        let finding = Finding::new(&rule, "a", Place::File, "it")
+            .evidence(Evidence::of_unnamed(["x", "y"]).out_of(9));
         assert_eq!(evidence_of(&finding).as_deref(), Some("2 of 9 rows: x, y"));
-        let noted = finding.related("a", Place::File, "set it").related("b", Place::File, "the other");
-        assert!(plain(&noted).ends_with("see: set it\nsee: b: the other"), "{}", plain(&noted));
+        let noted =
+            finding
+                .related("a", Place::File, "set it")
+                .related("b", Place::File, "the other");
+        assert!(
+            plain(&noted).ends_with("see: set it\nsee: b: the other"),
+            "{}",
+            plain(&noted)
+        );
     }
 
     fn said(message: &str, evidence: Evidence) -> Option<String> {
-        let finding = Finding::new(&RuleInfo::new("a-rule", Level::Error, ""), "a", Place::File, message);
+        let finding = Finding::new(
+            &RuleInfo::new("a-rule", Level::Error, ""),
+            "a",
+            Place::File,
+            message,
+        );
         evidence_of(&finding.evidence(evidence))
     }
 
@@ -288,27 +398,42 @@ mod tests {
         let rows = || Evidence::counted(3).out_of(20);
         assert_eq!(said("3 of 20 rows are empty", rows()), None);
         assert_eq!(said("3 rows are empty", rows()).as_deref(), Some("3 of 20"));
-        assert_eq!(said("13 of 20 rows, 3 of 200, 3 of 20.5, a-3 of 20", rows()).as_deref(), Some("3 of 20"));
+        assert_eq!(
+            said("13 of 20 rows, 3 of 200, 3 of 20.5, a-3 of 20", rows()).as_deref(),
+            Some("3 of 20")
+        );
         let worst = || rows().with_worst(0.5, "vertex 7");
-        assert_eq!(said("3 of 20 rows are empty", worst()).as_deref(), Some("worst 0.5 at vertex 7"));
+        assert_eq!(
+            said("3 of 20 rows are empty", worst()).as_deref(),
+            Some("worst 0.5 at vertex 7")
+        );
         let named = || Evidence::of_unnamed(["a", "b", "c"]);
         assert_eq!(said("there are 3.", named()).as_deref(), Some("a, b, c"));
     }
 
     #[test]
     fn a_finding_in_plain_words() {
-        let rule = RuleInfo { breaks: &[(Application::Mpfb, "stops")], ..RuleInfo::new("a-rule", Level::Error, "") };
+        let rule = RuleInfo {
+            breaks: &[(Application::Mpfb, "stops")],
+            ..RuleInfo::new("a-rule", Level::Error, "")
+        };
         let finding = Finding::new(&rule, "a", Place::File, "it is\nso")
             .confidence(Confidence::Low)
             .related("b", Place::File, "the other")
             .help("mend it");
-        assert_eq!(plain(&finding), "it is so (a guess)\nMPFB: stops\nsee: b: the other\nhelp: mend it");
+        assert_eq!(
+            plain(&finding),
+            "it is so (a guess)\nMPFB: stops\nsee: b: the other\nhelp: mend it"
+        );
     }
 
     #[test]
     fn names_stand_between_back_quotes() {
         use Piece::{Name, Words};
-        assert_eq!(pieces("`a` and `b`"), [Name("a"), Words(" and "), Name("b")]);
+        assert_eq!(
+            pieces("`a` and `b`"),
+            [Name("a"), Words(" and "), Name("b")]
+        );
         assert_eq!(pieces("one ` only"), [Words("one ` only")]);
         assert_eq!(pieces("`a`b`c"), [Name("a"), Words("b`c")]);
         assert_eq!(pieces(""), []);
@@ -316,7 +441,12 @@ mod tests {
 
     #[test]
     fn related_places_are_bounded() {
-        let mut finding = Finding::new(&RuleInfo::new("a-rule", Level::Error, ""), "a", Place::File, "it");
+        let mut finding = Finding::new(
+            &RuleInfo::new("a-rule", Level::Error, ""),
+            "a",
+            Place::File,
+            "it",
+        );
         for _ in 0..RELATED + 2 {
             finding = finding.related("b", Place::File, "there");
         }

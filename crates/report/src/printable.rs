@@ -1,10 +1,12 @@
-//! Text of an asset made harmless wherever it is read by people: a terminal, the log of a CI system, a page.
+//! Text of an asset made harmless wherever it is read by people: a terminal, the log of a CI
+//! system, a page.
 
 /// What takes the place of a character that would do something instead of being read.
 const SHOWN: char = '\u{fffd}';
 
-/// The text on one line, without characters that control a terminal, turn the direction of writing or are no
-/// text at all, and without what CI systems take for a command (`::error::`, `##[group]`, `##vso[...]`).
+/// The text on one line, without characters that control a terminal, turn the direction of writing
+/// or are no text at all, and without what CI systems take for a command (`::error::`, `##[group]`,
+/// `##vso[...]`).
 pub fn printable(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     let mut characters = text.chars().peekable();
@@ -33,7 +35,8 @@ fn is_direction(character: char) -> bool {
 
 /// Code points that neither XML nor HTML accepts, and the byte order mark.
 fn is_no_text(character: char) -> bool {
-    matches!(character, '\u{feff}' | '\u{fdd0}'..='\u{fdef}') || u32::from(character) & 0xfffe == 0xfffe
+    matches!(character, '\u{feff}' | '\u{fdd0}'..='\u{fdef}')
+        || u32::from(character) & 0xfffe == 0xfffe
 }
 
 #[cfg(test)]
@@ -42,7 +45,10 @@ mod tests {
 
     #[test]
     fn what_would_act_is_shown_instead() {
-        assert_eq!(printable("a\u{1b}[31m\u{0}b\nc\td"), "a\u{fffd}[31m\u{fffd}b c d");
+        assert_eq!(
+            printable("a\u{1b}[31m\u{0}b\nc\td"),
+            "a\u{fffd}[31m\u{fffd}b c d"
+        );
         assert_eq!(
             printable("\u{202e}gpj\u{2066}\u{feff}\u{ffff}\u{1fffe}"),
             "\u{fffd}gpj\u{fffd}\u{fffd}\u{fffd}\u{fffd}"
@@ -53,12 +59,21 @@ mod tests {
     fn commands_of_ci_systems_are_broken() {
         assert_eq!(printable("::error::x"), "\u{fffd}::error::x");
         assert_eq!(printable("a\n::stop::x"), "a \u{fffd}::stop::x");
-        assert_eq!(printable("##[group]x ##vso[y"), "#\u{fffd}#[group]x #\u{fffd}#vso[y");
+        assert_eq!(
+            printable("##[group]x ##vso[y"),
+            "#\u{fffd}#[group]x #\u{fffd}#vso[y"
+        );
     }
 
     #[test]
     fn ordinary_text_stays() {
-        for text in ["crate::name", "a: b", "n\u{e4}he #1", "\u{5e2}\u{5d1}\u{5e8}\u{5d9}\u{5ea}", "\u{1f600}"] {
+        for text in [
+            "crate::name",
+            "a: b",
+            "n\u{e4}he #1",
+            "\u{5e2}\u{5d1}\u{5e8}\u{5d9}\u{5ea}",
+            "\u{1f600}",
+        ] {
             assert_eq!(printable(text), text);
         }
     }

@@ -26,7 +26,9 @@ pub(super) fn snippet(excerpt: &Excerpt, width: usize) -> Option<Snippet> {
     let before = excerpt.text.get(..excerpt.mark.start)?;
     let marked = excerpt.text.get(excerpt.mark.clone())?;
     let after = excerpt.text.get(excerpt.mark.end..)?;
-    let (above, lead) = before.rsplit_once(['\n', '\r']).map_or(("", before), |(above, lead)| (above, lead));
+    let (above, lead) = before
+        .rsplit_once(['\n', '\r'])
+        .map_or(("", before), |(above, lead)| (above, lead));
     let (trail, below) = after.split_once(['\n', '\r']).unwrap_or((after, ""));
     let room = width.saturating_sub(FRAME).max(40);
     let mut text = String::new();
@@ -35,12 +37,18 @@ pub(super) fn snippet(excerpt: &Excerpt, width: usize) -> Option<Snippet> {
         text.push('\n');
     }
     let mark = push_marked(&mut text, [lead, marked, trail], room);
-    let below = below.trim_start_matches('\n').trim_end_matches(['\r', '\n']);
+    let below = below
+        .trim_start_matches('\n')
+        .trim_end_matches(['\r', '\n']);
     if !below.is_empty() {
         text.push('\n');
         text.push_str(&cut(&printable(below), room));
     }
-    Some(Snippet { text, first_line: usize::try_from(excerpt.first_line).ok()?, mark })
+    Some(Snippet {
+        text,
+        first_line: usize::try_from(excerpt.first_line).ok()?,
+        mark,
+    })
 }
 
 /// Adds the marked line, cut at both ends where it does not fit; gives the marked bytes.
@@ -48,7 +56,11 @@ fn push_marked(text: &mut String, parts: [&str; 3], room: usize) -> Range<usize>
     let [lead, marked, trail] = parts.map(printable);
     let length = |part: &str| part.chars().count();
     let fits = length(&lead) + length(&marked) + length(&trail) <= room;
-    let skip = if fits { 0 } else { length(&lead).saturating_sub(LEAD) };
+    let skip = if fits {
+        0
+    } else {
+        length(&lead).saturating_sub(LEAD)
+    };
     if skip > 0 {
         text.push_str("...");
         text.extend(lead.chars().skip(skip));
@@ -71,7 +83,10 @@ fn cut(text: &str, room: usize) -> String {
     if text.chars().count() <= room {
         return text.to_owned();
     }
-    text.chars().take(room.saturating_sub(3)).chain("...".chars()).collect()
+    text.chars()
+        .take(room.saturating_sub(3))
+        .chain("...".chars())
+        .collect()
 }
 
 #[cfg(test)]
@@ -80,7 +95,11 @@ mod tests {
 
     fn of(text: &str, mark: &str, width: usize) -> Snippet {
         let at = text.find(mark).unwrap();
-        let excerpt = Excerpt { text: text.to_owned(), first_line: 7, mark: at..at + mark.len() };
+        let excerpt = Excerpt {
+            text: text.to_owned(),
+            first_line: 7,
+            mark: at..at + mark.len(),
+        };
         snippet(&excerpt, width).unwrap()
     }
 
@@ -102,7 +121,11 @@ mod tests {
 
     #[test]
     fn a_long_line_is_cut_around_the_mark() {
-        let found = of(&format!("{}MARK{}", "x".repeat(150), "y".repeat(150)), "MARK", 80);
+        let found = of(
+            &format!("{}MARK{}", "x".repeat(150), "y".repeat(150)),
+            "MARK",
+            80,
+        );
         assert_eq!(&found.text[found.mark.clone()], "MARK");
         assert!(found.text.chars().count() <= 75, "{}", found.text);
         assert!(found.text.starts_with("...x") && found.text.ends_with("y..."));

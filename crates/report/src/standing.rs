@@ -4,8 +4,14 @@ use super::phrase;
 use mhlint_diag::{Finding, Location};
 
 /// A file of which nothing more is known.
-const SOMEWHERE: &Location =
-    &Location { line: None, column: None, pointer: None, element: None, excerpt: None, folder: None };
+const SOMEWHERE: &Location = &Location {
+    line: None,
+    column: None,
+    pointer: None,
+    element: None,
+    excerpt: None,
+    folder: None,
+};
 
 /// The file for a finding, and the place in it.
 pub(super) struct Standing<'f> {
@@ -19,11 +25,22 @@ impl<'f> Standing<'f> {
     /// Of a finding at a folder the file that stands in for it.
     pub(super) fn of(finding: &'f Finding) -> Self {
         let Some(folder) = &finding.location.folder else {
-            return Self { file: Some(&finding.path), location: &finding.location };
+            return Self {
+                file: Some(&finding.path),
+                location: &finding.location,
+            };
         };
-        let Some(file) = folder.file.as_deref() else { return Self { file: None, location: &finding.location } };
+        let Some(file) = folder.file.as_deref() else {
+            return Self {
+                file: None,
+                location: &finding.location,
+            };
+        };
         let related = finding.related.iter().find(|one| one.path == file);
-        Self { file: Some(file), location: related.map_or(SOMEWHERE, |one| &one.location) }
+        Self {
+            file: Some(file),
+            location: related.map_or(SOMEWHERE, |one| &one.location),
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The rules: one a file, one table of them all.
 //!
-//! A rule reads facts and says what would happen. It reads no files, knows no report and no other rule.
+//! A rule reads facts and says what would happen. It reads no files, knows no report and no other
+//! rule.
 
 // Files, streams and surroundings have few doors, and who may use them says so; tests are free.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
@@ -63,7 +64,9 @@ pub use cause::unmerged::drop_unmerged;
 pub use editions::word_for_version;
 pub use library::side_by_side::add_pack;
 pub use rule::{Check, Rule, RuleCx};
-use rule::{and_more, bones_in_words, counted, did_you_mean, either, enumerated, plain_letters, shown, such};
+use rule::{
+    and_more, bones_in_words, counted, did_you_mean, either, enumerated, plain_letters, shown, such,
+};
 pub use side_by_side::SideBySide;
 pub use wearers::name_wearers;
 
@@ -113,7 +116,11 @@ pub static RULES: LazyLock<Vec<&Rule>> = LazyLock::new(|| {
 /// A share in percent, with a decimal where it is small.
 fn percent(share: f64) -> String {
     let percent = share * 100.0;
-    if percent < 10.0 { format!("{percent:.1} %") } else { format!("{percent:.0} %") }
+    if percent < 10.0 {
+        format!("{percent:.1} %")
+    } else {
+        format!("{percent:.0} %")
+    }
 }
 
 #[cfg(test)]
@@ -123,10 +130,17 @@ mod tests {
     #[test]
     fn every_rule_says_what_the_application_does() {
         // Settings of mhlint itself are no application's matter.
-        for rule in RULES.iter().filter(|rule| !matches!(rule.info.family(), "config" | "baseline")) {
+        for rule in RULES
+            .iter()
+            .filter(|rule| !matches!(rule.info.family(), "config" | "baseline"))
+        {
             let effects = rule.info.breaks;
             assert!(!effects.is_empty(), "{}", rule.info.id);
-            assert!(effects.iter().all(|(_, effect)| !effect.trim().is_empty()), "{}", rule.info.id);
+            assert!(
+                effects.iter().all(|(_, effect)| !effect.trim().is_empty()),
+                "{}",
+                rule.info.id
+            );
         }
     }
 }

@@ -15,7 +15,8 @@ pub struct Rule {
     pub check: Check,
 }
 
-/// What a rule looks at. A rule takes the narrowest, and what all applications have before what one of them has.
+/// What a rule looks at. A rule takes the narrowest, and what all applications have before what one
+/// of them has.
 pub enum Check {
     /// Each file of the checked layer.
     File(fn(&View<'_>, &FileFacts, &RuleCx<'_>, &mut Vec<Finding>)),
@@ -25,7 +26,8 @@ pub enum Check {
     Makehuman2(fn(&makehuman2::View<'_>, &makehuman2::Base<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
     /// The data of `MakeHuman` 2 as a whole: what its lists show.
     Makehuman2Library(fn(&makehuman2::View<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
-    /// Each base mesh of `MakeHuman` 2 with what is for it, the data of `MakeHuman` 1, and those of MPFB.
+    /// Each base mesh of `MakeHuman` 2 with what is for it, the data of `MakeHuman` 1, and those of
+    /// MPFB.
     EachBase(
         fn(&makehuman2::View<'_>, &makehuman2::Base<'_>, &RuleCx<'_>, &mut Vec<Finding>),
         fn(&makehuman1::View<'_>, &RuleCx<'_>, &mut Vec<Finding>),
@@ -82,16 +84,26 @@ impl Rule {
         Finding::new(&self.info, layer.display(rel), Place::File, message)
     }
 
-    /// Whether the rule says what an application does. One on mhlint's own settings concerns every one.
+    /// Whether the rule says what an application does. One on mhlint's own settings concerns every
+    /// one.
     pub fn concerns(&self, application: Application) -> bool {
-        self.info.breaks.is_empty() || self.info.breaks.iter().any(|(concerned, _)| *concerned == application)
+        self.info.breaks.is_empty()
+            || self
+                .info
+                .breaks
+                .iter()
+                .any(|(concerned, _)| *concerned == application)
     }
 }
 
 impl<'a> RuleCx<'a> {
     /// For one run of a rule.
     pub fn new(options: &'a BTreeMap<(String, String), f64>, beside: &'a SideBySide) -> Self {
-        Self { options, suggestions: Suggestions::default(), beside }
+        Self {
+            options,
+            suggestions: Suggestions::default(),
+            beside,
+        }
     }
 
     /// Value of an option of `rule`: as set, or its default.
@@ -102,7 +114,10 @@ impl<'a> RuleCx<'a> {
 
     /// The same for an option that several rules ask for: that of the rule `id`.
     pub fn option_of(&self, id: &str, option: &OptionInfo) -> f64 {
-        self.options.get(&(id.to_owned(), option.name.to_owned())).copied().unwrap_or(option.default)
+        self.options
+            .get(&(id.to_owned(), option.name.to_owned()))
+            .copied()
+            .unwrap_or(option.default)
     }
 }
 
@@ -120,7 +135,8 @@ pub(super) fn such(count: impl ToString, things: &str) -> String {
     }
 }
 
-/// ` (and 2 more members)` behind a message that names the first of several; nothing behind one that names the only one.
+/// ` (and 2 more members)` behind a message that names the first of several; nothing behind one
+/// that names the only one.
 pub(super) fn and_more(count: usize, thing: &str) -> String {
     match count {
         0 | 1 => String::new(),
@@ -130,11 +146,19 @@ pub(super) fn and_more(count: usize, thing: &str) -> String {
 
 /// `bone a`; `bones a, b and c`; of many the first three.
 pub(super) fn bones_in_words(bones: &[&str]) -> String {
-    let quoted: Vec<String> = bones.iter().take(3).map(|bone| format!("`{bone}`")).collect();
+    let quoted: Vec<String> = bones
+        .iter()
+        .take(3)
+        .map(|bone| format!("`{bone}`"))
+        .collect();
     match (bones.len(), quoted.as_slice()) {
         (1, _) => format!("bone {}", quoted.concat()),
         (2 | 3, [first @ .., last]) => format!("bones {} and {last}", first.join(", ")),
-        (count, _) => format!("bones {} and {} more", quoted.join(", "), count.saturating_sub(3)),
+        (count, _) => format!(
+            "bones {} and {} more",
+            quoted.join(", "),
+            count.saturating_sub(3)
+        ),
     }
 }
 
@@ -162,7 +186,8 @@ pub(super) fn either<T: AsRef<str>>(names: &[T]) -> String {
     }
 }
 
-/// What to write in place of a letter that is not ASCII: accents go, other scripts are written in letters from a to z.
+/// What to write in place of a letter that is not ASCII: accents go, other scripts are written in
+/// letters from a to z.
 pub(super) fn plain_letters(letter: char) -> &'static str {
     if letter < FIRST_OF_OTHER_SCRIPTS {
         "write it with plain letters, without accents: `Joerg` for `Jörg`"
@@ -176,7 +201,10 @@ const FIRST_OF_OTHER_SCRIPTS: char = '\u{250}';
 
 /// The help on a name that is unknown: a known one that is near, or else what to do.
 pub(super) fn did_you_mean(near: Option<&str>, otherwise: impl Into<String>) -> String {
-    near.map_or_else(|| otherwise.into(), |near| format!("did you mean `{near}`?"))
+    near.map_or_else(
+        || otherwise.into(),
+        |near| format!("did you mean `{near}`?"),
+    )
 }
 
 /// Letters of a text of a file that a message quotes. Names of files are never longer.

@@ -1,11 +1,13 @@
-//! What is known of packs that lie side by side: whoever has several in one library has their assets in one list.
+//! What is known of packs that lie side by side: whoever has several in one library has their
+//! assets in one list.
 
 use std::collections::BTreeMap;
 
 use mhlint_diag::Application;
 use mhlint_repo::FileFacts;
 
-/// By what each application knows the assets of packs: those with one key in the order of the packs.
+/// By what each application knows the assets of packs: those with one key in the order of the
+/// packs.
 #[derive(Default)]
 pub struct SideBySide(BTreeMap<(Application, String), Vec<Listed>>);
 
@@ -34,8 +36,14 @@ impl SideBySide {
         }
     }
 
-    /// The first asset of an earlier pack with a key. What lies at the same place is another state of the same asset.
-    pub(crate) fn earlier(&self, application: Application, key: &str, file: &FileFacts) -> Option<&Listed> {
+    /// The first asset of an earlier pack with a key. What lies at the same place is another state
+    /// of the same asset.
+    pub(crate) fn earlier(
+        &self,
+        application: Application,
+        key: &str,
+        file: &FileFacts,
+    ) -> Option<&Listed> {
         let listed = self.0.get(&(application, key.to_owned()))?;
         let own = listed.iter().find(|one| one.path == file.path)?;
         let earlier = listed.iter().take_while(|one| one.pack != own.pack);

@@ -20,7 +20,8 @@ const USUAL: Wording = Wording { cause, subject };
 /// Longest text that is quoted, in characters.
 const QUOTED: usize = 60;
 
-/// Findings on faults: one for those of one sort below one key of the file. With each goes its first fault.
+/// Findings on faults: one for those of one sort below one key of the file. With each goes its
+/// first fault.
 pub(super) fn findings<'f>(
     rule: &'f Rule,
     file: &'f FileFacts,
@@ -41,12 +42,24 @@ pub(super) fn findings_in<'f>(
     let by_cause = grouped(faults.all().iter().map(|one| ((wording.cause)(one), one)));
     by_cause.into_iter().filter_map(move |(cause, all)| {
         let first = *all.first()?;
-        let message = format!("{}{}", sentence(first, wording), such(all.len(), things(first)));
-        let mut finding = rule.at(file, place(first), message).key(cause).help(help(first, cx));
+        let message = format!(
+            "{}{}",
+            sentence(first, wording),
+            such(all.len(), things(first))
+        );
+        let mut finding = rule
+            .at(file, place(first), message)
+            .key(cause)
+            .help(help(first, cx));
         for other in all.iter().skip(1).take(EXAMPLES - 1) {
             finding = finding.related(file.path.clone(), place(other), sentence(other, wording));
         }
-        Some((first, finding.evidence(Evidence::of_cases(all.iter().map(|one| one.pointer.as_str())))))
+        Some((
+            first,
+            finding.evidence(Evidence::of_cases(
+                all.iter().map(|one| one.pointer.as_str()),
+            )),
+        ))
     })
 }
 
@@ -55,7 +68,8 @@ pub(super) fn top(one: &Unfit) -> String {
     steps(&one.pointer).next().unwrap_or_default()
 }
 
-/// What is the same in faults that one slip makes: the key at the top and the sort. Baselines hold it.
+/// What is the same in faults that one slip makes: the key at the top and the sort. Baselines hold
+/// it.
 fn cause(one: &Unfit) -> String {
     format!("{} {}", top(one), sort(one))
 }
@@ -86,7 +100,9 @@ const fn things(one: &Unfit) -> &'static str {
     match one.why {
         Why::Lacks(_) => "places",
         Why::Key(_) | Why::Property(_) => "keys",
-        Why::Type { .. } | Why::Text(_) | Why::Word(..) | Why::Length(..) | Why::Range(_) => "values",
+        Why::Type { .. } | Why::Text(_) | Why::Word(..) | Why::Length(..) | Why::Range(_) => {
+            "values"
+        }
         Why::SecondLink(_) => "links",
         Why::Twice(_) | Why::Unknown(_) => "entries",
     }
@@ -100,9 +116,16 @@ fn sentence(one: &Unfit, wording: Wording) -> String {
         Why::Type { found, wanted } => format!("{subject} is {found}, expected {wanted}"),
         Why::Text(text) => format!("{subject} is `{}`, which is not a number", quoted(text)),
         Why::Word(text, known) => {
-            let expected =
-                if known.len() > MANY { String::new() } else { format!(", expected {}", either(&few(known))) };
-            let unknown = if expected.is_empty() { ", which does not exist" } else { "" };
+            let expected = if known.len() > MANY {
+                String::new()
+            } else {
+                format!(", expected {}", either(&few(known)))
+            };
+            let unknown = if expected.is_empty() {
+                ", which does not exist"
+            } else {
+                ""
+            };
             format!("{subject} is `{}`{unknown}{expected}", quoted(text))
         }
         Why::Length(found, wanted) => format!("{subject} has {found} numbers, expected {wanted}"),
@@ -119,7 +142,10 @@ fn help(one: &Unfit, cx: &RuleCx<'_>) -> String {
         Why::Lacks(key) => format!("add `{key}`"),
         Why::Key(known) => {
             let key = steps(&one.pointer).last().unwrap_or_default();
-            did_you_mean(nearest(&key, known, cx), format!("write {}, or remove the key", either(&few(known))))
+            did_you_mean(
+                nearest(&key, known, cx),
+                format!("write {}, or remove the key", either(&few(known))),
+            )
         }
         Why::Property(known) => {
             let key = steps(&one.pointer).last().unwrap_or_default();
@@ -137,12 +163,15 @@ fn help(one: &Unfit, cx: &RuleCx<'_>) -> String {
 
 /// The known word that one in other capitals, or with a slip in it, is meant to be.
 fn nearest(text: &str, known: &'static [&'static str], cx: &RuleCx<'_>) -> Option<&'static str> {
-    let in_other_case = known.iter().find(|word| word.eq_ignore_ascii_case(text)).copied();
+    let in_other_case = known
+        .iter()
+        .find(|word| word.eq_ignore_ascii_case(text))
+        .copied();
     in_other_case.or_else(|| cx.suggestions.nearest(text, known.iter().copied()))
 }
 
-/// Whether a key or a property that is not known is like one that is; any other is somebody's own. Other faults are what
-/// they are.
+/// Whether a key or a property that is not known is like one that is; any other is somebody's own.
+/// Other faults are what they are.
 pub(super) fn is_misspelt(one: &Unfit, cx: &RuleCx<'_>) -> bool {
     let key = steps(&one.pointer).last().unwrap_or_default();
     match &one.why {
@@ -153,7 +182,10 @@ pub(super) fn is_misspelt(one: &Unfit, cx: &RuleCx<'_>) -> bool {
 }
 
 fn nearest_property<'k>(key: &str, known: &'k [&'static str], cx: &RuleCx<'_>) -> Option<&'k str> {
-    let known = known.iter().flat_map(|names| names.split(' ')).filter(|name| !name.is_empty());
+    let known = known
+        .iter()
+        .flat_map(|names| names.split(' '))
+        .filter(|name| !name.is_empty());
     cx.suggestions.nearest(key, known)
 }
 
@@ -161,7 +193,11 @@ fn nearest_property<'k>(key: &str, known: &'k [&'static str], cx: &RuleCx<'_>) -
 const MANY: usize = 10;
 
 fn write_one(known: &[&str]) -> String {
-    if known.len() > MANY { "write one that exists".to_owned() } else { format!("write {}", either(&few(known))) }
+    if known.len() > MANY {
+        "write one that exists".to_owned()
+    } else {
+        format!("write {}", either(&few(known)))
+    }
 }
 
 fn few(known: &[&str]) -> Vec<String> {
@@ -181,7 +217,9 @@ pub(super) fn names(pointer: &str) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for step in steps(pointer) {
         match names.last_mut() {
-            Some(name) if step.bytes().all(|byte| byte.is_ascii_digit()) => *name = format!("{name}[{step}]"),
+            Some(name) if step.bytes().all(|byte| byte.is_ascii_digit()) => {
+                *name = format!("{name}[{step}]")
+            }
             _ => names.push(quoted(&step)),
         }
     }

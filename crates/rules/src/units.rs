@@ -11,7 +11,11 @@ pub(super) fn centimetres(units: impl Into<f64>) -> f64 {
 /// `2.5 cm`, of a length in metres.
 pub(super) fn centimetres_of_metres(metres: f64) -> String {
     let cm = metres * 100.0;
-    if cm.abs() < 0.1 { format!("{cm:.3} cm") } else { format!("{cm:.1} cm") }
+    if cm.abs() < 0.1 {
+        format!("{cm:.3} cm")
+    } else {
+        format!("{cm:.1} cm")
+    }
 }
 
 /// A number as short as it can be read: `1.25`, `3e38`.
@@ -24,7 +28,10 @@ pub(super) fn short(number: f64) -> String {
     }
     let text = format!("{number:.2e}");
     let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
-    format!("{}e{power}", digits.trim_end_matches('0').trim_end_matches('.'))
+    format!(
+        "{}e{power}",
+        digits.trim_end_matches('0').trim_end_matches('.')
+    )
 }
 
 /// `900 bytes`, `16.3 kB`, `16.8 MB`.
@@ -45,7 +52,11 @@ pub(super) fn length(units: impl Into<f64>) -> String {
     if cm.abs() >= 1e7 {
         return format!("{} cm ({})", short(cm), short(units));
     }
-    if cm.abs() < 0.1 { format!("{cm:.3} cm ({units:.4})") } else { format!("{cm:.1} cm ({units:.3})") }
+    if cm.abs() < 0.1 {
+        format!("{cm:.3} cm ({units:.4})")
+    } else {
+        format!("{cm:.1} cm ({units:.3})")
+    }
 }
 
 #[cfg(test)]
@@ -54,13 +65,28 @@ mod tests {
 
     #[test]
     fn numbers_are_as_short_as_they_can_be_read() {
-        let shown = [1.25, f64::from(1.001_f32), 100.0, 3e38, -2.5e-9, 0.0, f64::INFINITY].map(short);
-        assert_eq!(shown, ["1.25", "1.001", "100", "3e38", "-2.5e-9", "0", "inf"]);
+        let shown = [
+            1.25,
+            f64::from(1.001_f32),
+            100.0,
+            3e38,
+            -2.5e-9,
+            0.0,
+            f64::INFINITY,
+        ]
+        .map(short);
+        assert_eq!(
+            shown,
+            ["1.25", "1.001", "100", "3e38", "-2.5e-9", "0", "inf"]
+        );
     }
 
     #[test]
     fn sizes_have_a_unit() {
         let shown = [1, 900, 16_329, 16_777_217, 5_000_000_000].map(bytes);
-        assert_eq!(shown, ["1 byte", "900 bytes", "16.3 kB", "16.8 MB", "5.0 GB"]);
+        assert_eq!(
+            shown,
+            ["1 byte", "900 bytes", "16.3 kB", "16.8 MB", "5.0 GB"]
+        );
     }
 }

@@ -7,7 +7,8 @@ use super::place::{canonical, named, slashed};
 
 /// A folder that globs are relative to.
 ///
-/// Paths are compared as texts: with the links in the name of the folder resolved, and as it was named.
+/// Paths are compared as texts: with the links in the name of the folder resolved, and as it was
+/// named.
 #[derive(Debug, Clone, Default)]
 pub struct Folder {
     /// Absolute names of the working directory; none where paths are relative to the folder itself.
@@ -20,7 +21,10 @@ impl Folder {
     /// The folder at `path`.
     pub fn of(path: &Path) -> Self {
         let here = names_of(Path::new("."));
-        Self { names: names_of(path), here }
+        Self {
+            names: names_of(path),
+            here,
+        }
     }
 
     /// The part of a printed path below the folder; empty for the folder itself.
@@ -31,7 +35,12 @@ impl Folder {
         self.absolute(path).iter().find_map(|path| {
             self.names.iter().find_map(|name| {
                 let rest = path.strip_prefix(name.as_str())?;
-                if rest.is_empty() || name == "/" { Some(rest) } else { rest.strip_prefix('/') }.map(str::to_owned)
+                if rest.is_empty() || name == "/" {
+                    Some(rest)
+                } else {
+                    rest.strip_prefix('/')
+                }
+                .map(str::to_owned)
             })
         })
     }
@@ -41,21 +50,32 @@ impl Folder {
         if self.here.is_empty() {
             return is_below(rel, &outer.path);
         }
-        let outer = outer
-            .names
-            .get_or_init(|| self.absolute(&outer.path).into_iter().chain(names_of(Path::new(&outer.path))).collect());
-        self.names.iter().any(|name| outer.iter().any(|outer| is_below(&plain(&format!("{name}/{rel}")), outer)))
+        let outer = outer.names.get_or_init(|| {
+            self.absolute(&outer.path)
+                .into_iter()
+                .chain(names_of(Path::new(&outer.path)))
+                .collect()
+        });
+        self.names.iter().any(|name| {
+            outer
+                .iter()
+                .any(|outer| is_below(&plain(&format!("{name}/{rel}")), outer))
+        })
     }
 
     fn absolute(&self, path: &str) -> Vec<String> {
         if is_absolute(path) {
             return vec![plain(path)];
         }
-        self.here.iter().map(|here| plain(&format!("{here}/{path}"))).collect()
+        self.here
+            .iter()
+            .map(|here| plain(&format!("{here}/{path}")))
+            .collect()
     }
 }
 
-/// A printed path that others may lie in. Its absolute names are asked of the file system once for all of them.
+/// A printed path that others may lie in. Its absolute names are asked of the file system once for
+/// all of them.
 #[derive(Debug)]
 pub struct Outer {
     path: String,
@@ -65,7 +85,10 @@ pub struct Outer {
 impl Outer {
     /// The place of a printed path.
     pub fn of(path: &str) -> Self {
-        Self { path: path.to_owned(), names: OnceLock::new() }
+        Self {
+            path: path.to_owned(),
+            names: OnceLock::new(),
+        }
     }
 }
 
@@ -77,7 +100,10 @@ pub fn holds(folder: &Path, name: &str) -> bool {
 /// Whether a path is another one or lies below it.
 pub fn is_below(path: &str, outer: &str) -> bool {
     let outer = outer.trim_end_matches('/');
-    outer.is_empty() || path.strip_prefix(outer).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
+    outer.is_empty()
+        || path
+            .strip_prefix(outer)
+            .is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
 }
 
 /// The folder of a path, empty at the top, and the name in it.
@@ -87,7 +113,9 @@ pub fn folder_and_name(path: &str) -> (&str, &str) {
 
 /// A folder and those above it, up to the top.
 pub fn folders_above(folder: &str) -> impl Iterator<Item = &str> {
-    std::iter::successors(Some(folder), |folder| (!folder.is_empty()).then(|| folder_and_name(folder).0))
+    std::iter::successors(Some(folder), |folder| {
+        (!folder.is_empty()).then(|| folder_and_name(folder).0)
+    })
 }
 
 /// Whether a name in a path begins with a point.
@@ -97,7 +125,11 @@ pub fn has_hidden_part(path: &str) -> bool {
 
 /// The part of a path below a folder; all of it below no folder.
 pub fn inside<'p>(path: &'p str, folder: &str) -> Option<&'p str> {
-    if folder.is_empty() { Some(path) } else { path.strip_prefix(folder)?.strip_prefix('/') }
+    if folder.is_empty() {
+        Some(path)
+    } else {
+        path.strip_prefix(folder)?.strip_prefix('/')
+    }
 }
 
 /// The path without `.` and `..`, or nothing if it leaves the root.
@@ -121,7 +153,11 @@ fn is_absolute(path: &str) -> bool {
 
 fn names_of(path: &Path) -> Vec<String> {
     let both = [canonical(path), std::path::absolute(named(path)).ok()];
-    let mut names: Vec<String> = both.into_iter().flatten().map(|path| plain(&path.to_string_lossy())).collect();
+    let mut names: Vec<String> = both
+        .into_iter()
+        .flatten()
+        .map(|path| plain(&path.to_string_lossy()))
+        .collect();
     names.dedup();
     names
 }
@@ -131,14 +167,21 @@ fn plain(path: &str) -> String {
     let slashed = slashed(Path::new(path));
     let slashed = slashed.strip_prefix("//?/").unwrap_or(&slashed);
     let mut parts: Vec<&str> = Vec::new();
-    for part in slashed.split('/').filter(|part| !part.is_empty() && *part != ".") {
+    for part in slashed
+        .split('/')
+        .filter(|part| !part.is_empty() && *part != ".")
+    {
         if part == ".." && parts.last().is_some_and(|last| *last != "..") {
             parts.pop();
         } else {
             parts.push(part);
         }
     }
-    format!("{}{}", if slashed.starts_with('/') { "/" } else { "" }, parts.join("/"))
+    format!(
+        "{}{}",
+        if slashed.starts_with('/') { "/" } else { "" },
+        parts.join("/")
+    )
 }
 
 #[cfg(test)]
@@ -147,14 +190,23 @@ mod tests {
 
     #[test]
     fn paths_are_normalized_inside_the_root_only() {
-        assert_eq!(normalized("target/b/a/../c.target").as_deref(), Some("target/b/c.target"));
+        assert_eq!(
+            normalized("target/b/a/../c.target").as_deref(),
+            Some("target/b/c.target")
+        );
         assert_eq!(normalized("target/../../x"), None);
     }
 
     #[test]
     fn paths_are_told_relative_to_the_folder() {
-        let folder = Folder { here: vec!["/w/repo/data".to_owned()], names: vec!["/w/repo".to_owned()] };
-        assert_eq!(folder.relative("target/a.target").as_deref(), Some("data/target/a.target"));
+        let folder = Folder {
+            here: vec!["/w/repo/data".to_owned()],
+            names: vec!["/w/repo".to_owned()],
+        };
+        assert_eq!(
+            folder.relative("target/a.target").as_deref(),
+            Some("data/target/a.target")
+        );
         assert_eq!(folder.relative("../user/x").as_deref(), Some("user/x"));
         assert_eq!(folder.relative("/w/repo/y").as_deref(), Some("y"));
         assert_eq!(folder.relative("..").as_deref(), Some(""));
@@ -164,7 +216,10 @@ mod tests {
 
     #[test]
     fn a_path_lies_in_a_folder_or_beside_it() {
-        let folder = Folder { here: vec!["/w/repo".to_owned()], names: vec!["/w/repo".to_owned()] };
+        let folder = Folder {
+            here: vec!["/w/repo".to_owned()],
+            names: vec!["/w/repo".to_owned()],
+        };
         assert!(folder.lies_in("data/target", &Outer::of("data")));
         assert!(folder.lies_in("", &Outer::of("..")));
         let data = Outer::of("data");

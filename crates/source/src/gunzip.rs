@@ -42,8 +42,16 @@ pub fn gunzip(packed: &[u8], limits: &Limits) -> Result<Vec<u8>, GzipFault> {
 ///
 /// # Errors
 /// As [`gunzip`].
-pub fn gunzip_at_most(packed: &[u8], limits: &Limits, most: usize) -> Result<Option<Vec<u8>>, GzipFault> {
-    let mut kept = Kept { bytes: Vec::new(), most, is_whole: true };
+pub fn gunzip_at_most(
+    packed: &[u8],
+    limits: &Limits,
+    most: usize,
+) -> Result<Option<Vec<u8>>, GzipFault> {
+    let mut kept = Kept {
+        bytes: Vec::new(),
+        most,
+        is_whole: true,
+    };
     unpack(packed, limits, &mut kept)?;
     Ok(kept.is_whole.then_some(kept.bytes))
 }
@@ -79,9 +87,13 @@ fn unpack(packed: &[u8], limits: &Limits, out: &mut impl Write) -> Result<u64, G
     loop {
         let mut decoder = GzDecoder::new(rest);
         let mut bounded = (&mut decoder).take(limit.saturating_sub(unpacked).saturating_add(1));
-        unpacked += io::copy(&mut bounded, out).map_err(|error| GzipFault::Corrupt(error.to_string()))?;
+        unpacked +=
+            io::copy(&mut bounded, out).map_err(|error| GzipFault::Corrupt(error.to_string()))?;
         if unpacked > limit {
-            return Err(GzipFault::Bomb { packed: total, unpacked });
+            return Err(GzipFault::Bomb {
+                packed: total,
+                unpacked,
+            });
         }
         rest = decoder.into_inner();
         // Python passes over zeros at the end, too.
@@ -117,37 +129,65 @@ mod tests {
     fn every_truncation_is_corrupt() {
         let packed = pack(b"0 .1 .2 .3\n1 .1 .2 .3\n");
         for length in 0..packed.len() {
-            assert!(matches!(gunzip(&packed[..length], &Limits::default()), Err(GzipFault::Corrupt(_))));
+            assert!(matches!(
+                gunzip(&packed[..length], &Limits::default()),
+                Err(GzipFault::Corrupt(_))
+            ));
         }
     }
 
     #[test]
     fn garbage_behind_the_end_is_named() {
         let packed = [pack(b"x"), b"junk".to_vec()].concat();
-        assert_eq!(gunzip(&packed, &Limits::default()), Err(GzipFault::TrailingGarbage { bytes: 4 }));
+        assert_eq!(
+            gunzip(&packed, &Limits::default()),
+            Err(GzipFault::TrailingGarbage { bytes: 4 })
+        );
     }
 
     #[test]
     fn zeros_beyond_the_ratio_are_a_bomb() {
         let packed = pack(&vec![0; 20 << 20]);
-        assert!(matches!(gunzip(&packed, &Limits::default()), Err(GzipFault::Bomb { .. })));
+        assert!(matches!(
+            gunzip(&packed, &Limits::default()),
+            Err(GzipFault::Bomb { .. })
+        ));
     }
 
     #[test]
     fn a_small_file_of_very_many_zeros_stops_at_the_limit() {
         let packed = pack(&vec![0; 128 << 20]);
-        let limits = Limits { unpacked_bytes: 32 << 20, unpacked_ratio: u64::MAX, ..Limits::default() };
+        let limits = Limits {
+            unpacked_bytes: 32 << 20,
+            unpacked_ratio: u64::MAX,
+            ..Limits::default()
+        };
         let fault = gunzip(&packed, &limits).unwrap_err();
-        assert_eq!(fault, GzipFault::Bomb { packed: packed.len() as u64, unpacked: (32 << 20) + 1 });
+        assert_eq!(
+            fault,
+            GzipFault::Bomb {
+                packed: packed.len() as u64,
+                unpacked: (32 << 20) + 1
+            }
+        );
         assert_eq!(gunzip(&packed, &limits), Err(fault));
     }
 
     #[test]
     fn the_limit_counts_all_members_together() {
         let packed = [pack(&[b'a'; 60]), pack(&[b'b'; 60])].concat();
-        let limits = |bytes| Limits { unpacked_bytes: bytes, ..Limits::default() };
-        assert_eq!(gunzip(&packed, &limits(120)).map(|bytes| bytes.len()), Ok(120));
-        assert!(matches!(gunzip(&packed, &limits(119)), Err(GzipFault::Bomb { .. })));
+        let limits = |bytes| Limits {
+            unpacked_bytes: bytes,
+            ..Limits::default()
+        };
+        assert_eq!(
+            gunzip(&packed, &limits(120)).map(|bytes| bytes.len()),
+            Ok(120)
+        );
+        assert!(matches!(
+            gunzip(&packed, &limits(119)),
+            Err(GzipFault::Bomb { .. })
+        ));
     }
 
     #[test]

@@ -25,7 +25,10 @@ pub use text::Encoding;
 pub use text::{BYTE_ORDER_MARK, Guess};
 pub use tree::Tree;
 
-pub use folder::{Folder, Outer, folder_and_name, folders_above, has_hidden_part, holds, inside, is_below, normalized};
+pub use folder::{
+    Folder, Outer, folder_and_name, folders_above, has_hidden_part, holds, inside, is_below,
+    normalized,
+};
 pub use gunzip::{GzipFault, gunzip, gunzip_at_most};
 #[cfg(any(test, feature = "counted"))]
 pub use lines::PASSED;

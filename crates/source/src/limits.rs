@@ -16,7 +16,12 @@ pub struct Limits {
 impl Default for Limits {
     /// The largest known asset (a mesh with 30 MB) fits many times; text packs 3 to 10 fold.
     fn default() -> Self {
-        Self { file_bytes: 512 << 20, unpacked_bytes: 512 << 20, unpacked_ratio: 200, ratio_free_bytes: 16 << 20 }
+        Self {
+            file_bytes: 512 << 20,
+            unpacked_bytes: 512 << 20,
+            unpacked_ratio: 200,
+            ratio_free_bytes: 16 << 20,
+        }
     }
 }
 
@@ -37,13 +42,19 @@ impl Limits {
     #[must_use]
     pub fn among(&self, packed_files: usize) -> Self {
         let share = FREE_OF_ALL / (packed_files as u64).max(1);
-        Self { ratio_free_bytes: self.ratio_free_bytes.min(share.max(FREE_OF_ONE)), ..*self }
+        Self {
+            ratio_free_bytes: self.ratio_free_bytes.min(share.max(FREE_OF_ONE)),
+            ..*self
+        }
     }
 
     /// Those of a zip with assets.
     #[must_use]
     pub fn of_pack(&self) -> Self {
-        Self { unpacked_ratio: self.unpacked_ratio.min(PACK_RATIO), ..*self }
+        Self {
+            unpacked_ratio: self.unpacked_ratio.min(PACK_RATIO),
+            ..*self
+        }
     }
 
     /// Those of an archive of arrays.
@@ -58,7 +69,9 @@ impl Limits {
 
     /// Unpacked bytes that a file of `packed` bytes may have.
     pub fn unpacked_limit(&self, packed: u64) -> u64 {
-        let by_ratio = packed.saturating_mul(self.unpacked_ratio).max(self.ratio_free_bytes);
+        let by_ratio = packed
+            .saturating_mul(self.unpacked_ratio)
+            .max(self.ratio_free_bytes);
         by_ratio.min(self.unpacked_bytes)
     }
 }
@@ -70,6 +83,9 @@ mod tests {
     #[test]
     fn many_packed_files_share_what_is_free() {
         let of_each = |files| Limits::default().among(files).ratio_free_bytes;
-        assert_eq!([0, 1, 2, 4, 512, 9999].map(of_each), [16 << 20, 16 << 20, 16 << 20, 8 << 20, 64 << 10, 64 << 10]);
+        assert_eq!(
+            [0, 1, 2, 4, 512, 9999].map(of_each),
+            [16 << 20, 16 << 20, 16 << 20, 8 << 20, 64 << 10, 64 << 10]
+        );
     }
 }

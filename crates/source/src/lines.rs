@@ -1,4 +1,5 @@
-//! Texts to lines; and byte offsets to lines, columns and excerpts, as late as possible: only for what is printed.
+//! Texts to lines; and byte offsets to lines, columns and excerpts, as late as possible: only for
+//! what is printed.
 //!
 //! Lines end as in the applications (Python's universal newlines): `\n`, `\r\n` or a lone `\r`.
 
@@ -19,7 +20,10 @@ pub fn lines(text: &[u8]) -> impl Iterator<Item = (Range<usize>, &[u8])> {
 
 /// The first line of a text, and its length with its end: `\n`, `\r\n` or a lone `\r`.
 pub fn first_line(text: &[u8]) -> (&[u8], usize) {
-    let length = text.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(text.len());
+    let length = text
+        .iter()
+        .position(|byte| matches!(byte, b'\n' | b'\r'))
+        .unwrap_or(text.len());
     let is_pair = text.get(length..length + 2) == Some(b"\r\n");
     let (line, tail) = text.split_at(length);
     (line, length + if is_pair { 2 } else { tail.len().min(1) })
@@ -61,8 +65,14 @@ impl<'t> Lines<'t> {
         #[cfg(any(test, feature = "counted"))]
         PASSED.set(PASSED.get() + bytes.len());
         let ended = lines(bytes).filter(|(range, line)| range.len() > line.len());
-        let starts = std::iter::once(0).chain(ended.map(|(range, _)| range.end)).collect();
-        Self { bytes, starts, counted: counted(bytes) }
+        let starts = std::iter::once(0)
+            .chain(ended.map(|(range, _)| range.end))
+            .collect();
+        Self {
+            bytes,
+            starts,
+            counted: counted(bytes),
+        }
     }
 
     /// Position of a byte offset. Offsets beyond the end give the end.
@@ -71,7 +81,10 @@ impl<'t> Lines<'t> {
         let line = self.line_of(offset);
         let column = self.column(self.start(line).min(offset), offset);
         let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX - 1) + 1;
-        Position { line: number(line), column: number(column) }
+        Position {
+            line: number(line),
+            column: number(column),
+        }
     }
 
     /// Byte range of a line (from 1) without its line end.
@@ -89,8 +102,14 @@ impl<'t> Lines<'t> {
         let line_end = self.end(line).max(start);
         let first_line = line.saturating_sub(1);
         let first = self.start(first_line);
-        let last = if line + 1 < self.starts.len() { self.end(line + 1) } else { line_end };
-        if last - first > 3 * LONGEST_QUOTED_LINE || line_end - self.start(line) > LONGEST_QUOTED_LINE {
+        let last = if line + 1 < self.starts.len() {
+            self.end(line + 1)
+        } else {
+            line_end
+        };
+        if last - first > 3 * LONGEST_QUOTED_LINE
+            || line_end - self.start(line) > LONGEST_QUOTED_LINE
+        {
             return None;
         }
         let text = std::str::from_utf8(self.bytes.get(first..last)?).ok()?;
@@ -104,7 +123,9 @@ impl<'t> Lines<'t> {
 
     /// The line that an offset lies in, from 0.
     fn line_of(&self, offset: usize) -> usize {
-        self.starts.partition_point(|start| *start <= offset).saturating_sub(1)
+        self.starts
+            .partition_point(|start| *start <= offset)
+            .saturating_sub(1)
     }
 
     fn start(&self, line: usize) -> usize {
@@ -113,7 +134,9 @@ impl<'t> Lines<'t> {
 
     /// Where the line end of a line begins.
     fn end(&self, line: usize) -> usize {
-        let Some(next) = self.starts.get(line + 1) else { return self.bytes.len() };
+        let Some(next) = self.starts.get(line + 1) else {
+            return self.bytes.len();
+        };
         let upto = self.bytes.get(self.start(line)..*next).unwrap_or_default();
         next - if upto.ends_with(b"\r\n") { 2 } else { 1 }
     }
@@ -125,16 +148,27 @@ impl<'t> Lines<'t> {
         }
         #[cfg(any(test, feature = "counted"))]
         PASSED.set(PASSED.get() + (offset - start));
-        String::from_utf8_lossy(self.bytes.get(start..offset).unwrap_or_default()).chars().count()
+        String::from_utf8_lossy(self.bytes.get(start..offset).unwrap_or_default())
+            .chars()
+            .count()
     }
 
     /// Characters before an offset.
     fn characters(&self, offset: usize) -> usize {
-        let step = self.counted.partition_point(|(at, _)| *at <= offset).checked_sub(1);
-        let (at, before) = step.and_then(|step| self.counted.get(step)).copied().unwrap_or_default();
+        let step = self
+            .counted
+            .partition_point(|(at, _)| *at <= offset)
+            .checked_sub(1);
+        let (at, before) = step
+            .and_then(|step| self.counted.get(step))
+            .copied()
+            .unwrap_or_default();
         #[cfg(any(test, feature = "counted"))]
         PASSED.set(PASSED.get() + (offset - at));
-        before + String::from_utf8_lossy(self.bytes.get(at..offset).unwrap_or_default()).chars().count()
+        before
+            + String::from_utf8_lossy(self.bytes.get(at..offset).unwrap_or_default())
+                .chars()
+                .count()
     }
 }
 
@@ -168,7 +202,10 @@ mod tests {
             let Position { line, column } = Lines::of(text).position(offset);
             (line, column)
         };
-        assert_eq!((at(0), at(2), at(5), at(7), at(99)), ((1, 1), (2, 1), (3, 1), (4, 1), (4, 2)));
+        assert_eq!(
+            (at(0), at(2), at(5), at(7), at(99)),
+            ((1, 1), (2, 1), (3, 1), (4, 1), (4, 2))
+        );
         assert_eq!(Lines::of(text).span(2), Some(2..3));
         assert_eq!(Lines::of(text).span(4), Some(7..8));
         assert_eq!(Lines::of(text).span(5), None);
@@ -177,25 +214,50 @@ mod tests {
     #[test]
     fn excerpt_has_one_line_around() {
         let found = Lines::of(b"one\ntwo\nthree\nfour\n").excerpt(4..7).unwrap();
-        assert_eq!((found.text.as_str(), found.first_line), ("one\ntwo\nthree", 1));
+        assert_eq!(
+            (found.text.as_str(), found.first_line),
+            ("one\ntwo\nthree", 1)
+        );
         assert_eq!(found.mark, 4..7);
     }
 
     #[test]
     fn columns_are_characters() {
-        assert_eq!(Lines::of("äb".as_bytes()).position(2), Position { line: 1, column: 2 });
+        assert_eq!(
+            Lines::of("äb".as_bytes()).position(2),
+            Position { line: 1, column: 2 }
+        );
     }
 
     #[test]
     fn characters_are_counted_alike_far_into_a_line() {
         // Whole letters and bytes that are none, in a line longer than a step and after one.
-        let line: Vec<u8> = b"a\xc3\xa4\xff\xe2\x82".iter().copied().cycle().take(3 * COUNTED_STEP).collect();
+        let line: Vec<u8> = b"a\xc3\xa4\xff\xe2\x82"
+            .iter()
+            .copied()
+            .cycle()
+            .take(3 * COUNTED_STEP)
+            .collect();
         let text = [b"x\n".as_slice(), &line, b"\n", &line].concat();
         let lines = Lines::of(&text);
         for start in [2, line.len() + 3] {
-            for length in [0, 1, COUNTED_STEP - 1, COUNTED_STEP, 2 * COUNTED_STEP + 3, line.len()] {
-                let column = String::from_utf8_lossy(&text[start..start + length]).chars().count() + 1;
-                assert_eq!(lines.position(start + length).column as usize, column, "{start} {length}");
+            for length in [
+                0,
+                1,
+                COUNTED_STEP - 1,
+                COUNTED_STEP,
+                2 * COUNTED_STEP + 3,
+                line.len(),
+            ] {
+                let column = String::from_utf8_lossy(&text[start..start + length])
+                    .chars()
+                    .count()
+                    + 1;
+                assert_eq!(
+                    lines.position(start + length).column as usize,
+                    column,
+                    "{start} {length}"
+                );
             }
         }
     }

@@ -5,7 +5,11 @@ use std::path::{Component, Path, PathBuf};
 
 /// The path, or `.` for an empty one, which names the working directory as well.
 pub(super) fn named(path: &Path) -> &Path {
-    if path.as_os_str().is_empty() { Path::new(".") } else { path }
+    if path.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        path
+    }
 }
 
 /// The folder that a file is in.
@@ -16,7 +20,11 @@ pub fn folder_of(file: &Path) -> &Path {
 /// The path with forward slashes. A backslash separates on Windows and is part of a name elsewhere.
 pub fn slashed(path: &Path) -> String {
     let text = path.to_string_lossy();
-    if cfg!(windows) { text.replace('\\', "/") } else { text.into_owned() }
+    if cfg!(windows) {
+        text.replace('\\', "/")
+    } else {
+        text.into_owned()
+    }
 }
 
 /// The absolute path without links, if there is something.
@@ -31,10 +39,13 @@ pub fn folder_name(folder: &Path) -> String {
     slashed(Path::new(&name.unwrap_or_default()))
 }
 
-/// The absolute path without `..`, and without links in as much of it as exists: a deleted file still has its folder.
+/// The absolute path without `..`, and without links in as much of it as exists: a deleted file
+/// still has its folder.
 pub fn resolved(path: &Path) -> PathBuf {
     let whole = std::path::absolute(named(path)).unwrap_or_else(|_| path.to_owned());
-    let existing = whole.ancestors().find_map(|above| Some((fs::canonicalize(above).ok()?, above)));
+    let existing = whole
+        .ancestors()
+        .find_map(|above| Some((fs::canonicalize(above).ok()?, above)));
     let (mut place, rest) = match existing {
         Some((place, above)) => (place, whole.strip_prefix(above).unwrap_or(Path::new(""))),
         None => (PathBuf::new(), whole.as_path()),
@@ -51,7 +62,10 @@ pub fn resolved(path: &Path) -> PathBuf {
 
 /// The same for a file that may be a link itself: it keeps its own name.
 pub fn own_place(file: &Path) -> PathBuf {
-    file.file_name().map_or_else(|| resolved(file), |name| resolved(folder_of(file)).join(name))
+    file.file_name().map_or_else(
+        || resolved(file),
+        |name| resolved(folder_of(file)).join(name),
+    )
 }
 
 /// Links that are followed one after the other before they count as a loop, as Linux does it.
@@ -89,7 +103,11 @@ mod tests {
             ("real/gone/../x", "real/x"),
             ("./gone", "gone"),
         ] {
-            assert_eq!(resolved(&folder.path().join(path)), root.join(place), "{path}");
+            assert_eq!(
+                resolved(&folder.path().join(path)),
+                root.join(place),
+                "{path}"
+            );
         }
         assert_eq!(resolved(Path::new("")), std::env::current_dir().unwrap());
     }

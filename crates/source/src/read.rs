@@ -36,12 +36,18 @@ pub(super) fn ends_of(path: &Path, head: usize, tail: usize) -> io::Result<Ends>
     Ok((first, last))
 }
 
-pub(super) fn read_bounded(path: &Path, expected: u64, limits: &Limits) -> Result<Vec<u8>, ReadFault> {
+pub(super) fn read_bounded(
+    path: &Path,
+    expected: u64,
+    limits: &Limits,
+) -> Result<Vec<u8>, ReadFault> {
     let unreadable = |error: io::Error| ReadFault::Unreadable(error.to_string());
     let file = fs::File::open(path).map_err(unreadable)?;
     let mut bytes = Vec::with_capacity(usize::try_from(expected).unwrap_or(0).saturating_add(1));
     // A file may grow while it is read; the limit holds all the same.
-    file.take(limits.file_bytes.saturating_add(1)).read_to_end(&mut bytes).map_err(unreadable)?;
+    file.take(limits.file_bytes.saturating_add(1))
+        .read_to_end(&mut bytes)
+        .map_err(unreadable)?;
     if bytes.len() as u64 > limits.file_bytes {
         return Err(too_large(bytes.len() as u64, limits));
     }
@@ -49,5 +55,8 @@ pub(super) fn read_bounded(path: &Path, expected: u64, limits: &Limits) -> Resul
 }
 
 pub(super) fn too_large(size: u64, limits: &Limits) -> ReadFault {
-    ReadFault::TooLarge { size, limit: limits.file_bytes }
+    ReadFault::TooLarge {
+        size,
+        limit: limits.file_bytes,
+    }
 }

@@ -7,7 +7,10 @@ const LFS_POINTER: &[u8] = b"version https://git-lfs.github.com/spec/";
 pub const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// Facts on the bytes of a file.
-#[expect(clippy::struct_excessive_bools, reason = "independent facts on one text, not states of something")]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "independent facts on one text, not states of something"
+)]
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Encoding {
     /// Starts with a UTF-8 byte order mark.
@@ -37,7 +40,9 @@ impl Encoding {
     /// Looks at all bytes once.
     pub fn of(bytes: &[u8]) -> Self {
         let byte_order_mark = bytes.starts_with(BYTE_ORDER_MARK);
-        let invalid_utf8_at = std::str::from_utf8(bytes).err().map(|error| error.valid_up_to());
+        let invalid_utf8_at = std::str::from_utf8(bytes)
+            .err()
+            .map(|error| error.valid_up_to());
         let content = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
         let blank = content.iter().all(u8::is_ascii_whitespace);
         let says_nothing = |line: &[u8]| line.is_empty() || line.starts_with(b"#");
@@ -46,11 +51,16 @@ impl Encoding {
             invalid_utf8_at,
             lfs_pointer: bytes.starts_with(LFS_POINTER),
             blank,
-            only_comments: !blank && lines(content).all(|(_, line)| says_nothing(line.trim_ascii())),
+            only_comments: !blank
+                && lines(content).all(|(_, line)| says_nothing(line.trim_ascii())),
             only_comments_invalid: invalid_utf8_at.is_some()
                 && lines(content).all(|(_, line)| is_comment_or_valid(line)),
             guess: invalid_utf8_at.map(|_| guess(bytes)),
-            marked_words: if byte_order_mark { marked_words(content) } else { Vec::new() },
+            marked_words: if byte_order_mark {
+                marked_words(content)
+            } else {
+                Vec::new()
+            },
             conflict_at: conflict(bytes),
         }
     }
@@ -74,12 +84,16 @@ pub enum Guess {
     SingleByte,
 }
 
-/// UTF-16 shows by its mark or by the zeros between Latin letters; the rest is some single-byte code.
+/// UTF-16 shows by its mark or by the zeros between Latin letters; the rest is some single-byte
+/// code.
 fn guess(bytes: &[u8]) -> Guess {
     let zeros: usize = bytes.iter().map(|byte| usize::from(*byte == 0)).sum();
     if bytes.starts_with(b"\x1f\x8b\x08") {
         Guess::Gzip
-    } else if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") || zeros > bytes.len() / 4 {
+    } else if bytes.starts_with(b"\xff\xfe")
+        || bytes.starts_with(b"\xfe\xff")
+        || zeros > bytes.len() / 4
+    {
         Guess::Utf16
     } else if zeros > 0 {
         Guess::Binary
@@ -93,8 +107,15 @@ fn is_comment_or_valid(line: &[u8]) -> bool {
 }
 
 fn marked_words(content: &[u8]) -> Vec<String> {
-    let first = lines(content).map(|(_, line)| String::from_utf8_lossy(line)).next().unwrap_or_default();
-    first.split_whitespace().take(MARKED_WORDS).map(str::to_owned).collect()
+    let first = lines(content)
+        .map(|(_, line)| String::from_utf8_lossy(line))
+        .next()
+        .unwrap_or_default();
+    first
+        .split_whitespace()
+        .take(MARKED_WORDS)
+        .map(str::to_owned)
+        .collect()
 }
 
 /// What git puts in front of the first side of a conflict, between both, and behind the second.
@@ -108,7 +129,9 @@ fn conflict(bytes: &[u8]) -> Option<usize> {
     }
     let mut lines = lines(bytes).map(|(_, line)| line);
     let places = MARKERS.map(|marker| lines.find(|line| line.starts_with(marker)));
-    let [Some(first), Some(_), Some(_)] = places else { return None };
+    let [Some(first), Some(_), Some(_)] = places else {
+        return None;
+    };
     Some(first.as_ptr() as usize - bytes.as_ptr() as usize)
 }
 
@@ -132,23 +155,40 @@ mod tests {
 
     #[test]
     fn comments_alone_are_not_blank_and_hold_nothing() {
-        let seen = |text: &str| (Encoding::of(text.as_bytes()).blank, Encoding::of(text.as_bytes()).only_comments);
+        let seen = |text: &str| {
+            (
+                Encoding::of(text.as_bytes()).blank,
+                Encoding::of(text.as_bytes()).only_comments,
+            )
+        };
         assert_eq!(seen(" \r\n"), (true, false));
         assert_eq!(seen("# a\r\n\n  # b"), (false, true));
         assert_eq!(seen("# a\n1 0 0 1"), (false, false));
-        assert_eq!((seen("\u{feff}"), seen("\u{feff}# a")), ((true, false), (false, true)));
+        assert_eq!(
+            (seen("\u{feff}"), seen("\u{feff}# a")),
+            ((true, false), (false, true))
+        );
     }
 
     #[test]
     fn a_conflict_has_three_markers() {
-        assert_eq!(Encoding::of(b"a\n<<<<<<< HEAD\nb\n=======\nc\n>>>>>>> other\n").conflict_at, Some(2));
+        assert_eq!(
+            Encoding::of(b"a\n<<<<<<< HEAD\nb\n=======\nc\n>>>>>>> other\n").conflict_at,
+            Some(2)
+        );
         assert_eq!(Encoding::of(b"<<<<<<< HEAD\n=======\n").conflict_at, None);
-        assert_eq!(Encoding::of(b"# <<<<<<< a\n=======\n>>>>>>> b\n").conflict_at, None);
+        assert_eq!(
+            Encoding::of(b"# <<<<<<< a\n=======\n>>>>>>> b\n").conflict_at,
+            None
+        );
     }
 
     #[test]
     fn words_behind_the_mark_are_kept() {
-        assert_eq!(Encoding::of("\u{feff}# a b\nc".as_bytes()).marked_words, ["#", "a", "b"]);
+        assert_eq!(
+            Encoding::of("\u{feff}# a b\nc".as_bytes()).marked_words,
+            ["#", "a", "b"]
+        );
         assert_eq!(Encoding::of(b"# a").marked_words, Vec::<String>::new());
     }
 }

@@ -14,7 +14,8 @@ use super::read::{ends_of, read_bounded, too_large};
 use super::walk::{self, Walk, Wanted};
 use mhlint_diag::{Grouped, grouped};
 
-/// Contents of files by path, where they are not those that lie there; `None`: there is no such file.
+/// Contents of files by path, where they are not those that lie there; `None`: there is no such
+/// file.
 pub type Contents<P> = BTreeMap<P, Option<Vec<u8>>>;
 
 /// The beginning and the end of a file.
@@ -118,46 +119,88 @@ pub enum ReadFault {
 }
 
 impl Tree {
-    /// Lists the folder `root`, of hidden files only the `wanted` ones. `label` is what reports put before the paths.
+    /// Lists the folder `root`, of hidden files only the `wanted` ones. `label` is what reports put
+    /// before the paths.
     pub fn on_disk(label: impl Into<String>, root: impl Into<PathBuf>, wanted: Wanted) -> Self {
         Self::on_disk_to_depth(label, root, usize::MAX, wanted)
     }
 
     /// The same, not deeper than `depth` levels.
-    pub fn on_disk_to_depth(label: impl Into<String>, root: impl Into<PathBuf>, depth: usize, wanted: Wanted) -> Self {
+    pub fn on_disk_to_depth(
+        label: impl Into<String>,
+        root: impl Into<PathBuf>,
+        depth: usize,
+        wanted: Wanted,
+    ) -> Self {
         let root = root.into();
-        let Walk { entries, faults, journals } = walk::walk(&root, depth, wanted);
-        Self { depth, journals, ..Self::new(label.into(), Backend::Disk(root), entries, faults) }
+        let Walk {
+            entries,
+            faults,
+            journals,
+        } = walk::walk(&root, depth, wanted);
+        Self {
+            depth,
+            journals,
+            ..Self::new(label.into(), Backend::Disk(root), entries, faults)
+        }
     }
 
-    /// A tree of files held in memory: `Vec<u8>`, or `Arc<[u8]>` where several trees share their bytes. A path that ends
-    /// in a slash is a folder, which may be empty.
+    /// A tree of files held in memory: `Vec<u8>`, or `Arc<[u8]>` where several trees share their
+    /// bytes. A path that ends in a slash is a folder, which may be empty.
     pub fn in_memory<B: Into<Arc<[u8]>>>(
         label: impl Into<String>,
         files: impl IntoIterator<Item = (String, B)>,
     ) -> Self {
-        let files: BTreeMap<_, Arc<[u8]>> = files.into_iter().map(|(path, bytes)| (path, bytes.into())).collect();
-        let (entries, faults) = memory_entries(files.iter().map(|(path, bytes)| (path.as_str(), bytes.len() as u64)));
+        let files: BTreeMap<_, Arc<[u8]>> = files
+            .into_iter()
+            .map(|(path, bytes)| (path, bytes.into()))
+            .collect();
+        let (entries, faults) = memory_entries(
+            files
+                .iter()
+                .map(|(path, bytes)| (path.as_str(), bytes.len() as u64)),
+        );
         Self::new(label.into(), Backend::Memory(files), entries, faults)
     }
 
-    /// A zip, as the folder that it was made of; hidden files as in [`Tree::on_disk`]. Its files are unpacked when they
-    /// are read, each on its own.
+    /// A zip, as the folder that it was made of; hidden files as in [`Tree::on_disk`]. Its files
+    /// are unpacked when they are read, each on its own.
     pub fn packed(label: impl Into<String>, zip: Vec<u8>, limits: &Limits, wanted: Wanted) -> Self {
         let (pack, facts) = Pack::open(zip, &limits.of_pack());
         let folders: Vec<String> = pack.folders().map(|folder| format!("{folder}/")).collect();
         let is_listed = |(path, _): &(&str, u64)| {
             !has_hidden_part(path) || wanted("", path.trim_end_matches('/'), path.ends_with('/'))
         };
-        let all = pack.files().chain(folders.iter().map(|folder| (folder.as_str(), 0))).filter(is_listed);
+        let all = pack
+            .files()
+            .chain(folders.iter().map(|folder| (folder.as_str(), 0)))
+            .filter(is_listed);
         let (entries, faults) = memory_entries(all.collect::<BTreeMap<_, _>>());
-        let tree = Self::new(label.into(), Backend::Packed(Arc::new(pack)), entries, faults);
-        Self { pack: Some(Arc::new(facts)), ..tree }
+        let tree = Self::new(
+            label.into(),
+            Backend::Packed(Arc::new(pack)),
+            entries,
+            faults,
+        );
+        Self {
+            pack: Some(Arc::new(facts)),
+            ..tree
+        }
     }
 
     fn new(label: String, backend: Backend, entries: Vec<Entry>, faults: Vec<WalkFault>) -> Self {
         let (changed, seen, pack, journals) = (BTreeMap::new(), None, None, Vec::new());
-        Self { label, backend, depth: usize::MAX, entries, faults, journals, changed, seen, pack }
+        Self {
+            label,
+            backend,
+            depth: usize::MAX,
+            entries,
+            faults,
+            journals,
+            changed,
+            seen,
+            pack,
+        }
     }
 
     /// What reports put before the paths; empty for the working directory.
@@ -191,7 +234,9 @@ impl Tree {
 
     /// Journals of runs that fix, where they lie on disk.
     pub fn journals(&self) -> impl Iterator<Item = PathBuf> {
-        self.root().into_iter().flat_map(|root| self.journals.iter().map(move |journal| root.join(journal)))
+        self.root()
+            .into_iter()
+            .flat_map(|root| self.journals.iter().map(move |journal| root.join(journal)))
     }
 
     /// What is to be known of a zip besides the files in it, if it is one.
@@ -206,15 +251,28 @@ impl Tree {
 
     /// Whether there is a folder at `path`. The top of the tree is one.
     pub fn is_folder(&self, path: &str) -> bool {
-        path.is_empty() || self.entry(path).is_some_and(|entry| entry.kind == EntryKind::Folder)
+        path.is_empty()
+            || self
+                .entry(path)
+                .is_some_and(|entry| entry.kind == EntryKind::Folder)
     }
 
     /// The first file in a folder or below it.
     pub fn first_file_in(&self, folder: &str) -> Option<&str> {
-        let inside = if folder.is_empty() { String::new() } else { format!("{folder}/") };
+        let inside = if folder.is_empty() {
+            String::new()
+        } else {
+            format!("{folder}/")
+        };
         let start = self.entries.partition_point(|entry| entry.path < inside);
-        let mut inside = self.entries.iter().skip(start).take_while(|entry| entry.path.starts_with(&inside));
-        inside.find(|entry| entry.kind == EntryKind::File).map(|entry| entry.path.as_str())
+        let mut inside = self
+            .entries
+            .iter()
+            .skip(start)
+            .take_while(|entry| entry.path.starts_with(&inside));
+        inside
+            .find(|entry| entry.kind == EntryKind::File)
+            .map(|entry| entry.path.as_str())
     }
 
     /// The bytes of a listed file, as they are.
@@ -224,7 +282,9 @@ impl Tree {
     pub fn read(&self, entry: &Entry, limits: &Limits) -> Result<Vec<u8>, ReadFault> {
         match entry.kind {
             EntryKind::Folder => return Err(ReadFault::Unreadable("it is a folder".to_owned())),
-            EntryKind::Special => return Err(ReadFault::Unreadable("it is not a regular file".to_owned())),
+            EntryKind::Special => {
+                return Err(ReadFault::Unreadable("it is not a regular file".to_owned()));
+            }
             EntryKind::File => {}
         }
         if entry.size > limits.file_bytes {
@@ -235,15 +295,21 @@ impl Tree {
         }
         let bytes = match &self.backend {
             Backend::Disk(root) => read_bounded(&root.join(&entry.native), entry.size, limits),
-            Backend::Memory(files) => files.get(&entry.path).map(|bytes| bytes.to_vec()).ok_or_else(gone),
+            Backend::Memory(files) => files
+                .get(&entry.path)
+                .map(|bytes| bytes.to_vec())
+                .ok_or_else(gone),
             Backend::Packed(pack) => match pack.read(&entry.path) {
-                Some(bytes) => bytes.map_err(|_| ReadFault::Unreadable("it cannot be unpacked".to_owned())),
+                Some(bytes) => {
+                    bytes.map_err(|_| ReadFault::Unreadable("it cannot be unpacked".to_owned()))
+                }
                 None => Err(gone()),
             },
         }?;
         if let Some(seen) = &self.seen {
             let mut seen = seen.lock().unwrap_or_else(PoisonError::into_inner);
-            seen.entry(entry.path.clone()).or_insert_with(|| xxh3_64(&bytes));
+            seen.entry(entry.path.clone())
+                .or_insert_with(|| xxh3_64(&bytes));
         }
         Ok(bytes)
     }
@@ -252,7 +318,12 @@ impl Tree {
     ///
     /// # Errors
     /// When the file cannot be read.
-    pub fn read_ends(&self, entry: &Entry, ends: (usize, usize), limits: &Limits) -> Result<Ends, ReadFault> {
+    pub fn read_ends(
+        &self,
+        entry: &Entry,
+        ends: (usize, usize),
+        limits: &Limits,
+    ) -> Result<Ends, ReadFault> {
         let (head, tail) = ends;
         let is_long = entry.size > (head + tail) as u64;
         let is_there = entry.kind == EntryKind::File && !self.changed.contains_key(&entry.path);
@@ -264,7 +335,10 @@ impl Tree {
         if !is_long {
             return Ok((all, Vec::new()));
         }
-        let end = all.get(all.len().saturating_sub(tail)..).unwrap_or_default().to_vec();
+        let end = all
+            .get(all.len().saturating_sub(tail)..)
+            .unwrap_or_default()
+            .to_vec();
         all.truncate(head);
         Ok((all, end))
     }
@@ -276,10 +350,16 @@ impl Tree {
 
     /// Hash of what was first read at `path` since [`Tree::watch`].
     pub fn seen(&self, path: &str) -> Option<u64> {
-        self.seen.as_ref()?.lock().unwrap_or_else(PoisonError::into_inner).get(path).copied()
+        self.seen
+            .as_ref()?
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .get(path)
+            .copied()
     }
 
-    /// From now on `bytes` are what is read at `path`, or nothing is there; the file itself stays as it is.
+    /// From now on `bytes` are what is read at `path`, or nothing is there; the file itself stays
+    /// as it is.
     pub fn change(&mut self, path: &str, bytes: Option<Vec<u8>>) {
         let Ok(at) = self.place(path) else { return };
         match bytes {
@@ -293,17 +373,24 @@ impl Tree {
         }
     }
 
-    /// The same tree with other contents, as a commit has it: a folder without a file is gone. What links lead to is
-    /// changed where they stand, too.
+    /// The same tree with other contents, as a commit has it: a folder without a file is gone. What
+    /// links lead to is changed where they stand, too.
     #[must_use]
     pub fn with(&self, contents: &Contents<String>) -> Self {
-        let links = self.entries.iter().filter_map(|entry| Some((entry.link_to.as_deref()?, entry.path.as_str())));
+        let links = self
+            .entries
+            .iter()
+            .filter_map(|entry| Some((entry.link_to.as_deref()?, entry.path.as_str())));
         let links = grouped(links);
-        let mut entries: BTreeMap<String, Entry> =
-            self.entries.iter().map(|entry| (entry.path.clone(), entry.clone())).collect();
+        let mut entries: BTreeMap<String, Entry> = self
+            .entries
+            .iter()
+            .map(|entry| (entry.path.clone(), entry.clone()))
+            .collect();
         let mut changed = self.changed.clone();
         // Where a folder takes the place of a file, or the reverse, the old one goes first.
-        let (added, removed): (Vec<_>, Vec<_>) = contents.iter().partition(|(_, bytes)| bytes.is_some());
+        let (added, removed): (Vec<_>, Vec<_>) =
+            contents.iter().partition(|(_, bytes)| bytes.is_some());
         let mut room = Room(walk::MOST_LETTERS);
         let mut given_up = None;
         for (path, bytes) in removed.into_iter().chain(added) {
@@ -322,11 +409,25 @@ impl Tree {
                 }
             }
         }
-        let faults = self.faults.iter().filter(|fault| !contents.contains_key(&fault.path)).cloned();
+        let faults = self
+            .faults
+            .iter()
+            .filter(|fault| !contents.contains_key(&fault.path))
+            .cloned();
         let faults = faults.chain(given_up).collect();
         let entries = entries.into_values().collect();
         let (label, backend, pack) = (self.label.clone(), self.backend.clone(), self.pack.clone());
-        Self { label, backend, depth: self.depth, entries, faults, journals: Vec::new(), changed, seen: None, pack }
+        Self {
+            label,
+            backend,
+            depth: self.depth,
+            entries,
+            faults,
+            journals: Vec::new(),
+            changed,
+            seen: None,
+            pack,
+        }
     }
 
     /// Whether what is read at `path` is the same in both trees.
@@ -335,8 +436,13 @@ impl Tree {
             return true;
         }
         let both = [self, other].map(|tree| tree.entry(path));
-        let [Some(own), Some(others)] = both else { return false };
-        own.size == others.size && self.read(own, limits).is_ok_and(|own| other.read(others, limits) == Ok(own))
+        let [Some(own), Some(others)] = both else {
+            return false;
+        };
+        own.size == others.size
+            && self
+                .read(own, limits)
+                .is_ok_and(|own| other.read(others, limits) == Ok(own))
     }
 
     /// Whether a path holds other bytes than were there.
@@ -355,40 +461,56 @@ impl Tree {
     }
 
     fn place(&self, path: &str) -> Result<usize, usize> {
-        self.entries.binary_search_by(|entry| entry.path.as_str().cmp(path))
+        self.entries
+            .binary_search_by(|entry| entry.path.as_str().cmp(path))
     }
 
     /// The folder on disk that was listed.
     pub fn root(&self) -> Option<&Path> {
-        if let Backend::Disk(root) = &self.backend { Some(root) } else { None }
+        if let Backend::Disk(root) = &self.backend {
+            Some(root)
+        } else {
+            None
+        }
     }
 }
 
 /// The other paths of a file: links to it, and what lies there behind links to folders.
 fn linked(links: &Grouped<&str, &str>, path: &str) -> BTreeSet<String> {
-    let above =
-        folders_above(path).chain([path]).filter_map(|meant| Some((links.get(meant)?, path.get(meant.len()..)?)));
-    above.flat_map(|(links, rest)| links.iter().map(move |link| format!("{link}{rest}"))).collect()
+    let above = folders_above(path)
+        .chain([path])
+        .filter_map(|meant| Some((links.get(meant)?, path.get(meant.len()..)?)));
+    above
+        .flat_map(|(links, rest)| links.iter().map(move |link| format!("{link}{rest}")))
+        .collect()
 }
 
 fn gone() -> ReadFault {
     ReadFault::Unreadable("it no longer exists".to_owned())
 }
 
-/// Removes a file, or a folder with all that is in it, and the folders above that held nothing else.
+/// Removes a file, or a folder with all that is in it, and the folders above that held nothing
+/// else.
 fn remove(entries: &mut BTreeMap<String, Entry>, path: &str) {
-    let Some(entry) = entries.remove(path) else { return };
+    let Some(entry) = entries.remove(path) else {
+        return;
+    };
     if entry.kind == EntryKind::Folder {
         let below = format!("{path}/");
-        let inside =
-            entries.range(below.clone()..).map_while(|(path, _)| path.starts_with(&below).then(|| path.clone()));
+        let inside = entries
+            .range(below.clone()..)
+            .map_while(|(path, _)| path.starts_with(&below).then(|| path.clone()));
         for path in inside.collect::<Vec<_>>() {
             entries.remove(&path);
         }
     }
     for folder in folders_above(path).rev() {
         let below = format!("{folder}/");
-        if entries.range(below.clone()..).next().is_some_and(|(path, _)| path.starts_with(&below)) {
+        if entries
+            .range(below.clone()..)
+            .next()
+            .is_some_and(|(path, _)| path.starts_with(&below))
+        {
             return;
         }
         entries.remove(folder);
@@ -409,7 +531,11 @@ mod tests {
         fs::write(folder.path().join("a.txt"), "").unwrap();
         fs::create_dir(folder.path().join("d")).unwrap();
         let disk = Tree::on_disk("x", folder.path(), |_, _, _| false);
-        let files = [("b/c.txt", b"hello".to_vec()), ("a.txt", Vec::new()), ("d/", Vec::new())];
+        let files = [
+            ("b/c.txt", b"hello".to_vec()),
+            ("a.txt", Vec::new()),
+            ("d/", Vec::new()),
+        ];
         let memory = Tree::in_memory("x", files.map(|(path, bytes)| (path.to_owned(), bytes)));
         let seen = |tree: &Tree| -> Vec<_> {
             let limits = Limits::default();
@@ -425,7 +551,9 @@ mod tests {
         fs::write(folder.path().join("a"), "abcdefgh").unwrap();
         let memory = Tree::in_memory("", [("a".to_owned(), b"abcdefgh".to_vec())]);
         for tree in [Tree::on_disk("", folder.path(), |_, _, _| false), memory] {
-            let ends = |head, tail| tree.read_ends(tree.entry("a").unwrap(), (head, tail), &Limits::default());
+            let ends = |head, tail| {
+                tree.read_ends(tree.entry("a").unwrap(), (head, tail), &Limits::default())
+            };
             assert_eq!(ends(3, 2), Ok((b"abc".to_vec(), b"gh".to_vec())));
             assert_eq!(ends(4, 4), Ok((b"abcdefgh".to_vec(), Vec::new())));
         }
@@ -434,31 +562,61 @@ mod tests {
     #[test]
     fn folders_without_end_are_given_up() {
         let deep = |top: &str| format!("{top}/{}x", "a_folder_of_many/".repeat(5000));
-        let tree = Tree::in_memory("", [("a/b".to_owned(), Vec::new()), (deep("c"), Vec::new())]);
-        assert_eq!(tree.entries().iter().map(|entry| entry.path.as_str()).collect::<Vec<_>>(), ["a", "a/b"]);
-        let unlisted: Vec<&str> = tree.faults().iter().map(|fault| fault.path.as_str()).collect();
+        let tree = Tree::in_memory(
+            "",
+            [("a/b".to_owned(), Vec::new()), (deep("c"), Vec::new())],
+        );
+        assert_eq!(
+            tree.entries()
+                .iter()
+                .map(|entry| entry.path.as_str())
+                .collect::<Vec<_>>(),
+            ["a", "a/b"]
+        );
+        let unlisted: Vec<&str> = tree
+            .faults()
+            .iter()
+            .map(|fault| fault.path.as_str())
+            .collect();
         assert_eq!(unlisted, ["c"]);
-        let changed = Tree::in_memory("", [("a".to_owned(), Vec::new())]).with(&[(deep("d"), Some(Vec::new()))].into());
+        let changed = Tree::in_memory("", [("a".to_owned(), Vec::new())])
+            .with(&[(deep("d"), Some(Vec::new()))].into());
         assert_eq!((changed.entries().len(), changed.faults().len()), (1, 1));
     }
 
     #[test]
     fn changes_are_read_and_the_first_content_is_remembered() {
-        let mut tree = Tree::in_memory("", ["a", "b"].map(|path| (path.to_owned(), b"old".to_vec())));
+        let mut tree = Tree::in_memory(
+            "",
+            ["a", "b"].map(|path| (path.to_owned(), b"old".to_vec())),
+        );
         tree.watch();
-        let read = |tree: &Tree, path| tree.entry(path).map(|entry| tree.read(entry, &Limits::default()).unwrap());
-        assert_eq!((read(&tree, "a"), tree.seen("b")), (Some(b"old".to_vec()), None));
+        let read = |tree: &Tree, path| {
+            tree.entry(path)
+                .map(|entry| tree.read(entry, &Limits::default()).unwrap())
+        };
+        assert_eq!(
+            (read(&tree, "a"), tree.seen("b")),
+            (Some(b"old".to_vec()), None)
+        );
         tree.change("a", Some(b"newer".to_vec()));
         tree.change("b", None);
-        assert_eq!((read(&tree, "a"), read(&tree, "b")), (Some(b"newer".to_vec()), None));
-        assert_eq!((tree.seen("a"), tree.entry("a").unwrap().size), (Some(xxh3_64(b"old")), 5));
+        assert_eq!(
+            (read(&tree, "a"), read(&tree, "b")),
+            (Some(b"newer".to_vec()), None)
+        );
+        assert_eq!(
+            (tree.seen("a"), tree.entry("a").unwrap().size),
+            (Some(xxh3_64(b"old")), 5)
+        );
     }
 
     #[test]
     fn a_tree_with_other_contents_is_as_a_commit_has_it() {
         let tree = Tree::in_memory(
             "",
-            ["a/b/c", "a/d", "e", "nested/x", "nested/y/z"].map(|path| (path.to_owned(), b"old".to_vec())),
+            ["a/b/c", "a/d", "e", "nested/x", "nested/y/z"]
+                .map(|path| (path.to_owned(), b"old".to_vec())),
         );
         let other = tree.with(&Contents::from([
             ("a/b/c".to_owned(), None),
@@ -467,10 +625,17 @@ mod tests {
             ("gone".to_owned(), None),
             ("nested".to_owned(), None),
         ]));
-        let paths: Vec<&str> = other.entries().iter().map(|entry| entry.path.as_str()).collect();
+        let paths: Vec<&str> = other
+            .entries()
+            .iter()
+            .map(|entry| entry.path.as_str())
+            .collect();
         assert_eq!(paths, ["a", "a/d", "e", "f", "f/g", "f/g/h"]);
         let limits = Limits::default();
-        assert_eq!(other.read(other.entry("f/g/h").unwrap(), &limits), Ok(b"new".to_vec()));
+        assert_eq!(
+            other.read(other.entry("f/g/h").unwrap(), &limits),
+            Ok(b"new".to_vec())
+        );
         let shared = ["a/d", "e", "f/g/h"].map(|path| tree.shares(path, &other, &limits));
         assert_eq!(shared, [true, false, false]);
         let elsewhere = Tree::in_memory("x", [("e".to_owned(), b"other".to_vec())]);
@@ -480,7 +645,10 @@ mod tests {
     #[test]
     fn a_folder_is_unreadable_and_a_large_file_is_refused() {
         let tree = Tree::in_memory("", [("a/b".to_owned(), vec![0; 9])]);
-        let limits = Limits { file_bytes: 8, ..Limits::default() };
+        let limits = Limits {
+            file_bytes: 8,
+            ..Limits::default()
+        };
         let read = |path| tree.read(tree.entry(path).unwrap(), &limits);
         assert!(matches!(read("a"), Err(ReadFault::Unreadable(_))));
         assert_eq!(read("a/b"), Err(ReadFault::TooLarge { size: 9, limit: 8 }));

@@ -1,7 +1,8 @@
 //! Unpacked size of zip archives (`.npz`, `.mhbin` are zips) by their directory, without unpacking.
 //!
-//! Python's zipfile stops reading a member at the size that the directory states, so the stated sizes are
-//! what a loader would really unpack. Members may overlap; their sizes count all the same.
+//! Python's zipfile stops reading a member at the size that the directory states, so the stated
+//! sizes are what a loader would really unpack. Members may overlap; their sizes count all the
+//! same.
 
 use std::io::Cursor;
 
@@ -31,7 +32,8 @@ mod tests {
     fn archive(members: &[usize]) -> Vec<u8> {
         let mut zip = zip::ZipWriter::new(Cursor::new(Vec::new()));
         for (index, size) in members.iter().enumerate() {
-            zip.start_file(index.to_string(), SimpleFileOptions::default()).unwrap();
+            zip.start_file(index.to_string(), SimpleFileOptions::default())
+                .unwrap();
             zip.write_all(&vec![0; *size]).unwrap();
         }
         zip.finish().unwrap().into_inner()
@@ -40,9 +42,15 @@ mod tests {
     #[test]
     fn stated_sizes_are_added_up() {
         let packed = archive(&[600, 400]);
-        let limits = |bytes| Limits { unpacked_bytes: bytes, ..Limits::default() };
+        let limits = |bytes| Limits {
+            unpacked_bytes: bytes,
+            ..Limits::default()
+        };
         assert_eq!(zip_bomb(&packed, &limits(1000)), None);
-        let bomb = GzipFault::Bomb { packed: packed.len() as u64, unpacked: 1000 };
+        let bomb = GzipFault::Bomb {
+            packed: packed.len() as u64,
+            unpacked: 1000,
+        };
         assert_eq!(zip_bomb(&packed, &limits(999)), Some(bomb));
         assert_eq!(zip_bomb(b"no zip at all", &limits(1)), None);
     }

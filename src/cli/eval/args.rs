@@ -84,8 +84,15 @@ pub(super) enum MeshFormat {
 impl MeshOutput {
     /// JSON when vertices are asked for, or the file is called so.
     pub(super) fn is_json(&self) -> bool {
-        let named = self.output.as_ref().and_then(|file| file.extension()).is_some_and(|ending| ending == "json");
-        self.format.map_or(named || !self.vertices.is_empty(), |format| format == MeshFormat::Json)
+        let named = self
+            .output
+            .as_ref()
+            .and_then(|file| file.extension())
+            .is_some_and(|ending| ending == "json");
+        self.format
+            .map_or(named || !self.vertices.is_empty(), |format| {
+                format == MeshFormat::Json
+            })
     }
 }
 
@@ -140,7 +147,12 @@ pub(in crate::cli) struct WeightsArgs {
     #[arg(long, value_name = "FILE")]
     pub(super) skeleton: Option<PathBuf>,
     /// Load the weights as this application does.
-    #[arg(long, value_name = "APPLICATION", default_value = "makehuman2", conflicts_with = "rig")]
+    #[arg(
+        long,
+        value_name = "APPLICATION",
+        default_value = "makehuman2",
+        conflicts_with = "rig"
+    )]
     pub(super) app: LoadedBy,
     /// Rig of MPFB (rig.*.json): load the weights as MPFB does, into vertex groups of its bones.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["skeleton", "max_influences", "remap_to", "output"])]

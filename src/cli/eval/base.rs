@@ -1,5 +1,5 @@
-//! What `mhlint eval` shows of a base at a setting: its macros and modifiers, its mesh, a skeleton on it, its mesh in a
-//! pose.
+//! What `mhlint eval` shows of a base at a setting: its macros and modifiers, its mesh, a skeleton
+//! on it, its mesh in a pose.
 
 use std::io::Write;
 
@@ -21,7 +21,9 @@ pub(super) fn macros(args: &BaseArgs, out: &mut dyn Write) -> Result<(), Failure
 /// `mhlint eval modifiers`.
 pub(super) fn modifiers(args: &BaseArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let opened = open(args)?;
-    let outputs = opened.evaluation.modifiers_json(&opened.setting, &opened.values)?;
+    let outputs = opened
+        .evaluation
+        .modifiers_json(&opened.setting, &opened.values)?;
     write::write(&document("modifiers", opened.inputs, outputs), None, out)
 }
 
@@ -30,7 +32,13 @@ pub(super) fn mesh(args: &MeshArgs, out: &mut dyn Write) -> Result<(), Failure> 
     let mut opened = open(&args.base)?;
     let positions = opened.evaluation.morphed(&opened.setting)?;
     let obj = || Ok(with_positions(&opened.evaluation.mesh_text()?, &positions));
-    let json = || Ok(document("mesh", opened.inputs, mesh_json(&positions, &args.output.vertices)?));
+    let json = || {
+        Ok(document(
+            "mesh",
+            opened.inputs,
+            mesh_json(&positions, &args.output.vertices)?,
+        ))
+    };
     write::write_mesh(&args.output, obj, json, out)
 }
 
@@ -43,8 +51,14 @@ pub(super) fn skeleton(args: &SkeletonArgs, out: &mut dyn Write) -> Result<(), F
         None => opened.evaluation.pose_skeleton()?.clone(),
     };
     let rest = opened.evaluation.rest(&skeleton, &positions)?;
-    opened.inputs.insert("rig".to_owned(), Value::from(skeleton.path));
-    write::write(&document("skeleton", opened.inputs, skeleton_json(&rest)), None, out)
+    opened
+        .inputs
+        .insert("rig".to_owned(), Value::from(skeleton.path));
+    write::write(
+        &document("skeleton", opened.inputs, skeleton_json(&rest)),
+        None,
+        out,
+    )
 }
 
 /// `mhlint eval skin`.
@@ -53,8 +67,21 @@ pub(super) fn skin(args: &SkinArgs, out: &mut dyn Write) -> Result<(), Failure> 
     let poses = read_poses(&args.pose)?;
     let positions = opened.evaluation.morphed(&opened.setting)?;
     let skinned = opened.evaluation.posed(&positions, &poses)?;
-    opened.inputs.insert("pose".to_owned(), Value::from(args.pose.to_string_lossy()));
-    let obj = || Ok(with_positions(&opened.evaluation.mesh_text()?, &skinned.positions));
-    let json = || Ok(document("skin", opened.inputs, skin_json(&skinned, &args.output.vertices)?));
+    opened
+        .inputs
+        .insert("pose".to_owned(), Value::from(args.pose.to_string_lossy()));
+    let obj = || {
+        Ok(with_positions(
+            &opened.evaluation.mesh_text()?,
+            &skinned.positions,
+        ))
+    };
+    let json = || {
+        Ok(document(
+            "skin",
+            opened.inputs,
+            skin_json(&skinned, &args.output.vertices)?,
+        ))
+    };
     write::write_mesh(&args.output, obj, json, out)
 }

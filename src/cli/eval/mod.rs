@@ -17,10 +17,16 @@ pub(super) use args::EvalCommand;
 use super::exit::{Exit, Failure};
 use args::{BaseArgs, SettingArgs};
 use mhlint_engine::open_base;
-use mhlint_evaluate::{Error, Evaluation, Setting, SliderSetting, object, parse_setting, read_settings};
+use mhlint_evaluate::{
+    Error, Evaluation, Setting, SliderSetting, object, parse_setting, read_settings,
+};
 
 /// Runs one of the commands.
-pub(super) fn run(command: &EvalCommand, out: &mut dyn Write, err: &mut dyn Write) -> Result<Exit, Failure> {
+pub(super) fn run(
+    command: &EvalCommand,
+    out: &mut dyn Write,
+    err: &mut dyn Write,
+) -> Result<Exit, Failure> {
     match command {
         EvalCommand::Macros(args) => base::macros(args, out),
         EvalCommand::Modifiers(args) => base::modifiers(args, out),
@@ -51,14 +57,30 @@ fn open(args: &BaseArgs) -> Result<Opened, Error> {
 
 fn open_root(root: &std::path::Path, args: &SettingArgs) -> Result<Opened, Error> {
     let evaluation = open_base(root, args.system.as_deref(), args.base.as_deref())?;
-    let mut values = args.settings.as_deref().map(read_settings).transpose()?.unwrap_or_default();
+    let mut values = args
+        .settings
+        .as_deref()
+        .map(read_settings)
+        .transpose()?
+        .unwrap_or_default();
     for text in &args.set {
         values.push(parse_setting(text)?);
     }
     let setting = evaluation.setting(&values)?;
-    let modifiers: Vec<Value> = values.iter().map(|(name, value)| serde_json::json!([name, value])).collect();
-    let inputs = object([("base", Value::from(evaluation.base())), ("modifiers", Value::from(modifiers))]);
-    Ok(Opened { evaluation, setting, values, inputs })
+    let modifiers: Vec<Value> = values
+        .iter()
+        .map(|(name, value)| serde_json::json!([name, value]))
+        .collect();
+    let inputs = object([
+        ("base", Value::from(evaluation.base())),
+        ("modifiers", Value::from(modifiers)),
+    ]);
+    Ok(Opened {
+        evaluation,
+        setting,
+        values,
+        inputs,
+    })
 }
 
 /// `mhlint-eval/1`: kind, inputs and outputs.
@@ -86,12 +108,20 @@ fn lay_out(value: &Value, level: usize, out: &mut String) {
         Value::Object(members) if level <= OPEN_LEVELS && !members.is_empty() => {
             for (place, (key, member)) in members.iter().enumerate() {
                 let before = if place == 0 { "{" } else { "," };
-                out.extend([before, "\n", &indent, &Value::from(key.as_str()).to_string(), ": "]);
+                out.extend([
+                    before,
+                    "\n",
+                    &indent,
+                    &Value::from(key.as_str()).to_string(),
+                    ": ",
+                ]);
                 lay_out(member, level + 1, out);
             }
             out.extend(["\n", &close, "}"]);
         }
-        Value::Array(elements) if level <= OPEN_LEVELS && elements.iter().any(|e| e.is_array() || e.is_object()) => {
+        Value::Array(elements)
+            if level <= OPEN_LEVELS && elements.iter().any(|e| e.is_array() || e.is_object()) =>
+        {
             for (place, element) in elements.iter().enumerate() {
                 let before = if place == 0 { "[" } else { "," };
                 out.extend([before, "\n", &indent, &element.to_string()]);

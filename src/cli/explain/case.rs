@@ -108,25 +108,56 @@ pub(super) fn cases(rule: &str) -> Vec<Case> {
 fn read(folder: &Dir<'_>) -> Option<Case> {
     let text = |name: &str| FIXTURES.get_file(folder.path().join(name))?.contents_utf8();
     let mut case: Case = toml::from_str(text("case.toml")?).ok()?;
-    folder.path().file_name()?.to_str()?.clone_into(&mut case.name);
-    case.expected = text("expected.txt").unwrap_or_default().lines().map(str::to_owned).collect();
+    folder
+        .path()
+        .file_name()?
+        .to_str()?
+        .clone_into(&mut case.name);
+    case.expected = text("expected.txt")
+        .unwrap_or_default()
+        .lines()
+        .map(str::to_owned)
+        .collect();
     Some(case)
 }
 
 impl Case {
-    /// What the case changes in the example repository; changed lines have `-` or `+` in column five.
+    /// What the case changes in the example repository; changed lines have `-` or `+` in column
+    /// five.
     pub(super) fn lines(&self) -> Vec<String> {
         let mut lines = Vec::new();
-        lines.extend(self.rename.iter().map(|[from, to]| format!("  {from} renamed to {to}")));
-        lines.extend(self.copy.iter().map(|[from, to]| format!("  {from} copied to {to}")));
+        lines.extend(
+            self.rename
+                .iter()
+                .map(|[from, to]| format!("  {from} renamed to {to}")),
+        );
+        lines.extend(
+            self.copy
+                .iter()
+                .map(|[from, to]| format!("  {from} copied to {to}")),
+        );
         lines.extend(self.remove.iter().map(|path| format!("  {path} removed")));
-        self.write.iter().for_each(|written| written.push_lines(&mut lines));
-        self.pack.iter().for_each(|packed| packed.push_lines(&mut lines));
-        self.compiled.iter().for_each(|packed| packed.push_lines(&mut lines));
-        self.targets.iter().for_each(|archive| archive.push_lines(&mut lines));
-        self.edit.iter().for_each(|edit| edit.push_lines(&mut lines));
+        self.write
+            .iter()
+            .for_each(|written| written.push_lines(&mut lines));
+        self.pack
+            .iter()
+            .for_each(|packed| packed.push_lines(&mut lines));
+        self.compiled
+            .iter()
+            .for_each(|packed| packed.push_lines(&mut lines));
+        self.targets
+            .iter()
+            .for_each(|archive| archive.push_lines(&mut lines));
+        self.edit
+            .iter()
+            .for_each(|edit| edit.push_lines(&mut lines));
         lines.extend(self.folder.iter().map(|path| format!("  {path}/ created")));
-        lines.extend(self.link.iter().map(|[path, to]| format!("  {path} linked to {to}")));
+        lines.extend(
+            self.link
+                .iter()
+                .map(|[path, to]| format!("  {path} linked to {to}")),
+        );
         self.zip.iter().for_each(|zip| zip.push_lines(&mut lines));
         if !self.args.is_empty() {
             lines.push(format!("  mhlint {}", self.args.join(" ")));
@@ -140,12 +171,18 @@ impl Edit {
         lines.push(format!("  {}", self.file));
         let old: Vec<&str> = self.find.lines().collect();
         let new: Vec<&str> = self.replace.lines().collect();
-        let same = |pairs: &mut dyn Iterator<Item = (&&str, &&str)>| pairs.take_while(|(a, b)| a == b).count();
+        let same = |pairs: &mut dyn Iterator<Item = (&&str, &&str)>| {
+            pairs.take_while(|(a, b)| a == b).count()
+        };
         let before = same(&mut old.iter().zip(&new));
         let bound = old.len().min(new.len()) - before;
         let after = same(&mut old.iter().rev().zip(new.iter().rev())).min(bound);
         let mut push = |sign: char, part: Option<&[&str]>| {
-            lines.extend(part.unwrap_or_default().iter().map(|line| format!("    {sign} {}", shorten(line))));
+            lines.extend(
+                part.unwrap_or_default()
+                    .iter()
+                    .map(|line| format!("    {sign} {}", shorten(line))),
+            );
         };
         push(' ', old.get(..before));
         push('-', old.get(before..old.len() - after));
@@ -156,18 +193,34 @@ impl Edit {
 
 impl Written {
     fn push_lines(&self, lines: &mut Vec<String>) {
-        let bytes = self.hex.bytes().filter(|byte| !byte.is_ascii_whitespace()).count() / 2;
+        let bytes = self
+            .hex
+            .bytes()
+            .filter(|byte| !byte.is_ascii_whitespace())
+            .count()
+            / 2;
         let what = match (self.times, bytes) {
             (Some(times), _) => format!(", repeated {times} times"),
             (None, 0) => String::new(),
             (None, _) => format!(", {bytes} bytes of binary data"),
         };
-        let packed = if self.gzip { ", compressed with gzip" } else { "" };
+        let packed = if self.gzip {
+            ", compressed with gzip"
+        } else {
+            ""
+        };
         lines.push(format!("  {} (written{what}{packed})", self.file));
         let all: Vec<&str> = self.text.lines().collect();
-        lines.extend(all.iter().take(SHOWN_LINES).map(|line| format!("    + {}", shorten(line))));
+        lines.extend(
+            all.iter()
+                .take(SHOWN_LINES)
+                .map(|line| format!("    + {}", shorten(line))),
+        );
         if all.len() > SHOWN_LINES {
-            lines.push(format!("      ... and {}", count(all.len() - SHOWN_LINES, "more line")));
+            lines.push(format!(
+                "      ... and {}",
+                count(all.len() - SHOWN_LINES, "more line")
+            ));
         }
     }
 }
@@ -179,14 +232,25 @@ impl Packed {
             members => format!(", without `{}`", members.join("`, `")),
         };
         let cut = if self.cut > 0 { ", cut off" } else { "" };
-        lines.push(format!("  {} (packed from {}{without}{cut})", self.file, self.from));
+        lines.push(format!(
+            "  {} (packed from {}{without}{cut})",
+            self.file, self.from
+        ));
         if self.alone {
             lines.push(format!("  {} removed", self.from));
         }
         if !self.find.is_empty() {
             lines.push("    with".to_owned());
-            lines.extend(self.find.lines().map(|line| format!("    - {}", shorten(line))));
-            lines.extend(self.replace.lines().map(|line| format!("    + {}", shorten(line))));
+            lines.extend(
+                self.find
+                    .lines()
+                    .map(|line| format!("    - {}", shorten(line))),
+            );
+            lines.extend(
+                self.replace
+                    .lines()
+                    .map(|line| format!("    + {}", shorten(line))),
+            );
         }
     }
 }
@@ -198,11 +262,22 @@ impl TargetArchive {
         if !self.prefix.is_empty() {
             lines.push(format!("    each under {}", self.prefix));
         }
-        lines.extend(self.without.iter().map(|name| format!("    without {name}")));
-        lines.extend(self.member.iter().map(|member| format!("    with another {}", member.name)));
+        lines.extend(
+            self.without
+                .iter()
+                .map(|name| format!("    without {name}")),
+        );
+        lines.extend(
+            self.member
+                .iter()
+                .map(|member| format!("    with another {}", member.name)),
+        );
         match &self.list {
             _ if self.no_list => lines.push("    without images.list".to_owned()),
-            Some(list) => lines.push(format!("  {data}/images.list with {}", count(list.len(), "line"))),
+            Some(list) => lines.push(format!(
+                "  {data}/images.list with {}",
+                count(list.len(), "line")
+            )),
             None => {}
         }
         lines.extend(self.removed.iter().map(|path| match path.as_str() {
@@ -214,9 +289,18 @@ impl TargetArchive {
 
 impl Zipped {
     fn push_lines(&self, lines: &mut Vec<String>) {
-        let content = if self.folder.is_empty() { String::new() } else { format!(" (content of {})", self.folder) };
+        let content = if self.folder.is_empty() {
+            String::new()
+        } else {
+            format!(" (content of {})", self.folder)
+        };
         lines.push(format!("  {}{content}", self.file));
-        for Member { name, link, encrypted } in &self.member {
+        for Member {
+            name,
+            link,
+            encrypted,
+        } in &self.member
+        {
             let what = if *link { " (a link)" } else { "" };
             let how = if *encrypted { " (encrypted)" } else { "" };
             lines.push(format!("    + {}{what}{how}", shorten(name)));
@@ -225,8 +309,15 @@ impl Zipped {
 }
 
 fn shorten(line: &str) -> String {
-    let shown: String = mhlint_report::printable(line).chars().take(SHOWN_CHARACTERS).collect();
-    if shown.len() < line.len() { format!("{shown}...") } else { shown }
+    let shown: String = mhlint_report::printable(line)
+        .chars()
+        .take(SHOWN_CHARACTERS)
+        .collect();
+    if shown.len() < line.len() {
+        format!("{shown}...")
+    } else {
+        shown
+    }
 }
 
 #[cfg(test)]
@@ -240,7 +331,11 @@ mod tests {
             let name = rule.path().to_str().unwrap();
             let read = cases(name);
             assert_eq!(read.len(), rule.dirs().count(), "{name}");
-            assert!(read.iter().all(|case| !case.why.is_empty() && !case.lines().is_empty()), "{name}");
+            assert!(
+                read.iter()
+                    .all(|case| !case.why.is_empty() && !case.lines().is_empty()),
+                "{name}"
+            );
             folders += read.len();
         }
         assert!(folders > 0);
@@ -248,9 +343,16 @@ mod tests {
 
     #[test]
     fn equal_lines_of_an_edit_are_context() {
-        let edit = Edit { file: "f".to_owned(), find: "a\nb\nc".to_owned(), replace: "a\nx\ny\nc".to_owned() };
+        let edit = Edit {
+            file: "f".to_owned(),
+            find: "a\nb\nc".to_owned(),
+            replace: "a\nx\ny\nc".to_owned(),
+        };
         let mut lines = Vec::new();
         edit.push_lines(&mut lines);
-        assert_eq!(lines, ["  f", "      a", "    - b", "    + x", "    + y", "      c"]);
+        assert_eq!(
+            lines,
+            ["  f", "      a", "    - b", "    + x", "    + y", "      c"]
+        );
     }
 }

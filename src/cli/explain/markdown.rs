@@ -19,7 +19,14 @@ pub(super) fn write_rules(rules: &[&RuleInfo], out: &mut dyn Write) -> Result<()
 }
 
 pub(super) fn write_rule(rule: &RuleInfo, out: &mut dyn Write) -> Result<(), Failure> {
-    writeln!(out, "## {}\n\n**{}**: {}\n\n{}\n", rule.id, rule.level, rule.summary, rule.documentation())?;
+    writeln!(
+        out,
+        "## {}\n\n**{}**: {}\n\n{}\n",
+        rule.id,
+        rule.level,
+        rule.summary,
+        rule.documentation()
+    )?;
     for (application, effect) in rule.breaks {
         writeln!(out, "- **{application}:** {effect}")?;
     }
@@ -28,20 +35,43 @@ pub(super) fn write_rule(rule: &RuleInfo, out: &mut dyn Write) -> Result<(), Fai
         writeln!(out, "- {SAFETY}")?;
     }
     for option in rule.options {
-        writeln!(out, "- **Option `{}`** (default {}): {}", option.name, option.default, option.docs)?;
+        writeln!(
+            out,
+            "- **Option `{}`** (default {}): {}",
+            option.name, option.default, option.docs
+        )?;
     }
-    shown_cases(rule.id).iter().try_for_each(|case| write_case(case, out))
+    shown_cases(rule.id)
+        .iter()
+        .try_for_each(|case| write_case(case, out))
 }
 
 fn write_case(case: &Case, out: &mut dyn Write) -> Result<(), Failure> {
     let is_bad = case.name.starts_with("bad");
-    writeln!(out, "\n**{}:** {}\n", if is_bad { "Bad" } else { "Good" }, case.why)?;
-    write_block("diff", &case.lines().iter().map(|line| outdented(line)).collect::<Vec<_>>(), out)?;
+    writeln!(
+        out,
+        "\n**{}:** {}\n",
+        if is_bad { "Bad" } else { "Good" },
+        case.why
+    )?;
+    write_block(
+        "diff",
+        &case
+            .lines()
+            .iter()
+            .map(|line| outdented(line))
+            .collect::<Vec<_>>(),
+        out,
+    )?;
     if case.expected.is_empty() {
         writeln!(out, "\n{}.", result(case))?;
     } else {
         writeln!(out, "\n{}\n", result(case))?;
-        write_block("text", &case.expected.iter().map(String::as_str).collect::<Vec<_>>(), out)?;
+        write_block(
+            "text",
+            &case.expected.iter().map(String::as_str).collect::<Vec<_>>(),
+            out,
+        )?;
     }
     Ok(())
 }
@@ -53,7 +83,11 @@ fn outdented(line: &str) -> &str {
 }
 
 fn write_block(language: &str, lines: &[&str], out: &mut dyn Write) -> Result<(), Failure> {
-    let fence = if lines.iter().any(|line| line.contains("```")) { "````" } else { "```" };
+    let fence = if lines.iter().any(|line| line.contains("```")) {
+        "````"
+    } else {
+        "```"
+    };
     writeln!(out, "{fence}{language}")?;
     for line in lines {
         writeln!(out, "{}", line.trim_end())?;

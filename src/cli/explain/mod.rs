@@ -15,7 +15,12 @@ use mhlint_report::{Paint, count, hang, paragraphs};
 
 const SAFETY: &str = "Safety rule: cannot be ignored or lowered.";
 
-pub(super) fn run(name: &str, format: ExplainFormat, page: Page, out: &mut dyn Write) -> Result<Exit, Failure> {
+pub(super) fn run(
+    name: &str,
+    format: ExplainFormat,
+    page: Page,
+    out: &mut dyn Write,
+) -> Result<Exit, Failure> {
     let rules = rule_infos();
     if let Some(rule) = rules.iter().find(|rule| rule.id == name) {
         match format {
@@ -25,7 +30,11 @@ pub(super) fn run(name: &str, format: ExplainFormat, page: Page, out: &mut dyn W
         return Ok(Exit::Clean);
     }
     let start = name.trim_end_matches('*');
-    let family: Vec<&RuleInfo> = rules.iter().copied().filter(|rule| rule.id.starts_with(start)).collect();
+    let family: Vec<&RuleInfo> = rules
+        .iter()
+        .copied()
+        .filter(|rule| rule.id.starts_with(start))
+        .collect();
     if start.is_empty() || family.is_empty() {
         return Err(unknown(name, &rules));
     }
@@ -36,8 +45,17 @@ pub(super) fn run(name: &str, format: ExplainFormat, page: Page, out: &mut dyn W
     Ok(Exit::Clean)
 }
 
-fn write_family(start: &str, family: &[&RuleInfo], paint: Paint, out: &mut dyn Write) -> Result<(), Failure> {
-    writeln!(out, "{} whose name starts with `{start}`:\n", count(family.len(), "rule"))?;
+fn write_family(
+    start: &str,
+    family: &[&RuleInfo],
+    paint: Paint,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    writeln!(
+        out,
+        "{} whose name starts with `{start}`:\n",
+        count(family.len(), "rule")
+    )?;
     write_table(family, paint, out)?;
     writeln!(out, "\n`mhlint explain RULE` explains one of them.")?;
     Ok(())
@@ -45,7 +63,10 @@ fn write_family(start: &str, family: &[&RuleInfo], paint: Paint, out: &mut dyn W
 
 fn unknown(name: &str, rules: &[&RuleInfo]) -> Failure {
     let guess = nearest(name, rules.iter().map(|rule| rule.id));
-    let hint = guess.map_or_else(|| "`mhlint rules` lists all rules".to_owned(), |id| format!("did you mean `{id}`?"));
+    let hint = guess.map_or_else(
+        || "`mhlint rules` lists all rules".to_owned(),
+        |id| format!("did you mean `{id}`?"),
+    );
     Failure::Usage(format!("unknown rule `{name}`; {hint}"))
 }
 
@@ -58,7 +79,11 @@ pub(super) struct Page {
 
 fn write_rule(rule: &RuleInfo, page: Page, out: &mut dyn Write) -> Result<(), Failure> {
     let Page { paint, width } = page;
-    writeln!(out, "{}", paint.level(rule.level, &format!("{}[{}]", rule.level, rule.id)))?;
+    writeln!(
+        out,
+        "{}",
+        paint.level(rule.level, &format!("{}[{}]", rule.level, rule.id))
+    )?;
     writeln!(out, "{}\n", paint.bold(&hang("", rule.summary, width)))?;
     writeln!(out, "{}\n", paragraphs(&rule.documentation(), "", width))?;
     for (application, effect) in rule.breaks {
@@ -83,13 +108,20 @@ fn shown_cases(rule: &str) -> Vec<Case> {
     let cases = case::cases(rule);
     let bad = cases.iter().find(|case| case.name == "bad");
     let mut good = cases.iter().filter(|case| case.name.starts_with("good"));
-    let good = good.clone().find(|case| case.expected.is_empty()).or_else(|| good.next());
+    let good = good
+        .clone()
+        .find(|case| case.expected.is_empty())
+        .or_else(|| good.next());
     bad.into_iter().chain(good).cloned().collect()
 }
 
 fn write_case(case: &Case, page: Page, out: &mut dyn Write) -> Result<(), Failure> {
     let is_bad = case.name.starts_with("bad");
-    let title = if is_bad { page.paint.bad("Bad:") } else { page.paint.good("Good:") };
+    let title = if is_bad {
+        page.paint.bad("Bad:")
+    } else {
+        page.paint.good("Good:")
+    };
     let indent = if is_bad { 5 } else { 6 };
     let why = hang(&" ".repeat(indent), &case.why, page.width);
     writeln!(out, "\n{title} {}", why.trim_start())?;

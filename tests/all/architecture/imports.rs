@@ -1,5 +1,5 @@
-//! Who imports whom: paths of the code followed to the file that declares what they name, through lists in braces,
-//! `super::` and re-exports.
+//! Who imports whom: paths of the code followed to the file that declares what they name, through
+//! lists in braces, `super::` and re-exports.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -18,8 +18,14 @@ pub(crate) struct Crate<'s> {
 
 impl<'s> Crate<'s> {
     pub(crate) fn of(sources: &'s [Source]) -> Self {
-        let modules = sources.iter().map(|source| (module_of(&source.path), source)).collect();
-        let mut all = Self { modules, aliases: BTreeMap::new() };
+        let modules = sources
+            .iter()
+            .map(|source| (module_of(&source.path), source))
+            .collect();
+        let mut all = Self {
+            modules,
+            aliases: BTreeMap::new(),
+        };
         for source in sources {
             let module = module_of(&source.path);
             for (path, name) in used(&source.code()) {
@@ -31,17 +37,21 @@ impl<'s> Crate<'s> {
         all
     }
 
-    /// Files that a file imports from: those that it names, and those that declare what it gets through them.
+    /// Files that a file imports from: those that it names, and those that declare what it gets
+    /// through them.
     pub(crate) fn imports(&self, source: &Source) -> BTreeSet<&'s str> {
         let module = module_of(&source.path);
         let code = source.code();
-        let paths = written(&code).into_iter().chain(used(&code).into_iter().map(|(path, _)| path));
+        let paths = written(&code)
+            .into_iter()
+            .chain(used(&code).into_iter().map(|(path, _)| path));
         let mut found = BTreeSet::new();
         for path in paths.filter_map(|path| self.absolute(&module, &path)) {
             self.follow(&path, 0, &mut found);
         }
         found.remove(source.path.as_str());
-        // The root of the crate is a table of contents: what is imported through it counts where it is declared.
+        // The root of the crate is a table of contents: what is imported through it counts where it
+        // is declared.
         found.remove("lib.rs");
         found
     }
@@ -53,7 +63,10 @@ impl<'s> Crate<'s> {
         let (start, rest): (&[String], &[String]) = match first {
             "crate" => (&[], &path[1..]),
             "self" => (module, &path[1..]),
-            "super" => (module.get(..module.len().checked_sub(above)?)?, &path[above..]),
+            "super" => (
+                module.get(..module.len().checked_sub(above)?)?,
+                &path[above..],
+            ),
             _ => (module, path),
         };
         let whole: Names = start.iter().chain(rest).cloned().collect();
@@ -62,11 +75,18 @@ impl<'s> Crate<'s> {
         (is_ours || self.modules.contains_key(&child)).then_some(whole)
     }
 
-    /// Notes the file of the last module on a path, and of what stands behind a name that it has from elsewhere.
+    /// Notes the file of the last module on a path, and of what stands behind a name that it has
+    /// from elsewhere.
     fn follow(&self, path: &[String], depth: usize, found: &mut BTreeSet<&'s str>) {
-        let fits = (0..=path.len()).rev().find_map(|length| Some((length, self.modules.get(&path[..length])?)));
-        let Some((length, source)) = fits.filter(|_| depth < 8) else { return };
-        let alias = path.get(length).and_then(|name| self.aliases.get(&(path[..length].to_vec(), name.clone())));
+        let fits = (0..=path.len())
+            .rev()
+            .find_map(|length| Some((length, self.modules.get(&path[..length])?)));
+        let Some((length, source)) = fits.filter(|_| depth < 8) else {
+            return;
+        };
+        let alias = path
+            .get(length)
+            .and_then(|name| self.aliases.get(&(path[..length].to_vec(), name.clone())));
         found.insert(source.path.as_str());
         if let Some(behind) = alias {
             let whole: Names = behind.iter().chain(&path[length + 1..]).cloned().collect();
@@ -77,7 +97,10 @@ impl<'s> Crate<'s> {
 
 /// `a/b.rs` and `a/b/mod.rs` are `a::b`.
 fn module_of(path: &str) -> Names {
-    let parts = path.trim_end_matches(".rs").split('/').filter(|part| !matches!(*part, "mod" | "lib" | "main"));
+    let parts = path
+        .trim_end_matches(".rs")
+        .split('/')
+        .filter(|part| !matches!(*part, "mod" | "lib" | "main"));
     parts.map(str::to_owned).collect()
 }
 
@@ -97,7 +120,10 @@ pub(crate) fn used(code: &str) -> Vec<(Names, String)> {
 /// Paths that begin with `crate::` or `super::`, anywhere.
 fn written(code: &str) -> Vec<Names> {
     let mut found = Vec::new();
-    for (at, _) in code.match_indices("crate::").chain(code.match_indices("super::")) {
+    for (at, _) in code
+        .match_indices("crate::")
+        .chain(code.match_indices("super::"))
+    {
         let before = code[..at].chars().next_back();
         if !before.is_some_and(|c| is_name(c) || c == ':') {
             flatten(&[], tree_at(&code[at..]), &mut found);
@@ -108,7 +134,9 @@ fn written(code: &str) -> Vec<Names> {
 
 /// The path with its list in braces, if it ends in one.
 fn tree_at(code: &str) -> &str {
-    let plain = code.find(|c: char| !is_name(c) && c != ':').unwrap_or(code.len());
+    let plain = code
+        .find(|c: char| !is_name(c) && c != ':')
+        .unwrap_or(code.len());
     let mut depth = 0;
     if !code[plain..].starts_with('{') || !code[..plain].ends_with("::") {
         return code[..plain].trim_end_matches(':');
@@ -126,10 +154,15 @@ fn flatten(before: &[String], tree: &str, found: &mut Vec<(Names, String)>) {
     if let Some((path, list)) = tree.split_once('{') {
         let before = [before, &names(path)].concat();
         let list = list.rsplit_once('}').map_or(list, |(list, _)| list);
-        split(list).into_iter().filter(|part| !part.trim().is_empty()).for_each(|part| flatten(&before, part, found));
+        split(list)
+            .into_iter()
+            .filter(|part| !part.trim().is_empty())
+            .for_each(|part| flatten(&before, part, found));
         return;
     }
-    let (path, name) = tree.split_once(" as ").map_or((tree, None), |(path, name)| (path, Some(name.trim())));
+    let (path, name) = tree
+        .split_once(" as ")
+        .map_or((tree, None), |(path, name)| (path, Some(name.trim())));
     let mut path = [before, &names(path)].concat();
     if path.len() > 1 && path.last().is_some_and(|name| name == "self") {
         path.pop();
@@ -139,7 +172,11 @@ fn flatten(before: &[String], tree: &str, found: &mut Vec<(Names, String)>) {
 }
 
 fn names(path: &str) -> Names {
-    path.split("::").map(str::trim).filter(|name| !name.is_empty()).map(str::to_owned).collect()
+    path.split("::")
+        .map(str::trim)
+        .filter(|name| !name.is_empty())
+        .map(str::to_owned)
+        .collect()
 }
 
 /// The parts between commas outside of braces.
@@ -160,7 +197,12 @@ fn is_name(c: char) -> bool {
 pub(crate) fn circles(edges: &BTreeMap<String, BTreeSet<String>>) -> Vec<Vec<&str>> {
     let reach = |from: &str| {
         let mut seen: BTreeSet<&str> = BTreeSet::new();
-        let mut open: Vec<&str> = edges.get(from).into_iter().flatten().map(String::as_str).collect();
+        let mut open: Vec<&str> = edges
+            .get(from)
+            .into_iter()
+            .flatten()
+            .map(String::as_str)
+            .collect();
         while let Some(node) = open.pop() {
             if seen.insert(node) {
                 open.extend(edges.get(node).into_iter().flatten().map(String::as_str));
@@ -168,11 +210,24 @@ pub(crate) fn circles(edges: &BTreeMap<String, BTreeSet<String>>) -> Vec<Vec<&st
         }
         seen
     };
-    let reached: BTreeMap<&str, BTreeSet<&str>> = edges.keys().map(|node| (node.as_str(), reach(node))).collect();
+    let reached: BTreeMap<&str, BTreeSet<&str>> = edges
+        .keys()
+        .map(|node| (node.as_str(), reach(node)))
+        .collect();
     let group = |node: &&str| -> Vec<&str> {
         let back = |other: &&&str| reached.get(**other).is_some_and(|of| of.contains(*node));
-        reached.get(*node).into_iter().flatten().filter(back).copied().collect()
+        reached
+            .get(*node)
+            .into_iter()
+            .flatten()
+            .filter(back)
+            .copied()
+            .collect()
     };
-    let groups: BTreeSet<Vec<&str>> = reached.keys().map(group).filter(|group| group.len() > 1).collect();
+    let groups: BTreeSet<Vec<&str>> = reached
+        .keys()
+        .map(group)
+        .filter(|group| group.len() > 1)
+        .collect();
     groups.into_iter().collect()
 }

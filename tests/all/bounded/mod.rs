@@ -1,9 +1,9 @@
-//! Small inputs from strangers that once stopped, swelled or slowed mhlint. What makes each of them harmless is held by a
-//! test beside the code, which counts work; here each of them is run through the real binary, as it is and ten times as
-//! large, for a verdict.
+//! Small inputs from strangers that once stopped, swelled or slowed mhlint. What makes each of them
+//! harmless is held by a test beside the code, which counts work; here each of them is run through
+//! the real binary, as it is and ten times as large, for a verdict.
 //!
-//! `cargo test --release --test all -- --ignored bounded:: --nocapture` prints what each takes; with
-//! `MHLINT=FILE` of another binary.
+//! `cargo test --release --test all -- --ignored bounded:: --nocapture` prints what each takes;
+//! with `MHLINT=FILE` of another binary.
 
 mod formats;
 mod long;
@@ -55,13 +55,24 @@ fn run(input: &Input, times: usize) -> (usize, Taken) {
 fn measured(folder: &Path, args: &[&str]) -> Taken {
     let figures = folder.join(".figures");
     let mut command = Command::new("/usr/bin/time");
-    command.args(["-q", "-f", "%e %M", "-o"]).arg(&figures).arg(binary()).args(args);
+    command
+        .args(["-q", "-f", "%e %M", "-o"])
+        .arg(&figures)
+        .arg(binary())
+        .args(args);
     let output = command.current_dir(folder).output().unwrap();
     let figures = fs::read_to_string(figures).unwrap();
-    let mut figures = figures.split_whitespace().map(|figure| figure.parse::<f64>().unwrap());
+    let mut figures = figures
+        .split_whitespace()
+        .map(|figure| figure.parse::<f64>().unwrap());
     let (seconds, kibibytes) = (figures.next().unwrap(), figures.next().unwrap());
     let err = String::from_utf8_lossy(&output.stderr).into_owned();
-    Taken { exit: output.status.code(), seconds, mebibytes: kibibytes / 1024.0, err }
+    Taken {
+        exit: output.status.code(),
+        seconds,
+        mebibytes: kibibytes / 1024.0,
+        err,
+    }
 }
 
 /// The binary of this build, or another one to compare with.
@@ -72,9 +83,19 @@ fn binary() -> OsString {
 #[test]
 #[ignore = "times the release binary: cargo test --release -- --ignored bounded::"]
 fn every_input_ends_with_a_verdict() {
-    println!("{:<48} {:>9} {:>8} {:>9}   {:>9} {:>8} {:>9}", "input", "KB", "s", "MiB", "10 x KB", "s", "MiB");
+    println!(
+        "{:<48} {:>9} {:>8} {:>9}   {:>9} {:>8} {:>9}",
+        "input", "KB", "s", "MiB", "10 x KB", "s", "MiB"
+    );
     let mut failed = Vec::new();
-    let inputs = [formats::INPUTS, long::INPUTS, macros::INPUTS, names::INPUTS, settings::INPUTS, worn::INPUTS];
+    let inputs = [
+        formats::INPUTS,
+        long::INPUTS,
+        macros::INPUTS,
+        names::INPUTS,
+        settings::INPUTS,
+        worn::INPUTS,
+    ];
     for input in inputs.into_iter().flatten() {
         let (size, taken) = run(input, input.times);
         let (large, more) = run(input, 10 * input.times);
@@ -89,10 +110,16 @@ fn every_input_ends_with_a_verdict() {
             more.mebibytes
         );
         if taken.exit != Some(input.exit) {
-            failed.push(format!("{}: exit {:?}, not {}: {}", input.name, taken.exit, input.exit, taken.err));
+            failed.push(format!(
+                "{}: exit {:?}, not {}: {}",
+                input.name, taken.exit, input.exit, taken.err
+            ));
         }
         if more.exit.is_none_or(|exit| exit > 3) {
-            failed.push(format!("{}, ten times: exit {:?}: {}", input.name, more.exit, more.err));
+            failed.push(format!(
+                "{}, ten times: exit {:?}: {}",
+                input.name, more.exit, more.err
+            ));
         }
     }
     assert!(failed.is_empty(), "{}", failed.join("\n"));

@@ -27,26 +27,53 @@ pub(super) const INPUTS: &[Input] = &[
         args: &["check", "."],
         exit: 1,
     },
-    Input { name: "measures of unknown sliders", times: 8000, files: unknown_measures, args: &["check", "."], exit: 1 },
-    Input { name: "groups that no category has", times: 6000, files: unknown_groups, args: &["check", "."], exit: 1 },
+    Input {
+        name: "measures of unknown sliders",
+        times: 8000,
+        files: unknown_measures,
+        args: &["check", "."],
+        exit: 1,
+    },
+    Input {
+        name: "groups that no category has",
+        times: 6000,
+        files: unknown_groups,
+        args: &["check", "."],
+        exit: 1,
+    },
 ];
 
 /// The example repository with other files in place of some of its own.
 pub(super) fn example_with(changed: Vec<(&str, Value)>) -> Vec<(String, Vec<u8>)> {
     let root = project("fixtures/makehuman2/data");
     let listed = walkdir::WalkDir::new(&root).into_iter().map(Result::unwrap);
-    let files = listed.filter(|entry| entry.file_type().is_file()).map(|entry| {
-        let path = entry.path().strip_prefix(&root).unwrap().to_str().unwrap().to_owned();
-        (path, std::fs::read(entry.path()).unwrap())
-    });
-    let mut files: Vec<_> = files.filter(|(path, _)| changed.iter().all(|(other, _)| path != other)).collect();
-    files.extend(changed.iter().map(|(path, value)| ((*path).to_owned(), value.to_string().into_bytes())));
+    let files = listed
+        .filter(|entry| entry.file_type().is_file())
+        .map(|entry| {
+            let path = entry
+                .path()
+                .strip_prefix(&root)
+                .unwrap()
+                .to_str()
+                .unwrap()
+                .to_owned();
+            (path, std::fs::read(entry.path()).unwrap())
+        });
+    let mut files: Vec<_> = files
+        .filter(|(path, _)| changed.iter().all(|(other, _)| path != other))
+        .collect();
+    files.extend(
+        changed
+            .iter()
+            .map(|(path, value)| ((*path).to_owned(), value.to_string().into_bytes())),
+    );
     files
 }
 
 /// A JSON file of the example.
 pub(super) fn of_example(path: &str) -> Value {
-    serde_json::from_slice(&std::fs::read(project("fixtures/makehuman2/data").join(path)).unwrap()).unwrap()
+    serde_json::from_slice(&std::fs::read(project("fixtures/makehuman2/data").join(path)).unwrap())
+        .unwrap()
 }
 
 fn long_parents(times: usize) -> Vec<(String, Vec<u8>)> {
@@ -65,10 +92,13 @@ fn unknown_components(times: usize) -> Vec<(String, Vec<u8>)> {
     const MACRO: &str = "target/figure/macro.json";
     let mut macros = of_example(MACRO);
     for number in 0..times / 2 {
-        let component = json!({"values": ["a", "b"], "steps": [0, 1], "pattern": "macrodetails/Gender"});
+        let component =
+            json!({"values": ["a", "b"], "steps": [0, 1], "pattern": "macrodetails/Gender"});
         macros["components"][format!("component{number:05}")] = component;
     }
-    let names: Vec<String> = (0..times / 2).map(|number| format!("compnent{number:05}x")).collect();
+    let names: Vec<String> = (0..times / 2)
+        .map(|number| format!("compnent{number:05}x"))
+        .collect();
     macros["macrodef"][0]["comp"] = json!(names);
     example_with(vec![(MACRO, macros)])
 }
@@ -88,15 +118,32 @@ fn unknown_presets(times: usize) -> Vec<(String, Vec<u8>)> {
     let mut base = of_example(BASE);
     let names = (0..times).map(|number| (format!("macrodetals/Slider{number:05}"), json!(0.5)));
     base["modifier-presets"] = Value::Object(names.collect::<Map<_, _>>());
-    example_with(vec![(BASE, base), ("target/figure/modelling.json", sliders(times / 2, |_| "head|head".to_owned()))])
+    example_with(vec![
+        (BASE, base),
+        (
+            "target/figure/modelling.json",
+            sliders(times / 2, |_| "head|head".to_owned()),
+        ),
+    ])
 }
 
 fn unknown_measures(times: usize) -> Vec<(String, Vec<u8>)> {
     const BASE: &str = "base/figure/base.json";
     let mut base = of_example(BASE);
-    let names = (0..times).map(|number| (format!("size{number:05}"), json!(format!("measure/size-{number:05}"))));
+    let names = (0..times).map(|number| {
+        (
+            format!("size{number:05}"),
+            json!(format!("measure/size-{number:05}")),
+        )
+    });
     base["measure"] = Value::Object(names.collect::<Map<_, _>>());
-    example_with(vec![(BASE, base), ("target/figure/modelling.json", sliders(times / 2, |_| "head|head".to_owned()))])
+    example_with(vec![
+        (BASE, base),
+        (
+            "target/figure/modelling.json",
+            sliders(times / 2, |_| "head|head".to_owned()),
+        ),
+    ])
 }
 
 fn unknown_groups(times: usize) -> Vec<(String, Vec<u8>)> {
@@ -105,6 +152,11 @@ fn unknown_groups(times: usize) -> Vec<(String, Vec<u8>)> {
     for number in 0..times {
         categories[format!("Category {number:05}")] = json!({"group": format!("categry{number:05}"), "items": [{"title": "A", "cat": format!("part{number:05}")}]});
     }
-    let sliders = sliders(times, |number| format!("category{number:05}|part{number:05}x"));
-    example_with(vec![(CATEGORIES, categories), ("target/figure/modelling.json", sliders)])
+    let sliders = sliders(times, |number| {
+        format!("category{number:05}|part{number:05}x")
+    });
+    example_with(vec![
+        (CATEGORIES, categories),
+        ("target/figure/modelling.json", sliders),
+    ])
 }

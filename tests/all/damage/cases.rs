@@ -6,7 +6,8 @@ pub(crate) struct Case {
     /// Base that is loaded, the other one is left out.
     pub(crate) base: &'static str,
     pub(crate) damage: &'static [Edit],
-    /// `rule path` of every finding that the undamaged data do not have, sorted; `×3` behind it: three of them.
+    /// `rule path` of every finding that the undamaged data do not have, sorted; `×3` behind it:
+    /// three of them.
     pub(crate) fresh: &'static [&'static str],
     /// `rule asset` of every finding that is no longer there at all, the same way.
     pub(crate) gone: &'static [&'static str],
@@ -45,7 +46,14 @@ const fn case(
     fresh: &'static [&'static str],
     gone: &'static [&'static str],
 ) -> Case {
-    Case { name, base, damage, fresh, gone, says: "" }
+    Case {
+        name,
+        base,
+        damage,
+        fresh,
+        gone,
+        says: "",
+    }
 }
 
 impl Case {
@@ -59,7 +67,8 @@ impl Case {
 /// Combinations that no target is for.
 const OF_ABSENT_COMBINATIONS: &[&str] = &["macro-missing-combination target/hm08/macro.json ×3"];
 
-/// What is said of combinations and of the shapes they make: gone where a component is bound to no slider.
+/// What is said of combinations and of the shapes they make: gone where a component is bound to no
+/// slider.
 const OF_COMBINATIONS: &[&str] = &[
     "macro-missing-combination target/hm08/macro.json ×3",
     "numeric-dead-range target/hm08/macro.json ×3",
@@ -67,8 +76,10 @@ const OF_COMBINATIONS: &[&str] = &[
 ];
 
 /// All that is said of macros that are not evaluated: gone without `macro.json`.
-const OF_MACROS: &[&str] =
-    &["macro-alias-suspect target/hm08/macro.json ×2", "macro-missing-combination target/hm08/macro.json ×3"];
+const OF_MACROS: &[&str] = &[
+    "macro-alias-suspect target/hm08/macro.json ×2",
+    "macro-missing-combination target/hm08/macro.json ×3",
+];
 
 /// All that is said of macros, evaluated ones included: gone without `macro.json`.
 const OF_EVALUATED_MACROS: &[&str] = &[
@@ -109,8 +120,10 @@ const OF_MESH: &[&str] = &[
 ];
 
 /// What is only said of a mesh whose vertices are counted.
-const OF_COUNTED_VERTICES: &[&str] =
-    &["base-vertex-count base/mh2bot/base.json", "weights-not-normalized rigs/mh2bot/default_weights.mhw"];
+const OF_COUNTED_VERTICES: &[&str] = &[
+    "base-vertex-count base/mh2bot/base.json",
+    "weights-not-normalized rigs/mh2bot/default_weights.mhw",
+];
 
 /// What is only said of weights that could be read.
 const OF_WEIGHTS: &[&str] = &[
@@ -270,35 +283,55 @@ pub(crate) static NUMERIC: &[Case] = &[
     case(
         "a NaN is no matter of the settings",
         "hm08",
-        &[Replace("target/hm08/nose/nose-hump-incr.target", "109 0 -.008 0", "109 0 nan 0")],
+        &[Replace(
+            "target/hm08/nose/nose-hump-incr.target",
+            "109 0 -.008 0",
+            "109 0 nan 0",
+        )],
         &["target-non-finite target/hm08/nose/nose-hump-incr.target"],
         &[],
     ),
     case(
         "a displacement of a million is no matter of the settings",
         "hm08",
-        &[Replace("target/hm08/nose/nose-hump-incr.target", "109 0 -.008 0", "109 0 1000000 0")],
+        &[Replace(
+            "target/hm08/nose/nose-hump-incr.target",
+            "109 0 -.008 0",
+            "109 0 1000000 0",
+        )],
         &["target-oversized-delta target/hm08/nose/nose-hump-incr.target"],
         &[],
     ),
     case(
         "steps that leave a dead range",
         "hm08",
-        &[Replace("target/hm08/macro.json", "[0.0, 0.1875, 0.5, 1.0]", "[0.0, 0.1875, 0.5, 0.9]")],
+        &[Replace(
+            "target/hm08/macro.json",
+            "[0.0, 0.1875, 0.5, 1.0]",
+            "[0.0, 0.1875, 0.5, 0.9]",
+        )],
         &["macro-steps-range target/hm08/macro.json"],
         &["numeric-dead-range target/hm08/macro.json ×2"],
     ),
     case(
         "a torn joint cube",
         "hm08",
-        &[Replace("target/hm08/nose/nose-hump-incr.target", "109 0 -.008 0", "109 0 -.008 0\n13654 0 0.5 0")],
+        &[Replace(
+            "target/hm08/nose/nose-hump-incr.target",
+            "109 0 -.008 0",
+            "109 0 -.008 0\n13654 0 0.5 0",
+        )],
         &["target-splits-joint-cube target/hm08/nose/nose-hump-incr.target"],
         &[],
     ),
     case(
         "a left target that is not the mirror of the right one",
         "hm08",
-        &[Replace("target/hm08/ears/l-ear-flap-incr.target", "7565 -.003 -.001 -.003", "7565 -.003 -.5 -.003")],
+        &[Replace(
+            "target/hm08/ears/l-ear-flap-incr.target",
+            "7565 -.003 -.001 -.003",
+            "7565 -.003 -.5 -.003",
+        )],
         &["target-asymmetric-pair target/hm08/ears/l-ear-flap-incr.target"],
         &[],
     ),
@@ -368,8 +401,8 @@ pub(crate) static NUMERIC: &[Case] = &[
         &[Zero(
             "target/hm08/nose/nose-point-width-incr.target",
             &[
-                274, 275, 276, 277, 278, 279, 280, 289, 290, 292, 293, 295, 296, 300, 338, 899, 5050, 5052, 5053, 5057,
-                5070,
+                274, 275, 276, 277, 278, 279, 280, 289, 290, 292, 293, 295, 296, 300, 338, 899,
+                5050, 5052, 5053, 5057, 5070,
             ],
         )],
         // Without the zero rows, which say nothing, the target is as uneven.
@@ -421,14 +454,22 @@ pub(crate) static NUMERIC: &[Case] = &[
     case(
         "evaluated: a misspelt pattern",
         "hm08",
-        &[Replace("target/hm08/modelling.json", "\"macro\": \"macrodetails/Age\"", "\"macro\": \"macrodetails/Aeg\"")],
+        &[Replace(
+            "target/hm08/modelling.json",
+            "\"macro\": \"macrodetails/Age\"",
+            "\"macro\": \"macrodetails/Aeg\"",
+        )],
         &["macro-unknown-pattern target/hm08/macro.json"],
         OF_COMBINATIONS,
     ),
     case(
         "evaluated: a default beyond the range",
         "hm08",
-        &[Replace("target/hm08/modelling.json", "\"default\": 0.5", "\"default\": 50")],
+        &[Replace(
+            "target/hm08/modelling.json",
+            "\"default\": 0.5",
+            "\"default\": 50",
+        )],
         &["modelling-default-range target/hm08/modelling.json"],
         &[],
     ),
@@ -449,21 +490,30 @@ pub(crate) static NUMERIC: &[Case] = &[
     case(
         "evaluated: an empty macro target",
         "hm08",
-        &[Write("target/hm08/macro_age/african-female-baby.target", b"")],
+        &[Write(
+            "target/hm08/macro_age/african-female-baby.target",
+            b"",
+        )],
         &["macro-empty-target target/hm08/macro.json"],
         &[],
     ),
     case(
         "evaluated: a word in a macro target",
         "hm08",
-        &[Write("target/hm08/macro_age/african-female-baby.target", b"1 2 x 3\n")],
+        &[Write(
+            "target/hm08/macro_age/african-female-baby.target",
+            b"1 2 x 3\n",
+        )],
         &["target-syntax target/hm08/macro_age/african-female-baby.target"],
         &[],
     ),
     case(
         "evaluated: an index beyond the mesh",
         "hm08",
-        &[Write("target/hm08/macro_age/african-female-baby.target", b"99999 2 1 3\n")],
+        &[Write(
+            "target/hm08/macro_age/african-female-baby.target",
+            b"99999 2 1 3\n",
+        )],
         &["target-vertex-out-of-range target/hm08/macro_age/african-female-baby.target"],
         &[],
     ),
@@ -477,21 +527,33 @@ pub(crate) static NUMERIC: &[Case] = &[
     case(
         "evaluated: a vertex twice",
         "hm08",
-        &[Replace("target/hm08/nose/nose-hump-incr.target", "109 0 -.008 0", "109 0 -.008 0\n109 0 -.008 0")],
+        &[Replace(
+            "target/hm08/nose/nose-hump-incr.target",
+            "109 0 -.008 0",
+            "109 0 -.008 0\n109 0 -.008 0",
+        )],
         &["target-duplicate-vertex target/hm08/nose/nose-hump-incr.target"],
         &[],
     ),
     case(
         "evaluated: a negative weight",
         "hm08",
-        &[Replace("rigs/hm08/default_weights.mhw", "[1399, 0.016]", "[1399, -0.5]")],
+        &[Replace(
+            "rigs/hm08/default_weights.mhw",
+            "[1399, 0.016]",
+            "[1399, -0.5]",
+        )],
         &["weights-negative rigs/hm08/default_weights.mhw"],
         &[],
     ),
     case(
         "evaluated: NaN for a weight",
         "hm08",
-        &[Replace("rigs/hm08/default_weights.mhw", "[1399, 0.016]", "[1399, NaN]")],
+        &[Replace(
+            "rigs/hm08/default_weights.mhw",
+            "[1399, 0.016]",
+            "[1399, NaN]",
+        )],
         &["weights-non-finite rigs/hm08/default_weights.mhw"],
         &[],
     ),
@@ -512,7 +574,11 @@ pub(crate) static NUMERIC: &[Case] = &[
     case(
         "evaluated: weights for a bone that does not exist",
         "hm08",
-        &[Replace("rigs/hm08/default_weights.mhw", "\"breast.L\":", "\"brest.L\":")],
+        &[Replace(
+            "rigs/hm08/default_weights.mhw",
+            "\"breast.L\":",
+            "\"brest.L\":",
+        )],
         &["weights-unknown-bone rigs/hm08/default_weights.mhw"],
         &[],
     ),
@@ -526,35 +592,55 @@ pub(crate) static NUMERIC: &[Case] = &[
     case(
         "evaluated: a joint that does not exist",
         "hm08",
-        &[Replace("rigs/hm08/default.mhskel", "\"head\": \"breast.L____head\"", "\"head\": \"breast.L___head\"")],
+        &[Replace(
+            "rigs/hm08/default.mhskel",
+            "\"head\": \"breast.L____head\"",
+            "\"head\": \"breast.L___head\"",
+        )],
         &["skeleton-unknown-joint rigs/hm08/default.mhskel"],
         &["weights-too-many-influences rigs/hm08/default_weights.mhw"],
     ),
     case(
         "evaluated: a joint beyond the mesh",
         "hm08",
-        &[Replace("rigs/hm08/default.mhskel", "14030, 14031", "14030, 99999")],
+        &[Replace(
+            "rigs/hm08/default.mhskel",
+            "14030, 14031",
+            "14030, 99999",
+        )],
         &["skeleton-joint-out-of-range rigs/hm08/default.mhskel"],
         &["weights-too-many-influences rigs/hm08/default_weights.mhw"],
     ),
     case(
         "evaluated: a parent that does not exist",
         "hm08",
-        &[Replace("rigs/hm08/default.mhskel", "\"parent\": \"spine01\"", "\"parent\": \"spin01\"")],
+        &[Replace(
+            "rigs/hm08/default.mhskel",
+            "\"parent\": \"spine01\"",
+            "\"parent\": \"spin01\"",
+        )],
         &["skeleton-unknown-parent rigs/hm08/default.mhskel"],
         &["weights-too-many-influences rigs/hm08/default_weights.mhw"],
     ),
     case(
         "evaluated: tail at head",
         "hm08",
-        &[Replace("rigs/hm08/default.mhskel", "\"tail\": \"breast.L____tail\"", "\"tail\": \"breast.L____head\"")],
+        &[Replace(
+            "rigs/hm08/default.mhskel",
+            "\"tail\": \"breast.L____tail\"",
+            "\"tail\": \"breast.L____head\"",
+        )],
         &["skeleton-zero-length-bone rigs/hm08/default.mhskel"],
         &[],
     ),
     case(
         "evaluated: misspelt planes",
         "hm08",
-        &[Replace("rigs/hm08/default.mhskel", "\"planes\": {", "\"plnes\": {")],
+        &[Replace(
+            "rigs/hm08/default.mhskel",
+            "\"planes\": {",
+            "\"plnes\": {",
+        )],
         &["skeleton-unknown-plane rigs/hm08/default.mhskel"],
         &["weights-too-many-influences rigs/hm08/default_weights.mhw"],
     ),
@@ -598,42 +684,65 @@ pub(crate) static NUMERIC: &[Case] = &[
     case(
         "evaluated: a pattern of no slider",
         "hm08",
-        &[Replace("target/hm08/macro.json", "\"macrodetails/Age\"", "\"macrodetails/Aeg\"")],
+        &[Replace(
+            "target/hm08/macro.json",
+            "\"macrodetails/Age\"",
+            "\"macrodetails/Aeg\"",
+        )],
         &["macro-unknown-pattern target/hm08/macro.json"],
         OF_COMBINATIONS,
     ),
     case(
         "evaluated: a folder of another name",
         "hm08",
-        &[Replace("target/hm08/macro.json", "\"folder\": \"macro_age\"", "\"folder\": \"macro_aeg\"")],
+        &[Replace(
+            "target/hm08/macro.json",
+            "\"folder\": \"macro_age\"",
+            "\"folder\": \"macro_aeg\"",
+        )],
         &["macro-folder-missing target/hm08/macro.json"],
         &[],
     ),
     case(
         "evaluated: a combination out of order",
         "hm08",
-        &[Replace("target/hm08/macro.json", "\"name\": \"african-female-baby\"", "\"name\": \"african-baby-female\"")],
+        &[Replace(
+            "target/hm08/macro.json",
+            "\"name\": \"african-female-baby\"",
+            "\"name\": \"african-baby-female\"",
+        )],
         &["macro-unexpected-combination target/hm08/macro.json"],
         &[],
     ),
     case(
         "evaluated: an uneven vertex in a pair that is uneven already",
         "hm08",
-        &[Replace("target/hm08/eyes/l-eye-corner1-up.target", "6790 .001 .006 0", "6790 .001 .106 0")],
+        &[Replace(
+            "target/hm08/eyes/l-eye-corner1-up.target",
+            "6790 .001 .006 0",
+            "6790 .001 .106 0",
+        )],
         &["target-asymmetric-pair target/hm08/eyes/l-eye-corner1-up.target"],
         &[],
     ),
     case(
         "evaluated: an uneven target beside others",
         "hm08",
-        &[Replace("target/hm08/nose/nose-hump-incr.target", "109 0 -.008 0", "109 0 -.058 0")],
+        &[Replace(
+            "target/hm08/nose/nose-hump-incr.target",
+            "109 0 -.008 0",
+            "109 0 -.058 0",
+        )],
         &["target-asymmetric target/hm08/nose/nose-hump-incr.target"],
         &[],
     ),
     case(
         "evaluated: a target without body beside others",
         "hm08",
-        &[Copy("target/hm08/genitals/penis-length-incr.target", "target/hm08/nose/nose-hump-incr.target")],
+        &[Copy(
+            "target/hm08/genitals/penis-length-incr.target",
+            "target/hm08/nose/nose-hump-incr.target",
+        )],
         &[
             "file-duplicate-content target/hm08/genitals/penis-length-incr.target",
             "target-moves-helpers-only target/hm08/nose/nose-hump-incr.target",

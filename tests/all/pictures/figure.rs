@@ -1,4 +1,5 @@
-//! Draws an OBJ: its group `body` from in front and a little from the side, each face in its own grey.
+//! Draws an OBJ: its group `body` from in front and a little from the side, each face in its own
+//! grey.
 
 use std::fmt::Write;
 
@@ -26,13 +27,24 @@ pub(super) struct Drawing {
 
 impl Drawing {
     pub(super) fn of(obj: &str) -> Self {
-        let numbers = |line: &str| line.split(' ').skip(1).map(|word| word.parse().unwrap()).collect::<Vec<f64>>();
-        let points: Vec<Point> = lines(obj, "v").map(|line| turned(numbers(line).try_into().unwrap())).collect();
+        let numbers = |line: &str| {
+            line.split(' ')
+                .skip(1)
+                .map(|word| word.parse().unwrap())
+                .collect::<Vec<f64>>()
+        };
+        let points: Vec<Point> = lines(obj, "v")
+            .map(|line| turned(numbers(line).try_into().unwrap()))
+            .collect();
         let body = obj.split_once("\ng body\n").unwrap().1;
         let body = body.split_once("\ng ").map_or(body, |(body, _)| body);
         let mut faces: Vec<(Vec<Point>, f64)> = Vec::new();
         for line in lines(body, "f") {
-            let face: Vec<Point> = line.split(' ').skip(1).map(|corner| points[vertex(corner)]).collect();
+            let face: Vec<Point> = line
+                .split(' ')
+                .skip(1)
+                .map(|corner| points[vertex(corner)])
+                .collect();
             let normal = normal(&face);
             if normal[2] > 0.0 {
                 let light = dot(normal, LIGHT).max(0.0);
@@ -47,13 +59,20 @@ impl Drawing {
     pub(super) fn svg(&self, x: f64, y: f64) -> String {
         let mut svg = String::new();
         for (face, grey) in &self.faces {
-            let corners = face.iter().map(|point| [x + SCALE * point[0], y - SCALE * point[1]]);
+            let corners = face
+                .iter()
+                .map(|point| [x + SCALE * point[0], y - SCALE * point[1]]);
             if corners.clone().all(|[_, y]| y > CUT) {
                 continue;
             }
             let corners: Vec<String> = corners.map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
             let color = format!("rgb({grey:.0},{grey:.0},{grey:.0})");
-            writeln!(svg, r#"<polygon points="{}" fill="{color}" stroke="{color}"/>"#, corners.join(" ")).unwrap();
+            writeln!(
+                svg,
+                r#"<polygon points="{}" fill="{color}" stroke="{color}"/>"#,
+                corners.join(" ")
+            )
+            .unwrap();
         }
         svg
     }
@@ -69,7 +88,12 @@ pub(super) fn two(drawings: [(&Drawing, &str); 2]) -> String {
     for (place, (drawing, words)) in drawings.into_iter().enumerate() {
         let [left, middle] = [0.0, 0.5].map(|part| (part + place as f64) * WIDTH / 2.0);
         // An element of its own cuts off what is outside of its half.
-        writeln!(svg, r#"<svg x="{left}" width="{}" height="{CUT}">"#, WIDTH / 2.0).unwrap();
+        writeln!(
+            svg,
+            r#"<svg x="{left}" width="{}" height="{CUT}">"#,
+            WIDTH / 2.0
+        )
+        .unwrap();
         writeln!(svg, "{}</svg>", drawing.svg(WIDTH / 4.0, FEET)).unwrap();
         writeln!(svg, r#"<text x="{middle}" y="{WORDS}">{words}</text>"#).unwrap();
     }
@@ -77,7 +101,8 @@ pub(super) fn two(drawings: [(&Drawing, &str); 2]) -> String {
 }
 
 fn lines<'a>(obj: &'a str, word: &'a str) -> impl Iterator<Item = &'a str> {
-    obj.lines().filter(move |line| line.split(' ').next() == Some(word))
+    obj.lines()
+        .filter(move |line| line.split(' ').next() == Some(word))
 }
 
 /// The vertex of `12/34`, from 0.
@@ -93,7 +118,11 @@ fn turned([x, y, z]: Point) -> Point {
 
 fn normal(face: &[Point]) -> Point {
     let [a, b] = [minus(face[1], face[0]), minus(face[2], face[0])];
-    let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    let cross = [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ];
     let length = dot(cross, cross).sqrt();
     cross.map(|value| value / length)
 }

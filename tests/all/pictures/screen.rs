@@ -20,8 +20,10 @@ const BACKGROUND: u32 = 0x1b_1f26;
 
 /// The sixteen colours, light enough for that background.
 const COLORS: [u32; 16] = [
-    0x3b_4048, 0xff_7b72, 0x7e_e787, 0xf2_cc60, 0x79_c0ff, 0xd2_a8ff, 0x76_e3ea, 0xd6_dbe1, // plain
-    0x8b_949e, 0xff_a198, 0xa5_f0ab, 0xf8_e08e, 0xa5_d6ff, 0xe2_c5ff, 0xb3_f0f5, 0xff_ffff, // bright
+    0x3b_4048, 0xff_7b72, 0x7e_e787, 0xf2_cc60, 0x79_c0ff, 0xd2_a8ff, 0x76_e3ea,
+    0xd6_dbe1, // plain
+    0x8b_949e, 0xff_a198, 0xa5_f0ab, 0xf8_e08e, 0xa5_d6ff, 0xe2_c5ff, 0xb3_f0f5,
+    0xff_ffff, // bright
 ];
 
 /// What is dimmed is read as well.
@@ -37,8 +39,13 @@ pub(super) struct Screen {
 impl Screen {
     /// For a guide that has the commands as text, to copy them.
     pub(super) fn new(guide: &str, folder: &Path) -> Self {
-        let guide = fs::read_to_string(scratch::project("docs").join(guide).with_extension("md")).unwrap();
-        Self { guide, folder: folder.to_owned(), ansi: String::new() }
+        let guide =
+            fs::read_to_string(scratch::project("docs").join(guide).with_extension("md")).unwrap();
+        Self {
+            guide,
+            folder: folder.to_owned(),
+            ansi: String::new(),
+        }
     }
 
     /// Runs `mhlint …`, which must end with `code`.
@@ -53,24 +60,38 @@ impl Screen {
         let prompt = format!("{gap}\u{1b}[32m$\u{1b}[0m \u{1b}[1m{line}\u{1b}[0m\n");
         self.ansi.push_str(&prompt);
         self.ansi.push_str(&printed);
-        let widest = printed.lines().map(|line| plain(line).chars().count()).max();
-        assert!(widest <= Some(usize::from(COLUMNS)), "a terminal would break a line of {widest:?}: {printed}");
+        let widest = printed
+            .lines()
+            .map(|line| plain(line).chars().count())
+            .max();
+        assert!(
+            widest <= Some(usize::from(COLUMNS)),
+            "a terminal would break a line of {widest:?}: {printed}"
+        );
     }
 
     /// The guide has this line as text.
     #[track_caller]
     pub(super) fn shows(&self, line: &str) {
-        assert!(self.guide.contains(&format!("    {line}")), "the guide lacks the line `{line}`");
+        assert!(
+            self.guide.contains(&format!("    {line}")),
+            "the guide lacks the line `{line}`"
+        );
     }
 
     /// A picture of it.
     pub(super) fn svg(&self) -> String {
         let term = Term::new().palette(Palette(COLORS.map(|color| rgb(color).into())));
-        let term = term.fg_color(rgb(FOREGROUND).into()).bg_color(rgb(BACKGROUND).into());
+        let term = term
+            .fg_color(rgb(FOREGROUND).into())
+            .bg_color(rgb(BACKGROUND).into());
         let svg = term.render_svg(self.ansi.trim_end_matches('\n'));
         let svg = svg.replace(DIMMED, "opacity: 0.7;");
-        // Each line ends with a line break inside its element, for those who copy from it; no blank stands before it.
-        svg.lines().map(str::trim_end).fold(String::new(), |text, line| text + line + "\n")
+        // Each line ends with a line break inside its element, for those who copy from it; no blank
+        // stands before it.
+        svg.lines()
+            .map(str::trim_end)
+            .fold(String::new(), |text, line| text + line + "\n")
     }
 }
 
@@ -82,23 +103,46 @@ fn rgb(color: u32) -> (u8, u8, u8) {
 /// A line without its colours.
 fn plain(line: &str) -> String {
     line.split('\u{1b}')
-        .map(|piece| piece.split_once('m').filter(|_| piece.starts_with('[')).map_or(piece, |(_, text)| text))
+        .map(|piece| {
+            piece
+                .split_once('m')
+                .filter(|_| piece.starts_with('['))
+                .map_or(piece, |(_, text)| text)
+        })
         .collect()
 }
 
-/// What the binary prints in `folder` where standard output is a terminal with colour and UTF-8. Standard error is none, so
-/// that no progress is drawn if the machine is slow; its lines come last, but a baseline is written before the report.
+/// What the binary prints in `folder` where standard output is a terminal with colour and UTF-8.
+/// Standard error is none, so that no progress is drawn if the machine is slow; its lines come
+/// last, but a baseline is written before the report.
 fn on_a_terminal(folder: &Path, args: &[&str]) -> (String, Option<i32>) {
-    let size = Winsize { ws_row: 50, ws_col: COLUMNS, ws_xpixel: 0, ws_ypixel: 0 };
+    let size = Winsize {
+        ws_row: 50,
+        ws_col: COLUMNS,
+        ws_xpixel: 0,
+        ws_ypixel: 0,
+    };
     let OpenptyResult { master, slave } = openpty(&size, None).unwrap();
     let mut command = scratch::command(folder, args);
-    command.env("TERM", "xterm-256color").env("LC_ALL", "C.UTF-8").env_remove("FORCE_COLOR");
-    let mut child = command.stdout(Stdio::from(slave)).stderr(Stdio::piped()).spawn().unwrap();
+    command
+        .env("TERM", "xterm-256color")
+        .env("LC_ALL", "C.UTF-8")
+        .env_remove("FORCE_COLOR");
+    let mut child = command
+        .stdout(Stdio::from(slave))
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
     // It holds the terminal as well, which ends when nobody does.
     drop(command);
     let mut printed = read(master);
     let mut errors = String::new();
-    child.stderr.take().unwrap().read_to_string(&mut errors).unwrap();
+    child
+        .stderr
+        .take()
+        .unwrap()
+        .read_to_string(&mut errors)
+        .unwrap();
     if args.contains(&"--write-baseline") {
         printed.insert_str(0, &errors);
     } else {

@@ -18,26 +18,68 @@ const PACK: &str = "mhlint my-shirt.zip --system makehuman2/data";
 fn exported() -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     let root = folder.path();
-    copy_folder(&project("fixtures/makehuman2/data"), &root.join("makehuman2/data"));
-    fs::rename(root.join("makehuman2/data/clothes/figure/shirt"), root.join("my-shirt")).unwrap();
-    edit(root, "my-shirt/shirt.mhmat", "diffuseTexture shirt.png", "diffuseTexture C:\\work\\shirt.png");
-    edit(root, "my-shirt/shirt.mhclo", "uuid 38a1d6f4-50c2-4b7f-8e1d-6c09f2b4d702\n", "");
-    edit(root, "my-shirt/shirt.mhclo", "173 - 204", "173 - 204 283 - 441");
-    edit(root, "my-shirt/shirt.mhclo", "197 181 195 0.7000 0.2000 0.1000", "97 181 195 0.7000 0.2000 0.1000");
+    copy_folder(
+        &project("fixtures/makehuman2/data"),
+        &root.join("makehuman2/data"),
+    );
+    fs::rename(
+        root.join("makehuman2/data/clothes/figure/shirt"),
+        root.join("my-shirt"),
+    )
+    .unwrap();
+    edit(
+        root,
+        "my-shirt/shirt.mhmat",
+        "diffuseTexture shirt.png",
+        "diffuseTexture C:\\work\\shirt.png",
+    );
+    edit(
+        root,
+        "my-shirt/shirt.mhclo",
+        "uuid 38a1d6f4-50c2-4b7f-8e1d-6c09f2b4d702\n",
+        "",
+    );
+    edit(
+        root,
+        "my-shirt/shirt.mhclo",
+        "173 - 204",
+        "173 - 204 283 - 441",
+    );
+    edit(
+        root,
+        "my-shirt/shirt.mhclo",
+        "197 181 195 0.7000 0.2000 0.1000",
+        "97 181 195 0.7000 0.2000 0.1000",
+    );
     folder
 }
 
 /// What the reports ask for without the base mesh.
 fn repair_files(root: &Path) {
-    edit(root, "my-shirt/shirt.mhmat", "diffuseTexture C:\\work\\shirt.png", "diffuseTexture shirt.png");
+    edit(
+        root,
+        "my-shirt/shirt.mhmat",
+        "diffuseTexture C:\\work\\shirt.png",
+        "diffuseTexture shirt.png",
+    );
     let uuid = "name shirt\nuuid 38a1d6f4-50c2-4b7f-8e1d-6c09f2b4d702\n";
     edit(root, "my-shirt/shirt.mhclo", "name shirt\n", uuid);
 }
 
 /// What they ask for with it.
 fn repair_fit(root: &Path) {
-    edit(root, "my-shirt/shirt.mhclo", "173 - 204 283 - 441", "173 - 204");
-    edit(root, "my-shirt/shirt.mhclo", "97 181 195 0.7000 0.2000 0.1000", "197 181 195 0.7000 0.2000 0.1000");
+    edit(
+        root,
+        "my-shirt/shirt.mhclo",
+        "173 - 204 283 - 441",
+        "173 - 204",
+    );
+    edit(
+        root,
+        "my-shirt/shirt.mhclo",
+        "97 181 195 0.7000 0.2000 0.1000",
+        "197 181 195 0.7000 0.2000 0.1000",
+    );
 }
 
 /// Packs the folder as it would be shared.

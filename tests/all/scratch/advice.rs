@@ -1,4 +1,5 @@
-//! `fixtures/help/<family>.toml`: what the help of a finding advises, as edits of the case that shows it.
+//! `fixtures/help/<family>.toml`: what the help of a finding advises, as edits of the case that
+//! shows it.
 
 use std::fs;
 
@@ -27,10 +28,12 @@ pub struct Row {
     /// Why no edit can do what the help says, in one sentence.
     #[serde(default)]
     pub cannot: String,
-    /// Rules whose findings are new and only to be expected: they had nothing to say as long as the fault was there.
+    /// Rules whose findings are new and only to be expected: they had nothing to say as long as the
+    /// fault was there.
     #[serde(default)]
     pub shows: Vec<String>,
-    /// Files or folders of the example repository that come back as they are there, before all edits.
+    /// Files or folders of the example repository that come back as they are there, before all
+    /// edits.
     #[serde(default)]
     pub restore: Vec<String>,
     /// Arguments in place of those of the case, where the help names some.
@@ -65,12 +68,15 @@ impl Row {
     /// All rows, with the name of their file.
     pub fn all() -> Vec<(String, Self)> {
         let mut all = Vec::new();
-        let mut files: Vec<_> =
-            fs::read_dir(project("fixtures/help")).unwrap().map(|entry| entry.unwrap().path()).collect();
+        let mut files: Vec<_> = fs::read_dir(project("fixtures/help"))
+            .unwrap()
+            .map(|entry| entry.unwrap().path())
+            .collect();
         files.sort();
         for path in files {
             let text = fs::read_to_string(&path).unwrap();
-            let rows: Rows = toml::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+            let rows: Rows =
+                toml::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
             let family = path.file_stem().unwrap().to_str().unwrap();
             all.extend(rows.row.into_iter().map(|row| (family.to_owned(), row)));
         }
@@ -79,7 +85,33 @@ impl Row {
 
     /// The edits as a case of their own, to be applied on top of the one that they are for.
     pub fn into_edits(self) -> Case {
-        let Self { edit, remove, rename, copy, write, pack, compiled, targets, link, folder, zip, .. } = self;
-        Case { edit, remove, rename, copy, write, pack, compiled, targets, link, folder, zip, ..Case::default() }
+        let Self {
+            edit,
+            remove,
+            rename,
+            copy,
+            write,
+            pack,
+            compiled,
+            targets,
+            link,
+            folder,
+            zip,
+            ..
+        } = self;
+        Case {
+            edit,
+            remove,
+            rename,
+            copy,
+            write,
+            pack,
+            compiled,
+            targets,
+            link,
+            folder,
+            zip,
+            ..Case::default()
+        }
     }
 }

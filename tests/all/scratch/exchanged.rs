@@ -13,7 +13,11 @@ pub fn pointers(value: &Value, at: &str, found: &mut Vec<String>) {
         }
         Value::Object(members) => {
             for (key, member) in members {
-                pointers(member, &format!("{at}/{}", key.replace('~', "~0").replace('/', "~1")), found);
+                pointers(
+                    member,
+                    &format!("{at}/{}", key.replace('~', "~0").replace('/', "~1")),
+                    found,
+                );
             }
         }
         _ => {}
@@ -29,5 +33,8 @@ pub fn exchanged(whole: &Value, others: &[Value]) -> Vec<(String, Value)> {
         *copy.pointer_mut(place).unwrap() = other.clone();
         (format!("{other} at {place:?}"), copy)
     };
-    places.iter().flat_map(|place| others.iter().map(move |other| damage(place, other))).collect()
+    places
+        .iter()
+        .flat_map(|place| others.iter().map(move |other| damage(place, other)))
+        .collect()
 }

@@ -1,4 +1,5 @@
-//! The example repositories in memory, damaged as a `case.toml` says, and the library on it: no disk, no process.
+//! The example repositories in memory, damaged as a `case.toml` says, and the library on it: no
+//! disk, no process.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, LazyLock};
@@ -27,7 +28,11 @@ static EXAMPLES: LazyLock<BTreeMap<&str, Memory>> = LazyLock::new(|| {
         (name, example)
     };
     let names = Application::ALL.map(Application::word);
-    names.into_iter().filter(|name| project("fixtures").join(name).is_dir()).map(read).collect()
+    names
+        .into_iter()
+        .filter(|name| project("fixtures").join(name).is_dir())
+        .map(read)
+        .collect()
 });
 
 /// What the arguments of a case ask for, where trees in memory can give it.
@@ -40,7 +45,8 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// From `check PATH… --system FOLDER --only RULES --base NAME`; none where an argument or the case needs a disk.
+    /// From `check PATH… --system FOLDER --only RULES --base NAME`; none where an argument or the
+    /// case needs a disk.
     pub fn of(case: &Case) -> Option<Self> {
         let hidden = |path: &String| path.split('/').any(|part| part.starts_with('.'));
         if !case.link.is_empty()
@@ -52,10 +58,21 @@ impl Asked {
             return None;
         }
         let settings = case.write.iter().find(|write| write.file == "mhlint.toml");
-        let config = settings.map(|file| Config::parse(&file.text, "mhlint.toml", &trial::rule_infos()).unwrap());
-        let named = |name: &String| Application::ALL.into_iter().find(|one| one.word() == name).unwrap();
+        let config = settings
+            .map(|file| Config::parse(&file.text, "mhlint.toml", &trial::rule_infos()).unwrap());
+        let named = |name: &String| {
+            Application::ALL
+                .into_iter()
+                .find(|one| one.word() == name)
+                .unwrap()
+        };
         let application = case.application.as_ref().map(named);
-        let mut asked = Self { paths: Vec::new(), system: None, config: config.unwrap_or_default(), application };
+        let mut asked = Self {
+            paths: Vec::new(),
+            system: None,
+            config: config.unwrap_or_default(),
+            application,
+        };
         let mut args = case.args.iter().map(String::as_str);
         while let Some(arg) = args.next() {
             match arg {
@@ -76,27 +93,42 @@ impl Asked {
 
     /// Everything, for all applications.
     pub fn of_all(config: Config) -> Self {
-        Self { paths: vec![String::new()], system: None, config, application: None }
+        Self {
+            paths: vec![String::new()],
+            system: None,
+            config,
+            application: None,
+        }
     }
 
     /// Runs the library on a repository.
     pub fn lint(&self, repository: &Memory) -> Outcome {
         let (trees, system) = self.trees(repository);
         match self.application {
-            Some(application) => trial::lint_trees(&[application], trees, system, &self.config).unwrap(),
+            Some(application) => {
+                trial::lint_trees(&[application], trees, system, &self.config).unwrap()
+            }
             None => lint_trees(trees, system, &self.config).unwrap(),
         }
     }
 
     /// The same beside what the repository was before: what is new or worse.
     pub fn lint_beside(&self, now: &Memory, before: &Memory) -> Outcome {
-        let [(now, system), (before, system_before)] = [now, before].map(|repository| self.trees(repository));
+        let [(now, system), (before, system_before)] =
+            [now, before].map(|repository| self.trees(repository));
         trial::lint_beside([now, before], [system, system_before], &self.config).unwrap()
     }
 
     fn trees(&self, repository: &Memory) -> (Vec<Tree>, Option<Tree>) {
-        let trees = self.paths.iter().map(|path| repository.tree(path)).collect();
-        (trees, self.system.as_ref().map(|path| repository.tree(path)))
+        let trees = self
+            .paths
+            .iter()
+            .map(|path| repository.tree(path))
+            .collect();
+        (
+            trees,
+            self.system.as_ref().map(|path| repository.tree(path)),
+        )
     }
 }
 
@@ -182,7 +214,9 @@ impl Memory {
     }
 
     fn get(&self, path: &str) -> &Arc<[u8]> {
-        self.files.get(path).unwrap_or_else(|| panic!("there is no `{path}`"))
+        self.files
+            .get(path)
+            .unwrap_or_else(|| panic!("there is no `{path}`"))
     }
 
     fn put(&mut self, path: &str, bytes: Arc<[u8]>) {
@@ -202,29 +236,52 @@ impl Memory {
     /// Makes a folder and those above it.
     fn make(&mut self, folder: &str) {
         let above = folder.match_indices('/').map(|(at, _)| &folder[..at]);
-        self.folders.extend(above.chain([folder]).map(str::to_owned));
+        self.folders
+            .extend(above.chain([folder]).map(str::to_owned));
     }
 
-    /// Takes a file, or a folder with everything in it: what is behind `path`, with bytes for a file.
+    /// Takes a file, or a folder with everything in it: what is behind `path`, with bytes for a
+    /// file.
     fn take(&mut self, path: &str) -> Vec<(String, Option<Arc<[u8]>>)> {
         let below = |found: &str| {
-            found.strip_prefix(path).filter(|rest| rest.is_empty() || rest.starts_with('/')).map(str::to_owned)
+            found
+                .strip_prefix(path)
+                .filter(|rest| rest.is_empty() || rest.starts_with('/'))
+                .map(str::to_owned)
         };
-        let files =
-            self.files.extract_if(.., |found, _| below(found).is_some()).map(|(found, bytes)| (found, Some(bytes)));
+        let files = self
+            .files
+            .extract_if(.., |found, _| below(found).is_some())
+            .map(|(found, bytes)| (found, Some(bytes)));
         let mut taken: Vec<_> = files.collect();
-        taken.extend(self.folders.extract_if(.., |found| below(found).is_some()).map(|found| (found, None)));
-        taken.into_iter().filter_map(|(found, bytes)| Some((below(&found)?, bytes))).collect()
+        taken.extend(
+            self.folders
+                .extract_if(.., |found| below(found).is_some())
+                .map(|found| (found, None)),
+        );
+        taken
+            .into_iter()
+            .filter_map(|(found, bytes)| Some((below(&found)?, bytes)))
+            .collect()
     }
 
     /// What lies below a folder, as a tree that is labelled with it; empty for everything.
     fn tree(&self, label: &str) -> Tree {
         let below = |path: &str| match label {
             "" => Some(path.to_owned()),
-            _ => path.strip_prefix(label)?.strip_prefix('/').map(str::to_owned),
+            _ => path
+                .strip_prefix(label)?
+                .strip_prefix('/')
+                .map(str::to_owned),
         };
-        let folders = self.folders.iter().filter_map(|path| Some((below(path)? + "/", Arc::default())));
-        let files = self.files.iter().filter_map(|(path, bytes)| Some((below(path)?, Arc::clone(bytes))));
+        let folders = self
+            .folders
+            .iter()
+            .filter_map(|path| Some((below(path)? + "/", Arc::default())));
+        let files = self
+            .files
+            .iter()
+            .filter_map(|(path, bytes)| Some((below(path)?, Arc::clone(bytes))));
         Tree::in_memory(label, folders.chain(files))
     }
 }
@@ -246,5 +303,9 @@ pub fn concise(outcome: &Outcome) -> Vec<String> {
     };
     let mut text = Vec::new();
     report::write(Format::Concise, outcome, &view, &mut text).unwrap();
-    String::from_utf8(text).unwrap().lines().map(str::to_owned).collect()
+    String::from_utf8(text)
+        .unwrap()
+        .lines()
+        .map(str::to_owned)
+        .collect()
 }

@@ -1,4 +1,5 @@
-//! Throw-away copies of the example repository, damaged as a `case.toml` says, and the real binary on them.
+//! Throw-away copies of the example repository, damaged as a `case.toml` says, and the real binary
+//! on them.
 #![allow(unreachable_pub, reason = "a program has no other crates")]
 
 pub mod advice;
@@ -24,7 +25,8 @@ pub struct Case {
     /// One sentence: what the case shows.
     #[expect(dead_code, reason = "for readers of the case")]
     pub why: String,
-    /// The application, if it is not MakeHuman 2. One that is not checked for users runs in memory only.
+    /// The application, if it is not MakeHuman 2. One that is not checked for users runs in memory
+    /// only.
     #[serde(default)]
     pub application: Option<String>,
     /// Arguments in place of `check .`.
@@ -97,7 +99,8 @@ impl Case {
     /// Reads `case.toml` of a fixture folder.
     pub fn read(folder: &Path) -> Self {
         let path = folder.join("case.toml");
-        let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let text =
+            fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         toml::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
     }
 
@@ -105,7 +108,8 @@ impl Case {
     pub fn apply(&self, root: &Path) {
         for [from, to] in &self.rename {
             make_parent(&root.join(to));
-            fs::rename(root.join(from), root.join(to)).unwrap_or_else(|e| panic!("rename {from}: {e}"));
+            fs::rename(root.join(from), root.join(to))
+                .unwrap_or_else(|e| panic!("rename {from}: {e}"));
         }
         for [from, to] in &self.copy {
             make_parent(&root.join(to));
@@ -153,7 +157,12 @@ impl Edit {
     /// The text with the replacement made.
     fn edited(&self, text: &str) -> String {
         let count = text.matches(&self.find).count();
-        assert!(count == 1 || (self.all && count > 1), "{}: `{}` occurs {count} times", self.file, self.find);
+        assert!(
+            count == 1 || (self.all && count > 1),
+            "{}: `{}` occurs {count} times",
+            self.file,
+            self.find
+        );
         text.replace(&self.find, &self.replace)
     }
 }
@@ -168,7 +177,11 @@ impl Write {
     /// What is to be in the file.
     fn bytes(&self) -> Vec<u8> {
         let mut bytes = self.text.repeat(self.times.unwrap_or(1)).into_bytes();
-        let digits: Vec<u8> = self.hex.bytes().filter(|byte| !byte.is_ascii_whitespace()).collect();
+        let digits: Vec<u8> = self
+            .hex
+            .bytes()
+            .filter(|byte| !byte.is_ascii_whitespace())
+            .collect();
         for pair in digits.chunks(2) {
             let text = std::str::from_utf8(pair).unwrap();
             bytes.push(u8::from_str_radix(text, 16).unwrap_or_else(|e| panic!("hex {text}: {e}")));
@@ -201,9 +214,11 @@ pub fn project(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 
-/// A folder of the corpora, which are not part of the project: tests that need them are ignored unless asked for.
+/// A folder of the corpora, which are not part of the project: tests that need them are ignored
+/// unless asked for.
 pub fn corpus(name: &str) -> PathBuf {
-    let corpora = std::env::var_os("MHLINT_CORPORA").expect("MHLINT_CORPORA names the folder that holds the corpora");
+    let corpora = std::env::var_os("MHLINT_CORPORA")
+        .expect("MHLINT_CORPORA names the folder that holds the corpora");
     let path = PathBuf::from(corpora).join(name);
     assert!(path.is_dir(), "{} is missing", path.display());
     path
@@ -233,7 +248,10 @@ pub fn content(root: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
             if path.is_dir() {
                 folders.push(path);
             } else if path.is_file() {
-                all.insert(path.strip_prefix(root).unwrap().to_owned(), fs::read(&path).unwrap());
+                all.insert(
+                    path.strip_prefix(root).unwrap().to_owned(),
+                    fs::read(&path).unwrap(),
+                );
             }
         }
     }
@@ -263,7 +281,10 @@ pub fn edit(root: &Path, file: &str, find: &str, replace: &str) {
 
 /// Makes one error in a copy of the example repository: a component with fewer steps than values.
 pub fn lose_a_step(root: &Path) {
-    let [four, three] = ["\"steps\": [0.0, 0.25, 0.5, 1.0]", "\"steps\": [0.0, 0.25, 0.5, 0.75, 1.0]"];
+    let [four, three] = [
+        "\"steps\": [0.0, 0.25, 0.5, 1.0]",
+        "\"steps\": [0.0, 0.25, 0.5, 0.75, 1.0]",
+    ];
     edit(root, "data/target/figure/macro.json", four, three);
 }
 
@@ -276,7 +297,9 @@ pub fn broken() -> tempfile::TempDir {
 
 /// The folders in a folder, sorted.
 pub fn folders(path: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path());
+    let entries = fs::read_dir(path)
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
     let mut folders: Vec<PathBuf> = entries.filter(|path| path.is_dir()).collect();
     folders.sort();
     folders
@@ -323,9 +346,18 @@ pub fn stderr(output: &Output) -> String {
 /// The run is refused: exit 2, nothing on standard output, `words` on standard error.
 #[track_caller]
 pub fn assert_refused(output: &Output, words: &[&str]) {
-    assert_eq!((output.status.code(), stdout(output).as_str()), (Some(2), ""), "{}", stderr(output));
+    assert_eq!(
+        (output.status.code(), stdout(output).as_str()),
+        (Some(2), ""),
+        "{}",
+        stderr(output)
+    );
     for word in words {
-        assert!(stderr(output).contains(word), "no `{word}` in: {}", stderr(output));
+        assert!(
+            stderr(output).contains(word),
+            "no `{word}` in: {}",
+            stderr(output)
+        );
     }
 }
 
@@ -333,5 +365,7 @@ pub fn assert_refused(output: &Output, words: &[&str]) {
 pub fn findings(output: &Output) -> Vec<String> {
     let text = stdout(output);
     let lines = text.lines().map(str::to_owned);
-    lines.filter(|line| !line.starts_with("pass: ") && !line.starts_with("fail: ")).collect()
+    lines
+        .filter(|line| !line.starts_with("pass: ") && !line.starts_with("fail: "))
+        .collect()
 }

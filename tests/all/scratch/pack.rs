@@ -1,4 +1,5 @@
-//! `[[pack]]`: an OBJ packed as MakeHuman 2's `compile_meshes.py` does it, so that cases need no bytes in hexadecimal.
+//! `[[pack]]`: an OBJ packed as MakeHuman 2's `compile_meshes.py` does it, so that cases need no
+//! bytes in hexadecimal.
 
 use std::collections::BTreeMap;
 use std::io::{Cursor, Write};
@@ -18,7 +19,8 @@ pub struct Pack {
     /// The text of the asset that the mesh is for, if it is one of an asset.
     #[serde(default)]
     asset: String,
-    /// Vertices of the base mesh that the mask of the asset is made for, if not those of the example.
+    /// Vertices of the base mesh that the mask of the asset is made for, if not those of the
+    /// example.
     #[serde(default)]
     base: Option<usize>,
     /// Something in the OBJ, or in the text of an asset, that is otherwise in the archive.
@@ -35,15 +37,32 @@ impl Pack {
     /// The archive.
     pub fn bytes(&self) -> Vec<u8> {
         let obj = std::fs::read_to_string(project("fixtures/makehuman2").join(&self.from)).unwrap();
-        let edit = Edit { file: self.from.clone(), find: self.find.clone(), replace: self.replace.clone(), all: false };
+        let edit = Edit {
+            file: self.from.clone(),
+            find: self.find.clone(),
+            replace: self.replace.clone(),
+            all: false,
+        };
         if self.asset.is_empty() {
-            let obj = if self.find.is_empty() { obj } else { edit.edited(&obj) };
+            let obj = if self.find.is_empty() {
+                obj
+            } else {
+                edit.edited(&obj)
+            };
             return archive(Packed::of(&obj).members(), &self.without);
         }
-        let text = std::fs::read_to_string(project("fixtures/makehuman2").join(&self.asset)).unwrap();
-        let text = if self.find.is_empty() { text } else { edit.edited(&text) };
+        let text =
+            std::fs::read_to_string(project("fixtures/makehuman2").join(&self.asset)).unwrap();
+        let text = if self.find.is_empty() {
+            text
+        } else {
+            edit.edited(&text)
+        };
         let asset = pack_asset::members(&text, self.base.unwrap_or(VERTICES));
-        archive(Packed::of(&obj).members().into_iter().chain(asset), &self.without)
+        archive(
+            Packed::of(&obj).members().into_iter().chain(asset),
+            &self.without,
+        )
     }
 }
 
@@ -55,7 +74,10 @@ pub fn packed(obj: &[u8]) -> Vec<u8> {
     archive(Packed::of(std::str::from_utf8(obj).unwrap()).members(), &[])
 }
 
-fn archive(members: impl IntoIterator<Item = (&'static str, Vec<u8>)>, without: &[String]) -> Vec<u8> {
+fn archive(
+    members: impl IntoIterator<Item = (&'static str, Vec<u8>)>,
+    without: &[String],
+) -> Vec<u8> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     for (name, array) in members {
         if !without.iter().any(|left_out| left_out == name) {
@@ -88,18 +110,28 @@ struct Packed {
 
 impl Packed {
     fn of(obj: &str) -> Self {
-        let mut packed =
-            Self { groups: vec![Group { name: "mh_default".to_owned(), ..Group::default() }], ..Self::default() };
+        let mut packed = Self {
+            groups: vec![Group {
+                name: "mh_default".to_owned(),
+                ..Group::default()
+            }],
+            ..Self::default()
+        };
         let mut texture: Vec<[f64; 2]> = Vec::new();
         for line in obj.lines() {
             let words: Vec<&str> = line.split_whitespace().collect();
             let number = |at: usize| words[at].parse::<f64>().unwrap();
             match words.as_slice() {
-                ["v", ..] => packed.positions.push([number(1), number(2), number(3)].map(single)),
+                ["v", ..] => packed
+                    .positions
+                    .push([number(1), number(2), number(3)].map(single)),
                 ["vt", ..] => texture.push([number(1), 1.0 - number(2)]),
                 ["o", name, ..] => (*name).clone_into(&mut packed.name),
                 ["g", name, ..] if packed.groups.iter().all(|group| group.name != *name) => {
-                    packed.groups.push(Group { name: (*name).to_owned(), ..Group::default() });
+                    packed.groups.push(Group {
+                        name: (*name).to_owned(),
+                        ..Group::default()
+                    });
                 }
                 ["f", corners @ ..] => packed.groups.last_mut().unwrap().add_face(corners),
                 _ => {}
@@ -125,7 +157,8 @@ impl Packed {
                         continue;
                     }
                     let own = self.uvs[*vertex];
-                    if (0..2).all(|axis| (f64::from(own[axis]) - texture[*uv][axis]).abs() <= 0.001) {
+                    if (0..2).all(|axis| (f64::from(own[axis]) - texture[*uv][axis]).abs() <= 0.001)
+                    {
                         continue;
                     }
                     *vertex = *copies.entry((*vertex, *uv)).or_insert_with(|| {
@@ -154,7 +187,12 @@ impl Packed {
         let header = format!(
             "[('objname', '|S{length}'), ('numverts', '<i4'), ('prnt', '<i4'), ('fcnt', '<i4'), ('ucnt', '<i4')]"
         );
-        let longest = self.groups.iter().map(|group| group.name.len()).max().unwrap_or(1);
+        let longest = self
+            .groups
+            .iter()
+            .map(|group| group.name.len())
+            .max()
+            .unwrap_or(1);
         let names = self.groups.iter().flat_map(|group| {
             let mut name = group.name.clone().into_bytes();
             name.resize(longest, 0);
@@ -162,7 +200,12 @@ impl Packed {
         });
         let mut start = 0;
         let groups = self.groups.iter().flat_map(|group| {
-            let row = [int(start), int(group.faces.len()), vec![u8::from(!group.uvs.is_empty())]].concat();
+            let row = [
+                int(start),
+                int(group.faces.len()),
+                vec![u8::from(!group.uvs.is_empty())],
+            ]
+            .concat();
             start += count(group);
             row
         });
@@ -170,22 +213,71 @@ impl Packed {
         let flat = |rows: usize| format!("({rows},)");
         let stored = self.positions.len();
         [
-            ("header", npy(&header, "(1,)", self.name.bytes().chain(counts.into_iter().flat_map(int)))),
-            ("grpNames", npy(&format!("'|S{longest}'"), &flat(self.groups.len()), names)),
+            (
+                "header",
+                npy(
+                    &header,
+                    "(1,)",
+                    self.name.bytes().chain(counts.into_iter().flat_map(int)),
+                ),
+            ),
+            (
+                "grpNames",
+                npy(&format!("'|S{longest}'"), &flat(self.groups.len()), names),
+            ),
             (
                 "coord",
-                npy("'<f4'", &rows(stored, 3), self.positions.iter().flatten().flat_map(|part| part.to_le_bytes())),
+                npy(
+                    "'<f4'",
+                    &rows(stored, 3),
+                    self.positions
+                        .iter()
+                        .flatten()
+                        .flat_map(|part| part.to_le_bytes()),
+                ),
             ),
-            ("uvs", npy("'<f4'", &rows(stored, 2), self.uvs.iter().flatten().flat_map(|part| part.to_le_bytes()))),
+            (
+                "uvs",
+                npy(
+                    "'<f4'",
+                    &rows(stored, 2),
+                    self.uvs
+                        .iter()
+                        .flatten()
+                        .flat_map(|part| part.to_le_bytes()),
+                ),
+            ),
             (
                 "overflow",
-                npy("'<u4'", &rows(self.overflow.len(), 2), self.overflow.iter().flatten().flat_map(|one| int(*one))),
+                npy(
+                    "'<u4'",
+                    &rows(self.overflow.len(), 2),
+                    self.overflow.iter().flatten().flat_map(|one| int(*one)),
+                ),
             ),
-            ("groupinfo", npy("[('f0', '<i4'), ('f1', '<i4'), ('f2', '|b1')]", &flat(self.groups.len()), groups)),
-            ("vertsperface", npy("'<i4'", &flat(counts[2]), faces().flat_map(|face| int(face.len())))),
+            (
+                "groupinfo",
+                npy(
+                    "[('f0', '<i4'), ('f1', '<i4'), ('f2', '|b1')]",
+                    &flat(self.groups.len()),
+                    groups,
+                ),
+            ),
+            (
+                "vertsperface",
+                npy(
+                    "'<i4'",
+                    &flat(counts[2]),
+                    faces().flat_map(|face| int(face.len())),
+                ),
+            ),
             (
                 "faceverts",
-                npy("'<i4'", &flat(faces().map(Vec::len).sum()), faces().flatten().flat_map(|vertex| int(*vertex))),
+                npy(
+                    "'<i4'",
+                    &flat(faces().map(Vec::len).sum()),
+                    faces().flatten().flat_map(|vertex| int(*vertex)),
+                ),
             ),
         ]
     }
@@ -194,7 +286,9 @@ impl Packed {
 impl Group {
     fn add_face(&mut self, corners: &[&str]) {
         let numbers = |part: usize| {
-            let numbers = corners.iter().filter_map(|corner| corner.split('/').nth(part)?.parse::<usize>().ok());
+            let numbers = corners
+                .iter()
+                .filter_map(|corner| corner.split('/').nth(part)?.parse::<usize>().ok());
             numbers.map(|number| number - 1).collect::<Vec<_>>()
         };
         self.faces.push(numbers(0));
@@ -203,7 +297,10 @@ impl Group {
     }
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "stored as float32, as the application does")]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "stored as float32, as the application does"
+)]
 pub(super) fn single(number: f64) -> f32 {
     number as f32
 }
@@ -219,5 +316,11 @@ pub(super) fn npy(descr: &str, shape: &str, data: impl Iterator<Item = u8>) -> V
     header.push_str(&" ".repeat(length - header.len()));
     header.push('\n');
     let length = u16::try_from(header.len()).unwrap().to_le_bytes();
-    b"\x93NUMPY\x01\x00".iter().copied().chain(length).chain(header.into_bytes()).chain(data).collect()
+    b"\x93NUMPY\x01\x00"
+        .iter()
+        .copied()
+        .chain(length)
+        .chain(header.into_bytes())
+        .chain(data)
+        .collect()
 }

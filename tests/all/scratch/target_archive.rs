@@ -1,4 +1,5 @@
-//! `[[targets]]`: all targets of a repository packed as MakeHuman 1 does it, with what damages may come of it.
+//! `[[targets]]`: all targets of a repository packed as MakeHuman 1 does it, with what damages may
+//! come of it.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -17,7 +18,8 @@ pub struct TargetArchive {
     data: String,
     /// Members that are left out, without `.npy`.
     without: Vec<String>,
-    /// Members with what is in them: a type and a shape as they stand in a header, then bytes; or a text alone.
+    /// Members with what is in them: a type and a shape as they stand in a header, then bytes; or a
+    /// text alone.
     member: Vec<Member>,
     /// What is put before each path.
     prefix: String,
@@ -60,15 +62,32 @@ impl TargetArchive {
             }
         }
         // The licence of all targets, as every archive has it.
-        members.insert("targets/targets.license".to_owned(), npy("'|O'", "(2,)", std::iter::empty()));
-        self.without.iter().for_each(|name| drop(members.remove(name).unwrap()));
-        for Member { name, descr, shape, text } in &self.member {
+        members.insert(
+            "targets/targets.license".to_owned(),
+            npy("'|O'", "(2,)", std::iter::empty()),
+        );
+        self.without
+            .iter()
+            .for_each(|name| drop(members.remove(name).unwrap()));
+        for Member {
+            name,
+            descr,
+            shape,
+            text,
+        } in &self.member
+        {
             let bytes = text.bytes();
-            let array = if descr.is_empty() { bytes.collect() } else { npy(descr, shape, bytes) };
+            let array = if descr.is_empty() {
+                bytes.collect()
+            } else {
+                npy(descr, shape, bytes)
+            };
             members.insert(name.clone(), array);
         }
-        let all: Vec<_> =
-            members.iter().map(|(name, bytes)| (named(&format!("{name}.npy")), bytes.as_slice())).collect();
+        let all: Vec<_> = members
+            .iter()
+            .map(|(name, bytes)| (named(&format!("{name}.npy")), bytes.as_slice()))
+            .collect();
         std::fs::write(data.join("targets.npz"), zip(&all)).unwrap();
         if !self.no_list {
             let lines = self.list.as_ref().unwrap_or(&pictures);
@@ -78,16 +97,28 @@ impl TargetArchive {
 }
 
 /// The two arrays of a text.
-#[expect(clippy::cast_possible_truncation, reason = "what does not fit goes around")]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "what does not fit goes around"
+)]
 fn packed(text: &str) -> (Vec<u8>, Vec<u8>) {
     let rows: Vec<Vec<f64>> = text
         .lines()
         .filter(|line| !line.starts_with('#'))
-        .map(|line| line.split_whitespace().map(|word| word.parse().unwrap()).collect())
+        .map(|line| {
+            line.split_whitespace()
+                .map(|word| word.parse().unwrap())
+                .collect()
+        })
         .filter(|row: &Vec<f64>| row.len() == 4)
         .collect();
     let whole = |number: f64| (number.round_ties_even() as i64 as i16).to_le_bytes();
     let index = rows.iter().flat_map(|row| whole(row[0]));
-    let vector = rows.iter().flat_map(|row| row[1..].iter().flat_map(|part| whole(part * 1000.0)));
-    (npy("'<u2'", &format!("({},)", rows.len()), index), npy("'<i2'", &format!("({}, 3)", rows.len()), vector))
+    let vector = rows
+        .iter()
+        .flat_map(|row| row[1..].iter().flat_map(|part| whole(part * 1000.0)));
+    (
+        npy("'<u2'", &format!("({},)", rows.len()), index),
+        npy("'<i2'", &format!("({}, 3)", rows.len()), vector),
+    )
 }

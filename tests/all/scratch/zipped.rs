@@ -50,7 +50,18 @@ impl Default for Member {
         let (name, text) = (String::new(), String::new());
         let [hex_name, from] = [String::new(), String::new()];
         let [link, encrypted, damaged] = [false; 3];
-        Self { name, hex_name, text, times: 1, from, marked: true, link, encrypted, method: None, damaged }
+        Self {
+            name,
+            hex_name,
+            text,
+            times: 1,
+            from,
+            marked: true,
+            link,
+            encrypted,
+            method: None,
+            damaged,
+        }
     }
 }
 
@@ -60,18 +71,28 @@ impl Zipped {
         let mut zip = Writer::default();
         if !self.folder.is_empty() {
             for (path, bytes) in content(&root.join(&self.folder)) {
-                zip.add(&Member { name: path.to_str().unwrap().to_owned(), ..Member::default() }, &bytes);
+                zip.add(
+                    &Member {
+                        name: path.to_str().unwrap().to_owned(),
+                        ..Member::default()
+                    },
+                    &bytes,
+                );
             }
         }
         for member in &self.member {
             let own = member.text.repeat(member.times).into_bytes();
-            let from = (!member.from.is_empty()).then(|| std::fs::read(root.join(&member.from)).unwrap());
+            let from =
+                (!member.from.is_empty()).then(|| std::fs::read(root.join(&member.from)).unwrap());
             zip.add(member, &from.unwrap_or(own));
         }
         let mut bytes = zip.finish();
         bytes.truncate(bytes.len() - self.cut);
         if self.damaged_list {
-            let row = bytes.windows(4).position(|four| four == b"PK\x01\x02").unwrap();
+            let row = bytes
+                .windows(4)
+                .position(|four| four == b"PK\x01\x02")
+                .unwrap();
             bytes[row] = b'?';
         }
         bytes
@@ -81,13 +102,18 @@ impl Zipped {
 /// A zip of these members.
 pub fn zip(members: &[(Member, &[u8])]) -> Vec<u8> {
     let mut zip = Writer::default();
-    members.iter().for_each(|(member, bytes)| zip.add(member, bytes));
+    members
+        .iter()
+        .for_each(|(member, bytes)| zip.add(member, bytes));
     zip.finish()
 }
 
 /// A member of this name.
 pub fn named(name: &str) -> Member {
-    Member { name: name.to_owned(), ..Member::default() }
+    Member {
+        name: name.to_owned(),
+        ..Member::default()
+    }
 }
 
 #[derive(Default)]
@@ -99,19 +125,34 @@ struct Writer {
 
 impl Writer {
     fn add(&mut self, member: &Member, content: &[u8]) {
-        let digits = member.hex_name.as_bytes().chunks(2).map(|pair| std::str::from_utf8(pair).unwrap());
-        let hex: Vec<u8> = digits.map(|pair| u8::from_str_radix(pair, 16).unwrap()).collect();
-        let name = if hex.is_empty() { member.name.as_bytes() } else { &hex };
+        let digits = member
+            .hex_name
+            .as_bytes()
+            .chunks(2)
+            .map(|pair| std::str::from_utf8(pair).unwrap());
+        let hex: Vec<u8> = digits
+            .map(|pair| u8::from_str_radix(pair, 16).unwrap())
+            .collect();
+        let name = if hex.is_empty() {
+            member.name.as_bytes()
+        } else {
+            &hex
+        };
         let mut crc = Crc::new();
         crc.update(content);
         let is_deflated = member.times > 1;
-        let mut packed = if is_deflated { deflated(content) } else { content.to_vec() };
+        let mut packed = if is_deflated {
+            deflated(content)
+        } else {
+            content.to_vec()
+        };
         if let Some(first) = packed.first_mut().filter(|_| member.damaged) {
             *first ^= 0x55;
         }
         let flags = u16::from(member.encrypted) | if member.marked { 0x800 } else { 0 };
         let method = member.method.unwrap_or(if is_deflated { 8 } else { 0 });
-        let sizes = [packed.len(), content.len()].map(|size| u32::try_from(size).unwrap().to_le_bytes());
+        let sizes =
+            [packed.len(), content.len()].map(|size| u32::try_from(size).unwrap().to_le_bytes());
         let length = u16::try_from(name.len()).unwrap().to_le_bytes();
         // What the list and the header of the member have in common.
         let common = [
@@ -129,17 +170,43 @@ impl Writer {
         let at = u32::try_from(self.bytes.len()).unwrap().to_le_bytes();
         let mode: u32 = if member.link { 0o12_0777 } else { 0o10_0644 };
         let attributes = (mode << 16).to_le_bytes();
-        self.list.extend([b"PK\x01\x02\x14\x03", &common[..], &[0; 6], &attributes, &at, name].concat());
-        self.bytes.extend([b"PK\x03\x04", &common[..], name, &packed].concat());
+        self.list.extend(
+            [
+                b"PK\x01\x02\x14\x03",
+                &common[..],
+                &[0; 6],
+                &attributes,
+                &at,
+                name,
+            ]
+            .concat(),
+        );
+        self.bytes
+            .extend([b"PK\x03\x04", &common[..], name, &packed].concat());
         self.count = self.count.wrapping_add(1);
     }
 
     fn finish(self) -> Vec<u8> {
-        let Self { mut bytes, list, count } = self;
-        let [size, at] = [list.len(), bytes.len()].map(|number| u32::try_from(number).unwrap().to_le_bytes());
+        let Self {
+            mut bytes,
+            list,
+            count,
+        } = self;
+        let [size, at] =
+            [list.len(), bytes.len()].map(|number| u32::try_from(number).unwrap().to_le_bytes());
         let count = count.to_le_bytes();
         bytes.extend(list);
-        bytes.extend([b"PK\x05\x06\0\0\0\0", &count[..], &count, &size, &at, &[0, 0]].concat());
+        bytes.extend(
+            [
+                b"PK\x05\x06\0\0\0\0",
+                &count[..],
+                &count,
+                &size,
+                &at,
+                &[0, 0],
+            ]
+            .concat(),
+        );
         bytes
     }
 }

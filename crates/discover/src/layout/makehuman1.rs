@@ -6,14 +6,21 @@ mod version;
 use super::super::kind::{SHADER_FILES, extension};
 use super::super::listing::{Listing, at};
 use super::super::{Candidate, Kind};
-use super::{HM08, HiddenPath, LIBRARIES, Layout, MAKEHUMAN2_BASES, Role, Says, Sign, Single, WORN, near, worn_shelf};
+use super::{
+    HM08, HiddenPath, LIBRARIES, Layout, MAKEHUMAN2_BASES, Role, Says, Sign, Single, WORN, near,
+    worn_shelf,
+};
 use mhlint_diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
     application: Application::Makehuman1,
     shape: "modifiers/*_modifiers.json",
     depth: 3,
-    folders: &[&["targets", "modifiers", "3dobjs", "custom"], &LIBRARIES, &WORN],
+    folders: &[
+        &["targets", "modifiers", "3dobjs", "custom"],
+        &LIBRARIES,
+        &WORN,
+    ],
     sign,
     weigh,
     version: version::version,
@@ -31,7 +38,8 @@ pub(super) static LAYOUT: Layout = Layout {
     above_data,
     tells_without_data: |_, _| false,
     is_folder: |rel, _| is_beside(rel, CACHE),
-    // What is called a target is one (`docs/loaders/makehuman1/targets.md#where-targets-are-found`).
+    // What is called a target is one
+    // (`docs/loaders/makehuman1/targets.md#where-targets-are-found`).
     everywhere: Some(Kind::Target),
     only_base: Some(HM08),
     joint: Some("upperleg02.L"),
@@ -45,23 +53,33 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     match parts {
         [.., "modifiers", name] if name.ends_with("_modifiers.json") => Some((Sign::Strong, 2)),
         [.., "3dobjs", "base.obj"] => Some((Sign::Weak, 2)),
-        // Everything that a build has of its targets; worth something beside the list of its pictures.
+        // Everything that a build has of its targets; worth something beside the list of its
+        // pictures.
         [.., TARGETS_NPZ] => Some((Sign::Strong, 1)),
         [.., "rigs", name] if extension(name) == "mhskel" => Some((Sign::Weak, 2)),
         // Rigs are listed at any depth.
         [.., "rigs", _, name] if extension(name) == "mhskel" => Some((Sign::Faint, 3)),
-        // What is packed stands for its text (`docs/loaders/makehuman1/compiled-clothes.md#when-it-is-read`).
+        // What is packed stands for its text
+        // (`docs/loaders/makehuman1/compiled-clothes.md#when-it-is-read`).
         [.., "proxymeshes", _, name] if extension(name) == "mhpxy" => Some((Sign::Faint, 3)),
-        [.., library, _, name] if WORN.contains(library) && extension(name) == "mhpxy" => Some((Sign::Faint, 3)),
+        [.., library, _, name] if WORN.contains(library) && extension(name) == "mhpxy" => {
+            Some((Sign::Faint, 3))
+        }
         // MPFB has them, too.
         [.., "proxymeshes", _, name] if extension(name) == "proxy" => Some((Sign::Faint, 3)),
         // Packs of nothing but skins, or of poses, each with what else belongs to one.
         [.., "skins", name] if extension(name) == "mhmat" => Some((Sign::Faint, 2)),
-        [.., "skins", base, name] if extension(name) == "mhmat" && !MAKEHUMAN2_BASES.contains(base) => {
+        [.., "skins", base, name]
+            if extension(name) == "mhmat" && !MAKEHUMAN2_BASES.contains(base) =>
+        {
             Some((Sign::Faint, 3))
         }
-        [.., "poses", name] if matches!(extension(name), "meta" | "thumb") => Some((Sign::Faint, 2)),
-        [.., library, name] if WORN.contains(library) && extension(name).eq_ignore_ascii_case("mhclo") => {
+        [.., "poses", name] if matches!(extension(name), "meta" | "thumb") => {
+            Some((Sign::Faint, 2))
+        }
+        [.., library, name]
+            if WORN.contains(library) && extension(name).eq_ignore_ascii_case("mhclo") =>
+        {
             Some((Sign::Faint, 2))
         }
         // Nothing but targets of a user; in this place they are those of one of MPFB.
@@ -79,13 +97,18 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     }
 }
 
-/// An archive of targets lies beside a list of pictures, and a folder of rigs that is called like a base mesh of another
-/// application is none of ours.
+/// An archive of targets lies beside a list of pictures, and a folder of rigs that is called like a
+/// base mesh of another application is none of ours.
 fn weigh(listing: &Listing<'_>, root: &str, file: &str, sign: Sign) -> Option<Sign> {
-    let rel = file.get(root.len()..).unwrap_or_default().trim_start_matches('/');
+    let rel = file
+        .get(root.len()..)
+        .unwrap_or_default()
+        .trim_start_matches('/');
     let is_own = match rel.split('/').collect::<Vec<_>>().as_slice() {
         [TARGETS_NPZ] => listing.has(&at(root, "images.list")),
-        ["rigs", folder, _] => !listing.knows_base(folder) && !listing.has_folder(&at(root, &format!("base/{folder}"))),
+        ["rigs", folder, _] => {
+            !listing.knows_base(folder) && !listing.has_folder(&at(root, &format!("base/{folder}")))
+        }
         _ => true,
     };
     is_own.then_some(sign)
@@ -102,23 +125,30 @@ fn above_data(parts: &[&str]) -> Option<usize> {
     }
 }
 
-/// Models say which program wrote them; poses of the body and of the face are most often of another.
+/// Models say which program wrote them; poses of the body and of the face are most often of
+/// another.
 fn is_of_others(extension: &str, says: Says<'_>) -> bool {
-    extension == "mhpose" || extension == "mhm" && (says("MakeHuman2 Model File") || says("version v2."))
+    extension == "mhpose"
+        || extension == "mhm" && (says("MakeHuman2 Model File") || says("version v2."))
 }
 
 /// Only the program has such files: it opens them by their names. Its first rig users copy, too.
 fn role(below: &[Candidate<'_>]) -> Role {
     let own = || below.iter().filter(|one| !one.is_loose);
     let has = |start: &str| own().any(|one| one.rel.starts_with(start));
-    let has_mesh = below.iter().any(|one| one.kind_in(Application::Makehuman1).is_base_mesh());
+    let has_mesh = below
+        .iter()
+        .any(|one| one.kind_in(Application::Makehuman1).is_base_mesh());
     let is_build = has("images.list") && has(TARGETS_NPZ);
-    // Users keep a copy of the mesh for their 3D program, of the sliders or of the targets, too; all of it is a program.
+    // Users keep a copy of the mesh for their 3D program, of the sliders or of the targets, too;
+    // all of it is a program.
     let is_of_user = has("custom/") || below.iter().any(|one| one.is_loose);
     let is_copy = is_of_user && !is_build && !(has("targets/") && has("modifiers/"));
     let is_own = has("modifiers/modeling_modifiers.json") || has_mesh || has("rigs/default.mhskel");
     // A program that was copied over the data of its user.
-    let is_home = below.iter().any(|one| one.is_loose && !one.rel.starts_with("custom/"));
+    let is_home = below
+        .iter()
+        .any(|one| one.is_loose && !one.rel.starts_with("custom/"));
     match (is_build || is_own && !is_copy, is_home) {
         (true, false) => Role::System,
         (true, true) => Role::Both,
@@ -130,9 +160,14 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
     let kind = match parts {
         ["3dobjs", "base.obj"] => Kind::BaseMesh,
         ["3dobjs", "base.npz"] => Kind::PackedBaseMesh,
-        // Users have some in `custom` alone, where capitals count; the program has them anywhere in its data.
+        // Users have some in `custom` alone, where capitals count; the program has them anywhere in
+        // its data.
         ["custom", .., file] if extension(file) == "target" => Kind::Target,
-        [folder, .., file] if *folder != "custom" && extension(file).eq_ignore_ascii_case("target") => Kind::Target,
+        [folder, .., file]
+            if *folder != "custom" && extension(file).eq_ignore_ascii_case("target") =>
+        {
+            Kind::Target
+        }
         // Nobody looks for it there.
         [file] if extension(file) == "target" => Kind::Target,
         ["modifiers", file] if file.ends_with("_modifiers.json") => Kind::ModifierFile,
@@ -149,14 +184,18 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["rigs", .., file] if extension(file) == "mhw" => Kind::Weights,
         // Whatever its list shows is loaded under the name that it has.
         ["models", .., file] if extension(file).eq_ignore_ascii_case("mhm") => Kind::Model,
-        [_, .., file] if SHADER_FILES.iter().any(|ending| file.ends_with(ending)) => Kind::ShaderSource,
+        [_, .., file] if SHADER_FILES.iter().any(|ending| file.ends_with(ending)) => {
+            Kind::ShaderSource
+        }
         ["poses", .., file] if extension(file) == "mhp" => Kind::Unlisted,
         ["poses", .., file] if extension(file).eq_ignore_ascii_case("bvh") => Kind::Motion,
         [folder, .., file] => match Kind::by_extension(file) {
             // In folders such as `costumes` older versions had some.
             Kind::Clothes if !holds_worn(folder) && !OWN_FOLDERS.contains(folder) => Kind::Unlisted,
             // Elsewhere the program has such files for itself, and opens them by name or never.
-            Kind::Clothes | Kind::AssetMesh | Kind::AssetWeights if !holds_worn(folder) => Kind::Other,
+            Kind::Clothes | Kind::AssetMesh | Kind::AssetWeights if !holds_worn(folder) => {
+                Kind::Other
+            }
             Kind::Motion | Kind::MotionMeta if *folder != "poses" => Kind::Other,
             // What MakeHuman 2 packs is nothing to it, nor is any other archive.
             Kind::Packed if !matches!(extension(file), "mhpxy" | "npz") => Kind::Other,
@@ -167,21 +206,36 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         [file] if is_dangerous(file) => Kind::by_extension(file),
         _ => Kind::Other,
     };
-    (kind, (parts.len() > 1 || kind == Kind::Target).then_some(HM08))
+    (
+        kind,
+        (parts.len() > 1 || kind == Kind::Target).then_some(HM08),
+    )
 }
 
-/// Libraries list files by their extension, hidden or not; macOS and editors leave such beside each of their own
-/// (`docs/loaders/makehuman1/folders.md#links`). The names of all folders of the data count for its targets
-/// (`docs/loaders/makehuman1/targets.md#faults-of-names`).
+/// Libraries list files by their extension, hidden or not; macOS and editors leave such beside each
+/// of their own (`docs/loaders/makehuman1/folders.md#links`). The names of all folders of the data
+/// count for its targets (`docs/loaders/makehuman1/targets.md#faults-of-names`).
 fn reads_hidden(path: &HiddenPath<'_>) -> bool {
-    let is_in_data = path.in_root || path.visible.iter().any(|part| matches!(*part, "data" | "targets"));
+    let is_in_data = path.in_root
+        || path
+            .visible
+            .iter()
+            .any(|part| matches!(*part, "data" | "targets"));
     if is_in_data && (path.is_folder || extension(path.name).eq_ignore_ascii_case("target")) {
         return true;
     }
-    let Some(at) = path.visible.iter().rposition(|part| library_extension(part).is_some()) else { return false };
+    let Some(at) = path
+        .visible
+        .iter()
+        .rposition(|part| library_extension(part).is_some())
+    else {
+        return false;
+    };
     let below = path.visible.get(at..).unwrap_or_default().join("/");
     // The list of materials of an asset as well.
-    let is_listed = || library_of(&format!("{below}/{}", path.name)).is_some() || extension(path.name) == "mhmat";
+    let is_listed = || {
+        library_of(&format!("{below}/{}", path.name)).is_some() || extension(path.name) == "mhmat"
+    };
     !path.is_folder && path.name.starts_with('.') && is_listed()
 }
 
@@ -205,16 +259,23 @@ fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
 
 /// The library of a loose archive, which does not say whether it stands for the body.
 fn packed_shelf(above: &[&str]) -> &'static str {
-    if above.contains(&TOPOLOGIES) { TOPOLOGIES } else { worn_shelf(above) }
+    if above.contains(&TOPOLOGIES) {
+        TOPOLOGIES
+    } else {
+        worn_shelf(above)
+    }
 }
 
 /// Scenes and lists of libraries are pickles, which can call anything.
 fn is_dangerous(path: &str) -> bool {
-    ["mhscene", "mhc"].iter().any(|known| extension(path).eq_ignore_ascii_case(known))
+    ["mhscene", "mhc"]
+        .iter()
+        .any(|known| extension(path).eq_ignore_ascii_case(known))
 }
 
-/// A list of a library, which may run code as well as a scene, and an archive of something worn, wherever they lie; a target
-/// and weights as their author would put them. What is wrong with the archive of all targets shows only beside these.
+/// A list of a library, which may run code as well as a scene, and an archive of something worn,
+/// wherever they lie; a target and weights as their author would put them. What is wrong with the
+/// archive of all targets shows only beside these.
 fn loose_place(path: &str, _: Option<&str>) -> Option<String> {
     let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
     let above: Vec<&str> = folder.rsplit('/').collect();
@@ -236,11 +297,15 @@ fn holds_worn(folder: &str) -> bool {
 }
 
 fn single(rel: &str) -> Option<Single> {
-    let name = rel.strip_prefix("litspheres/skinmat_").and_then(|name| name.strip_suffix(".png"));
+    let name = rel
+        .strip_prefix("litspheres/skinmat_")
+        .and_then(|name| name.strip_suffix(".png"));
     match name {
         Some("african" | "asian" | "caucasian") => Some(Single::SkinPicture),
         _ if rel == "skins/default.mhmat" => Some(Single::FirstSkin),
-        _ if matches!(rel, "rigs/default.mhskel" | "rigs/default_weights.mhw") => Some(Single::FirstRig),
+        _ if matches!(rel, "rigs/default.mhskel" | "rigs/default_weights.mhw") => {
+            Some(Single::FirstRig)
+        }
         _ if is_beside(rel, CACHE) => Some(Single::CacheFolder),
         _ if rel == "scenes/default.mhscene" => Some(Single::FirstScene),
         _ if extension(rel) == "thumb" => Some(Single::Thumbnail),
@@ -279,11 +344,13 @@ pub fn library_of(rel: &str) -> Option<&str> {
     let rel = rel.strip_prefix("../").unwrap_or(rel);
     let (library, _) = rel.split_once('/')?;
     let extension = extension(rel);
-    let is_listed = library_extension(library).is_some_and(|own| own.eq_ignore_ascii_case(extension));
+    let is_listed =
+        library_extension(library).is_some_and(|own| own.eq_ignore_ascii_case(extension));
     is_listed.then_some(library)
 }
 
-/// The library that lists an archive of something worn (`.mhpxy`). Elsewhere, such as in `3dobjs`, nothing puts it on.
+/// The library that lists an archive of something worn (`.mhpxy`). Elsewhere, such as in `3dobjs`,
+/// nothing puts it on.
 pub fn archive_library_of(rel: &str) -> Option<&str> {
     let (library, _) = rel.split_once('/')?;
     (holds_worn(library) && extension(rel) == "mhpxy").then_some(library)
@@ -291,7 +358,14 @@ pub fn archive_library_of(rel: &str) -> Option<&str> {
 
 /// The folders of libraries.
 pub fn libraries() -> impl Iterator<Item = &'static str> {
-    WORN.into_iter().chain([TOPOLOGIES, "skins", "poses", "rigs", "expressions", "models"])
+    WORN.into_iter().chain([
+        TOPOLOGIES,
+        "skins",
+        "poses",
+        "rigs",
+        "expressions",
+        "models",
+    ])
 }
 
 /// What the files of a library end in.
@@ -330,9 +404,15 @@ mod tests {
             ("clothes/a/a.target", Kind::Target),
             ("targets/a.TARGET", Kind::Target),
             ("modifiers/modeling_modifiers.json", Kind::ModifierFile),
-            ("modifiers/modeling_modifiers_desc.json", Kind::ModifierTexts),
+            (
+                "modifiers/modeling_modifiers_desc.json",
+                Kind::ModifierTexts,
+            ),
             ("modifiers/modeling_sliders.json", Kind::ModifierSliders),
-            ("modifiers/mh_1-0_modifier_mapping.csv", Kind::ModifierMapping),
+            (
+                "modifiers/mh_1-0_modifier_mapping.csv",
+                Kind::ModifierMapping,
+            ),
             ("modifiers/old/modeling_modifiers.json", Kind::Json),
             ("poseunits/face-poseunits.json", Kind::FaceUnits),
             ("languages/german.json", Kind::Language),
@@ -350,17 +430,32 @@ mod tests {
             ("clothes/a/a_shader.txt", Kind::Other),
         ] {
             let found = LAYOUT.use_of(path);
-            assert_eq!((found.kind, found.owner.as_deref()), (kind, Some(HM08)), "{path}");
+            assert_eq!(
+                (found.kind, found.owner.as_deref()),
+                (kind, Some(HM08)),
+                "{path}"
+            );
         }
         assert_eq!(LAYOUT.use_of("targets.npz").owner, None);
     }
 
     #[test]
     fn a_path_in_a_library_knows_where_its_root_would_be() {
-        assert_eq!(LAYOUT.roots_above("v1py3/data/hair/bob01/bob01.mhclo").next(), Some("v1py3/data"));
-        assert_eq!(LAYOUT.roots_above("v1py3/data/proxymeshes/a").next(), Some("v1py3/data"));
+        assert_eq!(
+            LAYOUT
+                .roots_above("v1py3/data/hair/bob01/bob01.mhclo")
+                .next(),
+            Some("v1py3/data")
+        );
+        assert_eq!(
+            LAYOUT.roots_above("v1py3/data/proxymeshes/a").next(),
+            Some("v1py3/data")
+        );
         assert_eq!(LAYOUT.roots_above("v1py3/data/proxy/a").next(), None);
-        assert_eq!(LAYOUT.roots_above("u/targets/custom").collect::<Vec<_>>(), ["u/targets", "u"]);
+        assert_eq!(
+            LAYOUT.roots_above("u/targets/custom").collect::<Vec<_>>(),
+            ["u/targets", "u"]
+        );
     }
 
     #[test]
@@ -379,7 +474,13 @@ mod tests {
             ("pack/poses/walk.bvh", None),
             ("pack/poses/walk.meta", Some("pack")),
         ] {
-            assert_eq!(LAYOUT.sign(path, &Listing::of([path], [])).map(|(root, _)| root), root, "{path}");
+            assert_eq!(
+                LAYOUT
+                    .sign(path, &Listing::of([path], []))
+                    .map(|(root, _)| root),
+                root,
+                "{path}"
+            );
         }
     }
 
@@ -392,7 +493,11 @@ mod tests {
             ("clothes/.git/a.mhclo", false),
             ("materials/._a.mhmat", false),
         ] {
-            assert_eq!(super::super::is_read_though_hidden("assets", path, false), is_read, "{path}");
+            assert_eq!(
+                super::super::is_read_though_hidden("assets", path, false),
+                is_read,
+                "{path}"
+            );
         }
     }
 

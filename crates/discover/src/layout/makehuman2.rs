@@ -43,7 +43,8 @@ pub(super) static LAYOUT: Layout = Layout {
     has_bases: true,
     only_base: None,
     joint: None,
-    // Weights are looked for there and nowhere below (`docs/loaders/makehuman2/skeletons.md#keys-of-a-skeleton`).
+    // Weights are looked for there and nowhere below
+    // (`docs/loaders/makehuman2/skeletons.md#keys-of-a-skeleton`).
     flat: "rigs",
     role,
     is_system_of_two,
@@ -55,7 +56,8 @@ pub(super) static LAYOUT: Layout = Layout {
     misnamed: opened::misnamed,
 };
 
-/// Folders that the asset scan visits besides those of what is worn, with one level of folders below the base mesh.
+/// Folders that the asset scan visits besides those of what is worn, with one level of folders
+/// below the base mesh.
 const SCANNED: [&str; 5] = ["proxy", "rigs", "poses", "expressions", "models"];
 
 fn is_scanned_folder(folder: &str) -> bool {
@@ -70,7 +72,8 @@ fn is_filtered(folder: &str) -> bool {
 /// Folders with a folder for each base mesh that the scan leaves out.
 const NOT_SCANNED: [&str; 4] = ["target", "contarget", "base", "skins"];
 
-/// Folder of loose files for no known base mesh, which are checked alone; no application has one of this name.
+/// Folder of loose files for no known base mesh, which are checked alone; no application has one of
+/// this name.
 const ALONE: &str = "(loose)";
 
 fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
@@ -89,7 +92,10 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
         [.., category, base, _, _, _] | [.., category, base, _, _] | [.., category, base, _]
             if is_filtered(category) && *base != MATERIALS =>
         {
-            let levels = parts.iter().rposition(|part| part == category).map_or(0, |at| parts.len() - at);
+            let levels = parts
+                .iter()
+                .rposition(|part| part == category)
+                .map_or(0, |at| parts.len() - at);
             (Kind::by_extension(parts.last().copied().unwrap_or_default()) != Kind::Other)
                 .then_some((Sign::Faint, levels))
         }
@@ -98,15 +104,26 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     }
 }
 
-/// A folder is that of a base mesh if the run knows one of its name, or something else for it lies in its place
-/// (`docs/loaders/makehuman2/folders.md#target-folders`): other programs have folders called `base` and `rigs`, too.
+/// A folder is that of a base mesh if the run knows one of its name, or something else for it lies
+/// in its place (`docs/loaders/makehuman2/folders.md#target-folders`): other programs have folders
+/// called `base` and `rigs`, too.
 fn weigh(listing: &Listing<'_>, root: &str, file: &str, sign: Sign) -> Option<Sign> {
-    let rel = file.get(root.len()..).unwrap_or_default().trim_start_matches('/');
+    let rel = file
+        .get(root.len()..)
+        .unwrap_or_default()
+        .trim_start_matches('/');
     let (folder, rest) = rel.split_once('/')?;
     let name = rest.split('/').next().unwrap_or_default();
-    let has = |folder: &str| listing.below(&at(root, &format!("{folder}/{name}"))).next().is_some();
+    let has = |folder: &str| {
+        listing
+            .below(&at(root, &format!("{folder}/{name}")))
+            .next()
+            .is_some()
+    };
     let is_base = match folder {
-        "base" => ["target", "contarget", "rigs"].into_iter().any(has) || has_settings(listing, file),
+        "base" => {
+            ["target", "contarget", "rigs"].into_iter().any(has) || has_settings(listing, file)
+        }
         "rigs" => has("base") || is_in_many(listing, root, name),
         _ if is_filtered(folder) => is_in_many(listing, root, name),
         _ => true,
@@ -116,8 +133,20 @@ fn weigh(listing: &Listing<'_>, root: &str, file: &str, sign: Sign) -> Option<Si
 
 /// Whether three of the libraries have a folder of this name: it is that of a base mesh.
 fn is_in_many(listing: &Listing<'_>, root: &str, name: &str) -> bool {
-    let has = |folder: &&&str| listing.below(&at(root, &format!("{folder}/{name}"))).next().is_some();
-    name != MATERIALS && WORN.iter().chain(&SCANNED).chain(&["skins", "target"]).filter(has).count() >= 3
+    let has = |folder: &&&str| {
+        listing
+            .below(&at(root, &format!("{folder}/{name}")))
+            .next()
+            .is_some()
+    };
+    name != MATERIALS
+        && WORN
+            .iter()
+            .chain(&SCANNED)
+            .chain(&["skins", "target"])
+            .filter(has)
+            .count()
+            >= 3
 }
 
 /// Materials that several assets share lie in folders of this name.
@@ -125,13 +154,23 @@ const MATERIALS: &str = "materials";
 
 /// Whether the folder with this file has a `base.json` that can be that of a base mesh.
 fn has_settings(listing: &Listing<'_>, file: &str) -> bool {
-    const KEYS: [&str; 5] =
-        ["\"visible groups\"", "\"target-opposites\"", "\"pose-skeleton\"", "\"modifier-presets\"", "\"equipment\""];
+    const KEYS: [&str; 5] = [
+        "\"visible groups\"",
+        "\"target-opposites\"",
+        "\"pose-skeleton\"",
+        "\"modifier-presets\"",
+        "\"equipment\"",
+    ];
     let (folder, _) = file.rsplit_once('/').unwrap_or(("", file));
     let settings = at(folder, "base.json");
-    let has_mesh = || ["base.obj", "base.mhbin"].iter().any(|name| listing.has(&at(folder, name)));
+    let has_mesh = || {
+        ["base.obj", "base.mhbin"]
+            .iter()
+            .any(|name| listing.has(&at(folder, name)))
+    };
     // Damaged ones may hold anything but the sound settings of another program.
-    listing.has(&settings) && (has_mesh() || !listing.says(&settings, &["{"]) || listing.says(&settings, &KEYS))
+    listing.has(&settings)
+        && (has_mesh() || !listing.says(&settings, &["{"]) || listing.says(&settings, &KEYS))
 }
 
 /// A target somewhere below `target/<base>/` or `contarget/<base>/`.
@@ -180,21 +219,32 @@ fn is_target_folder(folder: &str) -> bool {
     matches!(folder, "target" | "contarget")
 }
 
-/// Every `*.target` below a target folder is opened, whatever it and the folders above it are called, `.git` as well
-/// (`docs/loaders/makehuman2/targets.md#the-archive-at-the-start`).
+/// Every `*.target` below a target folder is opened, whatever it and the folders above it are
+/// called, `.git` as well (`docs/loaders/makehuman2/targets.md#the-archive-at-the-start`).
 fn reads_hidden(path: &HiddenPath<'_>) -> bool {
     // A name for the base mesh stands between.
-    let above = path.visible.split_last().map_or(path.visible, |(_, above)| above);
+    let above = path
+        .visible
+        .split_last()
+        .map_or(path.visible, |(_, above)| above);
     let is_target = path.is_folder || extension(path.name) == "target";
     above.iter().any(|part| is_target_folder(part)) && is_target || is_scanned_though_hidden(path)
 }
 
-/// The asset scan takes files by their suffix, hidden or not; macOS leaves such beside each of its own
-/// (`docs/loaders/makehuman2/libraries.md#scan`).
+/// The asset scan takes files by their suffix, hidden or not; macOS leaves such beside each of its
+/// own (`docs/loaders/makehuman2/libraries.md#scan`).
 fn is_scanned_though_hidden(path: &HiddenPath<'_>) -> bool {
-    let Some(at) = path.visible.iter().rposition(|part| is_scanned_folder(part)) else { return false };
+    let Some(at) = path
+        .visible
+        .iter()
+        .rposition(|part| is_scanned_folder(part))
+    else {
+        return false;
+    };
     let below = path.visible.get(at..).unwrap_or_default().join("/");
-    !path.is_folder && path.name.starts_with('.') && opened::is_scanned(&format!("{below}/{}", path.name))
+    !path.is_folder
+        && path.name.starts_with('.')
+        && opened::is_scanned(&format!("{below}/{}", path.name))
 }
 
 /// The list that shows a loose file. Poses of the face are by far the most of what is in `.mhpose`.
@@ -211,12 +261,13 @@ fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
     }
 }
 
-/// A loose target, skeleton or weights file is checked as if its owner had already copied it into a user
-/// folder; without a base mesh to copy it to, it is checked alone.
+/// A loose target, skeleton or weights file is checked as if its owner had already copied it into a
+/// user folder; without a base mesh to copy it to, it is checked alone.
 fn loose_place(path: &str, base: Option<&str>) -> Option<String> {
     let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
     let (_, extension) = file.rsplit_once('.')?;
-    // Targets and skeletons are looked for one folder below the base; deeper ones would be out of sight.
+    // Targets and skeletons are looked for one folder below the base; deeper ones would be out of
+    // sight.
     let near = near(folder);
     let place = match (extension, base) {
         ("target", Some(base)) => format!("target/{base}/{near}/{file}"),
@@ -235,28 +286,43 @@ fn is_of_others(extension: &str, says: Says<'_>) -> bool {
 
 /// What the program opens at start nobody else has.
 fn is_programs(one: &Candidate<'_>) -> bool {
-    matches!(one.kind_in(LAYOUT.application), Kind::Version | Kind::Shaders)
+    matches!(
+        one.kind_in(LAYOUT.application),
+        Kind::Version | Kind::Shaders
+    )
 }
 
 /// Users have base meshes, too, and macros by mistake: two of what the program has are its data.
 fn stands_alone(below: &[Candidate<'_>], is_base: Holds<'_>) -> bool {
-    let of_kind = |wanted: fn(Kind) -> bool| below.iter().filter(move |one| wanted(one.kind_in(LAYOUT.application)));
-    let mut bases = of_kind(Kind::is_base_mesh).filter_map(Candidate::owner).peekable();
+    let of_kind = |wanted: fn(Kind) -> bool| {
+        below
+            .iter()
+            .filter(move |one| wanted(one.kind_in(LAYOUT.application)))
+    };
+    let mut bases = of_kind(Kind::is_base_mesh)
+        .filter_map(Candidate::owner)
+        .peekable();
     let has_bases = bases.peek().is_some() && bases.all(is_base);
-    let has_macros = of_kind(|kind| kind == Kind::MacroJson).any(|one| one.rel.starts_with("target/"));
+    let has_macros =
+        of_kind(|kind| kind == Kind::MacroJson).any(|one| one.rel.starts_with("target/"));
     let has_shaders = below.iter().any(|one| one.rel.starts_with("shaders/"));
-    below.iter().any(is_programs) || usize::from(has_bases) + usize::from(has_macros) + usize::from(has_shaders) >= 2
+    below.iter().any(is_programs)
+        || usize::from(has_bases) + usize::from(has_macros) + usize::from(has_shaders) >= 2
 }
 
-/// Base meshes make a root the system, or both with `contarget/`, which is read in the user's folder only
-/// (`docs/loaders/makehuman2/folders.md#target-folders`). Capitals make no difference: which part is meant is clear.
+/// Base meshes make a root the system, or both with `contarget/`, which is read in the user's
+/// folder only (`docs/loaders/makehuman2/folders.md#target-folders`). Capitals make no difference:
+/// which part is meant is clear.
 fn role(below: &[Candidate<'_>]) -> Role {
-    let is_override = |one: &Candidate<'_>| match one.rel.split('/').collect::<Vec<_>>().as_slice() {
+    let is_override = |one: &Candidate<'_>| match one.rel.split('/').collect::<Vec<_>>().as_slice()
+    {
         [folder, _, _, ..] => folder.eq_ignore_ascii_case("contarget"),
         _ => false,
     };
-    let has_base =
-        below.iter().any(is_base) || has_packed_base(below) || below.iter().any(is_programs) || has_indexes(below);
+    let has_base = below.iter().any(is_base)
+        || has_packed_base(below)
+        || below.iter().any(is_programs)
+        || has_indexes(below);
     match (has_base, below.iter().any(is_override)) {
         (true, false) => Role::System,
         (true, true) => Role::Both,
@@ -265,38 +331,58 @@ fn role(below: &[Candidate<'_>]) -> Role {
 }
 
 fn is_base(one: &Candidate<'_>) -> bool {
-    matches!(one.kind_in(LAYOUT.application), Kind::BaseJson | Kind::BaseMesh)
-        || matches!(
-            one.rel.split('/').collect::<Vec<_>>().as_slice(),
-            [folder, _, "base.json" | "base.obj"] if folder.eq_ignore_ascii_case("base")
-        )
+    matches!(
+        one.kind_in(LAYOUT.application),
+        Kind::BaseJson | Kind::BaseMesh
+    ) || matches!(
+        one.rel.split('/').collect::<Vec<_>>().as_slice(),
+        [folder, _, "base.json" | "base.obj"] if folder.eq_ignore_ascii_case("base")
+    )
 }
 
-/// A packed mesh alone may be a user's, over the system's base. With macros in `target/`, where no user has any, it is the
-/// system's.
+/// A packed mesh alone may be a user's, over the system's base. With macros in `target/`, where no
+/// user has any, it is the system's.
 fn has_packed_base(below: &[Candidate<'_>]) -> bool {
-    let of_kind = |kind| below.iter().filter(move |one| one.kind_in(LAYOUT.application) == kind);
+    let of_kind = |kind| {
+        below
+            .iter()
+            .filter(move |one| one.kind_in(LAYOUT.application) == kind)
+    };
     let macros = of_kind(Kind::MacroJson).filter(|one| one.rel.starts_with("target/"));
     let with_macros: BTreeSet<Option<&str>> = macros.map(Candidate::owner).collect();
     of_kind(Kind::MeshArchive).any(|one| with_macros.contains(&one.owner()))
 }
 
-/// Whether a base mesh has macros and sliders in `target/`, and a skeleton or shaders: all of a program's but the mesh.
+/// Whether a base mesh has macros and sliders in `target/`, and a skeleton or shaders: all of a
+/// program's but the mesh.
 fn has_indexes(below: &[Candidate<'_>]) -> bool {
-    let has = |start: &str, end: &str| below.iter().any(|one| one.rel.starts_with(start) && one.rel.ends_with(end));
+    let has = |start: &str, end: &str| {
+        below
+            .iter()
+            .any(|one| one.rel.starts_with(start) && one.rel.ends_with(end))
+    };
     let is_more = || has("rigs/", "/default.mhskel") || has("shaders/", "");
     has("target/", "/macro.json") && has("target/", "/modelling.json") && is_more()
 }
 
-/// Beside another root, the one whose bases have sliders or macros in `target/` is the system, and its `contarget/`
-/// counts for nothing.
+/// Beside another root, the one whose bases have sliders or macros in `target/` is the system, and
+/// its `contarget/` counts for nothing.
 fn is_system_of_two(below: &[Candidate<'_>]) -> bool {
-    let bases: BTreeSet<Option<&str>> = below.iter().filter(|one| is_base(one)).map(|one| one.owner()).collect();
+    let bases: BTreeSet<Option<&str>> = below
+        .iter()
+        .filter(|one| is_base(one))
+        .map(|one| one.owner())
+        .collect();
     let has_sliders = |one: &&Candidate<'_>| {
-        matches!(one.kind_in(LAYOUT.application), Kind::MacroJson | Kind::ModellingJson)
-            && one.rel.starts_with("target/")
+        matches!(
+            one.kind_in(LAYOUT.application),
+            Kind::MacroJson | Kind::ModellingJson
+        ) && one.rel.starts_with("target/")
     };
-    below.iter().filter(has_sliders).any(|one| bases.contains(&one.owner()))
+    below
+        .iter()
+        .filter(has_sliders)
+        .any(|one| bases.contains(&one.owner()))
 }
 
 #[cfg(test)]
@@ -318,7 +404,11 @@ mod tests {
             ("base/hm08/helper.obj", Kind::AssetMesh, Some("hm08")),
             ("target/hm08/macro.json", Kind::MacroJson, Some("hm08")),
             ("contarget/x/a/b/c.target", Kind::Target, Some("x")),
-            ("target/hm08/a/c.target.gz", Kind::PackedTarget, Some("hm08")),
+            (
+                "target/hm08/a/c.target.gz",
+                Kind::PackedTarget,
+                Some("hm08"),
+            ),
             ("target/hm08/icons/a.png", Kind::TargetIcon, Some("hm08")),
             ("target/hm08/a/X.TARGET", Kind::Other, Some("hm08")),
             ("rigs/hm08/sub/a.mhskel", Kind::Skeleton, Some("hm08")),
@@ -332,10 +422,22 @@ mod tests {
             ("shaders/shader.json", Kind::Shaders, None),
             ("shaders/hm08/shader.json", Kind::Json, Some("hm08")),
             ("base/hm08/face-poses.json", Kind::PoseUnits, Some("hm08")),
-            ("skins/hm08/selection_filter.json", Kind::SelectionFilter, Some("hm08")),
-            ("skins/hm08/a/selection_filter.json", Kind::Json, Some("hm08")),
+            (
+                "skins/hm08/selection_filter.json",
+                Kind::SelectionFilter,
+                Some("hm08"),
+            ),
+            (
+                "skins/hm08/a/selection_filter.json",
+                Kind::Json,
+                Some("hm08"),
+            ),
         ] {
-            assert_eq!(kind_and_base(path), (kind, base.map(str::to_owned)), "{path}");
+            assert_eq!(
+                kind_and_base(path),
+                (kind, base.map(str::to_owned)),
+                "{path}"
+            );
         }
     }
 
@@ -375,10 +477,17 @@ mod tests {
             ("a/a.mhw", None, Kind::AssetWeights),
         ] {
             let place = (LAYOUT.loose_place)(path, base).unwrap_or_default();
-            assert_eq!(kind_and_base(&place), (kind, base.map(str::to_owned)), "{place}");
+            assert_eq!(
+                kind_and_base(&place),
+                (kind, base.map(str::to_owned)),
+                "{place}"
+            );
         }
         assert_eq!((LAYOUT.loose_place)("package.json", None), None);
-        assert_eq!((LAYOUT.loose_place)("a/b/c.target", Some("figure")).as_deref(), Some("target/figure/a_b/c.target"));
+        assert_eq!(
+            (LAYOUT.loose_place)("a/b/c.target", Some("figure")).as_deref(),
+            Some("target/figure/a_b/c.target")
+        );
     }
 
     #[test]

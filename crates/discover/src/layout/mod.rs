@@ -26,15 +26,18 @@ pub struct Layout {
     folders: &'static [&'static [&'static str]],
     /// Whether a path is a sign of a data root, how telling, and how many levels above the root is.
     sign: fn(&[&str]) -> Option<(Sign, usize)>,
-    /// What such a sign is worth, with what lies around it: of a data root, the file, and what it was taken for.
+    /// What such a sign is worth, with what lies around it: of a data root, the file, and what it
+    /// was taken for.
     weigh: fn(&Listing<'_>, &str, &str, Sign) -> Option<Sign>,
     /// The version that the data of a program are of, where something in them says so.
     pub version: fn(&Paths<'_>) -> Option<&'static str>,
     /// Whether the data of a program are those of a release, compiled.
     pub is_release: fn(&Paths<'_>) -> bool,
-    /// Whether only the folder of a user has a file at such a path, besides those that all such folders have.
+    /// Whether only the folder of a user has a file at such a path, besides those that all such
+    /// folders have.
     pub is_of_user: fn(&[&str]) -> bool,
-    /// Whether a loose file with this extension, and what is in it, is for other applications where nobody asks.
+    /// Whether a loose file with this extension, and what is in it, is for other applications where
+    /// nobody asks.
     pub is_of_others: fn(&str, Says<'_>) -> bool,
     /// The list that a loose file with this extension is for by what is in it.
     pub list_by_content: fn(&str, Says<'_>) -> Option<&'static str>,
@@ -42,20 +45,22 @@ pub struct Layout {
     place: Classify,
     /// Whether the file of this name, in these folders, is read although it is hidden.
     reads_hidden: fn(&HiddenPath<'_>) -> bool,
-    /// The place below a user's data root that the file at a path belongs to, for a base mesh if one is known; `None`
-    /// for files that are not checked outside a data root.
+    /// The place below a user's data root that the file at a path belongs to, for a base mesh if
+    /// one is known; `None` for files that are not checked outside a data root.
     pub loose_place: fn(&str, Option<&str>) -> Option<String>,
-    /// Where its importer puts the file at a path of a pack, for a base mesh; `None` for what it ignores. An application
-    /// without an importer has what is unpacked into its data folder.
+    /// Where its importer puts the file at a path of a pack, for a base mesh; `None` for what it
+    /// ignores. An application without an importer has what is unpacked into its data folder.
     pub import: Option<fn(&str, &str) -> Option<String>>,
-    /// Whether people put files of a pack without the folders of a data root to where they belong: nothing imports them.
+    /// Whether people put files of a pack without the folders of a data root to where they belong:
+    /// nothing imports them.
     pub unpacks_singly: bool,
-    /// Why an importer that checks a pack before it unpacks it refuses one with members of these names.
+    /// Why an importer that checks a pack before it unpacks it refuses one with members of these
+    /// names.
     pub refuses: Option<Refuses>,
     /// Whether a file of this name could run code if it were put to its data.
     pub is_dangerous: fn(&str) -> bool,
-    /// The library that a loose file belongs to, by its extension and the names of the folders above it, the nearest
-    /// first; `None` for files that no library lists.
+    /// The library that a loose file belongs to, by its extension and the names of the folders
+    /// above it, the nearest first; `None` for files that no library lists.
     pub shelf: fn(&str, &[&str]) -> Option<&'static str>,
     /// Whether libraries have a folder for each base mesh.
     pub has_bases: bool,
@@ -67,13 +72,16 @@ pub struct Layout {
     pub flat: &'static str,
     /// Folders and files beside a data root that is called `data` that belong to it.
     pub beside: &'static [&'static str],
-    /// The folder above that with a user's data folder which a file lies beside that only such a user has; it may be empty.
+    /// The folder above that with a user's data folder which a file lies beside that only such a
+    /// user has; it may be empty.
     above_data: fn(&[&str]) -> Option<usize>,
     /// Whether such a file is of a user even where no folder of data is.
     pub tells_without_data: fn(&Listing<'_>, &str) -> bool,
-    /// Files that it looks for in all of its data root, also where that of another application is inside it.
+    /// Files that it looks for in all of its data root, also where that of another application is
+    /// inside it.
     pub everywhere: Option<Kind>,
-    /// Another application whose users' folders are its own, too, where it is asked for or has data at hand.
+    /// Another application whose users' folders are its own, too, where it is asked for or has data
+    /// at hand.
     pub shares_roots_of: Option<Application>,
     /// Whether what is named in one user's folder may lie in another one that is given.
     pub has_second_user: bool,
@@ -81,10 +89,11 @@ pub struct Layout {
     pub role: fn(&[Candidate<'_>]) -> Role,
     /// Whether a file of this kind in one of those folders is of the application and of no other.
     pub is_telling: fn(Kind) -> bool,
-    /// Whether the root with these files, beside another one, is the system although it could play both parts.
+    /// Whether the root with these files, beside another one, is the system although it could play
+    /// both parts.
     pub is_system_of_two: fn(&[Candidate<'_>]) -> bool,
-    /// Whether the data of a program with these files are all that it has, whatever other data of a program are given; the
-    /// second says which base meshes these have.
+    /// Whether the data of a program with these files are all that it has, whatever other data of a
+    /// program are given; the second says which base meshes these have.
     pub stands_alone: fn(&[Candidate<'_>], Holds<'_>) -> bool,
     /// Whether any loader opens a file of this name.
     pub opens: fn(&str) -> bool,
@@ -92,10 +101,11 @@ pub struct Layout {
     pub scans: fn(&str) -> bool,
     /// What a file of this name is that shares its kind with others and not what becomes of them.
     pub single: fn(&str) -> Option<Single>,
-    /// Whether loaders list this path as a folder; the second says which names are those of base meshes.
+    /// Whether loaders list this path as a folder; the second says which names are those of base
+    /// meshes.
     pub is_folder: fn(&str, Holds<'_>) -> bool,
-    /// The path under which a file of this name but for its capitals is looked for, where nothing has that path; the
-    /// second says what there is.
+    /// The path under which a file of this name but for its capitals is looked for, where nothing
+    /// has that path; the second says what there is.
     pub misnamed: fn(&str, Holds<'_>) -> Option<String>,
 }
 
@@ -166,8 +176,8 @@ pub enum Role {
 struct HiddenPath<'p> {
     /// Whether it is known to lie in a data root of the application.
     in_root: bool,
-    /// What lies above the first hidden name below the data root, or below the folder that is listed; what stands before
-    /// that is a part of it, whatever it is called.
+    /// What lies above the first hidden name below the data root, or below the folder that is
+    /// listed; what stands before that is a part of it, whatever it is called.
     visible: &'p [&'p str],
     /// The last name.
     name: &'p str,
@@ -195,16 +205,27 @@ const OF_PROGRAMS: [&str; 13] = [
 /// The base mesh of the applications that have but one.
 const HM08: &str = "hm08";
 
-/// The base meshes that `MakeHuman` 2 comes with: a folder of its assets has one of these names. Below a library of
-/// another application they are no asset.
+/// The base meshes that `MakeHuman` 2 comes with: a folder of its assets has one of these names.
+/// Below a library of another application they are no asset.
 pub(super) const MAKEHUMAN2_BASES: [&str; 2] = [HM08, "mh2bot"];
 
 /// Folders of what a body wears, of all applications.
-pub(super) const WORN: [&str; 7] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue"];
+pub(super) const WORN: [&str; 7] = [
+    "clothes",
+    "hair",
+    "eyes",
+    "eyebrows",
+    "eyelashes",
+    "teeth",
+    "tongue",
+];
 
 /// The first of the folders that is one of these, the nearest first.
 fn first_of(known: &[&'static str], above: &[&str]) -> Option<&'static str> {
-    above.iter().find_map(|name| known.iter().find(|known| *known == name)).copied()
+    above
+        .iter()
+        .find_map(|name| known.iter().find(|known| *known == name))
+        .copied()
 }
 
 /// The folder of what a body wears that a loose asset lies in, or where most of them belong.
@@ -278,20 +299,28 @@ impl Layout {
         if kind == Kind::Json && !self.may_hold_json(&parts) {
             kind = Kind::Other;
         }
-        Use { application: self.application, kind, owner: owner.map(str::to_owned) }
+        Use {
+            application: self.application,
+            kind,
+            owner: owner.map(str::to_owned),
+        }
     }
 
     /// Whether a JSON without a name of its own is in a folder that the application may have.
     fn may_hold_json(&self, parts: &[&str]) -> bool {
         let [top, _, ..] = parts else { return false };
-        self.has_at_top(top) || self.folder_in_other_case(top).is_some() || OF_PROGRAMS.contains(top)
+        self.has_at_top(top)
+            || self.folder_in_other_case(top).is_some()
+            || OF_PROGRAMS.contains(top)
     }
 
-    /// The parts of `path` above folder names that belong to a data root, the nearest first: where a data root would be
-    /// that `path` lies inside of.
+    /// The parts of `path` above folder names that belong to a data root, the nearest first: where
+    /// a data root would be that `path` lies inside of.
     pub fn roots_above<'p>(&self, path: &'p str) -> impl Iterator<Item = &'p str> + use<'_, 'p> {
         let folders = folders_above(path).map(folder_and_name);
-        folders.filter(|(_, name)| self.has_at_top(name)).map(|(above, _)| above)
+        folders
+            .filter(|(_, name)| self.has_at_top(name))
+            .map(|(above, _)| above)
     }
 
     /// Whether a data root has a folder of this name at its top.
@@ -314,7 +343,8 @@ impl Layout {
 
     /// The folder at the top of a data root that differs from this name in its capitals alone.
     pub fn folder_in_other_case(&self, name: &str) -> Option<&'static str> {
-        self.at_top().find(|folder| *folder != name && folder.eq_ignore_ascii_case(name))
+        self.at_top()
+            .find(|folder| *folder != name && folder.eq_ignore_ascii_case(name))
     }
 
     /// Whether a path below a data root is that of an asset, or would be one outside of any.
@@ -326,22 +356,36 @@ impl Layout {
             || (self.shelf)(extension(rel), &[]).is_some()
     }
 
-    /// Whether a path below a data root, which is the first so many bytes of it, is not hidden from the application.
+    /// Whether a path below a data root, which is the first so many bytes of it, is not hidden from
+    /// the application.
     pub(super) fn takes(&self, path: &str, root: usize, is_folder: bool) -> bool {
         self.takes_below(path, root, is_folder, true)
     }
 
     /// The same; the first so many bytes may as well be a folder above a data root, or one in it.
     fn takes_below(&self, path: &str, folder: usize, is_folder: bool, in_root: bool) -> bool {
-        let below = path.get(folder..).unwrap_or_default().trim_start_matches('/');
-        let Some(hidden) = below.split('/').position(|part| part.starts_with('.')) else { return true };
+        let below = path
+            .get(folder..)
+            .unwrap_or_default()
+            .trim_start_matches('/');
+        let Some(hidden) = below.split('/').position(|part| part.starts_with('.')) else {
+            return true;
+        };
         let parts: Vec<&str> = path.split('/').collect();
-        let visible = parts.get(..parts.len() - below.split('/').count() + hidden).unwrap_or_default();
-        let path = HiddenPath { in_root, visible, name: parts.last().copied().unwrap_or_default(), is_folder };
+        let visible = parts
+            .get(..parts.len() - below.split('/').count() + hidden)
+            .unwrap_or_default();
+        let path = HiddenPath {
+            in_root,
+            visible,
+            name: parts.last().copied().unwrap_or_default(),
+            is_folder,
+        };
         (self.reads_hidden)(&path)
     }
 
-    /// The folder that holds the data folder of the user whom this file belongs to, be there anything in it or not.
+    /// The folder that holds the data folder of the user whom this file belongs to, be there
+    /// anything in it or not.
     pub(super) fn above_data<'p>(&self, path: &'p str) -> Option<&'p str> {
         let parts: Vec<&str> = path.split('/').collect();
         ancestor(path, (self.above_data)(&parts)?)
@@ -356,21 +400,25 @@ impl Layout {
     }
 }
 
-/// Whether an application reads a file whose name, or that of a folder above it, begins with a point; of a folder,
-/// whether such a file could be in it, or its name counts. `path` lies below a folder of this name, which may be above a
-/// data root, or in one; what that one is called is nothing.
+/// Whether an application reads a file whose name, or that of a folder above it, begins with a
+/// point; of a folder, whether such a file could be in it, or its name counts. `path` lies below a
+/// folder of this name, which may be above a data root, or in one; what that one is called is
+/// nothing.
 pub fn is_read_though_hidden(folder: &str, path: &str, is_folder: bool) -> bool {
     let whole = format!("{folder}/{path}");
-    Application::ALL
-        .iter()
-        .any(|application| Layout::of(*application).takes_below(&whole, folder.len(), is_folder, false))
+    Application::ALL.iter().any(|application| {
+        Layout::of(*application).takes_below(&whole, folder.len(), is_folder, false)
+    })
 }
 
-/// A name that stands for the folder of a loose file: where the file will lie nobody knows, so that nothing is wrong with its
-/// name. Folders keep names of their own.
+/// A name that stands for the folder of a loose file: where the file will lie nobody knows, so that
+/// nothing is wrong with its name. Folders keep names of their own.
 fn near(folder: &str) -> String {
     let is_plain = |letter: char| letter.is_ascii_alphanumeric() || matches!(letter, '-' | '_');
-    let plain: String = folder.chars().map(|letter| if is_plain(letter) { letter } else { '_' }).collect();
+    let plain: String = folder
+        .chars()
+        .map(|letter| if is_plain(letter) { letter } else { '_' })
+        .collect();
     match plain == folder.replace('/', "_") {
         _ if folder.is_empty() => "loose".to_owned(),
         true => plain,

@@ -1,4 +1,5 @@
-//! MPFB: one base mesh, packed targets, sliders in a catalogue (`docs/loaders/mpfb/folders.md#roots`).
+//! MPFB: one base mesh, packed targets, sliders in a catalogue
+//! (`docs/loaders/mpfb/folders.md#roots`).
 
 pub(crate) mod importer;
 mod version;
@@ -6,7 +7,9 @@ mod version;
 use super::super::kind::extension;
 use super::super::listing::{Listing, at};
 use super::super::{Candidate, Kind};
-use super::{CLOTHES, HM08, HiddenPath, LIBRARIES, Layout, Role, Sign, Single, WORN, near, worn_shelf};
+use super::{
+    CLOTHES, HM08, HiddenPath, LIBRARIES, Layout, Role, Sign, Single, WORN, near, worn_shelf,
+};
 use mhlint_diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
@@ -14,7 +17,17 @@ pub(super) static LAYOUT: Layout = Layout {
     shape: "targets/target.json",
     depth: 3,
     folders: &[
-        &["targets", "3dobjs", "mesh_metadata", "ink_layers", "uv_layers", "packs", "custom", "node_trees", "settings"],
+        &[
+            "targets",
+            "3dobjs",
+            "mesh_metadata",
+            "ink_layers",
+            "uv_layers",
+            "packs",
+            "custom",
+            "node_trees",
+            "settings",
+        ],
         &LIBRARIES,
         &WORN,
     ],
@@ -34,13 +47,20 @@ pub(super) static LAYOUT: Layout = Layout {
     beside: &["config", "models"],
     is_telling: |kind| {
         use Kind::{EyeSettings, HumanPreset, ImporterPreset, MakeupPreset, SkinSettings};
-        matches!(kind, HumanPreset | ImporterPreset | MakeupPreset | EyeSettings | SkinSettings)
+        matches!(
+            kind,
+            HumanPreset | ImporterPreset | MakeupPreset | EyeSettings | SkinSettings
+        )
     },
     above_data: |parts| match parts {
         [.., "config", name] if of_config(name) == Some(Kind::HumanPreset) => Some(2),
         _ => None,
     },
-    tells_without_data: |listing, file| SAVED_CHARACTER.iter().all(|words| listing.says(file, words)),
+    tells_without_data: |listing, file| {
+        SAVED_CHARACTER
+            .iter()
+            .all(|words| listing.says(file, words))
+    },
     shares_roots_of: Some(Application::Makehuman1),
     has_second_user: true,
     role,
@@ -52,39 +72,81 @@ pub(super) static LAYOUT: Layout = Layout {
 };
 
 fn is_skin_picture(rel: &str) -> bool {
-    let map = |name: &str| name.strip_prefix("mpfb_")?.strip_suffix(".jpg").map(|name| SKIN_MAPS.contains(&name));
+    let map = |name: &str| {
+        name.strip_prefix("mpfb_")?
+            .strip_suffix(".jpg")
+            .map(|name| SKIN_MAPS.contains(&name))
+    };
     let name = rel.strip_prefix("textures/").unwrap_or_default();
     name == "sss.png" || map(name) == Some(true)
 }
 
-/// What a saved character says: of each row one word. Genes of other programs have a phenotype, too.
-pub const SAVED_CHARACTER: [&[&str]; 2] =
-    [&["\"phenotype\""], &["\"rig\"", "\"skin_mhmat\"", "\"skin_material_type\"", "\"targets\"", "\"race\""]];
+/// What a saved character says: of each row one word. Genes of other programs have a phenotype,
+/// too.
+pub const SAVED_CHARACTER: [&[&str]; 2] = [
+    &["\"phenotype\""],
+    &[
+        "\"rig\"",
+        "\"skin_mhmat\"",
+        "\"skin_material_type\"",
+        "\"targets\"",
+        "\"race\"",
+    ],
+];
 
 /// What a pose of MPFB says; recordings of other programs have some of it.
-pub const STORED_POSE: [&str; 3] = ["\"skeleton_type\"", "\"bone_rotations\"", "\"bone_translations\""];
+pub const STORED_POSE: [&str; 3] = [
+    "\"skeleton_type\"",
+    "\"bone_rotations\"",
+    "\"bone_translations\"",
+];
 
 /// A node asks for each of these by its name (`docs/loaders/mpfb/materials.md#value-maps`).
-pub const SKIN_MAPS: [&str; 10] =
-    ["aureolae", "crotch", "ears", "eyelids", "face", "fingernails", "genitals", "inside-mouth", "lips", "toenails"];
+pub const SKIN_MAPS: [&str; 10] = [
+    "aureolae",
+    "crotch",
+    "ears",
+    "eyelids",
+    "face",
+    "fingernails",
+    "genitals",
+    "inside-mouth",
+    "lips",
+    "toenails",
+];
 
 /// Folders that are listed.
-const FOLDERS: [&str; 9] =
-    ["targets", "targets/custom", "custom", "expressions", "skins", "proxymeshes", "poses", "packs", "ink_layers"];
+const FOLDERS: [&str; 9] = [
+    "targets",
+    "targets/custom",
+    "custom",
+    "expressions",
+    "skins",
+    "proxymeshes",
+    "poses",
+    "packs",
+    "ink_layers",
+];
 
 fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     match parts {
         [.., "targets", "target.json"] | [.., "mesh_metadata", _] => Some((Sign::Strong, 2)),
         [.., "targets", "macrodetails", "macro.json"] => Some((Sign::Strong, 3)),
-        [.., "rigs", "standard" | "rigify", name] if name.starts_with("rig.") => Some((Sign::Strong, 3)),
+        [.., "rigs", "standard" | "rigify", name] if name.starts_with("rig.") => {
+            Some((Sign::Strong, 3))
+        }
         [.., "packs", name] if extension(name) == "json" => Some((Sign::Weak, 2)),
         [.., "ink_layers", name] if extension(name) == "json" => Some((Sign::Weak, 2)),
         [.., "uv_layers", name] if name.ends_with(".json.gz") => Some((Sign::Weak, 2)),
         // A user's folder: nobody else reads packed targets, or has expressions in JSON.
         [.., "targets", _, name] if name.ends_with(".target.gz") => Some((Sign::OfUser, 3)),
-        [.., "targets", "custom", name] if Kind::of_target(name).is_some() => Some((Sign::OfUser, 3)),
+        [.., "targets", "custom", name] if Kind::of_target(name).is_some() => {
+            Some((Sign::OfUser, 3))
+        }
         [.., "targets", _, name] if Kind::of_target(name).is_some() => Some((Sign::Weak, 3)),
-        [.., "targets" | "custom", name] if Kind::of_target(name).is_some() => Some((Sign::Faint, 2)),
+        [.., "targets" | "custom", name] if Kind::of_target(name).is_some() => {
+            Some((Sign::Faint, 2))
+        }
         [.., "expressions", name] if extension(name) == "json" => Some((Sign::Faint, 2)),
         [.., "rigs", name] if extension(name) == "json" => Some((Sign::OfUser, 2)),
         [.., "poses", _, name] if extension(name) == "json" => Some((Sign::OfUser, 3)),
@@ -92,47 +154,81 @@ fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     }
 }
 
-/// A rig of a user says by which bones it is known (`docs/loaders/mpfb/custom-rigs.md#listing-custom-rigs`), and a pack
-/// whose assets those in it are (`docs/loaders/mpfb/libraries.md#the-list-of-a-pack`): with that no other application
-/// is meant.
+/// A rig of a user says by which bones it is known
+/// (`docs/loaders/mpfb/custom-rigs.md#listing-custom-rigs`), and a pack whose assets those in it
+/// are (`docs/loaders/mpfb/libraries.md#the-list-of-a-pack`): with that no other application is
+/// meant.
 fn weigh(listing: &Listing<'_>, root: &str, file: &str, sign: Sign) -> Option<Sign> {
-    let rel = file.get(root.len()..).unwrap_or_default().trim_start_matches('/');
+    let rel = file
+        .get(root.len()..)
+        .unwrap_or_default()
+        .trim_start_matches('/');
     let has = |folder: &str| listing.below(&at(root, folder)).next().is_some();
     match rel.split_once('/')? {
         // Other programs have lists of this name.
         ("targets", "target.json") => {
-            let is_own = || ["mesh_metadata", "rigs", "targets/macrodetails", "3dobjs"].into_iter().any(has);
-            (listing.says(file, &["\"categories\""]) || !listing.says(file, &["{", "["]) || is_own()).then_some(sign)
+            let is_own = || {
+                ["mesh_metadata", "rigs", "targets/macrodetails", "3dobjs"]
+                    .into_iter()
+                    .any(has)
+            };
+            (listing.says(file, &["\"categories\""])
+                || !listing.says(file, &["{", "["])
+                || is_own())
+            .then_some(sign)
         }
-        ("rigs", name) if !name.contains('/') => listing.says(file, &["\"identifying_bones\""]).then_some(sign),
+        ("rigs", name) if !name.contains('/') => listing
+            .says(file, &["\"identifying_bones\""])
+            .then_some(sign),
         ("poses", _) => listing.says(file, &STORED_POSE).then_some(sign),
-        ("packs", _) if listing.says(file, &["\"author\"", "\"license\"", "\"category\""]) => Some(Sign::OfUser),
+        ("packs", _) if listing.says(file, &["\"author\"", "\"license\"", "\"category\""]) => {
+            Some(Sign::OfUser)
+        }
         _ => Some(sign),
     }
 }
 
-/// Every target of a user is listed, whatever it and the folders above it are called: one below `.git` stops the add-on
-/// (`docs/loaders/mpfb/sliders.md#names-of-user-targets`).
+/// Every target of a user is listed, whatever it and the folders above it are called: one below
+/// `.git` stops the add-on (`docs/loaders/mpfb/sliders.md#names-of-user-targets`).
 fn reads_hidden(path: &HiddenPath<'_>) -> bool {
     let is_target = path.is_folder || Kind::of_target(path.name).is_some();
-    path.visible.iter().any(|part| matches!(*part, "targets" | "custom")) && is_target
+    path.visible
+        .iter()
+        .any(|part| matches!(*part, "targets" | "custom"))
+        && is_target
 }
 
 /// Parts of the add-on that no user has together.
 const MUCH: usize = 3;
 
-/// What the add-on has for itself: it looks for it nowhere else. A single copy of that among the assets of a user makes no
-/// data of the add-on.
+/// What the add-on has for itself: it looks for it nowhere else. A single copy of that among the
+/// assets of a user makes no data of the add-on.
 fn role(below: &[Candidate<'_>]) -> Role {
     const OWN: [Kind; 3] = [Kind::TargetCatalog, Kind::MacroParts, Kind::BaseMesh];
-    const FOLDERS: [&str; 4] = ["mesh_metadata/", "rigs/standard/", "node_trees/", "settings/"];
-    let has = |kind: &&Kind| below.iter().any(|one| one.kind_in(Application::Mpfb) == **kind);
-    let has_folder = |folder: &&&str| below.iter().any(|one| !one.is_loose && one.rel.starts_with(**folder));
+    const FOLDERS: [&str; 4] = [
+        "mesh_metadata/",
+        "rigs/standard/",
+        "node_trees/",
+        "settings/",
+    ];
+    let has = |kind: &&Kind| {
+        below
+            .iter()
+            .any(|one| one.kind_in(Application::Mpfb) == **kind)
+    };
+    let has_folder = |folder: &&&str| {
+        below
+            .iter()
+            .any(|one| !one.is_loose && one.rel.starts_with(**folder))
+    };
     let is_of_user = |one: &Candidate<'_>| {
         let top = one.rel.split('/').next().unwrap_or_default();
         WORN.contains(&top) || matches!(top, "custom" | "skins" | "proxymeshes" | "packs")
     };
-    let (files, folders) = (OWN.iter().filter(has).count(), FOLDERS.iter().filter(has_folder).count());
+    let (files, folders) = (
+        OWN.iter().filter(has).count(),
+        FOLDERS.iter().filter(has_folder).count(),
+    );
     let is_of_addon = match (files, files + folders) {
         (_, MUCH..) | (2.., _) => true,
         (1, _) => !below.iter().any(is_of_user),
@@ -168,7 +264,9 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         // (`docs/loaders/mpfb/libraries.md#the-list-of-a-pack`).
         ["packs", file] if file.contains(".json") => Kind::PackMetadata,
         ["node_trees", file] if extension(file) == "json" => Kind::NodeTree,
-        ["config", file] if extension(file).eq_ignore_ascii_case("json") => of_config(file).unwrap_or(Kind::ConfigJson),
+        ["config", file] if extension(file).eq_ignore_ascii_case("json") => {
+            of_config(file).unwrap_or(Kind::ConfigJson)
+        }
         ["config", .., file] if extension(file).eq_ignore_ascii_case("json") => Kind::ConfigJson,
         // A saved character where nobody looks for it.
         [file] if file.starts_with("human.") && extension(file) == "json" => Kind::ConfigJson,
@@ -176,16 +274,19 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["targets", "_images", file] if extension(file) == "png" => Kind::TargetIcon,
         [.., file] if file.ends_with(".ptarget") => Kind::PartTarget,
         [.., file] if file.ends_with(".ptarget.gz") => Kind::PackedPartTarget,
-        ["targets" | "custom", .., file] => Kind::of_target(file).unwrap_or(Kind::by_extension(file)),
+        ["targets" | "custom", .., file] => {
+            Kind::of_target(file).unwrap_or(Kind::by_extension(file))
+        }
         [.., file] => Kind::by_extension(file),
         [] => Kind::Other,
     };
     (kind, (parts.len() > 1).then_some(HM08))
 }
 
-/// What a JSON is in folders below `rigs/`: MPFB has its own in `standard/` and `rigify/`, users theirs at the top
-/// (`docs/loaders/mpfb/rigs.md#where-rigs-lie`, `docs/loaders/mpfb/custom-rigs.md#listing-custom-rigs`). In any other
-/// folder it is one of a user where nobody looks.
+/// What a JSON is in folders below `rigs/`: MPFB has its own in `standard/` and `rigify/`, users
+/// theirs at the top (`docs/loaders/mpfb/rigs.md#where-rigs-lie`,
+/// `docs/loaders/mpfb/custom-rigs.md#listing-custom-rigs`). In any other folder it is one of a user
+/// where nobody looks.
 fn of_rigs(folders: &[&str], file: &str) -> Kind {
     match folders {
         [] | [_] if file.starts_with("weights.") => Kind::Weights,
@@ -223,7 +324,8 @@ fn shelf(extension: &str, above: &[&str]) -> Option<&'static str> {
     }
 }
 
-/// What has no library: targets and rigs as their author would put them, and a model, which is imported from wherever it is.
+/// What has no library: targets and rigs as their author would put them, and a model, which is
+/// imported from wherever it is.
 fn loose_place(path: &str, _: Option<&str>) -> Option<String> {
     let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
     let near = near(folder);
@@ -260,8 +362,14 @@ mod tests {
             ("rigs/weights.stick.json", Kind::Weights),
             ("rigs/mine/stick.json", Kind::CustomRig),
             ("hair/tail/tail.mpfbskel", Kind::SubRig),
-            ("mesh_metadata/basemesh_vertex_groups.json", Kind::VertexGroups),
-            ("mesh_metadata/proxy_corrective.json", Kind::ProxyCorrections),
+            (
+                "mesh_metadata/basemesh_vertex_groups.json",
+                Kind::VertexGroups,
+            ),
+            (
+                "mesh_metadata/proxy_corrective.json",
+                Kind::ProxyCorrections,
+            ),
             ("mesh_metadata/hm08.mirror", Kind::MirrorTable),
             ("clothes/a/a.mhclo", Kind::Clothes),
             ("clothes/a/a.mhw", Kind::AssetWeights),
@@ -269,7 +377,10 @@ mod tests {
             ("uv_layers/a.json.gz", Kind::UvLayer),
             ("uv_layers/a/b.json.gz", Kind::Other),
             ("poses/default_fk/t-pose.json", Kind::StoredPose),
-            ("mesh_metadata/basemesh_vertex_to_face_table.json.gz", Kind::VertexTable),
+            (
+                "mesh_metadata/basemesh_vertex_to_face_table.json.gz",
+                Kind::VertexTable,
+            ),
             ("expressions/a/b.json", Kind::FaceExpression),
             ("config/human.joe.json", Kind::HumanPreset),
             ("config/human..json", Kind::ConfigJson),
@@ -281,7 +392,11 @@ mod tests {
             ("packs/a/b.json", Kind::Json),
         ] {
             let found = LAYOUT.use_of(path);
-            assert_eq!((found.kind, found.owner.as_deref()), (kind, Some(HM08)), "{path}");
+            assert_eq!(
+                (found.kind, found.owner.as_deref()),
+                (kind, Some(HM08)),
+                "{path}"
+            );
         }
     }
 }

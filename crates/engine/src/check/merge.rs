@@ -8,8 +8,8 @@ use mhlint_diag::{Break, Finding, Parts, Subject};
 /// What makes two findings the same: rule, subject, and their number among equal ones.
 type Identity = (&'static str, Subject, usize);
 
-/// The findings of all views, in the order of the first view that has them. Those that are the same become one with the
-/// consequences of all; its level, words and evidence are the worst one's.
+/// The findings of all views, in the order of the first view that has them. Those that are the same
+/// become one with the consequences of all; its level, words and evidence are the worst one's.
 pub(super) fn merged(views: Vec<Vec<Finding>>) -> Vec<Finding> {
     let mut views = views.into_iter();
     let mut all = views.next().unwrap_or_default();
@@ -29,19 +29,28 @@ pub(super) fn merged(views: Vec<Vec<Finding>>) -> Vec<Finding> {
     all
 }
 
-/// The findings on the same files as several applications would have them, each at a place of its own: what is printed
-/// of two alike is printed once. What two rules say of it, each for other applications, is one fault as well.
+/// The findings on the same files as several applications would have them, each at a place of its
+/// own: what is printed of two alike is printed once. What two rules say of it, each for other
+/// applications, is one fault as well.
 pub(crate) fn merged_as_printed(sets: Vec<Vec<Finding>>) -> Vec<Finding> {
     let mut all: Vec<Finding> = Vec::new();
     let mut places: BTreeMap<(String, String), Vec<usize>> = BTreeMap::new();
     for finding in merged(sets) {
-        let known = places.entry((finding.path.clone(), finding.message.clone())).or_default();
+        let known = places
+            .entry((finding.path.clone(), finding.message.clone()))
+            .or_default();
         let is_alike = |one: &Finding| {
-            let is_of_others =
-                || !one.breaks.iter().any(|own| finding.breaks.iter().any(|other| is_of_one(own, other)));
+            let is_of_others = || {
+                !one.breaks
+                    .iter()
+                    .any(|own| finding.breaks.iter().any(|other| is_of_one(own, other)))
+            };
             one.place == finding.place && (one.rule == finding.rule || is_of_others())
         };
-        let same = known.iter().copied().find(|at| all.get(*at).is_some_and(is_alike));
+        let same = known
+            .iter()
+            .copied()
+            .find(|at| all.get(*at).is_some_and(is_alike));
         if let Some(same) = same.and_then(|at| all.get_mut(at)) {
             join(same, finding);
         } else {
@@ -61,8 +70,13 @@ fn identities(findings: &[Finding]) -> Vec<Identity> {
     let mut identities = Vec::with_capacity(findings.len());
     for finding in findings {
         let (asset, Subject { key, parts, .. }) = (finding.asset_path(), &finding.subject);
-        let number = numbers.entry((finding.rule, asset, key, parts)).or_default();
-        let subject = Subject { asset: Some(asset.to_owned()), ..finding.subject.clone() };
+        let number = numbers
+            .entry((finding.rule, asset, key, parts))
+            .or_default();
+        let subject = Subject {
+            asset: Some(asset.to_owned()),
+            ..finding.subject.clone()
+        };
         identities.push((finding.rule, subject, *number));
         *number += 1;
     }
@@ -85,7 +99,10 @@ fn keep_worst(breaks: &mut Vec<Break>) {
     let worst = |one: &Break| (one.application, Reverse(one.level));
     let mut kept: Vec<Break> = Vec::with_capacity(breaks.len());
     for one in breaks.drain(..) {
-        match kept.iter_mut().find(|other| other.application == one.application) {
+        match kept
+            .iter_mut()
+            .find(|other| other.application == one.application)
+        {
             Some(other) if worst(&one) < worst(other) => *other = one,
             Some(_) => {}
             None => kept.push(one),
@@ -100,13 +117,20 @@ mod tests {
     use mhlint_diag::{Application, Evidence, Level, Place, RuleInfo};
 
     const RULE: RuleInfo = RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops"), (Application::Makehuman1, "stops")],
+        breaks: &[
+            (Application::Makehuman2, "stops"),
+            (Application::Makehuman1, "stops"),
+        ],
         ..RuleInfo::new("target-syntax", Level::Info, "made up")
     };
 
     fn finding(application: Application, level: Level, path: &str, count: u64) -> Finding {
-        let evidence = Evidence { count, ..Evidence::default() };
-        let finding = Finding::new(&RULE, path, Place::File, format!("{count} rows")).level_in(application, level);
+        let evidence = Evidence {
+            count,
+            ..Evidence::default()
+        };
+        let finding = Finding::new(&RULE, path, Place::File, format!("{count} rows"))
+            .level_in(application, level);
         finding.evidence(evidence).only_in(&[application])
     }
 
@@ -125,7 +149,11 @@ mod tests {
         ];
         let told = |finding: &Finding| {
             let count = finding.evidence.as_ref().map(|evidence| evidence.count);
-            let applications: Vec<Application> = finding.breaks.iter().map(|effect| effect.application).collect();
+            let applications: Vec<Application> = finding
+                .breaks
+                .iter()
+                .map(|effect| effect.application)
+                .collect();
             (finding.path.clone(), finding.level, count, applications)
         };
         let all: Vec<_> = merged(vec![first, second]).iter().map(told).collect();

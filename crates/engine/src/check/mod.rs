@@ -20,8 +20,8 @@ use mhlint_diag::{Finding, Outcome, Timed, Timing, Upkeep, fingerprint};
 use mhlint_eval::measures::Measures;
 use mhlint_repo::{Body, Doubt, FileFacts, Layers, View};
 use mhlint_rules::{
-    Check, RULES, Rule, RuleCx, SideBySide, drop_outdated, drop_unmerged, lower_archived, lower_aside, name_wearers,
-    word_for_version,
+    Check, RULES, Rule, RuleCx, SideBySide, drop_outdated, drop_unmerged, lower_archived,
+    lower_aside, name_wearers, word_for_version,
 };
 
 /// A view with what is computed once for all rules.
@@ -46,7 +46,8 @@ struct Done {
 /// Measures by name of the base.
 type ByBase = BTreeMap<String, Arc<Measures>>;
 
-/// Files that all rules on files look at before they go on: so many are still near when the next rule comes.
+/// Files that all rules on files look at before they go on: so many are still near when the next
+/// rule comes.
 const AT_ONCE: usize = 128;
 
 /// Runs those of the rules that are on over each view; what several views show is one finding.
@@ -60,14 +61,20 @@ pub(super) fn check(
 ) -> Vec<Finding> {
     let mut found = Vec::new();
     for (view, measures) in views {
-        let checked =
-            Checked { view, files: view.files().collect(), bodies: view.bodies(), measures: *measures, beside };
+        let checked = Checked {
+            view,
+            files: view.files().collect(),
+            bodies: view.bodies(),
+            measures: *measures,
+            beside,
+        };
         found.push(check_view(rules, &checked, selection, options, outcome));
     }
     merged(found)
 }
 
-/// Runs the rules that concern the application: those on files over some files in a thread, each other one in its own.
+/// Runs the rules that concern the application: those on files over some files in a thread, each
+/// other one in its own.
 fn check_view(
     rules: &[&Rule],
     checked: &Checked<'_>,
@@ -79,15 +86,24 @@ fn check_view(
     let application = view.application();
     let is_loose = view.layers().checked.is_loose;
     let in_pieces = view.is_in_pieces();
-    let is_asked = |rule: &Rule| !(is_loose && rule.info.of_library || in_pieces && asks_for_whole(rule));
-    let is_on = |rule: &Rule| selection.runs(rule.info.id) && rule.concerns(application) && is_asked(rule);
+    let is_asked =
+        |rule: &Rule| !(is_loose && rule.info.of_library || in_pieces && asks_for_whole(rule));
+    let is_on =
+        |rule: &Rule| selection.runs(rule.info.id) && rule.concerns(application) && is_asked(rule);
     let rules: Vec<&Rule> = rules.iter().copied().filter(|rule| is_on(rule)).collect();
     let mut done = over_files(checked, &rules, options);
-    let others = rules.par_iter().map(|rule| run_caught(|out| run_rule(rule, checked, options, out)));
-    done.iter_mut().zip(others.collect::<Vec<_>>()).for_each(|(done, other)| done.join(other));
+    let others = rules
+        .par_iter()
+        .map(|rule| run_caught(|out| run_rule(rule, checked, options, out)));
+    done.iter_mut()
+        .zip(others.collect::<Vec<_>>())
+        .for_each(|(done, other)| done.join(other));
     let mut findings = Vec::new();
     for (rule, done) in rules.iter().zip(done) {
-        outcome.timings.push(Timing { what: Timed::Rule(rule.info.id), time: done.time });
+        outcome.timings.push(Timing {
+            what: Timed::Rule(rule.info.id),
+            time: done.time,
+        });
         if done.failed {
             outcome.failed_rules.push(rule.info.id.to_owned());
         } else {
@@ -102,11 +118,14 @@ fn check_view(
     word_for_version(view, &mut findings);
     let of_system = |names: &BTreeSet<&'static str>| alone(view, &rules, names, options);
     let findings = pair::at_checked(findings, view.layers(), of_system);
-    findings.into_iter().map(|finding| finding.only_in(&[application])).collect()
+    findings
+        .into_iter()
+        .map(|finding| finding.only_in(&[application]))
+        .collect()
 }
 
-/// Whether a rule takes the data of a program for a whole: what its indexes name has to be there, and what is there has to
-/// be named.
+/// Whether a rule takes the data of a program for a whole: what its indexes name has to be there,
+/// and what is there has to be named.
 fn asks_for_whole(rule: &Rule) -> bool {
     const FAMILIES: [&str; 12] = [
         "base",
@@ -127,14 +146,36 @@ fn asks_for_whole(rule: &Rule) -> bool {
 }
 
 /// What these rules find in the system data alone.
-fn alone(view: &View<'_>, rules: &[&Rule], names: &BTreeSet<&'static str>, options: &Config) -> Vec<Finding> {
-    let Some(system) = view.layers().system else { return Vec::new() };
-    let view =
-        View::connect(view.application(), Layers { system: Some(system), user: None, beside: None, checked: system });
+fn alone(
+    view: &View<'_>,
+    rules: &[&Rule],
+    names: &BTreeSet<&'static str>,
+    options: &Config,
+) -> Vec<Finding> {
+    let Some(system) = view.layers().system else {
+        return Vec::new();
+    };
+    let view = View::connect(
+        view.application(),
+        Layers {
+            system: Some(system),
+            user: None,
+            beside: None,
+            checked: system,
+        },
+    );
     let beside = SideBySide::default();
-    let checked = Checked { view: &view, files: Vec::new(), bodies: view.bodies(), measures: None, beside: &beside };
+    let checked = Checked {
+        view: &view,
+        files: Vec::new(),
+        bodies: view.bodies(),
+        measures: None,
+        beside: &beside,
+    };
     let asked = rules.iter().filter(|rule| names.contains(rule.info.id));
-    asked.flat_map(|rule| run_caught(|out| run_rule(rule, &checked, options, out)).findings).collect()
+    asked
+        .flat_map(|rule| run_caught(|out| run_rule(rule, &checked, options, out)).findings)
+        .collect()
 }
 
 impl Done {
@@ -149,7 +190,11 @@ fn run_caught(run: impl FnOnce(&mut Vec<Finding>)) -> Done {
     let started = Instant::now();
     let mut findings = Vec::new();
     let failed = catch_unwind(AssertUnwindSafe(|| run(&mut findings))).is_err();
-    Done { time: started.elapsed(), findings, failed }
+    Done {
+        time: started.elapsed(),
+        findings,
+        failed,
+    }
 }
 
 /// What the rules on files did, in the order of `rules`; nothing for the others.
@@ -158,7 +203,9 @@ fn over_files(checked: &Checked<'_>, rules: &[&Rule], options: &Config) -> Vec<D
         let run = |rule: &&Rule| match rule.check {
             Check::File(run) => run_caught(|out| {
                 let cx = RuleCx::new(&options.rule_options, checked.beside);
-                files.iter().for_each(|file| run(checked.view, file, &cx, out));
+                files
+                    .iter()
+                    .for_each(|file| run(checked.view, file, &cx, out));
             }),
             _ => Done::default(),
         };
@@ -167,7 +214,9 @@ fn over_files(checked: &Checked<'_>, rules: &[&Rule], options: &Config) -> Vec<D
     let parts: Vec<Vec<Done>> = checked.files.par_chunks(AT_ONCE).map(run_all).collect();
     let mut all: Vec<Done> = rules.iter().map(|_| Done::default()).collect();
     for part in parts {
-        all.iter_mut().zip(part).for_each(|(all, part)| all.join(part));
+        all.iter_mut()
+            .zip(part)
+            .for_each(|(all, part)| all.join(part));
     }
     all
 }
@@ -190,7 +239,9 @@ fn run_rule(rule: &Rule, checked: &Checked<'_>, options: &Config, out: &mut Vec<
             bases.for_each(|base| run(view, base, cx, out));
         }
         (Check::Makehuman2Library(run), View::Makehuman2(view)) => run(view, cx, out),
-        (Check::Libraries(run, _) | Check::LibrariesOfAll(run, ..), View::Makehuman2(view)) => run(view, cx, out),
+        (Check::Libraries(run, _) | Check::LibrariesOfAll(run, ..), View::Makehuman2(view)) => {
+            run(view, cx, out)
+        }
         (
             Check::Libraries(_, run)
             | Check::LibrariesOfAll(_, run, _)
@@ -198,7 +249,10 @@ fn run_rule(rule: &Rule, checked: &Checked<'_>, options: &Config, out: &mut Vec<
             | Check::Makehuman1(run),
             View::Makehuman1(view),
         ) => run(view, cx, out),
-        (Check::Mpfb(run) | Check::EachBase(.., run) | Check::LibrariesOfAll(.., run), View::Mpfb(view)) => {
+        (
+            Check::Mpfb(run) | Check::EachBase(.., run) | Check::LibrariesOfAll(.., run),
+            View::Mpfb(view),
+        ) => {
             run(view, cx, out);
         }
         (Check::Numeric(run), _) => {
@@ -240,9 +294,16 @@ pub(super) fn check_upkeep(
         }
     }
     findings.retain_mut(|finding| {
-        let Verdict::At(level) = selection.verdict(finding.rule, finding.level, None) else { return false };
+        let Verdict::At(level) = selection.verdict(finding.rule, finding.level, None) else {
+            return false;
+        };
         finding.regrade(level);
-        finding.fingerprint = fingerprint(finding.rule, &ignores.asset(&finding.path), &finding.subject.key, 0);
+        finding.fingerprint = fingerprint(
+            finding.rule,
+            &ignores.asset(&finding.path),
+            &finding.subject.key,
+            0,
+        );
         true
     });
     findings
@@ -287,30 +348,68 @@ mod tests {
             "node_trees/a.json",
         ];
         let files = certain.into_iter();
-        let clothes = ["usual", "loaded", "worse", "harmless"].map(|name| format!("clothes/hm08/a/{name}.mhclo"));
-        let files = files.map(str::to_owned).chain(clothes).map(|path| (path, b"#".to_vec()));
+        let clothes = ["usual", "loaded", "worse", "harmless"]
+            .map(|name| format!("clothes/hm08/a/{name}.mhclo"));
+        let files = files
+            .map(str::to_owned)
+            .chain(clothes)
+            .map(|path| (path, b"#".to_vec()));
         let (config, mut outcome) = (Config::default(), Outcome::default());
         let inputs = [Input::whole(Tree::in_memory("", files))];
         let scope = Scope::new(vec![String::new()], &config);
-        let roots = Roots::of(&inputs, &[], &scope, &config, &[Makehuman2, Mpfb], &mut outcome).unwrap();
+        let roots = Roots::of(
+            &inputs,
+            &[],
+            &scope,
+            &config,
+            &[Makehuman2, Mpfb],
+            &mut outcome,
+        )
+        .unwrap();
         let data = Data::load(roots, &config.limits, None);
         let seen = data.stacks().into_iter().flat_map(|stack| stack.seen);
-        let views: Vec<View<'_>> = seen.map(|(application, layers)| View::connect(application, layers)).collect();
+        let views: Vec<View<'_>> = seen
+            .map(|(application, layers)| View::connect(application, layers))
+            .collect();
         let views: Vec<_> = views.iter().map(|view| (view, None)).collect();
         let selection = Selection::new(&config).unwrap();
-        let mut found = check(&[&RULE], &views, &SideBySide::default(), &selection, &config, &mut outcome);
+        let mut found = check(
+            &[&RULE],
+            &views,
+            &SideBySide::default(),
+            &selection,
+            &config,
+            &mut outcome,
+        );
         found.retain(|finding| finding.path.starts_with("clothes/"));
         let row = |finding: &Finding, of: Application| {
-            let own = finding.breaks.iter().find(|own| own.application == of).unwrap();
+            let own = finding
+                .breaks
+                .iter()
+                .find(|own| own.application == of)
+                .unwrap();
             (own.level, own.effect.clone())
         };
-        let told = |finding: &Finding| (finding.level, row(finding, Makehuman2), row(finding, Mpfb));
+        let told =
+            |finding: &Finding| (finding.level, row(finding, Makehuman2), row(finding, Mpfb));
         let usual = (Level::Info, "ignores it".to_owned());
         let expected = [
-            (Level::Info, (Level::Info, "stops".to_owned()), usual.clone()),
-            (Level::Warning, (Level::Warning, "loads it".to_owned()), usual.clone()),
+            (
+                Level::Info,
+                (Level::Info, "stops".to_owned()),
+                usual.clone(),
+            ),
+            (
+                Level::Warning,
+                (Level::Warning, "loads it".to_owned()),
+                usual.clone(),
+            ),
             (Level::Error, (Level::Error, "stops".to_owned()), usual),
-            (Level::Error, (Level::Warning, "loads it".to_owned()), (Level::Error, "cannot be enabled".to_owned())),
+            (
+                Level::Error,
+                (Level::Warning, "loads it".to_owned()),
+                (Level::Error, "cannot be enabled".to_owned()),
+            ),
         ];
         assert_eq!(found.iter().map(told).collect::<Vec<_>>(), expected);
     }

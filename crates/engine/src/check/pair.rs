@@ -1,4 +1,5 @@
-//! Findings on files of two layers that do not fit one another: they belong to the file that came over the system's.
+//! Findings on files of two layers that do not fit one another: they belong to the file that came
+//! over the system's.
 
 use std::collections::BTreeSet;
 
@@ -8,8 +9,8 @@ use mhlint_repo::Layers;
 /// What tells findings on the same data apart.
 type Identity = (&'static str, String, Subject);
 
-/// Moves findings at files of the layer below to the files of the checked layer that do not fit them. What the layer
-/// below has on its own, `of_system`, is not the doing of who lies over it.
+/// Moves findings at files of the layer below to the files of the checked layer that do not fit
+/// them. What the layer below has on its own, `of_system`, is not the doing of who lies over it.
 pub(super) fn at_checked(
     findings: Vec<Finding>,
     layers: Layers<'_>,
@@ -17,13 +18,21 @@ pub(super) fn at_checked(
 ) -> Vec<Finding> {
     let is_checked = |path: &str| layers.checked.printed(path).is_some();
     let is_below = |finding: &Finding| !finding.against.is_empty() && !is_checked(&finding.path);
-    let rules: BTreeSet<&'static str> = findings.iter().filter(|one| is_below(one)).map(|one| one.rule).collect();
+    let rules: BTreeSet<&'static str> = findings
+        .iter()
+        .filter(|one| is_below(one))
+        .map(|one| one.rule)
+        .collect();
     if rules.is_empty() {
         return findings;
     }
     let known: BTreeSet<Identity> = of_system(&rules).iter().map(identity).collect();
     let moved = |finding: Finding| {
-        let own = finding.against.iter().find(|path| is_checked(path)).cloned();
+        let own = finding
+            .against
+            .iter()
+            .find(|path| is_checked(path))
+            .cloned();
         match own.filter(|_| is_below(&finding) && !known.contains(&identity(&finding))) {
             Some(path) => at(finding, path),
             None => finding,
@@ -41,10 +50,26 @@ fn at(mut finding: Finding, path: String) -> Finding {
     let other = std::mem::replace(&mut finding.path, path);
     let place = std::mem::replace(&mut finding.place, Place::File);
     let name = other.rsplit('/').next().unwrap_or_default();
-    finding.message = format!("does not match `{name}` of the system data: {}", finding.message);
-    finding.help = Some(format!("change this file to match, or add a matching `{name}` next to it"));
+    finding.message = format!(
+        "does not match `{name}` of the system data: {}",
+        finding.message
+    );
+    finding.help = Some(format!(
+        "change this file to match, or add a matching `{name}` next to it"
+    ));
     let message = "the file in the system data".to_owned();
-    finding.related.insert(0, Related { path: other, place, location: Location::default(), message });
+    finding.related.insert(
+        0,
+        Related {
+            path: other,
+            place,
+            location: Location::default(),
+            message,
+        },
+    );
     // A fix would be one of the other file.
-    Finding { fix: None, ..finding }
+    Finding {
+        fix: None,
+        ..finding
+    }
 }

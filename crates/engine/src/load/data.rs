@@ -19,7 +19,8 @@ pub(crate) struct Loaded<'t> {
     pub(crate) layer: Layer,
     /// The parts that it plays.
     pub(super) roles: Roles,
-    /// The applications of which it is the data as those of `--system` are, so that these do not lie below it.
+    /// The applications of which it is the data as those of `--system` are, so that these do not
+    /// lie below it.
     pub(super) alone: Vec<Application>,
     /// Sizes of the meshes in it, and of those below it.
     sizes: MeshSizes,
@@ -36,29 +37,51 @@ pub(crate) struct Data<'t> {
 
 impl<'t> Loaded<'t> {
     /// Reads a data root; `below` are the meshes of those that may lie below it.
-    fn load(place: Place<'t>, roles: Roles, narrow: Vec<String>, below: MeshSizes, reader: Reader<'_>) -> Self {
+    fn load(
+        place: Place<'t>,
+        roles: Roles,
+        narrow: Vec<String>,
+        below: MeshSizes,
+        reader: Reader<'_>,
+    ) -> Self {
         let (layer, sizes) = load(&place, reader, below);
-        Self { place, layer, roles, alone: Vec::new(), sizes, narrow }
+        Self {
+            place,
+            layer,
+            roles,
+            alone: Vec::new(),
+            sizes,
+            narrow,
+        }
     }
 
     /// The part that it plays for an application, if it is a data root of that one.
     pub(super) fn role_in(&self, application: Application) -> Option<Role> {
-        self.roles.iter().find(|(other, _)| *other == application).map(|(_, role)| *role)
+        self.roles
+            .iter()
+            .find(|(other, _)| *other == application)
+            .map(|(_, role)| *role)
     }
 
     fn is_system_for(&self, application: Application) -> bool {
         self.role_in(application) == Some(Role::System)
     }
 
-    /// The parts of a data root that alone are asked for; none for the whole of it. A loose file is a whole.
+    /// The parts of a data root that alone are asked for; none for the whole of it. A loose file is
+    /// a whole.
     pub(crate) fn parts(&self) -> impl Iterator<Item = &str> {
-        let narrow = if self.place.is_loose { &[] } else { self.narrow.as_slice() };
+        let narrow = if self.place.is_loose {
+            &[]
+        } else {
+            self.narrow.as_slice()
+        };
         narrow.iter().map(String::as_str)
     }
 
     /// Whether the mesh that a file belongs to is known.
     pub(crate) fn has_mesh_for(&self, file: &FileFacts) -> bool {
-        file.base().is_some_and(|base| self.sizes.contains_key(base))
+        file.base()
+            .is_some_and(|base| self.sizes.contains_key(base))
     }
 
     /// Whether a path is one that the PATHs ask for.
@@ -66,8 +89,8 @@ impl<'t> Loaded<'t> {
         self.narrow.is_empty() || self.narrow.iter().any(|narrow| is_below(path, narrow))
     }
 
-    /// Reads the bulk of one base (`None`: of no base): its targets. Gives their rows if they are to be kept.
-    /// What is the same in `other` is taken from there, with rows from `keep_rows`.
+    /// Reads the bulk of one base (`None`: of no base): its targets. Gives their rows if they are
+    /// to be kept. What is the same in `other` is taken from there, with rows from `keep_rows`.
     pub(crate) fn load_targets(
         &mut self,
         base: Option<&str>,
@@ -77,7 +100,13 @@ impl<'t> Loaded<'t> {
     ) -> Rows {
         let other = other.and_then(|other| other.counterpart(&self.place));
         let bulk = self.place.bulk_of(base).collect();
-        let (files, rows) = read_all(self.place.tree, bulk, Reader { limits, other }, &self.sizes, keep_rows);
+        let (files, rows) = read_all(
+            self.place.tree,
+            bulk,
+            Reader { limits, other },
+            &self.sizes,
+            keep_rows,
+        );
         self.layer.add(files);
         rows
     }
@@ -90,24 +119,42 @@ impl<'t> Loaded<'t> {
         size: Option<MeshSize>,
         limits: &Limits,
     ) -> Option<FileFacts> {
-        let at = self.place.below.binary_search_by(|own| own.rel.as_ref().cmp(file.rel.as_ref())).ok()?;
+        let at = self
+            .place
+            .below
+            .binary_search_by(|own| own.rel.as_ref().cmp(file.rel.as_ref()))
+            .ok()?;
         let own = self.place.below.get(at)?;
         let is_same = size_for(own, &self.sizes) == size
             && own.uses == file.uses
             && own.entry.path == file.entry.path
             && own.entry.link_to == file.entry.link_to
             && self.place.tree.shares(&file.entry.path, tree, limits);
-        if is_same { self.layer.file(&file.rel).cloned() } else { None }
+        if is_same {
+            self.layer.file(&file.rel).cloned()
+        } else {
+            None
+        }
     }
 }
 
 impl<'t> Data<'t> {
     /// Reads everything but targets. What is the same in `other` is taken from there.
     pub(crate) fn load(roots: Roots<'t>, limits: &Limits, other: Option<&Data<'_>>) -> Self {
-        let reader = |place: &Place<'_>| Reader { limits, other: other.and_then(|other| other.counterpart(place)) };
-        let Roots { checked: places, systems } = roots;
+        let reader = |place: &Place<'_>| Reader {
+            limits,
+            other: other.and_then(|other| other.counterpart(place)),
+        };
+        let Roots {
+            checked: places,
+            systems,
+        } = roots;
         let as_system = |place: Place<'t>| {
-            let roles = place.layouts.iter().map(|layout| (layout.application, Role::System)).collect();
+            let roles = place
+                .layouts
+                .iter()
+                .map(|layout| (layout.application, Role::System))
+                .collect();
             let reader = reader(&place);
             Loaded::load(place, roles, Vec::new(), MeshSizes::new(), reader)
         };
@@ -116,7 +163,10 @@ impl<'t> Data<'t> {
         let mut places: Vec<_> = places.into_iter().zip(roles).collect();
         // System data first: a user root may lack the meshes that its targets are for.
         places.sort_by_key(|(_, roles)| roles.iter().all(|(_, role)| *role != Role::System));
-        let mut data = Self { systems, roots: Vec::new() };
+        let mut data = Self {
+            systems,
+            roots: Vec::new(),
+        };
         for ((place, narrow), roles) in places {
             for (place, roles) in data.with_one_mesh(place, roles) {
                 let below = data.meshes_below(&roles);
@@ -134,40 +184,63 @@ impl<'t> Data<'t> {
         self.all_mut().for_each(|root| identify(root, options));
     }
 
-    /// A root as it is, or once for each of its applications where these have other base meshes below it: what is
-    /// counted while a file is read depends on the mesh.
+    /// A root as it is, or once for each of its applications where these have other base meshes
+    /// below it: what is counted while a file is read depends on the mesh.
     fn with_one_mesh(&self, place: Place<'t>, roles: Roles) -> Vec<(Place<'t>, Roles)> {
-        let below: Vec<MeshSizes> = roles.iter().map(|role| self.meshes_below(&vec![*role])).collect();
+        let below: Vec<MeshSizes> = roles
+            .iter()
+            .map(|role| self.meshes_below(&vec![*role]))
+            .collect();
         let differ = |one: &MeshSizes, other: &MeshSizes| {
-            one.iter().any(|(name, mesh)| other.get(name).is_some_and(|other| other.size != mesh.size))
+            one.iter()
+                .any(|(name, mesh)| other.get(name).is_some_and(|other| other.size != mesh.size))
         };
-        let is_one = !below.iter().any(|one| below.iter().any(|other| differ(one, other)));
+        let is_one = !below
+            .iter()
+            .any(|one| below.iter().any(|other| differ(one, other)));
         if is_one || place.is_supposed() {
             return vec![(place, roles)];
         }
-        roles.into_iter().map(|role| (place.of_one(role.0), vec![role])).collect()
+        roles
+            .into_iter()
+            .map(|role| (place.of_one(role.0), vec![role]))
+            .collect()
     }
 
     /// The applications of which a root is the data as those of `--system` are.
     fn alone(&self, root: &Loaded<'_>) -> Vec<Application> {
         let stands_alone = |one: &Application| {
-            let has_base = |given: &Loaded<'_>| root.place.stands_alone(*one, |base| given.sizes.contains_key(base));
+            let has_base = |given: &Loaded<'_>| {
+                root.place
+                    .stands_alone(*one, |base| given.sizes.contains_key(base))
+            };
             // With things of a user beside it, it is no less the program's.
-            let is_copied = || root.role_in(*one) == Some(Role::Both) && !Layout::of(*one).beside.is_empty();
+            let is_copied =
+                || root.role_in(*one) == Some(Role::Both) && !Layout::of(*one).beside.is_empty();
             (root.is_system_for(*one) || is_copied()) && self.given(*one).is_some_and(has_base)
         };
-        root.roles.iter().map(|(application, _)| *application).filter(stands_alone).collect()
+        root.roles
+            .iter()
+            .map(|(application, _)| *application)
+            .filter(stands_alone)
+            .collect()
     }
 
-    /// Sizes of the meshes that may lie below a root: those of the system data that was given for an application of
-    /// its, else of what was read that is the system.
+    /// Sizes of the meshes that may lie below a root: those of the system data that was given for
+    /// an application of its, else of what was read that is the system.
     fn meshes_below(&self, roles: &Roles) -> MeshSizes {
         let mut sizes = MeshSizes::new();
         for (application, _) in roles {
             let is_system = |root: &&Loaded<'_>| root.is_system_for(*application);
             let given = self.systems.iter().find(is_system);
-            let found = self.roots.iter().filter(|root| given.is_none() && is_system(root));
-            given.into_iter().chain(found).for_each(|root| sizes.extend(root.sizes.clone()));
+            let found = self
+                .roots
+                .iter()
+                .filter(|root| given.is_none() && is_system(root));
+            given
+                .into_iter()
+                .chain(found)
+                .for_each(|root| sizes.extend(root.sizes.clone()));
         }
         sizes
     }
@@ -180,7 +253,10 @@ impl<'t> Data<'t> {
     /// Paths of the files that a bug of ours kept from being read.
     pub(crate) fn failed_files(&self) -> Vec<String> {
         let files = self.all().flat_map(|root| root.layer.files.values());
-        files.filter(|file| file.failed).map(|file| file.path.clone()).collect()
+        files
+            .filter(|file| file.failed)
+            .map(|file| file.path.clone())
+            .collect()
     }
 
     /// The root at the same place as one on the other side of a comparison.
@@ -204,19 +280,39 @@ mod tests {
     #[test]
     fn a_file_of_several_applications_is_read_once_with_the_mesh_of_its_base() {
         let files = [
-            ("3dobjs/base.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"),
+            (
+                "3dobjs/base.obj",
+                "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n",
+            ),
             ("targets/target.json", "{}"),
             ("custom/a.target", "3 1 0 0\n4 1 0 0\n"),
             ("hair/a/a.mhclo", "name a\n"),
         ];
-        let tree = Tree::in_memory("mine", files.map(|(path, text)| (path.to_owned(), text.as_bytes().to_vec())));
+        let tree = Tree::in_memory(
+            "mine",
+            files.map(|(path, text)| (path.to_owned(), text.as_bytes().to_vec())),
+        );
         let layouts = [Application::Mpfb, Application::Makehuman1].map(Layout::of);
         let checked = vec![(Place::new(&tree, "", &layouts), Vec::new())];
-        let mut data = Data::load(Roots { checked, systems: Vec::new() }, &Limits::default(), None);
-        data.all_mut().for_each(|root| drop(root.load_targets(Some("hm08"), &Limits::default(), None, None)));
+        let mut data = Data::load(
+            Roots {
+                checked,
+                systems: Vec::new(),
+            },
+            &Limits::default(),
+            None,
+        );
+        data.all_mut()
+            .for_each(|root| drop(root.load_targets(Some("hm08"), &Limits::default(), None, None)));
         let root = data.roots.first().unwrap();
-        let roles = [(Application::Makehuman1, Role::User), (Application::Mpfb, Role::System)];
-        assert_eq!((root.roles.as_slice(), root.layer.files.len()), (&roles[..], files.len()));
+        let roles = [
+            (Application::Makehuman1, Role::User),
+            (Application::Mpfb, Role::System),
+        ];
+        assert_eq!(
+            (root.roles.as_slice(), root.layer.files.len()),
+            (&roles[..], files.len())
+        );
         let kind = |path: &str| root.layer.kind_at(path, Application::Mpfb);
         assert_eq!(kind("targets/target.json"), Kind::TargetCatalog);
         assert_eq!(kind("hair/a/a.mhclo"), Kind::Clothes);
@@ -228,42 +324,86 @@ mod tests {
     #[test]
     fn a_root_lies_over_the_system_of_its_own_application() {
         let tree = |label: &str, files: &[&str]| {
-            Tree::in_memory(label, files.iter().map(|path| ((*path).to_owned(), b"{}".to_vec())))
+            Tree::in_memory(
+                label,
+                files
+                    .iter()
+                    .map(|path| ((*path).to_owned(), b"{}".to_vec())),
+            )
         };
         let system = tree("system", &["base/b/base.json", "mpfb/targets/target.json"]);
-        let own = tree("own", &["a/target/b/x/a.target", "c/targets/target.json", "d/custom/a.target"]);
+        let own = tree(
+            "own",
+            &[
+                "a/target/b/x/a.target",
+                "c/targets/target.json",
+                "d/custom/a.target",
+            ],
+        );
         let place = |tree, root, application| Place::new(tree, root, &[Layout::of(application)]);
         let systems = vec![place(&system, "", Application::Makehuman2)];
-        let checked = [("a", Application::Makehuman2), ("c", Application::Mpfb), ("d", Application::Mpfb)];
-        let checked = checked.map(|(root, application)| (place(&own, root, application), Vec::new())).into();
+        let checked = [
+            ("a", Application::Makehuman2),
+            ("c", Application::Mpfb),
+            ("d", Application::Mpfb),
+        ];
+        let checked = checked
+            .map(|(root, application)| (place(&own, root, application), Vec::new()))
+            .into();
         let data = Data::load(Roots { checked, systems }, &Limits::default(), None);
         let seen = |stack: &Stack<'_, '_>| {
-            let path = |layer: Option<&Layer>| layer.map(|layer| layer.path.clone()).unwrap_or_default();
-            let [(_, layers)] = stack.seen.as_slice() else { return Default::default() };
+            let path =
+                |layer: Option<&Layer>| layer.map(|layer| layer.path.clone()).unwrap_or_default();
+            let [(_, layers)] = stack.seen.as_slice() else {
+                return Default::default();
+            };
             (path(layers.system), path(layers.user))
         };
         let mut all: Vec<(String, String)> = data.stacks().iter().map(seen).collect();
         all.sort();
         let expected = [("own/c", ""), ("own/c", "own/d"), ("system", "own/a")];
-        assert_eq!(all, expected.map(|(system, user)| (system.to_owned(), user.to_owned())));
+        assert_eq!(
+            all,
+            expected.map(|(system, user)| (system.to_owned(), user.to_owned()))
+        );
     }
 
     #[test]
     fn a_root_of_two_applications_has_the_meshes_of_both_systems() {
         let mesh = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n".as_slice();
         let tree = |label: &str, files: &[(&str, &[u8])]| {
-            Tree::in_memory(label, files.iter().map(|(path, bytes)| ((*path).to_owned(), bytes.to_vec())))
+            Tree::in_memory(
+                label,
+                files
+                    .iter()
+                    .map(|(path, bytes)| ((*path).to_owned(), bytes.to_vec())),
+            )
         };
         let given = tree("given", &[("base/b/base.obj", mesh)]);
-        let found = tree("found", &[("3dobjs/base.obj", mesh), ("targets/target.json", b"{}")]);
-        let both = tree("both", &[("target/b/x/a.target", b""), ("custom/a.target", b"")]);
+        let found = tree(
+            "found",
+            &[("3dobjs/base.obj", mesh), ("targets/target.json", b"{}")],
+        );
+        let both = tree(
+            "both",
+            &[("target/b/x/a.target", b""), ("custom/a.target", b"")],
+        );
         let layouts = [Application::Makehuman2, Application::Mpfb].map(Layout::of);
         let [of_given, of_found] = layouts;
         let systems = vec![Place::new(&given, "", &[of_given])];
-        let checked =
-            vec![(Place::new(&both, "", &layouts), Vec::new()), (Place::new(&found, "", &[of_found]), Vec::new())];
+        let checked = vec![
+            (Place::new(&both, "", &layouts), Vec::new()),
+            (Place::new(&found, "", &[of_found]), Vec::new()),
+        ];
         let data = Data::load(Roots { checked, systems }, &Limits::default(), None);
-        let root = data.roots.iter().find(|root| root.layer.path == "both").unwrap();
-        assert_eq!(root.sizes.keys().map(String::as_str).collect::<Vec<_>>(), ["b", "hm08"]);
+        let root = data
+            .roots
+            .iter()
+            .find(|root| root.layer.path == "both")
+            .unwrap();
+        assert_eq!(
+            root.sizes.keys().map(String::as_str).collect::<Vec<_>>(),
+            ["b", "hm08"]
+        );
     }
 }

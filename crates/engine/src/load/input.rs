@@ -1,6 +1,9 @@
 //! PATH arguments to trees: downwards, or upwards when a path lies inside a data root.
 
-#![expect(clippy::disallowed_methods, reason = "what a PATH argument is, a file or a folder, is asked here")]
+#![expect(
+    clippy::disallowed_methods,
+    reason = "what a PATH argument is, a file or a folder, is asked here"
+)]
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -9,9 +12,12 @@ use std::path::{Path, PathBuf};
 use super::super::error::{Error, PathFault};
 use super::found::{look_into, roots_of};
 use mhlint_diag::Application;
-use mhlint_discover::{Layout, Listing, Meant, TEST_DATA, find_roots, is_read_though_hidden, new_base};
+use mhlint_discover::{
+    Layout, Listing, Meant, TEST_DATA, find_roots, is_read_though_hidden, new_base,
+};
 use mhlint_source::{
-    self as source, EntryKind, Limits, ReadFault, Tree, folder_name, folder_of, inside, is_below, read_file, slashed,
+    self as source, EntryKind, Limits, ReadFault, Tree, folder_name, folder_of, inside, is_below,
+    read_file, slashed,
 };
 
 /// A tree to look for data roots in.
@@ -34,12 +40,26 @@ impl Input {
         let named = vec![tree.label().to_owned()];
         let name = tree.label().rsplit('/').next().unwrap_or_default();
         let new_base = tree.pack().and_then(|_| new_base(name)).map(str::to_owned);
-        Self { tree, narrow: Vec::new(), named, new_base, is_beside: false, tests: None }
+        Self {
+            tree,
+            narrow: Vec::new(),
+            named,
+            new_base,
+            is_beside: false,
+            tests: None,
+        }
     }
 
     /// A part of a tree, by its printed path.
     fn part(tree: Tree, path: String) -> Self {
-        Self { tree, narrow: vec![path.clone()], named: vec![path], new_base: None, is_beside: false, tests: None }
+        Self {
+            tree,
+            narrow: vec![path.clone()],
+            named: vec![path],
+            new_base: None,
+            is_beside: false,
+            tests: None,
+        }
     }
 
     /// Whether a printed path is one that the PATHs ask for.
@@ -47,7 +67,8 @@ impl Input {
         self.narrow.is_empty() || self.narrow.iter().any(|narrow| is_below(path, narrow))
     }
 
-    /// Whether it is a folder that is opened for parts of it: a data root, or one with data and what lies beside them.
+    /// Whether it is a folder that is opened for parts of it: a data root, or one with data and
+    /// what lies beside them.
     fn is_home(&self) -> bool {
         !self.narrow.is_empty() && !self.is_beside && self.tree.pack().is_none()
     }
@@ -91,19 +112,30 @@ impl Input {
     }
 }
 
-/// Opens the paths, inside data of these applications upwards. A path given twice, or inside another, is opened once.
-pub(crate) fn open(paths: &[PathBuf], applications: &[Application], limits: &Limits) -> Result<Vec<Input>, Error> {
+/// Opens the paths, inside data of these applications upwards. A path given twice, or inside
+/// another, is opened once.
+pub(crate) fn open(
+    paths: &[PathBuf],
+    applications: &[Application],
+    limits: &Limits,
+) -> Result<Vec<Input>, Error> {
     let mut inputs: Vec<(PathBuf, Input)> = Vec::new();
     let known = KnownRoots::default();
     for path in paths {
         let place = canonical(path)?;
-        let part = (place.is_file() && !is_pack(path)).then(|| Part::of_file(path, &place, applications, &known));
+        let part = (place.is_file() && !is_pack(path))
+            .then(|| Part::of_file(path, &place, applications, &known));
         let known_tree = part.as_ref().and_then(|part| {
-            inputs.iter_mut().find(|(root, input)| *root == part.root && input.is_beside == part.is_beside)
+            inputs
+                .iter_mut()
+                .find(|(root, input)| *root == part.root && input.is_beside == part.is_beside)
         });
         // A hook names many files of one tree: it is walked once.
         if let (Some((_, input)), Some(part)) = (known_tree, &part) {
-            let below = place.strip_prefix(&part.root).map(slashed).unwrap_or_default();
+            let below = place
+                .strip_prefix(&part.root)
+                .map(slashed)
+                .unwrap_or_default();
             input.ask_for(input.tree.shown(&below));
             continue;
         }
@@ -117,21 +149,30 @@ pub(crate) fn open(paths: &[PathBuf], applications: &[Application], limits: &Lim
             None => inputs.push((root, input)),
         }
     }
-    let parts = inputs.iter().map(|(root, input)| input.is_home().then(|| root.clone()));
+    let parts = inputs
+        .iter()
+        .map(|(root, input)| input.is_home().then(|| root.clone()));
     for home in parts.collect::<Vec<_>>().into_iter().flatten() {
         take_in(&mut inputs, &home);
     }
     Ok(inputs.into_iter().map(|(_, input)| input).collect())
 }
 
-/// Adds what was asked for inside of a folder, which is opened for what lies beside data, to what is asked for of it: the
-/// data are the same.
+/// Adds what was asked for inside of a folder, which is opened for what lies beside data, to what
+/// is asked for of it: the data are the same.
 fn take_in(inputs: &mut Vec<(PathBuf, Input)>, home: &Path) {
-    let Some(at) = inputs.iter().position(|(root, _)| root == home) else { return };
+    let Some(at) = inputs.iter().position(|(root, _)| root == home) else {
+        return;
+    };
     let (_, mut own) = inputs.remove(at);
     let mut others = Vec::new();
     for (root, input) in std::mem::take(inputs) {
-        let is_listed = |folder: &String| own.tree.entries().iter().any(|entry| is_below(&entry.path, folder));
+        let is_listed = |folder: &String| {
+            own.tree
+                .entries()
+                .iter()
+                .any(|entry| is_below(&entry.path, folder))
+        };
         let folder = root.strip_prefix(home).map(slashed).ok().filter(is_listed);
         match folder.filter(|_| input.tree.pack().is_none()) {
             Some(folder) => own.take_over(&folder, input),
@@ -146,7 +187,10 @@ fn take_in(inputs: &mut Vec<(PathBuf, Input)>, home: &Path) {
 fn tests_of(path: &Path) -> Option<Application> {
     let place = format!("{}/", slashed(&source::canonical(path)?));
     let (above, _) = place.split_once(&format!("/{}/", TEST_DATA.folder))?;
-    Path::new(above).join(TEST_DATA.source).is_dir().then_some(TEST_DATA.application)
+    Path::new(above)
+        .join(TEST_DATA.source)
+        .is_dir()
+        .then_some(TEST_DATA.application)
 }
 
 /// Opens `--system`.
@@ -155,7 +199,8 @@ pub(crate) fn open_system(path: &Path) -> Result<Tree, Error> {
     Ok(Tree::on_disk(label(path), path, is_read_though_hidden))
 }
 
-/// Opens a zip, or a folder with all that is in it; inside a data root that, and the folder as a part of it.
+/// Opens a zip, or a folder with all that is in it; inside a data root that, and the folder as a
+/// part of it.
 fn open_whole(
     path: &Path,
     place: PathBuf,
@@ -169,13 +214,19 @@ fn open_whole(
     }
     let tree = Tree::on_disk(here.clone(), path, is_read_though_hidden);
     let is_no_root = roots_in(&tree, &place).is_empty();
-    let above = if is_no_root { Part::above(path, &place, &here, applications, known) } else { None };
+    let above = if is_no_root {
+        Part::above(path, &place, &here, applications, known)
+    } else {
+        None
+    };
     Ok(above.map_or_else(|| (place, Input::whole(tree)), Part::open))
 }
 
 /// Whether a PATH is a zip, by its name: it is checked as the folder that it becomes.
 pub fn is_pack(path: &Path) -> bool {
-    let is_zip = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip"));
+    let is_zip = path
+        .extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("zip"));
     is_zip && path.is_file()
 }
 
@@ -184,12 +235,23 @@ fn open_pack(path: &Path, here: &str, limits: &Limits) -> Result<Input, Error> {
         let reason = match fault {
             ReadFault::Unreadable(reason) => reason,
             ReadFault::TooLarge { limit, .. } => {
-                format!("it is larger than {} MiB; unpack it, and check the folder", limit >> 20)
+                format!(
+                    "it is larger than {} MiB; unpack it, and check the folder",
+                    limit >> 20
+                )
             }
         };
-        Error::Path { path: here.to_owned(), fault: PathFault::Unreadable(reason) }
+        Error::Path {
+            path: here.to_owned(),
+            fault: PathFault::Unreadable(reason),
+        }
     })?;
-    Ok(Input::whole(Tree::packed(here, zip, limits, is_read_though_hidden)))
+    Ok(Input::whole(Tree::packed(
+        here,
+        zip,
+        limits,
+        is_read_though_hidden,
+    )))
 }
 /// Folders of textures and the like below that of a file.
 const LEVELS_BESIDE: usize = 4;
@@ -203,22 +265,40 @@ struct Part {
     label: String,
     /// What is asked for, as printed.
     narrow: String,
-    /// Whether the tree is the folder around a file that lies in no data root: those beside it may belong to it.
+    /// Whether the tree is the folder around a file that lies in no data root: those beside it may
+    /// belong to it.
     is_beside: bool,
 }
 
 impl Part {
-    fn of_file(path: &Path, place: &Path, applications: &[Application], known: &KnownRoots) -> Self {
+    fn of_file(
+        path: &Path,
+        place: &Path,
+        applications: &[Application],
+        known: &KnownRoots,
+    ) -> Self {
         let here = label(path);
         Self::above(path, place, &here, applications, known).unwrap_or_else(|| {
             let folder = folder_of(path).to_owned();
             let root = place.parent().unwrap_or(place).to_owned();
-            Self { root, label: label(&folder), folder, narrow: here, is_beside: true }
+            Self {
+                root,
+                label: label(&folder),
+                folder,
+                narrow: here,
+                is_beside: true,
+            }
         })
     }
 
     /// The data root that `path` lies inside of.
-    fn above(path: &Path, place: &Path, here: &str, applications: &[Application], known: &KnownRoots) -> Option<Self> {
+    fn above(
+        path: &Path,
+        place: &Path,
+        here: &str,
+        applications: &[Application],
+        known: &KnownRoots,
+    ) -> Option<Self> {
         place.to_str()?;
         let slashed_place = slashed(place);
         let root_above = |one: &Application| known.above(&slashed_place, Layout::of(*one));
@@ -227,16 +307,40 @@ impl Part {
         let written = label_above(path, here, levels);
         // What lies above a link is not above what it leads to.
         let leads_there = source::canonical(Path::new(&written)).is_some_and(|real| real == root);
-        let label = if leads_there { written } else { label_of_real(&root) };
+        let label = if leads_there {
+            written
+        } else {
+            label_of_real(&root)
+        };
         let below = slashed(place.strip_prefix(&root).ok()?);
-        let narrow = if label.is_empty() { below } else { format!("{label}/{below}") };
-        Some(Self { folder: root.clone(), root, label, narrow, is_beside: false })
+        let narrow = if label.is_empty() {
+            below
+        } else {
+            format!("{label}/{below}")
+        };
+        Some(Self {
+            folder: root.clone(),
+            root,
+            label,
+            narrow,
+            is_beside: false,
+        })
     }
 
     fn open(self) -> (PathBuf, Input) {
-        let levels = if self.is_beside { LEVELS_BESIDE } else { usize::MAX };
+        let levels = if self.is_beside {
+            LEVELS_BESIDE
+        } else {
+            usize::MAX
+        };
         let tree = Tree::on_disk_to_depth(self.label, &self.folder, levels, is_read_though_hidden);
-        (self.root, Input { is_beside: self.is_beside, ..Input::part(tree, self.narrow) })
+        (
+            self.root,
+            Input {
+                is_beside: self.is_beside,
+                ..Input::part(tree, self.narrow)
+            },
+        )
     }
 }
 
@@ -248,19 +352,28 @@ struct KnownRoots {
 }
 
 impl KnownRoots {
-    /// The folder above `place` that is a data root of any application, where `layout` has such a one.
+    /// The folder above `place` that is a data root of any application, where `layout` has such a
+    /// one.
     fn above(&self, place: &str, layout: &Layout) -> Option<PathBuf> {
-        self.within(place, layout).or_else(|| self.beside(place, layout))
+        self.within(place, layout)
+            .or_else(|| self.beside(place, layout))
     }
 
     /// The folder that holds both a data root called `data` and one beside it that `place` lies in.
     fn beside(&self, place: &str, layout: &Layout) -> Option<PathBuf> {
         let parts: Vec<&str> = place.split('/').collect();
-        let named = (0..parts.len()).rev().filter(|at| parts.get(*at).is_some_and(|part| layout.beside.contains(part)));
-        let mut above = named.map(|at| PathBuf::from(parts.get(..at).unwrap_or_default().join("/")));
+        let named = (0..parts.len()).rev().filter(|at| {
+            parts
+                .get(*at)
+                .is_some_and(|part| layout.beside.contains(part))
+        });
+        let mut above =
+            named.map(|at| PathBuf::from(parts.get(..at).unwrap_or_default().join("/")));
         let has_data = |above: &PathBuf| {
             let data = above.join("data");
-            let shallow = || Tree::on_disk_to_depth(String::new(), &data, layout.depth, is_read_though_hidden);
+            let shallow = || {
+                Tree::on_disk_to_depth(String::new(), &data, layout.depth, is_read_though_hidden)
+            };
             let is_own = |one: Application| one == layout.application;
             data.is_dir() && roots_of(&shallow(), &[layout.application], is_own).contains_key("")
         };
@@ -269,11 +382,15 @@ impl KnownRoots {
 
     fn within(&self, place: &str, layout: &Layout) -> Option<PathBuf> {
         let is_root = |root: &PathBuf| {
-            let shallow = Tree::on_disk_to_depth(String::new(), root, layout.depth, is_read_though_hidden);
+            let shallow =
+                Tree::on_disk_to_depth(String::new(), root, layout.depth, is_read_though_hidden);
             roots_in(&shallow, root).iter().any(String::is_empty)
         };
         // No application has its data at the top of the disk.
-        let mut roots = layout.roots_above(place).filter(|root| !root.is_empty()).map(PathBuf::from);
+        let mut roots = layout
+            .roots_above(place)
+            .filter(|root| !root.is_empty())
+            .map(PathBuf::from);
         roots.find(|root| once(&self.are_roots, root, layout, || is_root(root)))
     }
 }
@@ -294,22 +411,36 @@ fn once(
     found
 }
 
-/// The data roots in the tree of a folder, as seen from the one above: its name tells, too, what is in it.
+/// The data roots in the tree of a folder, as seen from the one above: its name tells, too, what is
+/// in it.
 fn roots_in(tree: &Tree, folder: &Path) -> Vec<String> {
     let name = folder_name(folder);
-    let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File);
-    let files: Vec<String> = files.map(|entry| format!("{name}/{}", entry.path)).collect();
+    let files = tree
+        .entries()
+        .iter()
+        .filter(|entry| entry.kind == EntryKind::File);
+    let files: Vec<String> = files
+        .map(|entry| format!("{name}/{}", entry.path))
+        .collect();
     let peek = |path: &str| look_into(tree, inside(path, &name)?);
     let listing = Listing::of(files.iter().map(String::as_str), []).with_contents(&peek);
     let roots = find_roots(&listing, Meant::default()).into_iter();
-    let below = |root: &str| inside(root, &name).map(str::to_owned).or_else(|| (root == name).then(String::new));
+    let below = |root: &str| {
+        inside(root, &name)
+            .map(str::to_owned)
+            .or_else(|| (root == name).then(String::new))
+    };
     roots.filter_map(|root| below(&root.path)).collect()
 }
 
-/// What is printed for a folder that no written path names: its path below the working directory, else all of it.
+/// What is printed for a folder that no written path names: its path below the working directory,
+/// else all of it.
 fn label_of_real(folder: &Path) -> String {
     let here = source::canonical(Path::new(""));
-    slashed(here.and_then(|here| folder.strip_prefix(here).ok()).unwrap_or(folder))
+    slashed(
+        here.and_then(|here| folder.strip_prefix(here).ok())
+            .unwrap_or(folder),
+    )
 }
 
 /// What is printed for the folder `levels` above `path`.
@@ -337,7 +468,10 @@ fn canonical(path: &Path) -> Result<PathBuf, Error> {
 fn label(path: &Path) -> String {
     let text = slashed(path);
     let absolute = text.starts_with('/');
-    let parts: Vec<&str> = text.split('/').filter(|part| !part.is_empty() && *part != ".").collect();
+    let parts: Vec<&str> = text
+        .split('/')
+        .filter(|part| !part.is_empty() && *part != ".")
+        .collect();
     format!("{}{}", if absolute { "/" } else { "" }, parts.join("/"))
 }
 
@@ -354,9 +488,15 @@ mod tests {
 
     #[test]
     fn labels_of_folders_above() {
-        assert_eq!(label_above(Path::new("x/data/target/b"), "x/data/target/b", 2), "x/data");
+        assert_eq!(
+            label_above(Path::new("x/data/target/b"), "x/data/target/b", 2),
+            "x/data"
+        );
         assert_eq!(label_above(Path::new("."), "", 2), "../..");
         assert_eq!(label_above(Path::new("b"), "b", 2), "..");
-        assert_eq!(label_above(Path::new("/d/target/b"), "/d/target/b", 2), "/d");
+        assert_eq!(
+            label_above(Path::new("/d/target/b"), "/d/target/b", 2),
+            "/d"
+        );
     }
 }

@@ -1,4 +1,5 @@
-//! A data root: listing to a layer of facts, in parallel, meshes before what is measured against them.
+//! A data root: listing to a layer of facts, in parallel, meshes before what is measured against
+//! them.
 //!
 //! Targets come last and one base at a time, so that only the rows of one base are in memory.
 
@@ -29,7 +30,8 @@ pub(crate) type MeshSizes = BTreeMap<String, KnownMesh>;
 /// The base mesh that targets and weights are measured against.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct KnownMesh {
-    /// Its size. Against a damaged mesh every index would be wrong; the mesh itself is the fault then.
+    /// Its size. Against a damaged mesh every index would be wrong; the mesh itself is the fault
+    /// then.
     pub(super) size: Option<MeshSize>,
     /// Whether it is an archive, which is read before any OBJ, in whatever layer that is.
     is_packed: bool,
@@ -39,20 +41,40 @@ pub(crate) struct KnownMesh {
 #[derive(Clone, Copy)]
 pub(super) struct Reader<'r> {
     pub(super) limits: &'r Limits,
-    /// The same data root on the other side of a comparison: what is the same there is not read again.
+    /// The same data root on the other side of a comparison: what is the same there is not read
+    /// again.
     pub(super) other: Option<&'r Loaded<'r>>,
 }
 
-/// Reads everything in a data root but the bulk. `sizes` are those of meshes below; its own take their place.
-pub(super) fn load(place: &Place<'_>, reader: Reader<'_>, mut sizes: MeshSizes) -> (Layer, MeshSizes) {
-    let of = |needs: Needs| place.files().filter(|file| Format::of(file.kind()).needs == needs).collect();
+/// Reads everything in a data root but the bulk. `sizes` are those of meshes below; its own take
+/// their place.
+pub(super) fn load(
+    place: &Place<'_>,
+    reader: Reader<'_>,
+    mut sizes: MeshSizes,
+) -> (Layer, MeshSizes) {
+    let of = |needs: Needs| {
+        place
+            .files()
+            .filter(|file| Format::of(file.kind()).needs == needs)
+            .collect()
+    };
     let (mut files, _) = read_all(place.tree, of(Needs::Nothing), reader, &sizes, None);
     add_own(&mut sizes, &files);
     files.append(&mut read_all(place.tree, of(Needs::Mesh), reader, &sizes, None).0);
     hash_equal_sizes(place, &mut files, reader.limits);
-    let mut layer = Layer::new(place.path(), place.layouts.clone(), files, folders(place), faults_below(place));
+    let mut layer = Layer::new(
+        place.path(),
+        place.layouts.clone(),
+        files,
+        folders(place),
+        faults_below(place),
+    );
     layer.is_loose = place.is_loose;
-    let links = place.below.iter().filter(|one| !one.is_file() && one.entry.link_to.is_some());
+    let links = place
+        .below
+        .iter()
+        .filter(|one| !one.is_file() && one.entry.link_to.is_some());
     layer.pack.clone_from(&place.pack);
     layer.linked_folders = links.map(|folder| folder.rel.to_string()).collect();
     (layer, sizes)
@@ -60,23 +82,42 @@ pub(super) fn load(place: &Place<'_>, reader: Reader<'_>, mut sizes: MeshSizes) 
 
 /// The folders of a place, of files that are put elsewhere those that come about.
 fn folders(place: &Place<'_>) -> Vec<String> {
-    let listed = || place.below.iter().filter(|one| !one.is_file()).map(|folder| folder.rel.to_string());
+    let listed = || {
+        place
+            .below
+            .iter()
+            .filter(|one| !one.is_file())
+            .map(|folder| folder.rel.to_string())
+    };
     if place.pack.as_ref().is_none_or(|pack| pack.import.is_none()) {
         return listed().collect();
     }
-    let made = place.below.iter().flat_map(|file| file.rel.match_indices('/').filter_map(|(at, _)| file.rel.get(..at)));
-    made.collect::<BTreeSet<_>>().into_iter().map(str::to_owned).collect()
+    let made = place.below.iter().flat_map(|file| {
+        file.rel
+            .match_indices('/')
+            .filter_map(|(at, _)| file.rel.get(..at))
+    });
+    made.collect::<BTreeSet<_>>()
+        .into_iter()
+        .map(str::to_owned)
+        .collect()
 }
 
 /// Enters the targets into `layer` without reading them.
 pub(crate) fn list_targets(place: &Place<'_>, layer: &mut Layer) {
-    layer.add(place.bulk().map(|file| (file.rel.to_string(), read::unread(place.tree, file))).collect());
+    layer.add(
+        place
+            .bulk()
+            .map(|file| (file.rel.to_string(), read::unread(place.tree, file)))
+            .collect(),
+    );
 }
 
 /// Files by their path relative to the root.
 type ByRel = BTreeMap<String, FileFacts>;
 
-/// Reads files; gives the rows of targets by printed path if they are to be kept, beside those of the other side.
+/// Reads files; gives the rows of targets by printed path if they are to be kept, beside those of
+/// the other side.
 pub(super) fn read_all(
     tree: &Tree,
     files: Vec<&Candidate<'_>>,
@@ -87,39 +128,76 @@ pub(super) fn read_all(
     if files.is_empty() {
         return (ByRel::new(), Rows::new());
     }
-    // What several links lead to is read once; what a fix has made of one of them is known there alone.
+    // What several links lead to is read once; what a fix has made of one of them is known there
+    // alone.
     let alike = grouped(files.into_iter().map(|file| {
         let path = file.entry.path.as_str();
-        let real = file.entry.link_to.as_deref().filter(|_| !tree.is_changed(path)).unwrap_or(path);
-        ((real, tree.is_changed(path), file.kind(), size_for(file, sizes)), file)
+        let real = file
+            .entry
+            .link_to
+            .as_deref()
+            .filter(|_| !tree.is_changed(path))
+            .unwrap_or(path);
+        (
+            (
+                real,
+                tree.is_changed(path),
+                file.kind(),
+                size_for(file, sizes),
+            ),
+            file,
+        )
     }));
     let mut alike: Vec<_> = alike.into_values().collect();
     // The biggest first, so that no thread starts on a large file when the others are done.
     alike.sort_by_key(|files| Reverse(files.first().map(|file| file.entry.size)));
     let is_packed = |entry: &Entry| extension(&entry.path) == "gz";
     let has_packed = alike.iter().flatten().any(|file| is_packed(file.entry));
-    let packed = if has_packed { tree.entries().iter().filter(|entry| is_packed(entry)).count() } else { 0 };
+    let packed = if has_packed {
+        tree.entries()
+            .iter()
+            .filter(|entry| is_packed(entry))
+            .count()
+    } else {
+        0
+    };
     let limits = reader.limits.among(packed);
     let read = |file: &Candidate<'_>| {
         let size = size_for(file, sizes);
-        if let Some(facts) = reader.other.and_then(|other| other.shared(tree, file, size, reader.limits)) {
-            let rows = keep_rows.and_then(|others| others.get(&facts.path)).cloned();
+        if let Some(facts) = reader
+            .other
+            .and_then(|other| other.shared(tree, file, size, reader.limits))
+        {
+            let rows = keep_rows
+                .and_then(|others| others.get(&facts.path))
+                .cloned();
             return (facts, rows);
         }
         let read = || read::read(tree, file, &limits, size);
         let read = catch_unwind(AssertUnwindSafe(read));
         let (facts, mut rows) = read.unwrap_or_else(|_| (read::panicked(tree, file), Vec::new()));
         rows.shrink_to_fit();
-        (facts, keep_rows.filter(|_| !rows.is_empty()).map(|_| Arc::new(rows)))
+        (
+            facts,
+            keep_rows
+                .filter(|_| !rows.is_empty())
+                .map(|_| Arc::new(rows)),
+        )
     };
     let read_alike = |files: Vec<&Candidate<'_>>| -> Vec<(FileFacts, Option<Arc<Vec<Row>>>)> {
         let mut files = files.into_iter();
-        let Some((facts, rows)) = files.next().map(read) else { return Vec::new() };
+        let Some((facts, rows)) = files.next().map(read) else {
+            return Vec::new();
+        };
         let others = files.map(|file| (read::behind_link(tree, file, &facts), rows.clone()));
         let others: Vec<_> = others.collect();
         std::iter::once((facts, rows)).chain(others).collect()
     };
-    let readings: Vec<_> = alike.into_par_iter().with_max_len(1).flat_map_iter(read_alike).collect();
+    let readings: Vec<_> = alike
+        .into_par_iter()
+        .with_max_len(1)
+        .flat_map_iter(read_alike)
+        .collect();
     let mut files = ByRel::new();
     let mut kept = Rows::new();
     for (facts, rows) in readings {
@@ -153,12 +231,27 @@ fn add_own(sizes: &mut MeshSizes, files: &ByRel) {
 /// Pictures are compared by content only where their sizes are equal; others need no reading.
 fn hash_equal_sizes(place: &Place<'_>, files: &mut ByRel, limits: &Limits) {
     let by_size = grouped(place.files().filter_map(|candidate| {
-        let file = files.get(&*candidate.rel).filter(|file| is_compared(file))?;
+        let file = files
+            .get(&*candidate.rel)
+            .filter(|file| is_compared(file))?;
         Some((file.size, candidate))
     }));
-    let twins: Vec<_> = by_size.into_values().filter(|twins| twins.len() > 1).flatten().collect();
-    let hash = |file: &Candidate<'_>| place.tree.read(file.entry, limits).ok().map(|bytes| xxh3_64(&bytes));
-    let hashes: Vec<_> = twins.into_par_iter().map(|file| (file, hash(file))).collect();
+    let twins: Vec<_> = by_size
+        .into_values()
+        .filter(|twins| twins.len() > 1)
+        .flatten()
+        .collect();
+    let hash = |file: &Candidate<'_>| {
+        place
+            .tree
+            .read(file.entry, limits)
+            .ok()
+            .map(|bytes| xxh3_64(&bytes))
+    };
+    let hashes: Vec<_> = twins
+        .into_par_iter()
+        .map(|file| (file, hash(file)))
+        .collect();
     for (candidate, hash) in hashes {
         if let Some(file) = files.get_mut(&*candidate.rel) {
             file.content_hash = hash;
@@ -167,21 +260,35 @@ fn hash_equal_sizes(place: &Place<'_>, files: &mut ByRel, limits: &Limits) {
 }
 
 fn is_compared(file: &FileFacts) -> bool {
-    matches!(file.kind, Kind::Image | Kind::TargetIcon) && file.content_hash.is_none() && file.size > 0
+    matches!(file.kind, Kind::Image | Kind::TargetIcon)
+        && file.content_hash.is_none()
+        && file.size > 0
 }
 
 /// Whether what is at a path belongs to the data root although it lies beside it.
 fn belongs_beside(place: &Place<'_>, path: &str) -> bool {
     let rel = relative_beside(&place.root, path);
-    let top = rel.as_deref().and_then(|rel| rel.strip_prefix("../")?.split('/').next());
+    let top = rel
+        .as_deref()
+        .and_then(|rel| rel.strip_prefix("../")?.split('/').next());
     let has = |layout: &&&Layout| top.is_some_and(|top| layout.beside.contains(&top));
-    place.layouts.iter().filter(has).any(|layout| (layout.role)(&place.below) != Role::System)
+    place
+        .layouts
+        .iter()
+        .filter(has)
+        .any(|layout| (layout.role)(&place.below) != Role::System)
 }
 
 /// The path from a data root called `data` to what lies beside it.
 fn relative_beside(root: &str, path: &str) -> Option<String> {
-    let (above, name) = root.rsplit_once('/').map_or(("", root), |(above, name)| (above, name));
-    let rel = if above.is_empty() { path } else { path.strip_prefix(above)?.strip_prefix('/')? };
+    let (above, name) = root
+        .rsplit_once('/')
+        .map_or(("", root), |(above, name)| (above, name));
+    let rel = if above.is_empty() {
+        path
+    } else {
+        path.strip_prefix(above)?.strip_prefix('/')?
+    };
     (name == "data").then(|| format!("../{rel}"))
 }
 
@@ -190,10 +297,20 @@ fn faults_below(place: &Place<'_>) -> Vec<WalkFault> {
     if place.is_loose {
         return Vec::new();
     }
-    let prefix = if place.root.is_empty() { String::new() } else { format!("{}/", place.root) };
+    let prefix = if place.root.is_empty() {
+        String::new()
+    } else {
+        format!("{}/", place.root)
+    };
     let relative = |path: &str| {
-        let beside = || belongs_beside(place, path).then(|| relative_beside(&place.root, path)).flatten();
-        path.strip_prefix(&prefix).map(str::to_owned).or_else(beside)
+        let beside = || {
+            belongs_beside(place, path)
+                .then(|| relative_beside(&place.root, path))
+                .flatten()
+        };
+        path.strip_prefix(&prefix)
+            .map(str::to_owned)
+            .or_else(beside)
     };
     let faults = place.tree.faults().iter();
     faults

@@ -10,7 +10,8 @@ use super::unit_names::UnitNames;
 use mhlint_config::Config;
 use mhlint_diag::Application;
 use mhlint_discover::{
-    Binding, Known, Layout, Role, SAVED_CHARACTER, STORED_POSE, candidates, extension, is_of_macos, meant_extension,
+    Binding, Known, Layout, Role, SAVED_CHARACTER, STORED_POSE, candidates, extension, is_of_macos,
+    meant_extension,
 };
 use mhlint_formats::target::{has_broken_rows, recognise};
 use mhlint_source::{Entry, Limits, Tree, canonical, folder_and_name, is_below, lines, slashed};
@@ -19,7 +20,8 @@ use mhlint_source::{Entry, Limits, Tree, canonical, folder_and_name, is_below, l
 pub(super) struct Outside<'t, 'i> {
     pub(super) input: &'t Input,
     pub(super) roots: &'i BTreeMap<String, Vec<&'static Layout>>,
-    /// Files, by their paths in the tree, that other applications check and this one is not asked for.
+    /// Files, by their paths in the tree, that other applications check and this one is not asked
+    /// for.
     pub(super) taken: &'i BTreeSet<String>,
     /// Base meshes of the system data.
     pub(super) bases: &'i BTreeSet<String>,
@@ -31,7 +33,8 @@ pub(super) struct Outside<'t, 'i> {
 
 /// What a run gives for all files outside of data roots.
 pub(super) struct Given<'i> {
-    /// Whether no application is named and the data of several are given: then models say which is meant.
+    /// Whether no application is named and the data of several are given: then models say which is
+    /// meant.
     is_one_of_several: bool,
     units: UnitNames,
     pub(super) options: &'i Config,
@@ -39,9 +42,15 @@ pub(super) struct Given<'i> {
 
 impl<'i> Given<'i> {
     pub(super) fn of(systems: &[Place<'_>], options: &'i Config) -> Self {
-        let given = Application::ALL.into_iter().filter(|one| systems.iter().any(|system| system.is_of(*one)));
+        let given = Application::ALL
+            .into_iter()
+            .filter(|one| systems.iter().any(|system| system.is_of(*one)));
         let is_one_of_several = options.applications.is_empty() && given.count() > 1;
-        Self { is_one_of_several, units: UnitNames::of(systems, &options.limits), options }
+        Self {
+            is_one_of_several,
+            units: UnitNames::of(systems, &options.limits),
+            options,
+        }
     }
 }
 
@@ -55,9 +64,12 @@ pub(super) struct Seen {
 }
 
 impl<'t> Outside<'t, '_> {
-    /// The files, put where an application would look for them, with the parts that alone are asked for; `None` where
-    /// there are none.
-    pub(super) fn place(&self, layout: &'static Layout) -> Result<Option<(Place<'t>, Vec<String>)>, Error> {
+    /// The files, put where an application would look for them, with the parts that alone are asked
+    /// for; `None` where there are none.
+    pub(super) fn place(
+        &self,
+        layout: &'static Layout,
+    ) -> Result<Option<(Place<'t>, Vec<String>)>, Error> {
         let input = self.input;
         let is_asked = |entry: &Entry| self.is_asked(entry, layout);
         let bind = |entry: &Entry, above: &[&str]| self.bind(entry, above, layout);
@@ -74,23 +86,39 @@ impl<'t> Outside<'t, '_> {
         };
         let top = top(&input.tree);
         let is_shallow = input.is_beside;
-        let known = Known { top: &top, is_asked: &is_asked, is_shallow, bind: &bind, list: &list, names: &names };
+        let known = Known {
+            top: &top,
+            is_asked: &is_asked,
+            is_shallow,
+            bind: &bind,
+            list: &list,
+            names: &names,
+        };
         let (place, narrow) = Place::loose(&input.tree, layout, &known, &input.narrow);
         let is_single = |path: &str| matches!(extension(path), "target" | "mhskel" | "mhw");
         let single = place.below.iter().find(|file| is_single(&file.entry.path));
         match (single, place.below.is_empty()) {
-            (Some(first), _) if self.given.options.bases.len() > 1 => {
-                Err(Error::SeveralBases { file: input.tree.shown(&first.entry.path) })
-            }
+            (Some(first), _) if self.given.options.bases.len() > 1 => Err(Error::SeveralBases {
+                file: input.tree.shown(&first.entry.path),
+            }),
             (_, is_empty) => Ok((!is_empty).then_some((place, narrow))),
         }
     }
 
     fn is_asked(&self, entry: &Entry, layout: &Layout) -> bool {
-        let around = || self.roots.iter().filter(|(root, _)| is_below(&entry.path, root));
-        let is_own = |layouts: &[&Layout]| layouts.iter().any(|one| one.application == layout.application);
+        let around = || {
+            self.roots
+                .iter()
+                .filter(|(root, _)| is_below(&entry.path, root))
+        };
+        let is_own = |layouts: &[&Layout]| {
+            layouts
+                .iter()
+                .any(|one| one.application == layout.application)
+        };
         // In the data of another application what is dangerous is looked at all the same.
-        let is_left_out = || (layout.is_dangerous)(&entry.path) && !around().any(|(_, layouts)| is_own(layouts));
+        let is_left_out =
+            || (layout.is_dangerous)(&entry.path) && !around().any(|(_, layouts)| is_own(layouts));
         let keeps = |(root, layouts): (&String, &Vec<&'static Layout>)| {
             let known = self.seen.kept.borrow().get(root).copied();
             known.unwrap_or_else(|| {
@@ -103,36 +131,61 @@ impl<'t> Outside<'t, '_> {
         !self.taken.contains(entry.path.as_str()) && !is_of_macos(&entry.path) && !is_in_root()
     }
 
-    /// Whether what lies in a data root is no loose asset. A user's data of an application that is not asked for may be
-    /// installed in that of another one.
+    /// Whether what lies in a data root is no loose asset. A user's data of an application that is
+    /// not asked for may be installed in that of another one.
     fn keeps(&self, root: &str, layouts: &[&'static Layout]) -> bool {
-        if self.roots.values().flatten().any(|layout| self.given.options.asks_for(layout.application)) {
+        if self
+            .roots
+            .values()
+            .flatten()
+            .any(|layout| self.given.options.asks_for(layout.application))
+        {
             return true;
         }
-        let is_users = |layout: &Layout| (layout.role)(&candidates(&self.input.tree, root, &[layout])) == Role::User;
-        layouts.iter().any(|layout| self.given.options.asks_for(layout.application) || !is_users(layout))
+        let is_users = |layout: &Layout| {
+            (layout.role)(&candidates(&self.input.tree, root, &[layout])) == Role::User
+        };
+        layouts
+            .iter()
+            .any(|layout| self.given.options.asks_for(layout.application) || !is_users(layout))
     }
 
-    /// The base mesh that a file is for: as it is asked for, as the file says or a folder above it, or the only one there
-    /// is.
+    /// The base mesh that a file is for: as it is asked for, as the file says or a folder above it,
+    /// or the only one there is.
     fn bind(&self, entry: &Entry, above: &[&str], layout: &Layout) -> Binding {
-        let Self { input, bases, given: Given { options, .. }, .. } = self;
+        let Self {
+            input,
+            bases,
+            given: Given { options, .. },
+            ..
+        } = self;
         let asked = match options.bases.as_slice() {
             [asked] if bases.is_empty() || bases.contains(asked) => Some(asked),
             _ => None,
         };
-        let folders = || self.seen.beside_target.get_or_init(|| self.folders_of_targets());
+        let folders = || {
+            self.seen
+                .beside_target
+                .get_or_init(|| self.folders_of_targets())
+        };
         let is_beside_target = || folders().contains(folder_and_name(&entry.path).0);
         let header = recognised(input, entry, options, self.is_meant, &is_beside_target)?;
         let is_target = meant_extension(&entry.path) == "target";
         // What was made for another one is not held against an application that nobody named.
         let is_of_others = || {
-            header.as_deref().is_some_and(|base| layout.is_base_of_others(base))
-                || is_target && header.as_deref().is_some_and(|base| is_for_another(base, layout))
+            header
+                .as_deref()
+                .is_some_and(|base| layout.is_base_of_others(base))
+                || is_target
+                    && header
+                        .as_deref()
+                        .is_some_and(|base| is_for_another(base, layout))
                 || layout.joint.is_some_and(|joint| self.lacks(entry, joint))
                 || self.is_written_for_others(entry, layout)
         };
-        let is_excluded = layout.only_base.is_some_and(|only| !options.asks_for_base(only));
+        let is_excluded = layout
+            .only_base
+            .is_some_and(|only| !options.asks_for_base(only));
         let is_others = if self.is_meant {
             self.given.is_one_of_several
                 && meant_extension(&entry.path) == "mhm"
@@ -144,8 +197,14 @@ impl<'t> Outside<'t, '_> {
             return None;
         }
         let only = bases.first().filter(|_| bases.len() == 1);
-        let folder = above.iter().find(|name| !is_target && bases.contains(**name)).map(|name| (*name).to_owned());
-        let asked = layout.only_base.map(str::to_owned).or_else(|| asked.cloned());
+        let folder = above
+            .iter()
+            .find(|name| !is_target && bases.contains(**name))
+            .map(|name| (*name).to_owned());
+        let asked = layout
+            .only_base
+            .map(str::to_owned)
+            .or_else(|| asked.cloned());
         let named = asked.or(header).or(folder).or_else(|| only.cloned());
         // Of several bases it is the usual one for what most are made for, and looks alike on any.
         let is_usual = match meant_extension(&entry.path) {
@@ -160,29 +219,47 @@ impl<'t> Outside<'t, '_> {
     fn folders_of_targets(&self) -> BTreeSet<String> {
         let is_outside = |path: &str| !self.roots.keys().any(|root| is_below(path, root));
         let Input { tree, .. } = self.input;
-        let files = tree.entries().iter().filter(|entry| meant_extension(&entry.path) == "target");
+        let files = tree
+            .entries()
+            .iter()
+            .filter(|entry| meant_extension(&entry.path) == "target");
         let is_target = |entry: &&Entry| {
             is_outside(&entry.path)
-                && tree.read(entry, &self.given.options.limits).is_ok_and(|text| recognise(&text).is_some())
+                && tree
+                    .read(entry, &self.given.options.limits)
+                    .is_ok_and(|text| recognise(&text).is_some())
         };
-        files.filter(is_target).map(|entry| folder_and_name(&entry.path).0.to_owned()).collect()
+        files
+            .filter(is_target)
+            .map(|entry| folder_and_name(&entry.path).0.to_owned())
+            .collect()
     }
 
-    /// Whether a file is for other applications where nobody asks, as it says itself, or by its kind.
+    /// Whether a file is for other applications where nobody asks, as it says itself, or by its
+    /// kind.
     fn is_written_for_others(&self, entry: &Entry, layout: &Layout) -> bool {
-        let text = self.input.tree.read(entry, &self.given.options.limits).unwrap_or_default();
+        let text = self
+            .input
+            .tree
+            .read(entry, &self.given.options.limits)
+            .unwrap_or_default();
         (layout.is_of_others)(meant_extension(&entry.path), &|word| says(&text, word))
     }
 
     /// Whether a file is a motion without this joint.
     fn lacks(&self, entry: &Entry, joint: &str) -> bool {
-        let text = || self.input.tree.read(entry, &self.given.options.limits).unwrap_or_default();
+        let text = || {
+            self.input
+                .tree
+                .read(entry, &self.given.options.limits)
+                .unwrap_or_default()
+        };
         meant_extension(&entry.path) == "bvh" && !has_joint(&text(), joint)
     }
 }
 
-/// The base mesh in the header of a file that is ours: it is named as PATH, or its content says so. Only assets that
-/// share their extension with files of other programs are in doubt.
+/// The base mesh in the header of a file that is ours: it is named as PATH, or its content says so.
+/// Only assets that share their extension with files of other programs are in doubt.
 fn recognised(
     input: &Input,
     entry: &Entry,
@@ -196,12 +273,19 @@ fn recognised(
         "target" => {
             let text = read();
             let target = recognise(&text);
-            // Who names a base mesh or gives data means the targets that there are, also those of which no row can be read.
+            // Who names a base mesh or gives data means the targets that there are, also those of
+            // which no row can be read.
             let is_asked = || (is_meant || !options.bases.is_empty()) && has_broken_rows(&text);
-            // One of several that are some is broken, unless it says that it is for another program.
-            let is_broken = || is_beside_target() && !FOREIGN_TARGETS.iter().any(|word| says(&text, word));
+            // One of several that are some is broken, unless it says that it is for another
+            // program.
+            let is_broken =
+                || is_beside_target() && !FOREIGN_TARGETS.iter().any(|word| says(&text, word));
             let is_ours = target.is_some() || is_named() || is_asked() || is_broken();
-            is_ours.then(|| target.and_then(|target| target.basemesh).filter(|name| is_folder_name(name)))
+            is_ours.then(|| {
+                target
+                    .and_then(|target| target.basemesh)
+                    .filter(|name| is_folder_name(name))
+            })
         }
         "mhclo" => Some(base_of(&read())),
         // Only MPFB has rigs in such files, and weights and presets under names that say so.
@@ -211,7 +295,8 @@ fn recognised(
         "gz" => Some(None),
         "proxy" => {
             let text = read();
-            (is_named() || first_words(&text).any(|(word, _)| word == "obj_file")).then(|| base_of(&text))
+            (is_named() || first_words(&text).any(|(word, _)| word == "obj_file"))
+                .then(|| base_of(&text))
         }
         "bvh" => (is_named() || is_of_makehuman(input, entry, &read())).then_some(None),
         _ => Some(None),
@@ -221,7 +306,8 @@ fn recognised(
 /// What targets of systemd and Eclipse say.
 const FOREIGN_TARGETS: [&str; 3] = ["[Unit]", "[Install]", "<target"];
 
-/// Whether the base mesh in the header of a target is not the only one that there is, nor that of an older version.
+/// Whether the base mesh in the header of a target is not the only one that there is, nor that of
+/// an older version.
 fn is_for_another(base: &str, layout: &Layout) -> bool {
     layout.only_base.is_some_and(|only| only != base) && !base.starts_with("alpha")
 }
@@ -245,7 +331,9 @@ fn is_named_as_preset(path: &str) -> bool {
 }
 
 fn is_saved_character(text: &[u8]) -> bool {
-    SAVED_CHARACTER.iter().all(|words| words.iter().any(|word| says(text, word)))
+    SAVED_CHARACTER
+        .iter()
+        .all(|words| words.iter().any(|word| says(text, word)))
 }
 
 fn says(text: &[u8], word: &str) -> bool {
@@ -254,9 +342,18 @@ fn says(text: &[u8], word: &str) -> bool {
 
 /// A motion with a preview or a description as the applications have them, or for their skeleton.
 fn is_of_makehuman(input: &Input, entry: &Entry, text: &[u8]) -> bool {
-    let beside =
-        |extension| input.tree.entry(&format!("{}.{extension}", entry.path.trim_end_matches(".bvh"))).is_some();
-    let mut joints = Application::ALL.into_iter().filter_map(|application| Layout::of(application).joint);
+    let beside = |extension| {
+        input
+            .tree
+            .entry(&format!(
+                "{}.{extension}",
+                entry.path.trim_end_matches(".bvh")
+            ))
+            .is_some()
+    };
+    let mut joints = Application::ALL
+        .into_iter()
+        .filter_map(|application| Layout::of(application).joint);
     beside("meta") || beside("thumb") || joints.any(|joint| has_joint(text, joint))
 }
 
@@ -267,7 +364,9 @@ fn has_joint(text: &[u8], joint: &str) -> bool {
 /// The base mesh in the header of an asset.
 fn base_of(text: &[u8]) -> Option<String> {
     let mut lines = first_words(text).filter(|(word, _)| word.trim_end_matches(':') == "basemesh");
-    lines.find_map(|(_, rest)| rest.into_iter().next()).filter(|name| is_folder_name(name))
+    lines
+        .find_map(|(_, rest)| rest.into_iter().next())
+        .filter(|name| is_folder_name(name))
 }
 
 /// A name that is no folder leads elsewhere.
@@ -277,12 +376,19 @@ fn is_folder_name(name: &str) -> bool {
 
 /// The lines that begin with a word, and what stands behind it.
 fn first_words(text: &[u8]) -> impl Iterator<Item = (String, Vec<String>)> {
-    let begins_with_word = |line: &&[u8]| line.trim_ascii_start().first().is_some_and(u8::is_ascii_alphabetic);
-    lines(text).map(|(_, line)| line).filter(begins_with_word).filter_map(|line| {
-        let line = String::from_utf8_lossy(line);
-        let mut words = line.split_whitespace().map(str::to_owned);
-        Some((words.next()?, words.collect()))
-    })
+    let begins_with_word = |line: &&[u8]| {
+        line.trim_ascii_start()
+            .first()
+            .is_some_and(u8::is_ascii_alphabetic)
+    };
+    lines(text)
+        .map(|(_, line)| line)
+        .filter(begins_with_word)
+        .filter_map(|line| {
+            let line = String::from_utf8_lossy(line);
+            let mut words = line.split_whitespace().map(str::to_owned);
+            Some((words.next()?, words.collect()))
+        })
 }
 
 /// Names that a text is searched for; more of them no asset has.
@@ -292,10 +398,15 @@ const NAMES: usize = 1000;
 fn names(tree: &Tree, entry: &Entry, limits: &Limits) -> Vec<String> {
     let text = tree.read(entry, limits).unwrap_or_default();
     let words = first_words(&text).flat_map(|(_, rest)| rest);
-    words.filter(|word| word.contains('.') && word.parse::<f64>().is_err()).take(NAMES).collect()
+    words
+        .filter(|word| word.contains('.') && word.parse::<f64>().is_err())
+        .take(NAMES)
+        .collect()
 }
 
 /// The folder at the top of a tree, with those above it.
 fn top(tree: &Tree) -> String {
-    tree.root().and_then(canonical).map_or_else(|| tree.label().to_owned(), |folder| slashed(&folder))
+    tree.root()
+        .and_then(canonical)
+        .map_or_else(|| tree.label().to_owned(), |folder| slashed(&folder))
 }

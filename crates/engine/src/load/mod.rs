@@ -1,6 +1,7 @@
 //! The loading wing: PATHs to data roots, data roots to layers of facts.
 //!
-//! Knows applications by their layouts only: what is loaded has the kinds and owners that these give it.
+//! Knows applications by their layouts only: what is loaded has the kinds and owners that these
+//! give it.
 
 mod copy;
 mod data;

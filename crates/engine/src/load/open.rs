@@ -14,11 +14,16 @@ use mhlint_discover::Role;
 use mhlint_evaluate::{Error, Evaluation, Openable, evaluated, openable};
 use mhlint_source::{Limits, Tree, slashed};
 
-/// Opens a base of the data folder `root` (which lies over `system`, if given). Without `base` there must be only one.
+/// Opens a base of the data folder `root` (which lies over `system`, if given). Without `base`
+/// there must be only one.
 ///
 /// # Errors
 /// Folders that cannot be read or hold no data, a base that does not exist, an unusable `base.obj`.
-pub fn open_base(root: &Path, system: Option<&Path>, base: Option<&str>) -> Result<Evaluation, Error> {
+pub fn open_base(
+    root: &Path,
+    system: Option<&Path>,
+    base: Option<&str>,
+) -> Result<Evaluation, Error> {
     let limits = Limits::default();
     let applications: Vec<Application> = evaluated().collect();
     let inputs = open(&[root.to_path_buf()], &applications, &limits)?;
@@ -27,10 +32,19 @@ pub fn open_base(root: &Path, system: Option<&Path>, base: Option<&str>) -> Resu
     trees.extend(system.map(open_system).transpose()?);
     let (given, below) = trees.split_at(judged);
     let no_data = |path: &Path| Error::NoData(slashed(path));
-    let systems = below.iter().map(|tree| system_places(tree, &applications)).collect::<Result<Vec<_>, _>>();
-    let systems: Vec<_> = systems.map_err(|_| no_data(system.unwrap_or(root)))?.into_iter().flatten().collect();
+    let systems = below
+        .iter()
+        .map(|tree| system_places(tree, &applications))
+        .collect::<Result<Vec<_>, _>>();
+    let systems: Vec<_> = systems
+        .map_err(|_| no_data(system.unwrap_or(root)))?
+        .into_iter()
+        .flatten()
+        .collect();
     let at_hand = with_data(&applications, &systems);
-    let checked = given.iter().flat_map(|tree| checked_places(tree, &at_hand, &applications));
+    let checked = given
+        .iter()
+        .flat_map(|tree| checked_places(tree, &at_hand, &applications));
     let checked: Vec<_> = checked.map(|place| (place, Vec::new())).collect();
     if checked.is_empty() {
         return Err(no_data(root));
@@ -56,7 +70,11 @@ fn choose<'a>(data: &'a Data<'_>, base: Option<&str>) -> Result<Openable<'a>, Er
     for Stack { root, seen } in data.stacks() {
         for (application, layers) in seen {
             let role = root.role_in(application).unwrap_or(Role::User);
-            bodies.extend(openable(application, layers).into_iter().map(|body| (body, role)));
+            bodies.extend(
+                openable(application, layers)
+                    .into_iter()
+                    .map(|body| (body, role)),
+            );
         }
     }
     let known: BTreeSet<&str> = bodies.iter().map(|(body, _)| body.name).collect();
@@ -65,13 +83,27 @@ fn choose<'a>(data: &'a Data<'_>, base: Option<&str>) -> Result<Openable<'a>, Er
         (Some(name), _) if known.contains(name) => name,
         (Some(name), _) => {
             let nearest = nearest(name, known.iter().copied()).map(str::to_owned);
-            return Err(Error::UnknownBase { name: name.to_owned(), nearest, known: list() });
+            return Err(Error::UnknownBase {
+                name: name.to_owned(),
+                nearest,
+                known: list(),
+            });
         }
         (None, Some(only)) if known.len() == 1 => only,
         (None, _) => {
-            let with_macros = bodies.iter().filter(|(body, _)| body.has_macros()).map(|(body, _)| body.name);
-            let with_macros = with_macros.collect::<BTreeSet<_>>().into_iter().map(str::to_owned).collect();
-            return Err(Error::BaseNeeded { known: list(), with_macros });
+            let with_macros = bodies
+                .iter()
+                .filter(|(body, _)| body.has_macros())
+                .map(|(body, _)| body.name);
+            let with_macros = with_macros
+                .collect::<BTreeSet<_>>()
+                .into_iter()
+                .map(str::to_owned)
+                .collect();
+            return Err(Error::BaseNeeded {
+                known: list(),
+                with_macros,
+            });
         }
     };
     bodies.retain(|(body, _)| body.name == name);
@@ -81,6 +113,11 @@ fn choose<'a>(data: &'a Data<'_>, base: Option<&str>) -> Result<Openable<'a>, Er
     }
     match bodies.as_slice() {
         [(only, _)] => Ok(*only),
-        several => Err(Error::SeveralRoots(several.iter().map(|(body, _)| body.layers.checked.path.clone()).collect())),
+        several => Err(Error::SeveralRoots(
+            several
+                .iter()
+                .map(|(body, _)| body.layers.checked.path.clone())
+                .collect(),
+        )),
     }
 }

@@ -26,7 +26,8 @@ pub(crate) struct Place<'t> {
     pub(super) pack: Option<Pack>,
     /// Everything in it.
     pub(super) below: Vec<Candidate<'t>>,
-    /// Places among those of the bulk of each base mesh, which is read in turn; `None` for that of no base mesh.
+    /// Places among those of the bulk of each base mesh, which is read in turn; `None` for that of
+    /// no base mesh.
     bulk: BTreeMap<Option<String>, Vec<usize>>,
 }
 
@@ -37,16 +38,24 @@ impl<'t> Place<'t> {
     }
 
     /// The data root at `root`, without those of other applications inside it.
-    pub(super) fn around(tree: &'t Tree, root: &str, layouts: &[&'static Layout], inner: Vec<String>) -> Self {
+    pub(super) fn around(
+        tree: &'t Tree,
+        root: &str,
+        layouts: &[&'static Layout],
+        inner: Vec<String>,
+    ) -> Self {
         let mut below = candidates(tree, root, layouts);
         if !inner.is_empty() {
             leave_out(&mut below, &inner, layouts);
         }
-        Self { inner, ..Self::with(tree, root, layouts, below, false) }
+        Self {
+            inner,
+            ..Self::with(tree, root, layouts, below, false)
+        }
     }
 
-    /// The loose files of a tree, as if they lay in a user's data root of `layout`, with those printed paths that alone
-    /// are asked for: with a file it is what belongs to that.
+    /// The loose files of a tree, as if they lay in a user's data root of `layout`, with those
+    /// printed paths that alone are asked for: with a file it is what belongs to that.
     pub(super) fn loose(
         tree: &'t Tree,
         layout: &'static Layout,
@@ -54,8 +63,12 @@ impl<'t> Place<'t> {
         narrow: &[String],
     ) -> (Self, Vec<String>) {
         let loose = loose(tree, layout, known);
-        let files = narrow.iter().filter_map(|path| tree.entry(tree.below(path)?));
-        let parts = files.flat_map(|file| loose.belonging_to(&file.path)).map(|path| tree.shown(path));
+        let files = narrow
+            .iter()
+            .filter_map(|path| tree.entry(tree.below(path)?));
+        let parts = files
+            .flat_map(|file| loose.belonging_to(&file.path))
+            .map(|path| tree.shown(path));
         let parts = narrow.iter().cloned().chain(parts).collect();
         (Self::with(tree, "", &[layout], loose.files, true), parts)
     }
@@ -68,7 +81,10 @@ impl<'t> Place<'t> {
         below: Vec<Candidate<'t>>,
         pack: Pack,
     ) -> Self {
-        Self { pack: Some(pack), ..Self::with(tree, root, layouts, below, false) }
+        Self {
+            pack: Some(pack),
+            ..Self::with(tree, root, layouts, below, false)
+        }
     }
 
     fn with(
@@ -79,7 +95,9 @@ impl<'t> Place<'t> {
         is_loose: bool,
     ) -> Self {
         let bulk = below.iter().enumerate().filter(|(_, file)| is_bulk(file));
-        let bulk = grouped(bulk.map(|(number, file)| (file.owner().map(str::to_owned), number))).into_iter().collect();
+        let bulk = grouped(bulk.map(|(number, file)| (file.owner().map(str::to_owned), number)))
+            .into_iter()
+            .collect();
         Self {
             tree,
             root: root.to_owned(),
@@ -93,7 +111,8 @@ impl<'t> Place<'t> {
         }
     }
 
-    /// Whether its files lie in no data root yet: each application would have them at a place of its own.
+    /// Whether its files lie in no data root yet: each application would have them at a place of
+    /// its own.
     pub(super) const fn is_supposed(&self) -> bool {
         self.is_loose || self.pack.is_some()
     }
@@ -105,8 +124,12 @@ impl<'t> Place<'t> {
 
     /// Whether it has the same files as another one, for other applications.
     pub(super) fn has_files_of(&self, other: &Self) -> bool {
-        let is_alike = self.is_supposed() == other.is_supposed() && (self.is_supposed() || self.root == other.root);
-        self.is_one_of_several() && other.is_one_of_several() && std::ptr::eq(self.tree, other.tree) && is_alike
+        let is_alike = self.is_supposed() == other.is_supposed()
+            && (self.is_supposed() || self.root == other.root);
+        self.is_one_of_several()
+            && other.is_one_of_several()
+            && std::ptr::eq(self.tree, other.tree)
+            && is_alike
     }
 
     /// Path of the root as reports print it.
@@ -117,23 +140,35 @@ impl<'t> Place<'t> {
     /// The same as one application alone has it.
     pub(super) fn of_one(&self, application: Application) -> Self {
         let own = [Layout::of(application)];
-        Self { is_shared: true, ..Self::around(self.tree, &self.root, &own, self.inner.clone()) }
+        Self {
+            is_shared: true,
+            ..Self::around(self.tree, &self.root, &own, self.inner.clone())
+        }
     }
 
     /// Whether it is a data root of an application.
     pub(super) fn is_of(&self, application: Application) -> bool {
-        self.layouts.iter().any(|layout| layout.application == application)
+        self.layouts
+            .iter()
+            .any(|layout| layout.application == application)
     }
 
-    /// Whether it is all that a program has, where it is a program's; the second says which base meshes other data of that
-    /// have.
-    pub(super) fn stands_alone(&self, application: Application, bases: impl Fn(&str) -> bool) -> bool {
+    /// Whether it is all that a program has, where it is a program's; the second says which base
+    /// meshes other data of that have.
+    pub(super) fn stands_alone(
+        &self,
+        application: Application,
+        bases: impl Fn(&str) -> bool,
+    ) -> bool {
         !self.is_supposed() && (Layout::of(application).stands_alone)(&self.below, &bases)
     }
 
     /// Whether it is a data root of the same applications as another place.
     fn has_layouts_of(&self, other: &Place<'_>) -> bool {
-        self.layouts.iter().map(|layout| layout.application).eq(other.layouts.iter().map(|layout| layout.application))
+        self.layouts
+            .iter()
+            .map(|layout| layout.application)
+            .eq(other.layouts.iter().map(|layout| layout.application))
     }
 
     /// Whether it is where another data root of the same applications is.
@@ -143,7 +178,9 @@ impl<'t> Place<'t> {
 
     /// Its files but for the bulk.
     pub(super) fn files(&self) -> impl Iterator<Item = &Candidate<'t>> {
-        self.below.iter().filter(|file| file.is_file() && !is_bulk(file))
+        self.below
+            .iter()
+            .filter(|file| file.is_file() && !is_bulk(file))
     }
 
     /// Everything that is read in turn.
@@ -153,7 +190,11 @@ impl<'t> Place<'t> {
 
     /// What is read in the turn of a base mesh; `None` for what belongs to none.
     pub(crate) fn bulk_of(&self, base: Option<&str>) -> impl Iterator<Item = &Candidate<'t>> {
-        let numbers = self.bulk.get(&base.map(str::to_owned)).into_iter().flatten();
+        let numbers = self
+            .bulk
+            .get(&base.map(str::to_owned))
+            .into_iter()
+            .flatten();
         numbers.filter_map(|number| self.below.get(*number))
     }
 
@@ -163,16 +204,22 @@ impl<'t> Place<'t> {
     }
 }
 
-/// Takes the data roots of other applications out of one around them, but for what an application looks for everywhere in
-/// its own data, and what is dangerous to it.
+/// Takes the data roots of other applications out of one around them, but for what an application
+/// looks for everywhere in its own data, and what is dangerous to it.
 fn leave_out(below: &mut Vec<Candidate<'_>>, inner: &[String], layouts: &[&'static Layout]) {
-    let systems = layouts.iter().filter(|layout| (layout.role)(below) != Role::User);
-    let everywhere: Vec<_> = systems.filter_map(|layout| Some((layout.application, layout.everywhere?))).collect();
+    let systems = layouts
+        .iter()
+        .filter(|layout| (layout.role)(below) != Role::User);
+    let everywhere: Vec<_> = systems
+        .filter_map(|layout| Some((layout.application, layout.everywhere?)))
+        .collect();
     below.retain_mut(|one| {
         let path = &one.entry.path;
         if inner.iter().any(|inner| is_below(path, inner)) {
             let is_dangerous = |one: &Use| (Layout::of(one.application).is_dangerous)(path);
-            one.uses.retain(|one| everywhere.contains(&(one.application, one.kind)) || is_dangerous(one));
+            one.uses.retain(|one| {
+                everywhere.contains(&(one.application, one.kind)) || is_dangerous(one)
+            });
         }
         !one.uses.is_empty()
     });

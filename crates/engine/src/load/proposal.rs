@@ -23,47 +23,90 @@ pub struct Proposal {
     pub system: Option<String>,
 }
 
-/// Levels below the folder around one on which signs of system data stand: that of a data folder, and one above it.
+/// Levels below the folder around one on which signs of system data stand: that of a data folder,
+/// and one above it.
 const LEVELS: usize = 6;
 
-/// What settings fit a folder; `None` for one that has no loose assets, or lies in a data folder or holds one.
+/// What settings fit a folder; `None` for one that has no loose assets, or lies in a data folder or
+/// holds one.
 ///
 /// # Errors
 /// When the folder cannot be read.
 pub fn propose(folder: &Path) -> Result<Option<Proposal>, Error> {
     let options = Config::default();
     let inputs = open(&[folder.to_path_buf()], &CHECKED, &options.limits)?;
-    if inputs.iter().any(|input| !roots_of(&input.tree, &[], |_| true).is_empty()) {
+    if inputs
+        .iter()
+        .any(|input| !roots_of(&input.tree, &[], |_| true).is_empty())
+    {
         return Ok(None);
     }
     let scope = Scope::new(Vec::new(), &options);
-    let roots = Roots::of(&inputs, &[], &scope, &options, &CHECKED, &mut Outcome::default())?;
+    let roots = Roots::of(
+        &inputs,
+        &[],
+        &scope,
+        &options,
+        &CHECKED,
+        &mut Outcome::default(),
+    )?;
     let reading: Vec<Application> = CHECKED
         .into_iter()
-        .filter(|application| roots.checked.iter().any(|(place, _)| place.is_of(*application)))
+        .filter(|application| {
+            roots
+                .checked
+                .iter()
+                .any(|(place, _)| place.is_of(*application))
+        })
         .collect();
     if reading.is_empty() {
         return Ok(None);
     }
     let near = canonical(folder).and_then(|folder| system_near(&folder, &reading));
     Ok(Some(match near {
-        Some((system, applications)) => Proposal { applications, system: Some(system) },
-        None => Proposal { applications: reading, system: None },
+        Some((system, applications)) => Proposal {
+            applications,
+            system: Some(system),
+        },
+        None => Proposal {
+            applications: reading,
+            system: None,
+        },
     }))
 }
 
-/// The system data of one of the applications that the folder around `folder` is or holds, relative to `folder`, with the
-/// applications.
+/// The system data of one of the applications that the folder around `folder` is or holds, relative
+/// to `folder`, with the applications.
 fn system_near(folder: &Path, reading: &[Application]) -> Option<(String, Vec<Application>)> {
-    let tree = Tree::on_disk_to_depth(String::new(), folder.parent()?, LEVELS, is_read_though_hidden);
+    let tree = Tree::on_disk_to_depth(
+        String::new(),
+        folder.parent()?,
+        LEVELS,
+        is_read_though_hidden,
+    );
     let systems = checked_places(&tree, &[], reading);
-    let system =
-        systems.iter().filter(|place| has_base_mesh(place)).min_by_key(|place| place.path().matches('/').count())?;
-    let applications = reading.iter().copied().filter(|application| system.is_of(*application)).collect();
+    let system = systems
+        .iter()
+        .filter(|place| has_base_mesh(place))
+        .min_by_key(|place| place.path().matches('/').count())?;
+    let applications = reading
+        .iter()
+        .copied()
+        .filter(|application| system.is_of(*application))
+        .collect();
     let path = system.path();
-    Some((if path.is_empty() { "..".to_owned() } else { format!("../{path}") }, applications))
+    Some((
+        if path.is_empty() {
+            "..".to_owned()
+        } else {
+            format!("../{path}")
+        },
+        applications,
+    ))
 }
 
 fn has_base_mesh(place: &Place<'_>) -> bool {
-    place.files().any(|file| matches!(file.kind(), Kind::BaseMesh | Kind::MeshArchive))
+    place
+        .files()
+        .any(|file| matches!(file.kind(), Kind::BaseMesh | Kind::MeshArchive))
 }

@@ -9,7 +9,8 @@ use mhlint_formats::{Format, Input, Parsed};
 use mhlint_repo::FileFacts;
 use mhlint_source::{Encoding, Limits, Tree};
 
-/// Smaller files are read even when only their size would matter: they may be stand-ins for the content.
+/// Smaller files are read even when only their size would matter: they may be stand-ins for the
+/// content.
 const STAND_IN_BYTES: u64 = 512;
 
 /// Reads one file, with its rows if it is a target; `mesh` is the size of the mesh it is for.
@@ -25,15 +26,31 @@ pub(super) fn read(
     }
     let read = match format.ends() {
         Some(ends) => tree.read_ends(file.entry, ends, limits),
-        None => tree.read(file.entry, limits).map(|bytes| (bytes, Vec::new())),
+        None => tree
+            .read(file.entry, limits)
+            .map(|bytes| (bytes, Vec::new())),
     };
     let (bytes, tail) = match read {
         Ok(ends) => ends,
-        Err(fault) => return (FileFacts { unreadable: Some(fault), ..unread(tree, file) }, Vec::new()),
+        Err(fault) => {
+            return (
+                FileFacts {
+                    unreadable: Some(fault),
+                    ..unread(tree, file)
+                },
+                Vec::new(),
+            );
+        }
     };
     let encoding = Encoding::of(&bytes);
-    let mut parsed =
-        format.read(&Input { bytes: &bytes, tail: &tail, size: file.entry.size, encoding: &encoding, limits, mesh });
+    let mut parsed = format.read(&Input {
+        bytes: &bytes,
+        tail: &tail,
+        size: file.entry.size,
+        encoding: &encoding,
+        limits,
+        mesh,
+    });
     let rows = std::mem::take(&mut parsed.rows);
     (facts(tree, file, encoding, parsed), rows)
 }
@@ -46,7 +63,11 @@ pub(super) fn unread(tree: &Tree, file: &Candidate<'_>) -> FileFacts {
 /// A stand-in for a file on which a parser of ours panicked.
 pub(super) fn panicked(tree: &Tree, file: &Candidate<'_>) -> FileFacts {
     let content = Arc::new(Format::of(file.kind()).without(JsonFault::Empty));
-    FileFacts { failed: true, content, ..unread(tree, file) }
+    FileFacts {
+        failed: true,
+        content,
+        ..unread(tree, file)
+    }
 }
 
 /// The facts of a file under another path, as links give it.
@@ -85,5 +106,9 @@ fn facts(tree: &Tree, file: &Candidate<'_>, encoding: Encoding, parsed: Parsed) 
 /// The file behind a link, relative to the data root.
 fn link_to(file: &Candidate<'_>) -> Option<String> {
     let root = file.entry.path.strip_suffix(&*file.rel)?;
-    file.entry.link_to.as_ref()?.strip_prefix(root).map(str::to_owned)
+    file.entry
+        .link_to
+        .as_ref()?
+        .strip_prefix(root)
+        .map(str::to_owned)
 }

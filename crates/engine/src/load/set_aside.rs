@@ -18,13 +18,22 @@ pub(super) fn set_aside(found: &mut [Found<'_>], outcome: &mut Outcome) -> Vec<B
         roots.retain(|path, _| !folders.keys().any(|folder| is_below(path, folder)));
         let is_in_root = |path: &str| roots.keys().any(|root| is_below(path, root));
         let mut left = BTreeSet::new();
-        for entry in input.tree.entries().iter().filter(|entry| entry.kind == EntryKind::File) {
+        for entry in input
+            .tree
+            .entries()
+            .iter()
+            .filter(|entry| entry.kind == EntryKind::File)
+        {
             let path = &entry.path;
             if is_in_root(path) || is_named(input, path) {
                 continue;
             }
-            let of_folder = folders.iter().find(|(folder, _)| is_below(path, folder)).map(|(_, why)| *why);
-            if let Some(why) = of_folder.or_else(|| is_table(input, path).then_some(Aside::Helpers)) {
+            let of_folder = folders
+                .iter()
+                .find(|(folder, _)| is_below(path, folder))
+                .map(|(_, why)| *why);
+            if let Some(why) = of_folder.or_else(|| is_table(input, path).then_some(Aside::Helpers))
+            {
                 left.insert(path.clone());
                 if is_asset_anywhere(path) {
                     noted.entry(why).or_default().insert(input.tree.shown(path));
@@ -59,8 +68,12 @@ fn is_named(input: &Input, path: &str) -> bool {
 
 /// Whether it is a table for fitting others. An asset that lost its header has its mesh beside it.
 fn is_table(input: &Input, path: &str) -> bool {
-    let Some(stem) = path.strip_suffix("mhclo") else { return false };
+    let Some(stem) = path.strip_suffix("mhclo") else {
+        return false;
+    };
     let has = |extension: &str| input.tree.entry(&format!("{stem}{extension}")).is_some();
     let is_alone = || !["obj", "mhmat", "thumb"].into_iter().any(has);
-    stem.ends_with('.') && is_alone() && look_into(&input.tree, path).is_some_and(|text| is_fitting_table(&text))
+    stem.ends_with('.')
+        && is_alone()
+        && look_into(&input.tree, path).is_some_and(|text| is_fitting_table(&text))
 }

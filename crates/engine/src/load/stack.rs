@@ -1,4 +1,5 @@
-//! Which data roots lie over which: system data below, user data on top, for each application on its own.
+//! Which data roots lie over which: system data below, user data on top, for each application on
+//! its own.
 
 use std::collections::BTreeSet;
 
@@ -16,16 +17,38 @@ pub(super) fn roles<'a, 't: 'a>(places: impl Iterator<Item = &'a Place<'t>> + Cl
     let mut roles: Vec<Roles> = places.clone().map(|_| Roles::new()).collect();
     for application in Application::ALL {
         let layout = Layout::of(application);
-        let numbered = places.clone().enumerate().filter(|(_, place)| place.is_of(application));
+        let numbered = places
+            .clone()
+            .enumerate()
+            .filter(|(_, place)| place.is_of(application));
         // What is in a zip is put into the user's folder.
-        let role = |place: &Place<'_>| if place.pack.is_some() { Role::User } else { (layout.role)(&place.below) };
+        let role = |place: &Place<'_>| {
+            if place.pack.is_some() {
+                Role::User
+            } else {
+                (layout.role)(&place.below)
+            }
+        };
         let mut own: Vec<(usize, Role)> = numbered.map(|(at, place)| (at, role(place))).collect();
-        let is_system_of_two =
-            |at: usize| places.clone().nth(at).is_some_and(|one| (layout.is_system_of_two)(&one.below));
+        let is_system_of_two = |at: usize| {
+            places
+                .clone()
+                .nth(at)
+                .is_some_and(|one| (layout.is_system_of_two)(&one.below))
+        };
         choose_system(&mut own, is_system_of_two);
-        demote(&mut own, |at| places.clone().nth(at).map(|place| Owners::of(place, application)).unwrap_or_default());
+        demote(&mut own, |at| {
+            places
+                .clone()
+                .nth(at)
+                .map(|place| Owners::of(place, application))
+                .unwrap_or_default()
+        });
         for (at, role) in own {
-            roles.get_mut(at).into_iter().for_each(|roles| roles.push((application, role)));
+            roles
+                .get_mut(at)
+                .into_iter()
+                .for_each(|roles| roles.push((application, role)));
         }
     }
     roles
@@ -34,7 +57,9 @@ pub(super) fn roles<'a, 't: 'a>(places: impl Iterator<Item = &'a Place<'t>> + Cl
 /// Where no root is the system for sure, the only one that may be is.
 fn choose_system(roles: &mut [(usize, Role)], is_system_of_two: impl Fn(usize) -> bool) {
     if roles.len() > 1 && roles.iter().all(|(_, role)| *role != Role::System) {
-        let mut systems = roles.iter_mut().filter(|(at, role)| *role == Role::Both && is_system_of_two(*at));
+        let mut systems = roles
+            .iter_mut()
+            .filter(|(at, role)| *role == Role::Both && is_system_of_two(*at));
         if let (Some((_, only)), None) = (systems.next(), systems.next()) {
             *only = Role::System;
         }
@@ -51,12 +76,22 @@ struct Owners<'p> {
 impl<'p> Owners<'p> {
     fn of(place: &'p Place<'_>, application: Application) -> Self {
         let mut owners = Self::default();
-        let uses = place.below.iter().flat_map(|one| &one.uses).filter(|one| one.application == application);
+        let uses = place
+            .below
+            .iter()
+            .flat_map(|one| &one.uses)
+            .filter(|one| one.application == application);
         for one in uses {
-            let Some(owner) = one.owner.as_deref() else { continue };
+            let Some(owner) = one.owner.as_deref() else {
+                continue;
+            };
             match one.kind {
-                Kind::BaseJson | Kind::BaseMesh | Kind::MeshArchive => drop(owners.has.insert(owner)),
-                Kind::Target | Kind::ModellingJson | Kind::TargetCategories => drop(owners.adds_to.insert(owner)),
+                Kind::BaseJson | Kind::BaseMesh | Kind::MeshArchive => {
+                    drop(owners.has.insert(owner))
+                }
+                Kind::Target | Kind::ModellingJson | Kind::TargetCategories => {
+                    drop(owners.adds_to.insert(owner))
+                }
                 _ => {}
             }
         }
@@ -64,9 +99,14 @@ impl<'p> Owners<'p> {
     }
 }
 
-/// A root that adds to a base mesh of another system, which it does not have itself, is a user's, whatever else it has.
+/// A root that adds to a base mesh of another system, which it does not have itself, is a user's,
+/// whatever else it has.
 fn demote<'p>(roles: &mut [(usize, Role)], owners: impl Fn(usize) -> Owners<'p>) {
-    let systems: Vec<usize> = roles.iter().filter(|(_, role)| *role == Role::System).map(|(at, _)| *at).collect();
+    let systems: Vec<usize> = roles
+        .iter()
+        .filter(|(_, role)| *role == Role::System)
+        .map(|(at, _)| *at)
+        .collect();
     if systems.len() < 2 {
         return;
     }
@@ -74,12 +114,21 @@ fn demote<'p>(roles: &mut [(usize, Role)], owners: impl Fn(usize) -> Owners<'p>)
     let leans = |(at, own): &(usize, Owners<'p>)| {
         let added = own.adds_to.difference(&own.has);
         let others = all.iter().filter(|(other, _)| other != at);
-        added.into_iter().any(|base| others.clone().any(|(_, other)| other.has.contains(base)))
+        added
+            .into_iter()
+            .any(|base| others.clone().any(|(_, other)| other.has.contains(base)))
     };
-    let users: Vec<usize> = all.iter().filter(|one| leans(one)).map(|(at, _)| *at).collect();
+    let users: Vec<usize> = all
+        .iter()
+        .filter(|one| leans(one))
+        .map(|(at, _)| *at)
+        .collect();
     // Two that lean on each other are no layers.
     if users.len() < all.len() {
-        roles.iter_mut().filter(|(at, _)| users.contains(at)).for_each(|(_, role)| *role = Role::User);
+        roles
+            .iter_mut()
+            .filter(|(at, _)| users.contains(at))
+            .for_each(|(_, role)| *role = Role::User);
     }
 }
 
@@ -90,12 +139,15 @@ pub(crate) struct Stack<'a, 't> {
 }
 
 impl<'t> Data<'t> {
-    /// The repositories to check with their numbers, in order of the roots; those together that are the same files.
+    /// The repositories to check with their numbers, in order of the roots; those together that are
+    /// the same files.
     pub(crate) fn groups(&self) -> Vec<Vec<(usize, Stack<'_, 't>)>> {
         let mut groups: Vec<Vec<(usize, Stack<'_, 't>)>> = Vec::new();
         for (number, stack) in self.stacks_of(|_| true) {
             let is_same = |group: &&mut Vec<(usize, Stack<'_, 't>)>| {
-                group.first().is_some_and(|(_, first)| first.root.place.has_files_of(&stack.root.place))
+                group
+                    .first()
+                    .is_some_and(|(_, first)| first.root.place.has_files_of(&stack.root.place))
             };
             match groups.iter_mut().find(is_same) {
                 Some(group) => group.push((number, stack)),
@@ -107,16 +159,27 @@ impl<'t> Data<'t> {
 
     /// The repositories to check, in order of the roots.
     pub(crate) fn stacks(&self) -> Vec<Stack<'_, 't>> {
-        self.stacks_of(|_| true).into_iter().map(|(_, stack)| stack).collect()
+        self.stacks_of(|_| true)
+            .into_iter()
+            .map(|(_, stack)| stack)
+            .collect()
     }
 
-    /// Those of the repositories whose numbers are asked for, with their numbers. A root lies over that of the systems
-    /// that has data of the same application.
-    pub(crate) fn stacks_of<'a>(&'a self, is_asked: impl Fn(usize) -> bool) -> Vec<(usize, Stack<'a, 't>)> {
-        let found: Vec<&Loaded<'_>> =
-            self.roots.iter().filter(|root| root.roles.iter().any(|(_, role)| *role == Role::System)).collect();
+    /// Those of the repositories whose numbers are asked for, with their numbers. A root lies over
+    /// that of the systems that has data of the same application.
+    pub(crate) fn stacks_of<'a>(
+        &'a self,
+        is_asked: impl Fn(usize) -> bool,
+    ) -> Vec<(usize, Stack<'a, 't>)> {
+        let found: Vec<&Loaded<'_>> = self
+            .roots
+            .iter()
+            .filter(|root| root.roles.iter().any(|(_, role)| *role == Role::System))
+            .collect();
         let layers = |root: &'a Loaded<'t>, application, role| {
-            let given = self.given(application).filter(|_| !root.alone.contains(&application));
+            let given = self
+                .given(application)
+                .filter(|_| !root.alone.contains(&application));
             let given = given.map(|given| &given.layer);
             let below = || nearest_system(&found, root, application);
             let (system, user) = match (given, role) {
@@ -126,14 +189,36 @@ impl<'t> Data<'t> {
                 (None, Role::User) => (below(), Some(&root.layer)),
             };
             let looks_beside = user.is_none() || Layout::of(application).has_second_user;
-            let beside = if looks_beside { self.user_beside(application, root) } else { None };
-            (application, Layers { system, user, beside, checked: &root.layer })
+            let beside = if looks_beside {
+                self.user_beside(application, root)
+            } else {
+                None
+            };
+            (
+                application,
+                Layers {
+                    system,
+                    user,
+                    beside,
+                    checked: &root.layer,
+                },
+            )
         };
         let stack = |root: &'a Loaded<'t>| {
-            let seen = root.roles.iter().map(|(application, role)| layers(root, *application, *role));
-            Stack { root, seen: seen.collect() }
+            let seen = root
+                .roles
+                .iter()
+                .map(|(application, role)| layers(root, *application, *role));
+            Stack {
+                root,
+                seen: seen.collect(),
+            }
         };
-        let asked = self.roots.iter().enumerate().filter(|(number, _)| is_asked(*number));
+        let asked = self
+            .roots
+            .iter()
+            .enumerate()
+            .filter(|(number, _)| is_asked(*number));
         asked.map(|(number, root)| (number, stack(root))).collect()
     }
 }
@@ -141,28 +226,46 @@ impl<'t> Data<'t> {
 impl Data<'_> {
     /// The data of the program that `--system` names.
     pub(super) fn given(&self, application: Application) -> Option<&Loaded<'_>> {
-        self.systems.iter().find(|system| system.role_in(application).is_some())
+        self.systems
+            .iter()
+            .find(|system| system.role_in(application).is_some())
     }
 
     /// The roots below which those data are not laid.
     pub(crate) fn standing_alone(&self) -> impl Iterator<Item = (&Layer, Application)> {
-        self.roots.iter().flat_map(|root| root.alone.iter().map(|application| (&root.layer, *application)))
+        self.roots.iter().flat_map(|root| {
+            root.alone
+                .iter()
+                .map(|application| (&root.layer, *application))
+        })
     }
 
     /// The first of the other roots that are users'.
     fn user_beside(&self, application: Application, own: &Loaded<'_>) -> Option<&Layer> {
-        let plays = |root: &&Loaded<'_>| matches!(root.role_in(application), Some(Role::User | Role::Both));
-        let others = self.roots.iter().filter(|root| !root.place.is_loose && !std::ptr::eq(*root, own));
+        let plays =
+            |root: &&Loaded<'_>| matches!(root.role_in(application), Some(Role::User | Role::Both));
+        let others = self
+            .roots
+            .iter()
+            .filter(|root| !root.place.is_loose && !std::ptr::eq(*root, own));
         others.into_iter().find(plays).map(|root| &root.layer)
     }
 }
 
 /// Of several system roots of an application the one that shares most of the path.
-fn nearest_system<'a>(found: &[&'a Loaded<'_>], root: &Loaded<'_>, application: Application) -> Option<&'a Layer> {
+fn nearest_system<'a>(
+    found: &[&'a Loaded<'_>],
+    root: &Loaded<'_>,
+    application: Application,
+) -> Option<&'a Layer> {
     let shared = |other: &Loaded<'_>| {
         let pairs = other.layer.path.split('/').zip(root.layer.path.split('/'));
         pairs.take_while(|(a, b)| a == b).count()
     };
-    let systems = found.iter().filter(|other| other.role_in(application) == Some(Role::System));
-    systems.max_by_key(|other| shared(other)).map(|other| &other.layer)
+    let systems = found
+        .iter()
+        .filter(|other| other.role_in(application) == Some(Role::System));
+    systems
+        .max_by_key(|other| shared(other))
+        .map(|other| &other.layer)
 }

@@ -1,5 +1,5 @@
-//! Which application a data root is taken for, where its files leave that open (design: `--app`, then what is certain, then
-//! `--system`, then what looks most like it).
+//! Which application a data root is taken for, where its files leave that open (design: `--app`,
+//! then what is certain, then `--system`, then what looks most like it).
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -29,7 +29,12 @@ impl Taken<'_, '_> {
             return found;
         }
         let known = self.known(&found);
-        let there = found.iter().flat_map(|(_, roots)| roots.values()).flatten().map(|one| one.application).collect();
+        let there = found
+            .iter()
+            .flat_map(|(_, roots)| roots.values())
+            .flatten()
+            .map(|one| one.application)
+            .collect();
         let each = found.into_iter().map(|(input, roots)| {
             let peek = |path: &str| look_into(&input.tree, path);
             let listing = listing(&input.tree).with_contents(&peek);
@@ -42,26 +47,36 @@ impl Taken<'_, '_> {
                 };
                 (path, layouts)
             };
-            let roots: Roots = roots.into_iter().map(taken).filter(|(_, layouts)| !layouts.is_empty()).collect();
+            let roots: Roots = roots
+                .into_iter()
+                .map(taken)
+                .filter(|(_, layouts)| !layouts.is_empty())
+                .collect();
             (input, roots)
         });
         each.collect()
     }
 
-    /// The applications that have data of their own in the run, by `--system` or among what is checked.
+    /// The applications that have data of their own in the run, by `--system` or among what is
+    /// checked.
     fn known(&self, found: &[Found<'_>]) -> BTreeSet<Application> {
-        let mut known: BTreeSet<Application> = with_data(self.applications, self.systems).into_iter().collect();
+        let mut known: BTreeSet<Application> = with_data(self.applications, self.systems)
+            .into_iter()
+            .collect();
         for (input, roots) in found {
             for (path, layouts) in roots {
-                let is_system = |one: &&&Layout| (one.role)(&candidates(&input.tree, path, &[*one])) != Role::User;
+                let is_system = |one: &&&Layout| {
+                    (one.role)(&candidates(&input.tree, path, &[*one])) != Role::User
+                };
                 known.extend(layouts.iter().filter(is_system).map(|one| one.application));
             }
         }
         known
     }
 
-    /// Who names applications gets these: a place that looks like another one's is taken for theirs, unless theirs is there
-    /// as well, or it is another one's for certain and was not named itself.
+    /// Who names applications gets these: a place that looks like another one's is taken for
+    /// theirs, unless theirs is there as well, or it is another one's for certain and was not named
+    /// itself.
     fn by_name(
         &self,
         listing: &Listing<'_>,
@@ -71,7 +86,11 @@ impl Taken<'_, '_> {
         there: &BTreeSet<Application>,
     ) -> Vec<&'static Layout> {
         let asked = &self.options.applications;
-        let is_certain = || layouts.iter().any(|one| evidence(listing, path, one.application).is_certain);
+        let is_certain = || {
+            layouts
+                .iter()
+                .any(|one| evidence(listing, path, one.application).is_certain)
+        };
         let is_there = asked.iter().any(|one| there.contains(one));
         if is_there || !is_named && is_certain() {
             return layouts;
@@ -80,8 +99,9 @@ impl Taken<'_, '_> {
         if taken.is_empty() { layouts } else { taken }
     }
 
-    /// What is certain stays. Else a user's folder is one of the application whose data are given: one without a folder for
-    /// each base mesh, as it is; one for an application that has these, as assets that are not installed yet.
+    /// What is certain stays. Else a user's folder is one of the application whose data are given:
+    /// one without a folder for each base mesh, as it is; one for an application that has these, as
+    /// assets that are not installed yet.
     fn by_system(
         &self,
         listing: &Listing<'_>,
@@ -108,10 +128,21 @@ impl Taken<'_, '_> {
     }
 }
 
-/// Those of the applications without a folder for each base mesh that could have a data root with these folders.
-fn possible(applications: &[Application], listing: &Listing<'_>, path: &str) -> Vec<&'static Layout> {
-    let tops: BTreeSet<&str> =
-        listing.below(path).filter_map(|file| inside(file, path)?.split_once('/')).map(|(top, _)| top).collect();
-    let of = applications.iter().map(|application| Layout::of(*application));
-    of.filter(|layout| !layout.has_bases && tops.iter().any(|top| layout.has_at_top(top))).collect()
+/// Those of the applications without a folder for each base mesh that could have a data root with
+/// these folders.
+fn possible(
+    applications: &[Application],
+    listing: &Listing<'_>,
+    path: &str,
+) -> Vec<&'static Layout> {
+    let tops: BTreeSet<&str> = listing
+        .below(path)
+        .filter_map(|file| inside(file, path)?.split_once('/'))
+        .map(|(top, _)| top)
+        .collect();
+    let of = applications
+        .iter()
+        .map(|application| Layout::of(*application));
+    of.filter(|layout| !layout.has_bases && tops.iter().any(|top| layout.has_at_top(top)))
+        .collect()
 }

@@ -28,7 +28,9 @@ impl UnitNames {
                     _ => continue,
                 };
                 let bytes = place.tree.read(file.entry, limits).unwrap_or_default();
-                let units = parse(&bytes).map(|document| pose_units::read(&document).units).unwrap_or_default();
+                let units = parse(&bytes)
+                    .map(|document| pose_units::read(&document).units)
+                    .unwrap_or_default();
                 own.extend(units.into_iter().map(|unit| unit.name));
             }
         }
@@ -36,12 +38,21 @@ impl UnitNames {
     }
 
     /// The list that a pose belongs to, if its units are those of the body alone.
-    pub(super) fn list_of(&self, tree: &Tree, pose: &Entry, limits: &Limits) -> Option<&'static str> {
+    pub(super) fn list_of(
+        &self,
+        tree: &Tree,
+        pose: &Entry,
+        limits: &Limits,
+    ) -> Option<&'static str> {
         if self.body.is_empty() {
             return None;
         }
         let document = parse(&tree.read(pose, limits).ok()?).ok()?;
-        let units: Vec<String> = mhpose::read(&document).values.into_iter().map(|value| value.unit).collect();
+        let units: Vec<String> = mhpose::read(&document)
+            .values
+            .into_iter()
+            .map(|value| value.unit)
+            .collect();
         let is_of_body = units.iter().any(|unit| self.body.contains(unit));
         (is_of_body && !units.iter().any(|unit| self.face.contains(unit))).then_some("poses")
     }

@@ -1,4 +1,5 @@
-//! Answers that globs gave for a path: many findings ask the same of one file, and each glob is tried anew.
+//! Answers that globs gave for a path: many findings ask the same of one file, and each glob is
+//! tried anew.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -10,7 +11,9 @@ pub(super) struct Answered<T> {
 
 impl<T> Default for Answered<T> {
     fn default() -> Self {
-        Self { known: RefCell::default() }
+        Self {
+            known: RefCell::default(),
+        }
     }
 }
 
@@ -31,7 +34,11 @@ impl<T: Copy> Answered<T> {
 
     fn known(&self, path: &str, rule: &str) -> Option<T> {
         let known = self.known.borrow();
-        known.get(path)?.iter().find(|(other, _)| *other == rule).map(|(_, answer)| *answer)
+        known
+            .get(path)?
+            .iter()
+            .find(|(other, _)| *other == rule)
+            .map(|(_, answer)| *answer)
     }
 }
 
@@ -52,7 +59,10 @@ mod tests {
             })
         };
         for _ in 0..1000 {
-            assert_eq!([ask("a", "x"), ask("a", "y"), ask("bb", "x")], [(1, "x"), (1, "y"), (2, "x")]);
+            assert_eq!(
+                [ask("a", "x"), ask("a", "y"), ask("bb", "x")],
+                [(1, "x"), (1, "y"), (2, "x")]
+            );
         }
         assert_eq!(worked_out.get(), 3);
     }

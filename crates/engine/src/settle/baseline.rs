@@ -18,7 +18,10 @@ pub(super) struct Found {
 
 /// Reads a baseline.
 pub(super) fn read(path: &Path) -> Result<Baseline, Error> {
-    let refuse = |fault| Error::Baseline { path: path.display().to_string(), fault };
+    let refuse = |fault| Error::Baseline {
+        path: path.display().to_string(),
+        fault,
+    };
     let bytes = read_file(path, &Limits::default()).map_err(|fault| match fault {
         ReadFault::Unreadable(reason) => refuse(BaselineFault::Unreadable(reason)),
         ReadFault::TooLarge { .. } => refuse(BaselineFault::TooLarge),
@@ -31,38 +34,58 @@ pub(super) fn read(path: &Path) -> Result<Baseline, Error> {
     match file.get("format").and_then(|format| format.as_str()) {
         Some(Baseline::FORMAT) => {}
         Some(other) if other.starts_with("mhlint-baseline/") => {
-            return Err(refuse(BaselineFault::Format { found: other.to_owned(), read: Baseline::FORMAT }));
+            return Err(refuse(BaselineFault::Format {
+                found: other.to_owned(),
+                read: Baseline::FORMAT,
+            }));
         }
         _ => return Err(refuse(BaselineFault::Other)),
     }
-    let entries = file.get_mut("entries").map(serde_json::Value::take).unwrap_or_default();
+    let entries = file
+        .get_mut("entries")
+        .map(serde_json::Value::take)
+        .unwrap_or_default();
     let entries = serde_json::from_value(entries).map_err(damaged)?;
     Ok(Baseline { entries })
 }
 
-/// The path at which each entry is looked for: its own, or that of a finding where the data root was moved. `roots`
-/// are the checked data roots, relative to the folder of the file; `is_there` tells whether the asset of an entry is
-/// still where it says.
+/// The path at which each entry is looked for: its own, or that of a finding where the data root
+/// was moved. `roots` are the checked data roots, relative to the folder of the file; `is_there`
+/// tells whether the asset of an entry is still where it says.
 ///
-/// Fingerprints do not depend on where a data root lies. Where several roots hold an asset of the same
-/// name the path decides; an entry of a root that is checked, or of an asset that is still there, is not for
-/// another one.
+/// Fingerprints do not depend on where a data root lies. Where several roots hold an asset of the
+/// same name the path decides; an entry of a root that is checked, or of an asset that is still
+/// there, is not for another one.
 pub(super) fn homes<'e>(
     entries: &'e [Entry],
     found: &'e [Found],
     roots: &BTreeSet<String>,
     is_there: impl Fn(&Entry) -> bool,
 ) -> Vec<&'e str> {
-    let alike = grouped(found.iter().map(|found| (found.entry.fingerprint.as_str(), found)));
+    let alike = grouped(
+        found
+            .iter()
+            .map(|found| (found.entry.fingerprint.as_str(), found)),
+    );
     let now: BTreeSet<_> = found.iter().map(|found| found.entry.subject()).collect();
     // Findings that have entries of their own, or that others moved to.
-    let own = entries.iter().filter(|entry| now.contains(&entry.subject()));
-    let mut taken: BTreeMap<_, &str> = own.map(|entry| (entry.subject(), entry.path.as_str())).collect();
+    let own = entries
+        .iter()
+        .filter(|entry| now.contains(&entry.subject()));
+    let mut taken: BTreeMap<_, &str> = own
+        .map(|entry| (entry.subject(), entry.path.as_str()))
+        .collect();
     let home = |entry: &'e Entry| {
-        let is_free = |found: &&&Found| taken.get(&found.entry.subject()).is_none_or(|path| *path == entry.path);
-        let is_gone = |found: &&&Found| !roots.contains(root_of(&entry.path, &found.rel)) && !is_there(entry);
+        let is_free = |found: &&&Found| {
+            taken
+                .get(&found.entry.subject())
+                .is_none_or(|path| *path == entry.path)
+        };
+        let is_gone =
+            |found: &&&Found| !roots.contains(root_of(&entry.path, &found.rel)) && !is_there(entry);
         let mut alike = alike.get(entry.fingerprint.as_str()).into_iter().flatten();
-        let Some(found) = alike.find(|found| is_free(found) && (found.entry.path == entry.path || is_gone(found)))
+        let Some(found) = alike
+            .find(|found| is_free(found) && (found.entry.path == entry.path || is_gone(found)))
         else {
             return entry.path.as_str();
         };
@@ -74,12 +97,23 @@ pub(super) fn homes<'e>(
 /// An entry as it is compared, its asset at `path`.
 pub(super) fn claim<'e>(entry: &'e Entry, path: &'e str) -> Claim<'e> {
     let (rule, key, parts, level) = (&entry.rule, &entry.key, &entry.parts, entry.level);
-    Claim { rule, asset: path, key, parts, level, breaks: &[], value: entry.measure, grows: None }
+    Claim {
+        rule,
+        asset: path,
+        key,
+        parts,
+        level,
+        breaks: &[],
+        value: entry.measure,
+        grows: None,
+    }
 }
 
 /// Whether git left the lines of both sides of a merge in a file.
 fn is_conflict(bytes: &[u8]) -> bool {
-    bytes.split(|byte| *byte == b'\n').any(|line| line.starts_with(b"<<<<<<< "))
+    bytes
+        .split(|byte| *byte == b'\n')
+        .any(|line| line.starts_with(b"<<<<<<< "))
 }
 
 /// The data root of an asset: its path without what lies below the root.
@@ -111,11 +145,22 @@ mod tests {
     }
 
     fn homes(before: &[&str], now: &[&str], roots: &[&str]) -> Vec<String> {
-        let all = |paths: &[&str]| -> Vec<Entry> { paths.iter().map(|path| entry(path, &[])).collect() };
-        let baseline = Baseline { entries: all(before) };
-        let found: Vec<Found> = all(now).into_iter().map(|entry| Found { entry, rel: "a.target".to_owned() }).collect();
+        let all =
+            |paths: &[&str]| -> Vec<Entry> { paths.iter().map(|path| entry(path, &[])).collect() };
+        let baseline = Baseline {
+            entries: all(before),
+        };
+        let found: Vec<Found> = all(now)
+            .into_iter()
+            .map(|entry| Found {
+                entry,
+                rel: "a.target".to_owned(),
+            })
+            .collect();
         let roots = roots.iter().map(|root| (*root).to_owned()).collect();
-        let homes = super::homes(&baseline.entries, &found, &roots, |entry| entry.path.starts_with("there/"));
+        let homes = super::homes(&baseline.entries, &found, &roots, |entry| {
+            entry.path.starts_with("there/")
+        });
         homes.into_iter().map(str::to_owned).collect()
     }
 
@@ -124,21 +169,40 @@ mod tests {
         let (old, new) = (["data/a.target"], ["user/a.target"]);
         assert_eq!(homes(&old, &new, &["user"]), new);
         assert_eq!(homes(&old, &new, &["data", "user"]), old);
-        assert_eq!(homes(&["there/a.target"], &new, &["user"]), ["there/a.target"]);
+        assert_eq!(
+            homes(&["there/a.target"], &new, &["user"]),
+            ["there/a.target"]
+        );
         let both = ["x/a.target", "y/a.target"];
-        assert_eq!(homes(&["data/a.target", "user/a.target"], &both, &["x", "y"]), both);
-        assert_eq!(homes(&["data/a.target", "x/a.target"], &both, &["x", "y"]), ["y/a.target", "x/a.target"]);
+        assert_eq!(
+            homes(&["data/a.target", "user/a.target"], &both, &["x", "y"]),
+            both
+        );
+        assert_eq!(
+            homes(&["data/a.target", "x/a.target"], &both, &["x", "y"]),
+            ["y/a.target", "x/a.target"]
+        );
     }
 
     #[test]
     fn a_mass_is_written_in_rows_and_known_by_its_numbers() {
         let all: Parts = (100..5000_u32).collect();
-        let text = Baseline { entries: vec![Entry { parts: all, ..entry("a", &[]) }] }.text();
+        let text = Baseline {
+            entries: vec![Entry {
+                parts: all,
+                ..entry("a", &[])
+            }],
+        }
+        .text();
         assert!(text.contains("\"parts\":[\"100-4999\"]"), "{text}");
         let file: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
         let read: Vec<Entry> = serde_json::from_value(file["entries"].clone()).unwrap_or_default();
-        let left =
-            |number: u32| [2000, number].into_iter().collect::<Parts>().without(read.iter().map(|one| &one.parts));
+        let left = |number: u32| {
+            [2000, number]
+                .into_iter()
+                .collect::<Parts>()
+                .without(read.iter().map(|one| &one.parts))
+        };
         assert_eq!([left(100).count(), left(99).count()], [0, 1]);
     }
 }

@@ -3,7 +3,9 @@
 use std::cell::Cell;
 use std::cmp::Ordering;
 
-use mhlint_diag::{Break, Figure, Finding, Grown, Grows, Level, Measure, NameIndex, Parts, grouped};
+use mhlint_diag::{
+    Break, Figure, Finding, Grown, Grows, Level, Measure, NameIndex, Parts, grouped,
+};
 
 /// A finding as it is compared.
 #[derive(Debug, Clone, Copy)]
@@ -45,7 +47,11 @@ impl Standing {
             Self::Worse(parts) => finding.narrow(&parts).then_some(finding),
             Self::Grown(before) => {
                 let now = finding.measure();
-                finding.grown = now.map(|now| Grown { of: now.grows.of, from: before.0, to: now.value.0 });
+                finding.grown = now.map(|now| Grown {
+                    of: now.grows.of,
+                    from: before.0,
+                    to: now.value.0,
+                });
                 Some(finding)
             }
             Self::Same | Self::Smaller => None,
@@ -62,34 +68,59 @@ pub(crate) struct Comparison {
     pub(crate) gone: Vec<usize>,
 }
 
-/// Compares findings. Several may have asset and key in common: a rule may report each part, or all together. Together
-/// they count as one, and one counts as them. One without parts stands for one.
+/// Compares findings. Several may have asset and key in common: a rule may report each part, or all
+/// together. Together they count as one, and one counts as them. One without parts stands for one.
 ///
-/// First each finding takes the one that it was before, so that nothing that stayed is new, whatever else has its asset and
-/// key: each takes one that is equal, and there are as many of these as before.
+/// First each finding takes the one that it was before, so that nothing that stayed is new,
+/// whatever else has its asset and key: each takes one that is equal, and there are as many of
+/// these as before.
 pub(crate) fn compare(before: &[Claim<'_>], now: &[Claim<'_>]) -> Comparison {
     let met = vec![Cell::new(false); before.len()];
     let known = before.iter().zip(&met);
     let alike = grouped(known.map(|(claim, met)| (claim.subject(), Known { claim, met })));
-    let now: Vec<(&Claim<'_>, &[Known<'_>])> =
-        now.iter().map(|claim| (claim, alike.get(&claim.subject()).map_or(&[][..], Vec::as_slice))).collect();
-    let mut stayed: Vec<Option<Standing>> = now.iter().map(|(claim, known)| take_equal(claim, known)).collect();
+    let now: Vec<(&Claim<'_>, &[Known<'_>])> = now
+        .iter()
+        .map(|claim| {
+            (
+                claim,
+                alike.get(&claim.subject()).map_or(&[][..], Vec::as_slice),
+            )
+        })
+        .collect();
+    let mut stayed: Vec<Option<Standing>> = now
+        .iter()
+        .map(|(claim, known)| take_equal(claim, known))
+        .collect();
     // One that is the same but for how much of it there is may have taken no one's place.
-    for ((claim, known), stayed) in now.iter().zip(&mut stayed).filter(|(_, stayed)| stayed.is_none()) {
+    for ((claim, known), stayed) in now
+        .iter()
+        .zip(&mut stayed)
+        .filter(|(_, stayed)| stayed.is_none())
+    {
         *stayed = take_changed(claim, known);
     }
-    let standing = |((claim, known), stayed): (&(&Claim<'_>, &[Known<'_>]), Option<Standing>)| match known {
-        [] => Standing::New,
-        known => stayed.unwrap_or_else(|| standing(claim, known)),
-    };
+    let standing =
+        |((claim, known), stayed): (&(&Claim<'_>, &[Known<'_>]), Option<Standing>)| match known {
+            [] => Standing::New,
+            known => stayed.unwrap_or_else(|| standing(claim, known)),
+        };
     let now = now.iter().zip(stayed).map(standing).collect();
-    Comparison { now, gone: (0..).zip(&met).filter(|(_, met)| !met.get()).map(|(at, _)| at).collect() }
+    Comparison {
+        now,
+        gone: (0..)
+            .zip(&met)
+            .filter(|(_, met)| !met.get())
+            .map(|(at, _)| at)
+            .collect(),
+    }
 }
 
 /// Takes one that is equal and that no other finding has taken.
 fn take_equal(claim: &Claim<'_>, known: &[Known<'_>]) -> Option<Standing> {
     let is_as_much = |known: &&Known<'_>| known.claim.value == claim.value;
-    let mut free = known.iter().filter(|known| !known.met.get() && known.claim.is_equal(claim));
+    let mut free = known
+        .iter()
+        .filter(|known| !known.met.get() && known.claim.is_equal(claim));
     free.find(is_as_much).map(|known| {
         known.met.set(true);
         Standing::Same
@@ -98,15 +129,21 @@ fn take_equal(claim: &Claim<'_>, known: &[Known<'_>]) -> Option<Standing> {
 
 /// The same for one of which there is another amount: the smallest that will do.
 fn take_changed(claim: &Claim<'_>, known: &[Known<'_>]) -> Option<Standing> {
-    let free = known.iter().filter(|known| !known.met.get() && known.claim.is_equal(claim));
+    let free = known
+        .iter()
+        .filter(|known| !known.met.get() && known.claim.is_equal(claim));
     let enough = free.filter(|known| claim.grown_since(known.claim.value).is_none());
     let one = enough.min_by(|one, other| claim.compare(one.claim.value, other.claim.value))?;
     one.met.set(true);
-    Some(if claim.is_smaller_than(one.claim.value) { Standing::Smaller } else { Standing::Same })
+    Some(if claim.is_smaller_than(one.claim.value) {
+        Standing::Smaller
+    } else {
+        Standing::Same
+    })
 }
 
-/// Those that are new, and those that are worse with what is worse of them. Of files that are not `compared` everything is
-/// reported: what they were is not known.
+/// Those that are new, and those that are worse with what is worse of them. Of files that are not
+/// `compared` everything is reported: what they were is not known.
 pub(crate) fn new_or_worse(
     before: &[Finding],
     found: Vec<Finding>,
@@ -116,14 +153,25 @@ pub(crate) fn new_or_worse(
     let told = found
         .into_iter()
         .zip(standings)
-        .filter_map(|(finding, standing)| if is_compared(&finding) { standing.of(finding) } else { Some(finding) });
+        .filter_map(|(finding, standing)| {
+            if is_compared(&finding) {
+                standing.of(finding)
+            } else {
+                Some(finding)
+            }
+        });
     told.collect()
 }
 
 /// How many of those before no longer occur, and of how many there is less.
 pub(crate) fn gone_and_smaller(before: &[Finding], now: &[Finding]) -> [usize; 2] {
     let Comparison { now, gone } = compare(&claims(before), &claims(now));
-    [gone.len(), now.iter().filter(|standing| **standing == Standing::Smaller).count()]
+    [
+        gone.len(),
+        now.iter()
+            .filter(|standing| **standing == Standing::Smaller)
+            .count(),
+    ]
 }
 
 fn claims(findings: &[Finding]) -> Vec<Claim<'_>> {
@@ -140,11 +188,14 @@ struct Known<'k> {
 /// What a finding is to those of its asset and key.
 fn standing(claim: &Claim<'_>, known: &[Known<'_>]) -> Standing {
     let is_as_bad = |known: &Known<'_>| known.claim.is_as_bad_as(claim);
-    let (whole, named): (Vec<&Known<'_>>, Vec<_>) = known.iter().partition(|known| known.claim.parts.is_empty());
+    let (whole, named): (Vec<&Known<'_>>, Vec<_>) =
+        known.iter().partition(|known| known.claim.parts.is_empty());
     let unmet = || whole.iter().filter(|known| !known.met.get());
     // The mildest that will do: a worse one may be that of another finding.
     let has_grown = |known: &Known<'_>| claim.grown_since(known.claim.value).is_some();
-    let enough = unmet().filter(|known| is_as_bad(known)).min_by_key(|known| (has_grown(known), known.claim.level));
+    let enough = unmet()
+        .filter(|known| is_as_bad(known))
+        .min_by_key(|known| (has_grown(known), known.claim.level));
     if let Some(one) = enough.or_else(|| unmet().next()) {
         one.met.set(true);
         return match claim.grown_since(one.claim.value) {
@@ -155,12 +206,22 @@ fn standing(claim: &Claim<'_>, known: &[Known<'_>]) -> Standing {
         };
     }
     let own = NameIndex::of([claim.parts]);
-    let told: Vec<&Known<'_>> =
-        named.into_iter().filter(|one| known.len() == 1 || own.has_one_of(one.claim.parts)).collect();
+    let told: Vec<&Known<'_>> = named
+        .into_iter()
+        .filter(|one| known.len() == 1 || own.has_one_of(one.claim.parts))
+        .collect();
     told.iter().for_each(|known| known.met.set(true));
-    let worse = claim.parts.without(told.iter().filter(|known| is_as_bad(known)).map(|known| known.claim.parts));
+    let worse = claim.parts.without(
+        told.iter()
+            .filter(|known| is_as_bad(known))
+            .map(|known| known.claim.parts),
+    );
     // Of several that are one now the worst counts; of an old baseline nobody knows.
-    let most = told.iter().map(|known| known.claim.value).max_by(|one, other| claim.compare(*one, *other)).flatten();
+    let most = told
+        .iter()
+        .map(|known| known.claim.value)
+        .max_by(|one, other| claim.compare(*one, *other))
+        .flatten();
     let before = most.filter(|_| told.iter().all(|known| known.claim.value.is_some()));
     match (told.is_empty(), claim.parts.is_empty() || !worse.is_empty()) {
         (true, _) => Standing::New,
@@ -175,14 +236,32 @@ fn standing(claim: &Claim<'_>, known: &[Known<'_>]) -> Standing {
 
 impl<'f> Claim<'f> {
     fn of(finding: &'f Finding) -> Self {
-        let Finding { rule, level, subject, breaks, .. } = finding;
+        let Finding {
+            rule,
+            level,
+            subject,
+            breaks,
+            ..
+        } = finding;
         let (asset, key, parts) = (finding.asset_path(), &subject.key, &subject.parts);
         let (value, grows) = finding.measure().map(|one| (one.value, one.grows)).unzip();
-        Self { rule, asset, key, parts, level: *level, breaks, value, grows }
+        Self {
+            rule,
+            asset,
+            key,
+            parts,
+            level: *level,
+            breaks,
+            value,
+            grows,
+        }
     }
 
     fn measure(&self) -> Option<Measure> {
-        Some(Measure { grows: self.grows?, value: self.value? })
+        Some(Measure {
+            grows: self.grows?,
+            value: self.value?,
+        })
     }
 
     /// What it was, if there is more of it now.
@@ -192,7 +271,9 @@ impl<'f> Claim<'f> {
     }
 
     fn is_smaller_than(&self, before: Option<Figure>) -> bool {
-        self.measure().zip(before).is_some_and(|(now, before)| now.is_better_than(before))
+        self.measure()
+            .zip(before)
+            .is_some_and(|(now, before)| now.is_better_than(before))
     }
 
     /// Which of two amounts is more of it.
@@ -205,14 +286,21 @@ impl<'f> Claim<'f> {
 
     /// Whether no application is worse off with the other.
     fn is_as_bad_as(&self, other: &Self) -> bool {
-        let covers = |own: &Break, one: &Break| own.application == one.application && own.level >= one.level;
+        let covers =
+            |own: &Break, one: &Break| own.application == one.application && own.level >= one.level;
         let is_covered = |one: &Break| self.breaks.iter().any(|own| covers(own, one));
         self.level >= other.level && (self.breaks.is_empty() || other.breaks.iter().all(is_covered))
     }
 
     /// Whether it is the same, with the same parts and as bad for each application.
     fn is_equal(&self, other: &Self) -> bool {
-        let levels = |claim: &Self| claim.breaks.iter().map(|one| (one.application, one.level)).collect::<Vec<_>>();
+        let levels = |claim: &Self| {
+            claim
+                .breaks
+                .iter()
+                .map(|one| (one.application, one.level))
+                .collect::<Vec<_>>()
+        };
         self.level == other.level && self.parts == other.parts && levels(self) == levels(other)
     }
 
@@ -232,14 +320,29 @@ mod tests {
     }
 
     fn claim<'p>(key: &'p str, level: Level, parts: &'p Parts) -> Claim<'p> {
-        Claim { rule: "r", asset: "a", key, parts, level, breaks: &[], value: None, grows: None }
+        Claim {
+            rule: "r",
+            asset: "a",
+            key,
+            parts,
+            level,
+            breaks: &[],
+            value: None,
+            grows: None,
+        }
     }
 
     fn compared(before: &[&[&str]], now: &[&[&str]]) -> (Vec<Standing>, Vec<usize>) {
         let parts = |all: &[&[&str]]| all.iter().map(|names| parts(names)).collect::<Vec<_>>();
         let (before, now) = (parts(before), parts(now));
-        let before: Vec<_> = before.iter().map(|parts| claim("", Level::Warning, parts)).collect();
-        let now: Vec<_> = now.iter().map(|parts| claim("", Level::Warning, parts)).collect();
+        let before: Vec<_> = before
+            .iter()
+            .map(|parts| claim("", Level::Warning, parts))
+            .collect();
+        let now: Vec<_> = now
+            .iter()
+            .map(|parts| claim("", Level::Warning, parts))
+            .collect();
         let Comparison { now, gone } = compare(&before, &now);
         (now, gone)
     }
@@ -252,59 +355,141 @@ mod tests {
     fn another_rule_asset_or_key_is_new_and_the_old_one_gone() {
         let none = Parts::default();
         let old = claim("k", Level::Warning, &none);
-        for new in [Claim { rule: "s", ..old }, Claim { asset: "b", ..old }, Claim { key: "l", ..old }] {
-            assert_eq!(compare(&[old], &[new]), Comparison { now: vec![Standing::New], gone: vec![0] });
+        for new in [
+            Claim { rule: "s", ..old },
+            Claim { asset: "b", ..old },
+            Claim { key: "l", ..old },
+        ] {
+            assert_eq!(
+                compare(&[old], &[new]),
+                Comparison {
+                    now: vec![Standing::New],
+                    gone: vec![0]
+                }
+            );
         }
-        assert_eq!(compare(&[old], &[old]), Comparison { now: vec![Standing::Same], gone: Vec::new() });
+        assert_eq!(
+            compare(&[old], &[old]),
+            Comparison {
+                now: vec![Standing::Same],
+                gone: Vec::new()
+            }
+        );
     }
 
     #[test]
     fn a_higher_level_is_worse_and_a_lower_one_the_same() {
         let one = parts(&["x"]);
-        let at = |level| compare(&[claim("", Level::Warning, &one)], &[claim("", level, &one)]);
-        assert_eq!([Level::Info, Level::Warning].map(|level| at(level).now), [[Standing::Same], [Standing::Same]]);
-        assert_eq!(at(Level::Error), Comparison { now: vec![worse(&["x"])], gone: Vec::new() });
+        let at = |level| {
+            compare(
+                &[claim("", Level::Warning, &one)],
+                &[claim("", level, &one)],
+            )
+        };
+        assert_eq!(
+            [Level::Info, Level::Warning].map(|level| at(level).now),
+            [[Standing::Same], [Standing::Same]]
+        );
+        assert_eq!(
+            at(Level::Error),
+            Comparison {
+                now: vec![worse(&["x"])],
+                gone: Vec::new()
+            }
+        );
     }
 
     #[test]
     fn a_higher_level_in_one_application_is_worse() {
-        let one = |application, level| Break { application, level, effect: String::new() };
-        let breaks = |mpfb| [one(Application::Makehuman2, Level::Error), one(Application::Mpfb, mpfb)];
+        let one = |application, level| Break {
+            application,
+            level,
+            effect: String::new(),
+        };
+        let breaks = |mpfb| {
+            [
+                one(Application::Makehuman2, Level::Error),
+                one(Application::Mpfb, mpfb),
+            ]
+        };
         let (mild, grave, none) = (breaks(Level::Info), breaks(Level::Error), Parts::default());
-        let claim = |breaks| Claim { breaks, ..claim("", Level::Error, &none) };
+        let claim = |breaks| Claim {
+            breaks,
+            ..claim("", Level::Error, &none)
+        };
         let standing = |before, now| compare(&[claim(before)], &[claim(now)]).now;
         assert_eq!(standing(&mild, &grave), [worse(&[])]);
-        assert_eq!([standing(&grave, &mild), standing(&[], &grave)], [[Standing::Same], [Standing::Same]]);
-        assert_eq!(standing(&mild[..1], &mild), [worse(&[])], "told for another application");
+        assert_eq!(
+            [standing(&grave, &mild), standing(&[], &grave)],
+            [[Standing::Same], [Standing::Same]]
+        );
+        assert_eq!(
+            standing(&mild[..1], &mild),
+            [worse(&[])],
+            "told for another application"
+        );
     }
 
     /// What findings of one subject are to others of it, by how much there is of each.
     fn measured(before: &[Option<f64>], now: &[f64]) -> Vec<Standing> {
         let none = Parts::default();
-        let known = |of: &Option<f64>| Claim { value: of.map(Figure), ..claim("", Level::Warning, &none) };
+        let known = |of: &Option<f64>| Claim {
+            value: of.map(Figure),
+            ..claim("", Level::Warning, &none)
+        };
         let own = |now: &f64| {
             let grows = Grows::more(MeasureKind::Gap);
-            Claim { value: Some(Figure(*now)), grows, ..claim("", Level::Warning, &none) }
+            Claim {
+                value: Some(Figure(*now)),
+                grows,
+                ..claim("", Level::Warning, &none)
+            }
         };
-        compare(&before.iter().map(known).collect::<Vec<_>>(), &now.iter().map(own).collect::<Vec<_>>()).now
+        compare(
+            &before.iter().map(known).collect::<Vec<_>>(),
+            &now.iter().map(own).collect::<Vec<_>>(),
+        )
+        .now
     }
 
     #[test]
     fn what_grew_is_worse_and_what_shrank_is_counted() {
-        assert_eq!(measured(&[Some(1.0)], &[1.2]), [Standing::Grown(Figure(1.0))]);
+        assert_eq!(
+            measured(&[Some(1.0)], &[1.2]),
+            [Standing::Grown(Figure(1.0))]
+        );
         assert_eq!(measured(&[Some(1.0)], &[1.05]), [Standing::Same]);
         assert_eq!(measured(&[Some(1.0)], &[0.5]), [Standing::Smaller]);
-        assert_eq!(measured(&[None], &[9.0]), [Standing::Same], "an entry without a measure hides any");
-        assert_eq!(measured(&[Some(10.0), Some(1.0)], &[1.0, 10.0]), [Standing::Same, Standing::Same]);
-        assert_eq!(measured(&[Some(5.0), Some(1.0)], &[2.0, 0.95]), [Standing::Smaller, Standing::Same]);
+        assert_eq!(
+            measured(&[None], &[9.0]),
+            [Standing::Same],
+            "an entry without a measure hides any"
+        );
+        assert_eq!(
+            measured(&[Some(10.0), Some(1.0)], &[1.0, 10.0]),
+            [Standing::Same, Standing::Same]
+        );
+        assert_eq!(
+            measured(&[Some(5.0), Some(1.0)], &[2.0, 0.95]),
+            [Standing::Smaller, Standing::Same]
+        );
     }
 
     #[test]
     fn equal_findings_are_matched_whatever_their_order() {
         let none = Parts::default();
         let at = |levels: [Level; 2]| levels.map(|level| claim("", level, &none));
-        let compared = compare(&at([Level::Error, Level::Warning]), &at([Level::Info, Level::Error]));
-        assert_eq!(compared, Comparison { now: vec![Standing::Same, Standing::Same], gone: Vec::new() });
+        let compared = compare(
+            &at([Level::Error, Level::Warning]),
+            &at([Level::Info, Level::Error]),
+        );
+        assert_eq!(
+            compared,
+            Comparison {
+                now: vec![Standing::Same, Standing::Same],
+                gone: Vec::new()
+            }
+        );
     }
 
     #[test]
@@ -312,43 +497,86 @@ mod tests {
         let known = |now: &[&str]| compared(&[&["x", "y"]], &[now]);
         assert_eq!(
             [known(&["x"]), known(&["y", "x"])],
-            [(vec![Standing::Same], vec![]), (vec![Standing::Same], vec![])]
+            [
+                (vec![Standing::Same], vec![]),
+                (vec![Standing::Same], vec![])
+            ]
         );
         assert_eq!(known(&["z", "x"]), (vec![worse(&["z"])], vec![]));
-        assert_eq!(known(&["z"]), (vec![worse(&["z"])], vec![]), "the only one of its subject");
-        assert_eq!(known(&[]), (vec![worse(&[])], vec![]), "too many to be told apart");
+        assert_eq!(
+            known(&["z"]),
+            (vec![worse(&["z"])], vec![]),
+            "the only one of its subject"
+        );
+        assert_eq!(
+            known(&[]),
+            (vec![worse(&[])], vec![]),
+            "too many to be told apart"
+        );
         let (old, new) = (parts(&["x"]), Parts::in_files([("x", "one"), ("y", "two")]));
-        let compared = compare(&[claim("", Level::Info, &old)], &[claim("", Level::Info, &new)]);
-        let [Standing::Worse(worse)] = compared.now.as_slice() else { panic!("{compared:?}") };
-        assert_eq!(worse.iter().map(|(_, file)| file).collect::<Vec<_>>(), [Some("two")]);
+        let compared = compare(
+            &[claim("", Level::Info, &old)],
+            &[claim("", Level::Info, &new)],
+        );
+        let [Standing::Worse(worse)] = compared.now.as_slice() else {
+            panic!("{compared:?}")
+        };
+        assert_eq!(
+            worse.iter().map(|(_, file)| file).collect::<Vec<_>>(),
+            [Some("two")]
+        );
     }
 
     #[test]
     fn findings_of_one_subject_speak_together_and_apart() {
         let (same, x, y): (_, &[&str], &[&str]) = (Standing::Same, &["x"], &["y"]);
-        assert_eq!(compared(&[x, y], &[&["x", "y"]]), (vec![same.clone()], vec![]));
-        assert_eq!(compared(&[&["x", "y"]], &[x, y]), (vec![same.clone(), same.clone()], vec![]));
+        assert_eq!(
+            compared(&[x, y], &[&["x", "y"]]),
+            (vec![same.clone()], vec![])
+        );
+        assert_eq!(
+            compared(&[&["x", "y"]], &[x, y]),
+            (vec![same.clone(), same.clone()], vec![])
+        );
         assert_eq!(compared(&[x, y], &[y]), (vec![same.clone()], vec![0]));
-        assert_eq!(compared(&[x, y], &[x, &["z"]]), (vec![same, Standing::New], vec![1]));
+        assert_eq!(
+            compared(&[x, y], &[x, &["z"]]),
+            (vec![same, Standing::New], vec![1])
+        );
     }
 
-    /// Rules of two applications have a finding each of one subject, and only one of them has parts.
+    /// Rules of two applications have a finding each of one subject, and only one of them has
+    /// parts.
     #[test]
     fn what_stayed_is_not_taken_by_another() {
-        let all: [&[&[&str]]; 4] =
-            [&[&[], &["x"]], &[&["x"], &[]], &[&[], &["x"], &["x", "y"], &[]], &[&["x"], &["x"], &["y"]]];
+        let all: [&[&[&str]]; 4] = [
+            &[&[], &["x"]],
+            &[&["x"], &[]],
+            &[&[], &["x"], &["x", "y"], &[]],
+            &[&["x"], &["x"], &["y"]],
+        ];
         for findings in all {
             let same = vec![Standing::Same; findings.len()];
             assert_eq!(compared(findings, findings), (same, vec![]), "{findings:?}");
         }
         let back: Vec<&[&str]> = vec![&["x"], &[]];
-        assert_eq!(compared(&back, &[&[], &["x"]]), (vec![Standing::Same; 2], vec![]), "in another order");
+        assert_eq!(
+            compared(&back, &[&[], &["x"]]),
+            (vec![Standing::Same; 2], vec![]),
+            "in another order"
+        );
     }
 
     #[test]
     fn one_without_parts_stands_for_one() {
-        assert_eq!(compared(&[&[]], &[&[], &[]]), (vec![Standing::Same, Standing::New], vec![]));
-        assert_eq!(compared(&[&[], &[]], &[&[]]), (vec![Standing::Same], vec![1]));
+        assert_eq!(
+            compared(&[&[]], &[&[], &[]]),
+            (vec![Standing::Same, Standing::New], vec![])
+        );
+        assert_eq!(
+            compared(&[&[], &[]], &[&[]]),
+            (vec![Standing::Same], vec![1])
+        );
         assert_eq!(compared(&[&[]], &[&["x"]]), (vec![Standing::Same], vec![]));
     }
 }

@@ -1,4 +1,5 @@
-//! What a finding is known by: the place of its asset below the data root, and the fingerprint of that.
+//! What a finding is known by: the place of its asset below the data root, and the fingerprint of
+//! that.
 
 use std::collections::BTreeMap;
 
@@ -17,25 +18,43 @@ pub(crate) struct Placed {
     pub(crate) consequence: Level,
 }
 
-/// Fingerprints. Keys tell findings of one rule on one asset apart; the ordinal is for those that do not.
+/// Fingerprints. Keys tell findings of one rule on one asset apart; the ordinal is for those that
+/// do not.
 pub(super) fn identify(root: Root<'_>, findings: Vec<(Finding, Level)>) -> Vec<Placed> {
     let mut ordinals: BTreeMap<(&str, String, String), u32> = BTreeMap::new();
     // What names the fault may be part of the system data, such as the mesh.
     let below = |asset: &str| {
         let system = || root.below.iter().find_map(|layer| layer.relative(asset));
-        root.own_path(asset).or_else(system).unwrap_or_default().to_owned()
+        root.own_path(asset)
+            .or_else(system)
+            .unwrap_or_default()
+            .to_owned()
     };
     let identified = findings.into_iter().map(|(mut finding, consequence)| {
         let rel = below(finding.asset_path());
         let is_told_apart = named(finding.rule).is_some_and(|rule| rule.info.told_apart);
-        let place = if is_told_apart { below(&finding.path) } else { rel.clone() };
+        let place = if is_told_apart {
+            below(&finding.path)
+        } else {
+            rel.clone()
+        };
         let key = &finding.subject.key;
-        let ordinal = ordinals.entry((finding.rule, place.clone(), key.clone())).or_default();
+        let ordinal = ordinals
+            .entry((finding.rule, place.clone(), key.clone()))
+            .or_default();
         finding.fingerprint = fingerprint(finding.rule, &place, key, *ordinal);
         *ordinal += 1;
-        let known_as =
-            if is_told_apart { fingerprint(finding.rule, &rel, key, 0) } else { finding.fingerprint.clone() };
-        Placed { finding, rel, known_as, consequence }
+        let known_as = if is_told_apart {
+            fingerprint(finding.rule, &rel, key, 0)
+        } else {
+            finding.fingerprint.clone()
+        };
+        Placed {
+            finding,
+            rel,
+            known_as,
+            consequence,
+        }
     });
     identified.collect()
 }
@@ -61,11 +80,16 @@ impl<'r> Root<'r> {
     where
         'r: 'p,
     {
-        let is_deeper = |layer: &&Layer| layer.path.len() > self.layer.path.len() && layer.holds(path);
+        let is_deeper =
+            |layer: &&Layer| layer.path.len() > self.layer.path.len() && layer.holds(path);
         if self.below.iter().any(is_deeper) {
             return None;
         }
         // A zip as such is what its layer is called.
-        if path == self.layer.path { Some("") } else { self.layer.relative(path) }
+        if path == self.layer.path {
+            Some("")
+        } else {
+            self.layer.relative(path)
+        }
     }
 }

@@ -49,10 +49,17 @@ impl<'c> Ignores<'c> {
         }
     }
 
-    /// Whether a rule is ignored for a file or folder, whose facts are `file`. The ignores count as used.
-    pub(crate) fn hides(&mut self, rule: &'static str, path: &str, file: Option<&FileFacts>) -> bool {
+    /// Whether a rule is ignored for a file or folder, whose facts are `file`. The ignores count as
+    /// used.
+    pub(crate) fn hides(
+        &mut self,
+        rule: &'static str,
+        path: &str,
+        file: Option<&FileFacts>,
+    ) -> bool {
         let answered = std::mem::take(&mut self.ignored);
-        let mut hidden = !self.globs.is_empty() && answered.of(path, rule, || self.is_ignored(rule, path));
+        let mut hidden =
+            !self.globs.is_empty() && answered.of(path, rule, || self.is_ignored(rule, path));
         self.ignored = answered;
         let comments = file.into_iter().flat_map(|file| &file.ignores);
         for comment in comments.filter(|comment| !comment.reason.is_empty()) {
@@ -65,11 +72,18 @@ impl<'c> Ignores<'c> {
     }
 
     fn is_ignored(&mut self, rule: &str, path: &str) -> bool {
-        let Some(file) = &self.config.file else { return false };
-        let Some(rel) = file.relative(path) else { return false };
+        let Some(file) = &self.config.file else {
+            return false;
+        };
+        let Some(rel) = file.relative(path) else {
+            return false;
+        };
         let mut hidden = false;
         for number in self.globs.fitting(&rel) {
-            let (Some(ignore), Some(hit)) = (file.ignores.get(number), self.hits.get_mut(number)) else { continue };
+            let (Some(ignore), Some(hit)) = (file.ignores.get(number), self.hits.get_mut(number))
+            else {
+                continue;
+            };
             if counts(ignore, self.today) && ignore.rule.fits(rule) {
                 *hit = true;
                 hidden = true;
@@ -82,14 +96,24 @@ impl<'c> Ignores<'c> {
     pub(crate) fn note(&mut self, file: &FileFacts, selection: &Selection<'_>, scope: &Scope<'_>) {
         for comment in &file.ignores {
             let state = match self.standing(&comment.rule) {
-                _ if comment.rule.is_empty() => IgnoreState::Malformed { words: comment.reason.clone() },
+                _ if comment.rule.is_empty() => IgnoreState::Malformed {
+                    words: comment.reason.clone(),
+                },
                 Some(state) => state,
                 None if comment.reason.is_empty() => IgnoreState::NoReason,
-                None if scope.is_whole() && !self.is_silenced(&comment.rule, selection) => IgnoreState::Unused,
+                None if scope.is_whole() && !self.is_silenced(&comment.rule, selection) => {
+                    IgnoreState::Unused
+                }
                 None => IgnoreState::NotChecked,
             };
             let (path, place) = (file.path.clone(), Place::Line(comment.line));
-            self.inline.push(IgnoreUse { path, place, rule: comment.rule.clone(), covers: None, state });
+            self.inline.push(IgnoreUse {
+                path,
+                place,
+                rule: comment.rule.clone(),
+                covers: None,
+                state,
+            });
             self.assets.insert(file.path.clone(), file.rel.clone());
         }
     }
@@ -103,8 +127,18 @@ impl<'c> Ignores<'c> {
     ) -> Vec<IgnoreUse> {
         let file = self.config.file.iter();
         let listed: Vec<Outer> = trees.clone().map(|tree| Outer::of(tree.label())).collect();
-        let reached = self.config.file.as_ref().map(|file| reached(file, &self.globs, trees)).unwrap_or_default();
-        let ignores = file.flat_map(|file| file.ignores.iter().zip(&self.hits).map(move |each| (file, each)));
+        let reached = self
+            .config
+            .file
+            .as_ref()
+            .map(|file| reached(file, &self.globs, trees))
+            .unwrap_or_default();
+        let ignores = file.flat_map(|file| {
+            file.ignores
+                .iter()
+                .zip(&self.hits)
+                .map(move |each| (file, each))
+        });
         let mut uses: Vec<IgnoreUse> = (0..)
             .zip(ignores)
             .map(|(number, (file, (ignore, hit)))| {
@@ -113,16 +147,28 @@ impl<'c> Ignores<'c> {
                     Some(state) => state,
                     None if ignore.reason.is_none() => IgnoreState::NoReason,
                     None => match ignore.until.filter(|until| *until < self.today) {
-                        Some(until) => IgnoreState::Expired { until: until.to_string() },
-                        None if self.is_silenced(&ignore.rule.text, selection) => IgnoreState::NotChecked,
-                        None if is_for_listed(file, &ignore.path, &listed) && !reached.contains(&number) => {
+                        Some(until) => IgnoreState::Expired {
+                            until: until.to_string(),
+                        },
+                        None if self.is_silenced(&ignore.rule.text, selection) => {
+                            IgnoreState::NotChecked
+                        }
+                        None if is_for_listed(file, &ignore.path, &listed)
+                            && !reached.contains(&number) =>
+                        {
                             IgnoreState::Unused
                         }
-                        None if !scope.covers(&file.folder, ignore.path.folder()) => IgnoreState::NotChecked,
+                        None if !scope.covers(&file.folder, ignore.path.folder()) => {
+                            IgnoreState::NotChecked
+                        }
                         None => IgnoreState::Unused,
                     },
                 };
-                let span = if let IgnoreState::Expired { .. } = state { &ignore.until_span } else { &ignore.rule.span };
+                let span = if let IgnoreState::Expired { .. } = state {
+                    &ignore.until_span
+                } else {
+                    &ignore.rule.span
+                };
                 IgnoreUse {
                     path: file.path.clone(),
                     place: Place::Span(span.clone()),
@@ -142,7 +188,11 @@ impl<'c> Ignores<'c> {
 
     /// Settings of the file for rules that do not exist.
     pub(crate) fn unknown(&self) -> Vec<UnknownRule> {
-        self.config.file.as_ref().map(|file| file.unknown.clone()).unwrap_or_default()
+        self.config
+            .file
+            .as_ref()
+            .map(|file| file.unknown.clone())
+            .unwrap_or_default()
     }
 
     /// What can be said of an ignore by its rule alone.
@@ -150,8 +200,14 @@ impl<'c> Ignores<'c> {
         if cannot_be_ignored(rule) {
             return Some(IgnoreState::CannotBeIgnored);
         }
-        let is_unknown = !self.named.of(rule).iter().any(|rule| listed().any(|listed| listed.info.id == *rule));
-        is_unknown.then(|| IgnoreState::UnknownRule { nearest: self.named.nearest(rule) })
+        let is_unknown = !self
+            .named
+            .of(rule)
+            .iter()
+            .any(|rule| listed().any(|listed| listed.info.id == *rule));
+        is_unknown.then(|| IgnoreState::UnknownRule {
+            nearest: self.named.nearest(rule),
+        })
     }
 
     /// Whether the command line silenced a rule that the ignore is for.
@@ -160,7 +216,8 @@ impl<'c> Ignores<'c> {
         named.is_empty() || named.iter().any(|rule| selection.is_silenced(rule))
     }
 
-    /// What a fingerprint calls the file of a finding on ignores: not where it lies, but what it is.
+    /// What a fingerprint calls the file of a finding on ignores: not where it lies, but what it
+    /// is.
     pub(crate) fn asset(&self, path: &str) -> String {
         let name = || path.rsplit('/').next().unwrap_or(path).to_owned();
         self.assets.get(path).cloned().unwrap_or_else(name)

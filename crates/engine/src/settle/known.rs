@@ -39,12 +39,28 @@ pub(crate) struct Compared {
 impl Known {
     /// Reads the baseline, if there is to be one. To write the first one none need be there.
     pub(crate) fn open(config: &Config) -> Result<Option<Self>, Error> {
-        let Some(path) = config.baseline.clone() else { return Ok(None) };
+        let Some(path) = config.baseline.clone() else {
+            return Ok(None);
+        };
         let inside = path.parent().unwrap_or(Path::new("")).to_owned();
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let name = path
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
         let is_first = config.write_baseline && !holds(&inside, &name);
-        let old = if is_first { Baseline::default() } else { baseline::read(&path)? };
-        Ok(Some(Self { folder: Folder::of(&inside), path, old, write: config.write_baseline, is_first }))
+        let old = if is_first {
+            Baseline::default()
+        } else {
+            baseline::read(&path)?
+        };
+        Ok(Some(Self {
+            folder: Folder::of(&inside),
+            path,
+            old,
+            write: config.write_baseline,
+            is_first,
+        }))
     }
 
     /// Hides what is known. `roots` are printed paths of the checked data roots.
@@ -56,20 +72,43 @@ impl Known {
         scope: &Scope<'_>,
     ) -> Result<Compared, Error> {
         let roots: BTreeSet<String> = roots.map(|root| placed(&self.folder, root)).collect();
-        let (safe, rest): (Vec<Placed>, Vec<Placed>) =
-            found.into_iter().partition(|placed| cannot_be_ignored(placed.finding.rule));
+        let (safe, rest): (Vec<Placed>, Vec<Placed>) = found
+            .into_iter()
+            .partition(|placed| cannot_be_ignored(placed.finding.rule));
         let entries: Vec<Found> = rest.iter().map(|placed| self.found(placed)).collect();
-        let homes = baseline::homes(&self.old.entries, &entries, &roots, |entry| self.is_there(&entry.path));
-        let before: Vec<Claim<'_>> =
-            self.old.entries.iter().zip(homes).map(|(entry, path)| baseline::claim(entry, path)).collect();
-        let claims = entries.iter().map(|found| baseline::claim(&found.entry, &found.entry.path)).zip(&rest);
+        let homes = baseline::homes(&self.old.entries, &entries, &roots, |entry| {
+            self.is_there(&entry.path)
+        });
+        let before: Vec<Claim<'_>> = self
+            .old
+            .entries
+            .iter()
+            .zip(homes)
+            .map(|(entry, path)| baseline::claim(entry, path))
+            .collect();
+        let claims = entries
+            .iter()
+            .map(|found| baseline::claim(&found.entry, &found.entry.path))
+            .zip(&rest);
         let now: Vec<Claim<'_>> = claims
-            .map(|(claim, placed)| Claim { grows: placed.finding.measure().map(|one| one.grows), ..claim })
+            .map(|(claim, placed)| Claim {
+                grows: placed.finding.measure().map(|one| one.grows),
+                ..claim
+            })
             .collect();
         let Comparison { now, gone } = compare(&before, &now);
-        let known: Vec<bool> = now.iter().map(|one| matches!(one, Standing::Same | Standing::Smaller)).collect();
-        let smaller = now.iter().filter(|standing| **standing == Standing::Smaller).count();
-        let lost: Vec<&Entry> = gone.iter().filter_map(|number| self.old.entries.get(*number)).collect();
+        let known: Vec<bool> = now
+            .iter()
+            .map(|one| matches!(one, Standing::Same | Standing::Smaller))
+            .collect();
+        let smaller = now
+            .iter()
+            .filter(|standing| **standing == Standing::Smaller)
+            .count();
+        let lost: Vec<&Entry> = gone
+            .iter()
+            .filter_map(|number| self.old.entries.get(*number))
+            .collect();
         // Data in memory have no places on disk to look for.
         let on_disk = roots.iter().any(|root| self.is_there(root));
         if on_disk && lost.len() == self.old.entries.len() && scope.is_whole() {
@@ -84,11 +123,26 @@ impl Known {
         };
         let (mut new, mut taken_over) = (None, None);
         if self.write {
-            let added = || rest.iter().zip(&known).filter(|(_, known)| !**known).map(|(placed, _)| placed);
-            let errors = added().filter(|placed| placed.finding.level == Level::Error).count();
-            taken_over = (!self.is_first).then(|| TakenOver { new: added().count(), errors, gone: used.stale.len() });
+            let added = || {
+                rest.iter()
+                    .zip(&known)
+                    .filter(|(_, known)| !**known)
+                    .map(|(placed, _)| placed)
+            };
+            let errors = added()
+                .filter(|placed| placed.finding.level == Level::Error)
+                .count();
+            taken_over = (!self.is_first).then(|| TakenOver {
+                new: added().count(),
+                errors,
+                gone: used.stale.len(),
+            });
             // Without what this run could not look at a narrower run would throw entries away.
-            let others = self.old.entries.iter().filter(|entry| !checked(entry) && !is_found(entry, &entries));
+            let others = self
+                .old
+                .entries
+                .iter()
+                .filter(|entry| !checked(entry) && !is_found(entry, &entries));
             let mut all: Vec<Entry> = others.cloned().collect();
             all.extend(entries.into_iter().map(|found| found.entry));
             new = Some(Baseline { entries: all });
@@ -96,30 +150,61 @@ impl Known {
         }
         let all = rest.len();
         let told = rest.into_iter().zip(now).filter(|_| !self.write);
-        let told: Vec<Finding> = told.filter_map(|(placed, standing)| standing.of(placed.finding)).collect();
+        let told: Vec<Finding> = told
+            .filter_map(|(placed, standing)| standing.of(placed.finding))
+            .collect();
         let hidden = all - told.len();
-        let kept = safe.into_iter().map(|placed| placed.finding).chain(told).collect();
-        Ok(Compared { kept, hidden, used, smaller, new, taken_over })
+        let kept = safe
+            .into_iter()
+            .map(|placed| placed.finding)
+            .chain(told)
+            .collect();
+        Ok(Compared {
+            kept,
+            hidden,
+            used,
+            smaller,
+            new,
+            taken_over,
+        })
     }
 
     /// Whether there is something at the path of an entry, or at one beside it.
     fn is_there(&self, path: &str) -> bool {
         let folder = self.path.parent().unwrap_or(Path::new(""));
-        [folder.join(path).as_path(), Path::new(path)].into_iter().any(|path| canonical(path).is_some())
+        [folder.join(path).as_path(), Path::new(path)]
+            .into_iter()
+            .any(|path| canonical(path).is_some())
     }
 
-    /// A file of which nothing was found, neither the faults nor the assets nor their folders, is not for these data.
-    /// Where the folder is there the asset was fixed by removing it.
+    /// A file of which nothing was found, neither the faults nor the assets nor their folders, is
+    /// not for these data. Where the folder is there the asset was fixed by removing it.
     fn refuse_foreign(&self, selection: &Selection<'_>) -> Result<(), Error> {
         let entries = &self.old.entries;
-        let folder = |entry: &Entry| entry.path.rsplit_once('/').map_or(".", |(folder, _)| folder).to_owned();
+        let folder = |entry: &Entry| {
+            entry
+                .path
+                .rsplit_once('/')
+                .map_or(".", |(folder, _)| folder)
+                .to_owned()
+        };
         let is_gone = |entry: &Entry| !self.is_there(&entry.path) && !self.is_there(&folder(entry));
-        let Some(first) = entries.first() else { return Ok(()) };
-        if !entries.iter().all(|entry| !selection.is_silenced(&entry.rule) && is_gone(entry)) {
+        let Some(first) = entries.first() else {
+            return Ok(());
+        };
+        if !entries
+            .iter()
+            .all(|entry| !selection.is_silenced(&entry.rule) && is_gone(entry))
+        {
             return Ok(());
         }
-        let fault = BaselineFault::Foreign { first: first.path.clone() };
-        Err(Error::Baseline { path: self.path.display().to_string(), fault })
+        let fault = BaselineFault::Foreign {
+            first: first.path.clone(),
+        };
+        Err(Error::Baseline {
+            path: self.path.display().to_string(),
+            fault,
+        })
     }
 
     fn found(&self, placed_at: &Placed) -> Found {
@@ -133,7 +218,10 @@ impl Known {
             parts: finding.subject.parts.clone(),
             measure: finding.measure().map(|measure| measure.value),
         };
-        Found { entry, rel: placed_at.rel.clone() }
+        Found {
+            entry,
+            rel: placed_at.rel.clone(),
+        }
     }
 
     /// Whether this run would have found it if it were still there.
@@ -144,10 +232,16 @@ impl Known {
 }
 
 fn is_found(entry: &Entry, found: &[Found]) -> bool {
-    found.iter().any(|found| found.entry.fingerprint == entry.fingerprint && found.entry.path == entry.path)
+    found
+        .iter()
+        .any(|found| found.entry.fingerprint == entry.fingerprint && found.entry.path == entry.path)
 }
 
 fn describe(entry: &Entry) -> String {
-    let key = if entry.key.is_empty() { String::new() } else { format!(" ({})", entry.key) };
+    let key = if entry.key.is_empty() {
+        String::new()
+    } else {
+        format!(" ({})", entry.key)
+    };
     format!("{}: {}{key}", entry.path, entry.rule)
 }

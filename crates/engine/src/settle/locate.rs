@@ -18,14 +18,42 @@ struct Text<'b> {
     spans: Spans,
 }
 
-/// Fills the places of findings and sorts them by path, place, rule and key. `trees` are asked for each path in turn.
-pub(crate) fn place_and_sort(findings: &mut [Finding], trees: &[&Tree], limits: &Limits, failed: &mut Vec<FailedStep>) {
+/// Fills the places of findings and sorts them by path, place, rule and key. `trees` are asked for
+/// each path in turn.
+pub(crate) fn place_and_sort(
+    findings: &mut [Finding],
+    trees: &[&Tree],
+    limits: &Limits,
+    failed: &mut Vec<FailedStep>,
+) {
     // By keys that are made once, because then each finding is moved only once: they are large.
-    findings.sort_by_cached_key(|finding| (finding.path.clone(), finding.rule, finding.subject.key.clone()));
-    caught(FailedStep::Places, failed, || locate(findings, trees, limits));
-    findings.sort_by_cached_key(|Finding { path, location, rule, subject, .. }| {
-        (path.clone(), location.line, location.column, *rule, subject.key.clone())
+    findings.sort_by_cached_key(|finding| {
+        (
+            finding.path.clone(),
+            finding.rule,
+            finding.subject.key.clone(),
+        )
     });
+    caught(FailedStep::Places, failed, || {
+        locate(findings, trees, limits)
+    });
+    findings.sort_by_cached_key(
+        |Finding {
+             path,
+             location,
+             rule,
+             subject,
+             ..
+         }| {
+            (
+                path.clone(),
+                location.line,
+                location.column,
+                *rule,
+                subject.key.clone(),
+            )
+        },
+    );
 }
 
 /// Fills the locations of findings and their related places.
@@ -33,17 +61,38 @@ fn locate(findings: &mut [Finding], trees: &[&Tree], limits: &Limits) {
     // Each text is read once, whichever findings point into it.
     let mut by_path: BTreeMap<&str, Vec<(&Place, &mut Location)>> = BTreeMap::new();
     for finding in &mut *findings {
-        let Finding { path, place, location, related, .. } = finding;
+        let Finding {
+            path,
+            place,
+            location,
+            related,
+            ..
+        } = finding;
         by_path.entry(path).or_default().push((place, location));
-        for Related { path, place, location, .. } in related {
+        for Related {
+            path,
+            place,
+            location,
+            ..
+        } in related
+        {
             by_path.entry(path).or_default().push((place, location));
         }
     }
     by_path.into_par_iter().for_each(|(path, places)| {
         let folder = folder::at(path, trees);
-        let is_in_text = places.iter().any(|(place, _)| !matches!(place, Place::File | Place::Element(_)));
-        let bytes = if is_in_text { read(path, trees, limits) } else { None };
-        let mut text = bytes.as_ref().map(|bytes| Text { lines: Lines::of(bytes), spans: spans(bytes, &places) });
+        let is_in_text = places
+            .iter()
+            .any(|(place, _)| !matches!(place, Place::File | Place::Element(_)));
+        let bytes = if is_in_text {
+            read(path, trees, limits)
+        } else {
+            None
+        };
+        let mut text = bytes.as_ref().map(|bytes| Text {
+            lines: Lines::of(bytes),
+            spans: spans(bytes, &places),
+        });
         for (place, location) in places {
             *location = symbolic(place);
             location.folder.clone_from(&folder);
@@ -66,7 +115,9 @@ fn symbolic(place: &Place) -> Location {
     match place {
         Place::Pointer(pointer) | Place::Key(pointer) => location.pointer = Some(pointer.clone()),
         Place::Line(line) => location.line = Some(*line),
-        Place::Row(line, element) => (location.line, location.element) = (Some(*line), Some(*element)),
+        Place::Row(line, element) => {
+            (location.line, location.element) = (Some(*line), Some(*element))
+        }
         Place::Element(element) => location.element = Some(*element),
         Place::File | Place::Span(_) => {}
     }
@@ -75,8 +126,15 @@ fn symbolic(place: &Place) -> Location {
 
 /// Where the values stand that places in JSON point to.
 fn spans(bytes: &[u8], places: &[(&Place, &mut Location)]) -> Spans {
-    let pointers: Vec<&str> = places.iter().filter_map(|(place, _)| pointer(place)).collect();
-    if pointers.is_empty() { Spans::default() } else { Spans::of(bytes, pointers.into_iter()) }
+    let pointers: Vec<&str> = places
+        .iter()
+        .filter_map(|(place, _)| pointer(place))
+        .collect();
+    if pointers.is_empty() {
+        Spans::default()
+    } else {
+        Spans::of(bytes, pointers.into_iter())
+    }
 }
 
 fn pointer(place: &Place) -> Option<&str> {
@@ -87,7 +145,9 @@ fn pointer(place: &Place) -> Option<&str> {
 }
 
 fn read(path: &str, trees: &[&Tree], limits: &Limits) -> Option<Vec<u8>> {
-    trees.iter().find_map(|tree| tree.read(tree.entry(tree.below(path)?)?, limits).ok())
+    trees
+        .iter()
+        .find_map(|tree| tree.read(tree.entry(tree.below(path)?)?, limits).ok())
 }
 
 impl Text<'_> {

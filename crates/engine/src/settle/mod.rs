@@ -1,4 +1,5 @@
-//! What becomes of findings after the rules: levels, ignores, scope, baseline, fingerprints, places and order.
+//! What becomes of findings after the rules: levels, ignores, scope, baseline, fingerprints, places
+//! and order.
 //!
 //! Imports no other wing of the engine; what it needs of a run is handed to it.
 

@@ -1,4 +1,5 @@
-//! What the texts in ignores name: each text is looked up once, however many comments and findings there are.
+//! What the texts in ignores name: each text is looked up once, however many comments and findings
+//! there are.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -27,13 +28,16 @@ impl NamedRules {
             Ok(selector) => ids.filter(|id| selector.fits(id)).collect(),
             Err(_) => Rc::new([]),
         };
-        self.found.borrow_mut().insert(text.to_owned(), Rc::clone(&rules));
+        self.found
+            .borrow_mut()
+            .insert(text.to_owned(), Rc::clone(&rules));
         rules
     }
 
     /// A rule that may be meant.
     pub(super) fn nearest(&self, text: &str) -> Option<&'static str> {
-        self.suggestions.nearest(text, listed().map(|rule| rule.info.id))
+        self.suggestions
+            .nearest(text, listed().map(|rule| rule.info.id))
     }
 }
 

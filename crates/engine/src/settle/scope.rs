@@ -18,13 +18,23 @@ pub(crate) struct Scope<'c> {
 impl<'c> Scope<'c> {
     /// The scope of a run on `paths`, as printed.
     pub(crate) fn new(paths: Vec<String>, config: &'c Config) -> Self {
-        let named = paths.iter().filter(|path| config.excludes(path)).cloned().collect();
-        Self { config, paths: paths.iter().map(|path| Outer::of(path)).collect(), named, excluded: Answered::default() }
+        let named = paths
+            .iter()
+            .filter(|path| config.excludes(path))
+            .cloned()
+            .collect();
+        Self {
+            config,
+            paths: paths.iter().map(|path| Outer::of(path)).collect(),
+            named,
+            excluded: Answered::default(),
+        }
     }
 
     /// Whether nothing is to be reported for a printed path.
     pub(crate) fn excludes(&self, path: &str) -> bool {
-        let is_excluded = || self.config.excludes(path) && !self.named.iter().any(|named| is_below(path, named));
+        let is_excluded =
+            || self.config.excludes(path) && !self.named.iter().any(|named| is_below(path, named));
         self.config.has_exclude() && self.excluded.of(path, "", is_excluded)
     }
 
@@ -35,7 +45,13 @@ impl<'c> Scope<'c> {
 
     /// Whether nothing but PATHs narrows what is reported. What the file says holds for every run.
     pub(crate) fn is_whole(&self) -> bool {
-        let by_file = |key: &str| self.config.file.as_ref().is_some_and(|file| file.places.contains_key(key));
-        (self.config.bases.is_empty() || by_file("bases")) && (self.config.applications.is_empty() || by_file("apps"))
+        let by_file = |key: &str| {
+            self.config
+                .file
+                .as_ref()
+                .is_some_and(|file| file.places.contains_key(key))
+        };
+        (self.config.bases.is_empty() || by_file("bases"))
+            && (self.config.applications.is_empty() || by_file("apps"))
     }
 }

@@ -1,7 +1,8 @@
 //! Which rules run and at which level their findings are reported.
 //!
-//! Three layers, each going before the one above it: what the configuration file says for all files, what it
-//! says for some (`[[path]]`), and the command line (the fields of [`Config`] itself).
+//! Three layers, each going before the one above it: what the configuration file says for all
+//! files, what it says for some (`[[path]]`), and the command line (the fields of [`Config`]
+//! itself).
 
 use std::collections::BTreeMap;
 
@@ -14,7 +15,8 @@ use mhlint_rules::{Check, RULES};
 
 /// What the selectors of a run say.
 pub(crate) struct Selection<'c> {
-    /// What is said of each rule for all paths: a file may hold any number of selectors, and findings are many.
+    /// What is said of each rule for all paths: a file may hold any number of selectors, and
+    /// findings are many.
     rules: BTreeMap<&'static str, Said>,
     /// Globs of `[[path]]`.
     blocks: Globs,
@@ -42,7 +44,8 @@ struct CommandLine {
 pub(crate) enum Verdict {
     /// Reported at this level.
     At(Level),
-    /// Hidden by somebody's wish, and counted: ignored, or of a rule that is off for this path alone.
+    /// Hidden by somebody's wish, and counted: ignored, or of a rule that is off for this path
+    /// alone.
     Hidden,
     /// Excluded, and not counted.
     Excluded,
@@ -60,8 +63,16 @@ enum Say {
 impl<'c> Selection<'c> {
     /// Compiles the selectors; one that fits no rule is refused.
     pub(crate) fn new(config: &'c Config) -> Result<Self, Error> {
-        let all = |texts: &[String]| texts.iter().map(|text| selector(text)).collect::<Result<Vec<_>, _>>();
-        let levels = config.levels.iter().map(|(text, level)| Ok((selector(text)?, *level)));
+        let all = |texts: &[String]| {
+            texts
+                .iter()
+                .map(|text| selector(text))
+                .collect::<Result<Vec<_>, _>>()
+        };
+        let levels = config
+            .levels
+            .iter()
+            .map(|(text, level)| Ok((selector(text)?, *level)));
         let command_line = CommandLine {
             only: all(&config.only)?,
             skip: all(&config.skip)?,
@@ -70,10 +81,20 @@ impl<'c> Selection<'c> {
         refuse_ignored_safety(config)?;
         refuse_empty_select(config)?;
         let file = config.file.as_ref();
-        let said = |id| Said { command_line: command_line.say(id), file: for_all_paths(file, id) };
+        let said = |id| Said {
+            command_line: command_line.say(id),
+            file: for_all_paths(file, id),
+        };
         Ok(Self {
-            rules: RULES.iter().map(|rule| (rule.info.id, said(rule.info.id))).collect(),
-            blocks: file.iter().flat_map(|file| &file.blocks).map(|block| block.glob.clone()).collect(),
+            rules: RULES
+                .iter()
+                .map(|rule| (rule.info.id, said(rule.info.id)))
+                .collect(),
+            blocks: file
+                .iter()
+                .flat_map(|file| &file.blocks)
+                .map(|block| block.glob.clone())
+                .collect(),
             here: Answered::default(),
             file,
             no_eval: config.no_eval,
@@ -83,7 +104,9 @@ impl<'c> Selection<'c> {
     /// Whether a rule runs at all: whether there is a path for which it is on.
     pub(crate) fn runs(&self, rule: &str) -> bool {
         let blocks = || self.file.iter().flat_map(|file| &file.blocks);
-        let turned_on = || blocks().any(|block| matches!(say(&block.skip, &block.levels, rule), Some(Say::On(_))));
+        let turned_on = || {
+            blocks().any(|block| matches!(say(&block.skip, &block.levels, rule), Some(Say::On(_))))
+        };
         cannot_be_ignored(rule)
             || match self.command_line(rule) {
                 Some(Say::Off) => false,
@@ -126,7 +149,12 @@ impl<'c> Selection<'c> {
 
     fn for_path(&self, rule: &str, rel: &str) -> Option<Say> {
         let blocks = &self.file?.blocks;
-        let mut fitting = self.blocks.fitting(rel).into_iter().rev().filter_map(|number| blocks.get(number));
+        let mut fitting = self
+            .blocks
+            .fitting(rel)
+            .into_iter()
+            .rev()
+            .filter_map(|number| blocks.get(number));
         fitting.find_map(|block| say(&block.skip, &block.levels, rule))
     }
 
@@ -140,13 +168,17 @@ impl CommandLine {
         if !self.only.is_empty() && !fits(&self.only, rule) {
             return Some(Say::Off);
         }
-        say(&self.skip, &self.levels, rule).or_else(|| (!self.only.is_empty()).then_some(Say::On(None)))
+        say(&self.skip, &self.levels, rule)
+            .or_else(|| (!self.only.is_empty()).then_some(Say::On(None)))
     }
 }
 
-/// What looks after the settings themselves is not for `select`: it would hide the slip in `select`.
+/// What looks after the settings themselves is not for `select`: it would hide the slip in
+/// `select`.
 fn for_all_paths(file: Option<&ConfigFile>, rule: &str) -> Say {
-    let Some(file) = file else { return Say::On(None) };
+    let Some(file) = file else {
+        return Say::On(None);
+    };
     if !file.select.is_empty() && !fits(&file.select, rule) && !is_upkeep(rule) {
         return Say::Off;
     }
@@ -157,7 +189,10 @@ fn say(skip: &[Selector], levels: &[(Selector, Option<Level>)], rule: &str) -> O
     if fits(skip, rule) {
         return Some(Say::Off);
     }
-    let (_, level) = levels.iter().rev().find(|(selector, _)| selector.fits(rule))?;
+    let (_, level) = levels
+        .iter()
+        .rev()
+        .find(|(selector, _)| selector.fits(rule))?;
     Some(level.map_or(Say::Off, |level| Say::On(Some(level))))
 }
 
@@ -168,20 +203,39 @@ fn fits(selectors: &[Selector], rule: &str) -> bool {
 /// Naming a safety rule to ignore it is refused aloud; a wide glob just does not reach it.
 fn refuse_ignored_safety(config: &Config) -> Result<(), Error> {
     let levels = config.levels.iter().map(|(text, _)| text);
-    let named = config.skip.iter().chain(levels).find(|text| cannot_be_ignored(text));
-    named.map_or(Ok(()), |text| Err(Error::Selector { text: text.clone(), fault: SelectorFault::Safety }))
+    let named = config
+        .skip
+        .iter()
+        .chain(levels)
+        .find(|text| cannot_be_ignored(text));
+    named.map_or(Ok(()), |text| {
+        Err(Error::Selector {
+            text: text.clone(),
+            fault: SelectorFault::Safety,
+        })
+    })
 }
 
 /// A file that selects no rule at all would pass everything.
 fn refuse_empty_select(config: &Config) -> Result<(), Error> {
-    let Some(file) = config.file.as_ref().filter(|_| config.only.is_empty()) else { return Ok(()) };
-    let Some(first) = file.select.first() else { return Ok(()) };
+    let Some(file) = config.file.as_ref().filter(|_| config.only.is_empty()) else {
+        return Ok(());
+    };
+    let Some(first) = file.select.first() else {
+        return Ok(());
+    };
     if listed().any(|rule| fits(&file.select, rule.info.id)) {
         return Ok(());
     }
     let place = format!("{}:{}", file.path, file.line_at(&first.span));
-    let fault = SelectorFault::EmptySelect { place, nearest: like(&first.text) };
-    Err(Error::Selector { text: first.text.clone(), fault })
+    let fault = SelectorFault::EmptySelect {
+        place,
+        nearest: like(&first.text),
+    };
+    Err(Error::Selector {
+        text: first.text.clone(),
+        fault,
+    })
 }
 
 /// Whether a rule is a matter of safety.
@@ -190,12 +244,22 @@ pub(crate) fn cannot_be_ignored(rule: &str) -> bool {
 }
 
 fn selector(text: &str) -> Result<Selector, Error> {
-    let refuse = |fault| Error::Selector { text: text.to_owned(), fault };
-    let selector = Selector::new(text, 0..0).map_err(|error| refuse(SelectorFault::NoGlob(error)))?;
+    let refuse = |fault| Error::Selector {
+        text: text.to_owned(),
+        fault,
+    };
+    let selector =
+        Selector::new(text, 0..0).map_err(|error| refuse(SelectorFault::NoGlob(error)))?;
     if listed().any(|rule| selector.fits(rule.info.id)) {
         return Ok(selector);
     }
-    Err(refuse(if text.contains(',') { SelectorFault::Several } else { SelectorFault::NoRule { nearest: like(text) } }))
+    Err(refuse(if text.contains(',') {
+        SelectorFault::Several
+    } else {
+        SelectorFault::NoRule {
+            nearest: like(text),
+        }
+    }))
 }
 
 /// A rule that may be meant.

@@ -1,5 +1,5 @@
-//! The formulas of MakeHuman 1: macro variables, weights of targets, weights of bones and what becomes of them on other
-//! skeletons, and what it adds to fitting.
+//! The formulas of MakeHuman 1: macro variables, weights of targets, weights of bones and what
+//! becomes of them on other skeletons, and what it adds to fitting.
 
 pub mod fit;
 pub mod modifiers;

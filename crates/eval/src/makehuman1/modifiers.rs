@@ -1,13 +1,14 @@
 //! Modifiers to weights of targets.
 //!
-//! Gets positions of the macro sliders and of modifiers, returns numbers of targets with weights. Source:
-//! `docs/loaders/makehuman1/modifiers.md#evaluation`.
+//! Gets positions of the macro sliders and of modifiers, returns numbers of targets with weights.
+//! Source: `docs/loaders/makehuman1/modifiers.md#evaluation`.
 
 use std::collections::BTreeMap;
 
 use super::variables::{Human, SLIDERS, VARIABLES};
 
-/// What the sliders of a body do that depend on the macro variables, and those with several targets.
+/// What the sliders of a body do that depend on the macro variables, and those with several
+/// targets.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Modifiers {
     /// Groups of targets in the order in which the application sets them.
@@ -62,41 +63,61 @@ impl Factor {
     }
 }
 
-/// A value of a modifier to its range; NaN is the highest, as `min(1, max(lowest, NaN))` is in Python.
+/// A value of a modifier to its range; NaN is the highest, as `min(1, max(lowest, NaN))` is in
+/// Python.
 pub fn clamped(value: f64, lowest: f64) -> f64 {
-    if value.is_nan() { 1.0 } else { value.clamp(lowest, 1.0) }
+    if value.is_nan() {
+        1.0
+    } else {
+        value.clamp(lowest, 1.0)
+    }
 }
 
 impl TargetGroup {
     /// The weights of its targets.
-    pub fn weights(&self, settings: &[f64], variables: &[f64; VARIABLES.len()]) -> impl Iterator<Item = (u32, f64)> {
+    pub fn weights(
+        &self,
+        settings: &[f64],
+        variables: &[f64; VARIABLES.len()],
+    ) -> impl Iterator<Item = (u32, f64)> {
         let factor = self.factor.at(settings);
         let product = move |own: &Vec<u8>| {
-            own.iter().fold(factor, |product, place| product * variables.get(usize::from(*place)).unwrap_or(&0.0))
+            own.iter().fold(factor, |product, place| {
+                product * variables.get(usize::from(*place)).unwrap_or(&0.0)
+            })
         };
-        self.targets.iter().map(move |(target, own)| (*target, product(own)))
+        self.targets
+            .iter()
+            .map(move |(target, own)| (*target, product(own)))
     }
 }
 
 impl Modifiers {
-    /// Weights of the targets at positions of the macro sliders and, behind them, of the modifiers. Of several weights
-    /// for one target the last counts, and a weight of 0 takes it away.
+    /// Weights of the targets at positions of the macro sliders and, behind them, of the modifiers.
+    /// Of several weights for one target the last counts, and a weight of 0 takes it away.
     pub fn evaluate(&self, settings: &[f64], out: &mut ModifierResult) {
         out.weights.clear();
         out.places.clear();
-        let variables = Human::of_file(settings.get(..SLIDERS.len()).unwrap_or(settings)).variables();
+        let variables =
+            Human::of_file(settings.get(..SLIDERS.len()).unwrap_or(settings)).variables();
         for group in &self.groups {
             if group.factor.at(settings) == 0.0 && !matches!(group.factor, Factor::One) {
                 continue;
             }
-            group.weights(settings, &variables).for_each(|(target, weight)| out.set(target, weight));
+            group
+                .weights(settings, &variables)
+                .for_each(|(target, weight)| out.set(target, weight));
         }
         out.weights.retain(|(_, weight)| *weight != 0.0);
     }
 
     /// Steps that evaluating one setting takes at most.
     pub fn cost(&self) -> usize {
-        self.groups.iter().flat_map(|group| &group.targets).map(|(_, own)| 1 + own.len()).sum()
+        self.groups
+            .iter()
+            .flat_map(|group| &group.targets)
+            .map(|(_, own)| 1 + own.len())
+            .sum()
     }
 }
 
@@ -127,14 +148,23 @@ mod tests {
     }
 
     fn group(factor: Factor, targets: &[(u32, &[u8])]) -> TargetGroup {
-        TargetGroup { factor, targets: targets.iter().map(|(target, own)| (*target, own.to_vec())).collect() }
+        TargetGroup {
+            factor,
+            targets: targets
+                .iter()
+                .map(|(target, own)| (*target, own.to_vec()))
+                .collect(),
+        }
     }
 
     #[test]
     fn sides_and_the_middle_of_a_modifier() {
         let groups = |value| {
             let sides = [Factor::Left(11), Factor::Centre(11), Factor::Right(11)];
-            let all = sides.into_iter().zip(0..).map(|(side, target)| group(side, &[(target, &[])]));
+            let all = sides
+                .into_iter()
+                .zip(0..)
+                .map(|(side, target)| group(side, &[(target, &[])]));
             weights(all.collect(), &[value])
         };
         assert_eq!(groups(-0.75), [(0, 0.75), (1, 0.25)]);
@@ -145,8 +175,14 @@ mod tests {
 
     #[test]
     fn a_gendered_detail_has_half_its_weight_at_first() {
-        assert_eq!(weights(vec![group(Factor::Only(11), &[(0, &[1])])], &[1.0]), [(0, 0.5)]);
-        assert_eq!(weights(vec![group(Factor::Only(11), &[(0, &[1])])], &[-1.0]), []);
+        assert_eq!(
+            weights(vec![group(Factor::Only(11), &[(0, &[1])])], &[1.0]),
+            [(0, 0.5)]
+        );
+        assert_eq!(
+            weights(vec![group(Factor::Only(11), &[(0, &[1])])], &[-1.0]),
+            []
+        );
     }
 
     #[test]
@@ -159,7 +195,10 @@ mod tests {
 
     #[test]
     fn of_two_weights_for_a_target_the_last_counts() {
-        let two = [group(Factor::Only(11), &[(0, &[])]), group(Factor::Only(12), &[(0, &[])])];
+        let two = [
+            group(Factor::Only(11), &[(0, &[])]),
+            group(Factor::Only(12), &[(0, &[])]),
+        ];
         assert_eq!(weights(two.to_vec(), &[0.25, 0.75]), [(0, 0.75)]);
     }
 }

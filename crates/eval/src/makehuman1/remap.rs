@@ -1,15 +1,15 @@
 //! Weights of the base skeleton handed to another one through its reference bones.
 //!
-//! Gets the hierarchy of the base skeleton and, for each bone of the other one, its references as numbers of base bones;
-//! returns the base bones whose weights it takes. Source:
+//! Gets the hierarchy of the base skeleton and, for each bone of the other one, its references as
+//! numbers of base bones; returns the base bones whose weights it takes. Source:
 //! `docs/loaders/makehuman1/skeletons.md#references-and-weights`.
 
 use std::collections::BTreeMap;
 
 use super::super::weights::{BoneWeights, Entry, merge_duplicates};
 
-/// A bone of the other skeleton. Numbers are those of base bones; `None` stands for a name that the base skeleton lacks:
-/// it gives nothing, but a list is not empty for it.
+/// A bone of the other skeleton. Numbers are those of base bones; `None` stands for a name that the
+/// base skeleton lacks: it gives nothing, but a list is not empty for it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct RemapBone<'a> {
     /// The base bone of the same name.
@@ -22,11 +22,13 @@ pub struct RemapBone<'a> {
 
 /// For each bone the base bones whose weights it takes, each once and in order.
 ///
-/// What no list names below a base bone that one does goes to the bones with that list, at any depth. Base bones are
-/// numbered with parents before children.
+/// What no list names below a base bone that one does goes to the bones with that list, at any
+/// depth. Base bones are numbered with parents before children.
 pub fn sources(parents: &[Option<usize>], bones: &[RemapBone<'_>]) -> Vec<Vec<usize>> {
-    let mut lists: Vec<Vec<usize>> =
-        bones.iter().map(|bone| bone.references.iter().flatten().copied().collect()).collect();
+    let mut lists: Vec<Vec<usize>> = bones
+        .iter()
+        .map(|bone| bone.references.iter().flatten().copied().collect())
+        .collect();
     let mut walk = Walk::new(parents, &lists, bones);
     for bone in (0..parents.len()).rev() {
         for free in walk.pass(bone) {
@@ -88,7 +90,8 @@ impl Walk {
         walk
     }
 
-    /// Passes a bone whose children were passed; gives the free ones below it if they have somebody to go to.
+    /// Passes a bone whose children were passed; gives the free ones below it if they have somebody
+    /// to go to.
     fn pass(&mut self, bone: usize) -> Vec<usize> {
         let children = &self.children[bone];
         let has_free_child = children.iter().any(|child| self.is_free[*child]);
@@ -98,7 +101,10 @@ impl Walk {
             self.take(bone, &mut found);
         }
         self.is_free[bone] = !self.is_named[bone] && is_open;
-        let below: usize = self.children[bone].iter().map(|child| self.free_below[*child]).sum();
+        let below: usize = self.children[bone]
+            .iter()
+            .map(|child| self.free_below[*child])
+            .sum();
         self.free_below[bone] = below + usize::from(self.is_free[bone]);
         found
     }
@@ -107,7 +113,11 @@ impl Walk {
     fn take(&mut self, bone: usize, found: &mut Vec<usize>) {
         let mut open = vec![bone];
         while let Some(at) = open.pop() {
-            open.extend(self.children[at].iter().filter(|child| self.free_below[**child] > 0));
+            open.extend(
+                self.children[at]
+                    .iter()
+                    .filter(|child| self.free_below[**child] > 0),
+            );
             if at != bone {
                 self.free_below[at] = 0;
                 if std::mem::take(&mut self.is_free[at]) {
@@ -121,10 +131,18 @@ impl Walk {
 
 /// The weights that bones take, by number of the bone; those without any are left out.
 pub fn taken(weights: &[BoneWeights], sources: &[Vec<usize>]) -> Vec<BoneWeights> {
-    let lists: BTreeMap<usize, &[Entry]> = weights.iter().map(|list| (list.bone, list.entries.as_slice())).collect();
+    let lists: BTreeMap<usize, &[Entry]> = weights
+        .iter()
+        .map(|list| (list.bone, list.entries.as_slice()))
+        .collect();
     let bones = sources.iter().enumerate().map(|(bone, sources)| {
-        let mut entries: Vec<Entry> =
-            sources.iter().filter_map(|source| lists.get(source)).copied().flatten().copied().collect();
+        let mut entries: Vec<Entry> = sources
+            .iter()
+            .filter_map(|source| lists.get(source))
+            .copied()
+            .flatten()
+            .copied()
+            .collect();
         entries.sort_by_key(|(vertex, _)| *vertex);
         merge_duplicates(&mut entries);
         BoneWeights { bone, entries }
@@ -140,49 +158,79 @@ mod tests {
     const PARENTS: [Option<usize>; 6] = [None, Some(0), Some(1), Some(2), Some(0), Some(4)];
 
     fn refers(references: &[Option<usize>], is_explicit: bool) -> RemapBone<'_> {
-        RemapBone { same_name: None, references, is_explicit }
+        RemapBone {
+            same_name: None,
+            references,
+            is_explicit,
+        }
     }
 
     #[test]
     fn chains_that_nobody_names_go_to_the_bone_above() {
-        let found = sources(&PARENTS, &[refers(&[Some(0)], false), refers(&[Some(1)], false)]);
+        let found = sources(
+            &PARENTS,
+            &[refers(&[Some(0)], false), refers(&[Some(1)], false)],
+        );
         assert_eq!(found, [vec![0, 4, 5], vec![1, 2, 3]]);
     }
 
     #[test]
     fn a_named_bone_below_ends_the_chain() {
         // The hand has no free child: it is named by nobody and is not free, either.
-        let found = sources(&PARENTS, &[refers(&[Some(1)], false), refers(&[Some(3)], false)]);
+        let found = sources(
+            &PARENTS,
+            &[refers(&[Some(1)], false), refers(&[Some(3)], false)],
+        );
         assert_eq!(found, [vec![1], vec![3]]);
     }
 
     #[test]
     fn an_explicit_list_is_taken_as_it_is() {
-        let found = sources(&PARENTS, &[refers(&[Some(0)], false), refers(&[Some(1)], true)]);
-        // The arm has a free hand, but only through its own list; the root takes what is free below it at any depth.
+        let found = sources(
+            &PARENTS,
+            &[refers(&[Some(0)], false), refers(&[Some(1)], true)],
+        );
+        // The arm has a free hand, but only through its own list; the root takes what is free below
+        // it at any depth.
         assert_eq!(found, [vec![0, 2, 3, 4, 5], vec![1]]);
     }
 
     #[test]
     fn without_references_a_bone_has_its_namesake_and_names_nobody() {
-        let named = RemapBone { same_name: Some(1), ..RemapBone::default() };
+        let named = RemapBone {
+            same_name: Some(1),
+            ..RemapBone::default()
+        };
         let found = sources(&PARENTS, &[refers(&[Some(0)], false), named]);
         assert_eq!(found, [vec![0, 1, 2, 3, 4, 5], vec![1]]);
-        let unknown = RemapBone { same_name: Some(1), references: &[None], is_explicit: true };
+        let unknown = RemapBone {
+            same_name: Some(1),
+            references: &[None],
+            is_explicit: true,
+        };
         assert_eq!(sources(&PARENTS, &[unknown]), [Vec::<usize>::new()]);
     }
 
     #[test]
     fn several_that_name_one_bone_take_what_is_below_it() {
-        let found = sources(&PARENTS, &[refers(&[Some(2)], false), refers(&[Some(2)], false)]);
+        let found = sources(
+            &PARENTS,
+            &[refers(&[Some(2)], false), refers(&[Some(2)], false)],
+        );
         assert_eq!(found, [vec![2, 3], vec![2, 3]]);
     }
 
     #[test]
     fn what_is_taken_twice_is_added_up() {
-        let list = |bone, entries: &[Entry]| BoneWeights { bone, entries: entries.to_vec() };
+        let list = |bone, entries: &[Entry]| BoneWeights {
+            bone,
+            entries: entries.to_vec(),
+        };
         let weights = [list(0, &[(1, 0.5), (2, 1.0)]), list(1, &[(1, 0.25)])];
         let found = taken(&weights, &[vec![0, 1], vec![], vec![1]]);
-        assert_eq!(found, [list(0, &[(1, 0.75), (2, 1.0)]), list(2, &[(1, 0.25)])]);
+        assert_eq!(
+            found,
+            [list(0, &[(1, 0.75), (2, 1.0)]), list(2, &[(1, 0.25)])]
+        );
     }
 }

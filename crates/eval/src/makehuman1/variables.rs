@@ -72,14 +72,18 @@ pub struct Human {
 impl Default for Human {
     fn default() -> Self {
         let mut values = [MIDDLE; SLIDERS.len()];
-        values.iter_mut().skip(FIRST_RACE).for_each(|race| *race = 1.0 / 3.0);
+        values
+            .iter_mut()
+            .skip(FIRST_RACE)
+            .for_each(|race| *race = 1.0 / 3.0);
         Self { values }
     }
 }
 
 impl Human {
-    /// The sliders at these values; what is not given stands at its default. NaN is the highest value, as `min(1, max(0,
-    /// NaN))` is in Python. Races are set as they are and then brought to a sum of 1.
+    /// The sliders at these values; what is not given stands at its default. NaN is the highest
+    /// value, as `min(1, max(0, NaN))` is in Python. Races are set as they are and then brought to
+    /// a sum of 1.
     pub fn of_file(values: &[f64]) -> Self {
         let mut human = Self::default();
         for (slot, value) in human.values.iter_mut().zip(values) {
@@ -108,21 +112,40 @@ impl Human {
     fn share(&mut self, kept: Option<usize>) {
         let kept = kept.and_then(|slider| slider.checked_sub(FIRST_RACE));
         let races = &mut self.values[FIRST_RACE..];
-        let left = 1.0 - kept.and_then(|kept| races.get(kept)).copied().unwrap_or(0.0);
+        let left = 1.0
+            - kept
+                .and_then(|kept| races.get(kept))
+                .copied()
+                .unwrap_or(0.0);
         let is_other = |place: usize| Some(place) != kept;
-        let sum: f64 = races.iter().enumerate().filter(|(place, _)| is_other(*place)).map(|(_, race)| race).sum();
+        let sum: f64 = races
+            .iter()
+            .enumerate()
+            .filter(|(place, _)| is_other(*place))
+            .map(|(_, race)| race)
+            .sum();
         if sum != 0.0 {
-            let others = races.iter_mut().enumerate().filter(|(place, _)| is_other(*place));
+            let others = races
+                .iter_mut()
+                .enumerate()
+                .filter(|(place, _)| is_other(*place));
             others.for_each(|(_, race)| *race = left * (*race / sum));
         } else if kept.is_none() || left >= 1.0 {
             races.fill(1.0 / 3.0);
         } else if left.abs() <= WHOLE {
-            races.iter_mut().enumerate().for_each(|(place, race)| *race = if is_other(place) { 0.0 } else { 1.0 });
+            races
+                .iter_mut()
+                .enumerate()
+                .for_each(|(place, race)| *race = if is_other(place) { 0.0 } else { 1.0 });
         } else {
             let others = f64::from(u8::try_from(RACES - 1).unwrap_or(1));
-            races.iter_mut().enumerate().filter(|(place, _)| is_other(*place)).for_each(|(_, race)| {
-                *race = left / others;
-            });
+            races
+                .iter_mut()
+                .enumerate()
+                .filter(|(place, _)| is_other(*place))
+                .for_each(|(_, race)| {
+                    *race = left / others;
+                });
         }
     }
 
@@ -143,14 +166,21 @@ impl Human {
         ]
         .concat();
         let mut variables = [0.0; VARIABLES.len()];
-        variables.iter_mut().zip(parts).for_each(|(slot, value)| *slot = value);
+        variables
+            .iter_mut()
+            .zip(parts)
+            .for_each(|(slot, value)| *slot = value);
         variables
     }
 }
 
 /// To 0..1; NaN becomes 1.
 fn clamped(value: f64) -> f64 {
-    if value.is_nan() { 1.0 } else { value.clamp(0.0, 1.0) }
+    if value.is_nan() {
+        1.0
+    } else {
+        value.clamp(0.0, 1.0)
+    }
 }
 
 /// Baby, child, young, old.
@@ -158,7 +188,12 @@ fn ages(age: f64) -> [f64; 4] {
     if age < MIDDLE {
         let young = ((age - CHILD) * YOUNG_SLOPE).max(0.0);
         let child = (CHILD_SLOPE * age).min(1.0) - young;
-        [(1.0 - age * CHILD_SLOPE).max(0.0), child.max(0.0), young, 0.0]
+        [
+            (1.0 - age * CHILD_SLOPE).max(0.0),
+            child.max(0.0),
+            young,
+            0.0,
+        ]
     } else {
         let old = (2.0 * age - 1.0).max(0.0);
         [0.0, 0.0, 1.0 - old, old]
@@ -200,17 +235,29 @@ mod tests {
         assert!((variable(&human, "baby") - 6.25e-5).abs() < 1e-12);
         assert!((variable(&human, "child") - 0.999_937_5).abs() < 1e-12);
         human.set(1, 0.0);
-        assert_eq!(["baby", "child", "young", "old"].map(|age| variable(&human, age)), [1.0, 0.0, 0.0, 0.0]);
+        assert_eq!(
+            ["baby", "child", "young", "old"].map(|age| variable(&human, age)),
+            [1.0, 0.0, 0.0, 0.0]
+        );
         human.set(1, 0.5);
-        assert_eq!(["young", "old"].map(|age| variable(&human, age)), [1.0, 0.0]);
+        assert_eq!(
+            ["young", "old"].map(|age| variable(&human, age)),
+            [1.0, 0.0]
+        );
         human.set(1, 0.75);
-        assert_eq!(["child", "young", "old"].map(|age| variable(&human, age)), [0.0, 0.5, 0.5]);
+        assert_eq!(
+            ["child", "young", "old"].map(|age| variable(&human, age)),
+            [0.0, 0.5, 0.5]
+        );
     }
 
     #[test]
     fn what_lies_outside_is_clamped_and_nan_is_the_highest() {
         let human = Human::of_file(&[-3.0, 7.0, f64::NAN]);
-        assert_eq!([0, 1, 2, 3].map(|slider| human.value(slider)), [0.0, 1.0, 1.0, 0.5]);
+        assert_eq!(
+            [0, 1, 2, 3].map(|slider| human.value(slider)),
+            [0.0, 1.0, 1.0, 0.5]
+        );
         assert!(human.value(99).is_nan());
     }
 
@@ -228,7 +275,11 @@ mod tests {
         human.set(9, 0.9995);
         assert_eq!([8, 9, 10].map(|race| human.value(race)), [0.0, 1.0, 0.0]);
         human.set(9, 0.0);
-        assert!([8, 9, 10].iter().all(|race| near(human.value(*race), 1.0 / 3.0)));
+        assert!(
+            [8, 9, 10]
+                .iter()
+                .all(|race| near(human.value(*race), 1.0 / 3.0))
+        );
     }
 
     #[test]
@@ -236,7 +287,9 @@ mod tests {
         let mut values = [0.5; 11];
         values[8..].copy_from_slice(&[0.8, 0.8, 0.4]);
         let human = Human::of_file(&values);
-        assert!(near(human.value(8), 0.4) && near(human.value(9), 0.4) && near(human.value(10), 0.2));
+        assert!(
+            near(human.value(8), 0.4) && near(human.value(9), 0.4) && near(human.value(10), 0.2)
+        );
         values[8..].fill(0.0);
         assert!(near(Human::of_file(&values).value(10), 1.0 / 3.0));
     }
@@ -244,8 +297,21 @@ mod tests {
     #[test]
     fn averages_of_sums_and_of_the_larger() {
         let human = Human::of_file(&[0.5, 0.5, 0.25, 0.5, 0.25]);
-        assert_eq!(["minmuscle", "averagemuscle", "maxmuscle"].map(|name| variable(&human, name)), [0.5, 0.5, 0.0]);
-        assert_eq!(["minheight", "averageheight"].map(|name| variable(&human, name)), [0.5, 0.5]);
-        assert_eq!(human.variables().iter().filter(|value| **value < 0.0).count(), 0);
+        assert_eq!(
+            ["minmuscle", "averagemuscle", "maxmuscle"].map(|name| variable(&human, name)),
+            [0.5, 0.5, 0.0]
+        );
+        assert_eq!(
+            ["minheight", "averageheight"].map(|name| variable(&human, name)),
+            [0.5, 0.5]
+        );
+        assert_eq!(
+            human
+                .variables()
+                .iter()
+                .filter(|value| **value < 0.0)
+                .count(),
+            0
+        );
     }
 }

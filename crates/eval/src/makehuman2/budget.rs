@@ -1,7 +1,7 @@
 //! How much work is done for the macros of a base: a small file may ask for any amount.
 
-/// Steps of work that are done for the macros of a base: components looked at, combinations walked. A character with
-/// twenty macro sliders takes a hundredth.
+/// Steps of work that are done for the macros of a base: components looked at, combinations walked.
+/// A character with twenty macro sliders takes a hundredth.
 const STEPS: usize = 1 << 27;
 
 /// How much of the work may still be done.
@@ -20,7 +20,10 @@ impl Default for Budget {
 impl Budget {
     /// A budget of so many steps.
     pub(super) const fn of(left: usize) -> Self {
-        Self { left, is_cut: false }
+        Self {
+            left,
+            is_cut: false,
+        }
     }
 
     /// Steps that may still be done.

@@ -1,8 +1,9 @@
 //! Shares of one macro component at one slider value.
 //!
-//! Gets steps or barycentric numbers, returns at most three (value, weight) pairs, or why the component drops out of
-//! the product. Knows no names and no targets. Source: MakeHuman 2, macro calculation
-//! (`docs/loaders/makehuman2/macros.md#evaluation`, `docs/loaders/makehuman2/macros.md#special-cases`).
+//! Gets steps or barycentric numbers, returns at most three (value, weight) pairs, or why the
+//! component drops out of the product. Knows no names and no targets. Source: MakeHuman 2, macro
+//! calculation (`docs/loaders/makehuman2/macros.md#evaluation`,
+//! `docs/loaders/makehuman2/macros.md#special-cases`).
 
 use std::fmt;
 
@@ -62,7 +63,8 @@ pub enum DropReason {
     TooFewSteps,
     /// The slider stands above the last step: the name lacks this part.
     AboveLastStep,
-    /// No share is left (all corners of a triangle at zero, or NaN): the macrodef yields no combination at all.
+    /// No share is left (all corners of a triangle at zero, or NaN): the macrodef yields no
+    /// combination at all.
     NoShare,
 }
 
@@ -99,30 +101,47 @@ impl fmt::Display for ComponentFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::EqualSteps => f.write_str("two steps are equal, which divides by zero"),
-            Self::MissingValue(value) => write!(f, "the steps reach value number {value}, which does not exist"),
+            Self::MissingValue(value) => write!(
+                f,
+                "the steps reach value number {value}, which does not exist"
+            ),
             Self::MissingSum(entry) => write!(f, "entry number {entry} of `sum` does not exist"),
             Self::FourthCorner => f.write_str("a triangle slider has only three values"),
             Self::NotBarycentric(entry) => {
-                write!(f, "entry number {entry} of `sum` names a slider that is not a triangle")
+                write!(
+                    f,
+                    "entry number {entry} of `sum` names a slider that is not a triangle"
+                )
             }
             Self::MissingSetting(place) => write!(f, "setting number {place} is missing"),
         }
     }
 }
 
-/// Shares of a stepped component at slider position `slider` (as in a model file, nominally 0..1, not clamped).
+/// Shares of a stepped component at slider position `slider` (as in a model file, nominally 0..1,
+/// not clamped).
 ///
-/// The interval is the first whose upper step is not below the position; below the first step the first interval is
-/// extrapolated. Weights that the two limits leave out are not redistributed.
+/// The interval is the first whose upper step is not below the position; below the first step the
+/// first interval is extrapolated. Weights that the two limits leave out are not redistributed.
 ///
 /// # Errors
 /// `EqualSteps` and `MissingValue`, where the application stops.
-pub fn stepped(slider: f64, steps: &[f64], value_count: usize) -> Result<ComponentState, ComponentFault> {
+pub fn stepped(
+    slider: f64,
+    steps: &[f64],
+    value_count: usize,
+) -> Result<ComponentState, ComponentFault> {
     let position = slider * 100.0 / 100.0; // sliders hold percent; the two roundings can lift a position over the last step
     // `!(a > b)`, not `a <= b`: NaN takes the first interval and then passes neither limit.
-    let interval = steps.windows(2).position(|pair| !matches!(pair, [_, upper] if position > *upper));
+    let interval = steps
+        .windows(2)
+        .position(|pair| !matches!(pair, [_, upper] if position > *upper));
     let Some(i) = interval else {
-        let reason = if steps.len() < 2 { DropReason::TooFewSteps } else { DropReason::AboveLastStep };
+        let reason = if steps.len() < 2 {
+            DropReason::TooFewSteps
+        } else {
+            DropReason::AboveLastStep
+        };
         return Ok(ComponentState::Dropped(reason));
     };
     let width = steps[i + 1] - steps[i];
@@ -142,8 +161,8 @@ pub fn stepped(slider: f64, steps: &[f64], value_count: usize) -> Result<Compone
     Ok(ComponentState::Shares(shares))
 }
 
-/// Shares of a triangle: `corners` gives for each value its barycentric number, or `None` where no slider is
-/// registered (left out). Nothing is normalised.
+/// Shares of a triangle: `corners` gives for each value its barycentric number, or `None` where no
+/// slider is registered (left out). Nothing is normalised.
 pub fn barycentric(corners: impl IntoIterator<Item = Option<f64>>) -> Shares {
     let mut shares = Shares::default();
     for (value, weight) in corners.into_iter().enumerate() {
@@ -208,7 +227,10 @@ mod tests {
     #[test]
     fn above_the_last_step_the_component_is_dropped() {
         assert_eq!(dropped(5.0, THIRDS), Some(DropReason::AboveLastStep));
-        assert_eq!(dropped(f64::INFINITY, THIRDS), Some(DropReason::AboveLastStep));
+        assert_eq!(
+            dropped(f64::INFINITY, THIRDS),
+            Some(DropReason::AboveLastStep)
+        );
         assert_eq!(dropped(1.0, THIRDS), None);
     }
 
@@ -220,7 +242,10 @@ mod tests {
 
     #[test]
     fn equal_first_steps_divide_by_zero_only_at_or_below_them() {
-        assert_eq!(stepped(0.0, &[0.0, 0.0, 1.0], 3).unwrap_err(), ComponentFault::EqualSteps);
+        assert_eq!(
+            stepped(0.0, &[0.0, 0.0, 1.0], 3).unwrap_err(),
+            ComponentFault::EqualSteps
+        );
         assert_eq!(shares(0.5, &[0.0, 0.0, 1.0], 3), [(1, 0.5), (2, 0.5)]);
     }
 
@@ -238,7 +263,10 @@ mod tests {
 
     #[test]
     fn missing_values_stop_only_where_they_are_reached() {
-        assert_eq!(stepped(0.75, THIRDS, 2).unwrap_err(), ComponentFault::MissingValue(2));
+        assert_eq!(
+            stepped(0.75, THIRDS, 2).unwrap_err(),
+            ComponentFault::MissingValue(2)
+        );
         assert_eq!(shares(0.25, THIRDS, 2).len(), 2);
         assert_eq!(shares(0.5, THIRDS, 2), [(1, 1.0)]);
     }
@@ -256,7 +284,23 @@ mod tests {
     #[test]
     fn triangle_takes_numbers_as_they_are() {
         let s = barycentric([Some(0.5), None, Some(0.9)]);
-        assert_eq!(s.as_slice(), [Share { value: 0, weight: 0.5 }, Share { value: 2, weight: 0.9 }]);
-        assert!(barycentric([Some(0.001), Some(0.0), Some(f64::NAN)]).as_slice().is_empty());
+        assert_eq!(
+            s.as_slice(),
+            [
+                Share {
+                    value: 0,
+                    weight: 0.5
+                },
+                Share {
+                    value: 2,
+                    weight: 0.9
+                }
+            ]
+        );
+        assert!(
+            barycentric([Some(0.001), Some(0.0), Some(f64::NAN)])
+                .as_slice()
+                .is_empty()
+        );
     }
 }

@@ -13,13 +13,19 @@ use super::super::weights::{Entry, LoadedWeights, merge_duplicates};
 /// Distances below this give no scale, and then the asset is not scaled at all. In mesh units.
 pub const SMALLEST_DISTANCE: f32 = 0.01;
 
-/// Scales of the x, y and z axis on a mesh; `None` (no scaling) unless all three lines are there with distances of at
-/// least `SMALLEST_DISTANCE`. Assets of type proxy are never scaled: pass `None` to `fit` for them.
+/// Scales of the x, y and z axis on a mesh; `None` (no scaling) unless all three lines are there
+/// with distances of at least `SMALLEST_DISTANCE`. Assets of type proxy are never scaled: pass
+/// `None` to `fit` for them.
 ///
 /// # Errors
 /// A vertex outside the mesh.
-pub fn axis_scales(positions: &[Point], lines: [Option<ScaleLine>; 3]) -> Result<Option<Vec3>, EvalError> {
-    let [Some(x), Some(y), Some(z)] = lines else { return Ok(None) };
+pub fn axis_scales(
+    positions: &[Point],
+    lines: [Option<ScaleLine>; 3],
+) -> Result<Option<Vec3>, EvalError> {
+    let [Some(x), Some(y), Some(z)] = lines else {
+        return Ok(None);
+    };
     let mut scales = [1.0; 3];
     for (axis, line) in [x, y, z].into_iter().enumerate() {
         // False for NaN.
@@ -33,12 +39,17 @@ pub fn axis_scales(positions: &[Point], lines: [Option<ScaleLine>; 3]) -> Result
     Ok(Some(scales))
 }
 
-/// Weights of an asset without own weights: body weights times reference weights, products not above `WEIGHT_LIMIT`
-/// dropped, then as `load::load`, then entries of one vertex added up. Vertices left without weight go to `root`.
+/// Weights of an asset without own weights: body weights times reference weights, products not
+/// above `WEIGHT_LIMIT` dropped, then as `load::load`, then entries of one vertex added up.
+/// Vertices left without weight go to `root`.
 ///
 /// # Errors
 /// None that data can cause: references outside `body` have no weights.
-pub fn derived_weights(references: &[Reference], body: &Influences, root: usize) -> Result<LoadedWeights, EvalError> {
+pub fn derived_weights(
+    references: &[Reference],
+    body: &Influences,
+    root: usize,
+) -> Result<LoadedWeights, EvalError> {
     let mut lists: Vec<Vec<Entry>> = Vec::new();
     for (vertex, reference) in (0..).zip(references) {
         for (base, share) in reference.vertices.iter().zip(reference.weights) {
@@ -68,7 +79,10 @@ mod tests {
     const MESH: [Point; 4] = [[0.0; 3], [2.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 8.0]];
 
     fn line(a: u32, b: u32, distance: f32) -> ScaleLine {
-        ScaleLine { vertices: [a, b], distance }
+        ScaleLine {
+            vertices: [a, b],
+            distance,
+        }
     }
 
     #[test]
@@ -84,7 +98,13 @@ mod tests {
     }
 
     fn body(lists: &[&[(u32, f32)]]) -> Influences {
-        let bones: Vec<_> = (0..).zip(lists).map(|(bone, l)| BoneWeights { bone, entries: l.to_vec() }).collect();
+        let bones: Vec<_> = (0..)
+            .zip(lists)
+            .map(|(bone, l)| BoneWeights {
+                bone,
+                entries: l.to_vec(),
+            })
+            .collect();
         Influences::new(&bones, 4).unwrap()
     }
 
@@ -92,14 +112,30 @@ mod tests {
     fn exact_reference_takes_the_weights_of_its_vertex() {
         let body = body(&[&[(0, 0.25), (1, 1.0)], &[(0, 0.75)]]);
         let found = derived_weights(&[Reference::exact(0)], &body, 9).unwrap();
-        assert_eq!(found.bones[0], BoneWeights { bone: 0, entries: vec![(0, 0.25)] });
-        assert_eq!(found.bones[1], BoneWeights { bone: 1, entries: vec![(0, 0.75)] });
+        assert_eq!(
+            found.bones[0],
+            BoneWeights {
+                bone: 0,
+                entries: vec![(0, 0.25)]
+            }
+        );
+        assert_eq!(
+            found.bones[1],
+            BoneWeights {
+                bone: 1,
+                entries: vec![(0, 0.75)]
+            }
+        );
     }
 
     #[test]
     fn equal_bones_of_the_references_are_added() {
         let body = body(&[&[(0, 1.0), (1, 1.0), (2, 0.5)], &[(2, 0.5)]]);
-        let reference = Reference { vertices: [0, 1, 2], weights: [0.25, 0.25, 0.5], offset: [0.0; 3] };
+        let reference = Reference {
+            vertices: [0, 1, 2],
+            weights: [0.25, 0.25, 0.5],
+            offset: [0.0; 3],
+        };
         let found = derived_weights(&[reference], &body, 9).unwrap();
         assert_eq!(found.bones[0].entries, [(0, 0.75)]);
         assert_eq!(found.bones[1].entries, [(0, 0.25)]);
@@ -108,14 +144,35 @@ mod tests {
     #[test]
     fn negative_and_small_products_are_dropped_before_normalising() {
         let body = body(&[&[(0, 1.0)], &[(1, 1.0)], &[(2, 1.0)]]);
-        let reference = Reference { vertices: [0, 1, 2], weights: [0.5, -0.5, 1e-4], offset: [0.0; 3] };
+        let reference = Reference {
+            vertices: [0, 1, 2],
+            weights: [0.5, -0.5, 1e-4],
+            offset: [0.0; 3],
+        };
         let found = derived_weights(&[reference], &body, 9).unwrap();
-        assert_eq!(found.bones, [BoneWeights { bone: 0, entries: vec![(0, 1.0)] }]);
+        assert_eq!(
+            found.bones,
+            [BoneWeights {
+                bone: 0,
+                entries: vec![(0, 1.0)]
+            }]
+        );
     }
 
     #[test]
     fn asset_vertex_without_weights_goes_to_the_root() {
-        let found = derived_weights(&[Reference::exact(3), Reference::exact(77)], &body(&[&[(0, 1.0)]]), 9).unwrap();
-        assert_eq!(found.bones, [BoneWeights { bone: 9, entries: vec![(0, 1.0), (1, 1.0)] }]);
+        let found = derived_weights(
+            &[Reference::exact(3), Reference::exact(77)],
+            &body(&[&[(0, 1.0)]]),
+            9,
+        )
+        .unwrap();
+        assert_eq!(
+            found.bones,
+            [BoneWeights {
+                bone: 9,
+                entries: vec![(0, 1.0), (1, 1.0)]
+            }]
+        );
     }
 }

@@ -6,8 +6,8 @@ use super::super::error::EvalError;
 use super::super::mesh::point;
 use super::super::vector::{Point, add, narrow, scale, widen};
 
-/// Mean of the listed vertices; a vertex listed twice counts twice. Rounded to storage precision, as the application
-/// keeps it.
+/// Mean of the listed vertices; a vertex listed twice counts twice. Rounded to storage precision,
+/// as the application keeps it.
 ///
 /// Negative indices (counted from the end by the application) are the caller's to resolve.
 ///
@@ -32,7 +32,10 @@ pub fn joint_positions<'a>(
     positions: &[Point],
     joints: impl IntoIterator<Item = &'a [u32]>,
 ) -> Result<Vec<Point>, EvalError> {
-    joints.into_iter().map(|vertices| joint_position(positions, vertices)).collect()
+    joints
+        .into_iter()
+        .map(|vertices| joint_position(positions, vertices))
+        .collect()
 }
 
 #[cfg(test)]
@@ -54,7 +57,10 @@ mod tests {
     #[test]
     fn empty_joint_and_unknown_vertex_are_errors() {
         assert_eq!(joint_position(&MESH, &[]), Err(EvalError::EmptyJoint));
-        assert_eq!(joint_positions(&MESH, [&[0][..], &[0, 3][..]]), Err(EvalError::vertex(3, 3)));
+        assert_eq!(
+            joint_positions(&MESH, [&[0][..], &[0, 3][..]]),
+            Err(EvalError::vertex(3, 3))
+        );
     }
 
     #[test]

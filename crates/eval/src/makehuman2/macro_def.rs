@@ -1,6 +1,8 @@
-//! A macro system as its file defines it, in plain names and numbers: what `MacroTable` is made from.
+//! A macro system as its file defines it, in plain names and numbers: what `MacroTable` is made
+//! from.
 //!
-//! Filled by the caller. Source: MakeHuman 2, `macro.json` (`docs/loaders/makehuman2/macros.md#structure`).
+//! Filled by the caller. Source: MakeHuman 2, `macro.json`
+//! (`docs/loaders/makehuman2/macros.md#structure`).
 
 /// Where the position of a registered slider is found in the settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +40,7 @@ pub enum Blend<'a> {
 pub struct Macrodef<'a> {
     /// `comp`: names of components, in the order of the name parts.
     pub components: Vec<&'a str>,
-    /// Combination name and the number of its target (equal paths, equal number; dense from 0), `None` for null.
-    /// Names of all macrodefs share one table.
+    /// Combination name and the number of its target (equal paths, equal number; dense from 0),
+    /// `None` for null. Names of all macrodefs share one table.
     pub links: Vec<(&'a str, Option<u32>)>,
 }

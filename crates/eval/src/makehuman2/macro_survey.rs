@@ -1,5 +1,6 @@
-//! What a macro system does over the range of its sliders: stretches in which a macrodef applies nothing, weights
-//! that do not add up to one, jumps, and what the cut-off of small factors throws away.
+//! What a macro system does over the range of its sliders: stretches in which a macrodef applies
+//! nothing, weights that do not add up to one, jumps, and what the cut-off of small factors throws
+//! away.
 //!
 //! Source: MakeHuman 2, macro calculation (`docs/loaders/makehuman2/macros.md#evaluation`,
 //! `docs/loaders/makehuman2/macros.md#special-cases`).
@@ -16,10 +17,11 @@ use super::macro_table::{Link, MacroTable};
 
 /// Distance from a step at which both of its sides are compared.
 const SIDE: f64 = 1e-6;
-/// A change of the factor of a target over twice `SIDE` beyond this is a jump. The loader's own limits (0.001 on a
-/// share, 0.01 on a factor) make smaller ones at every step.
+/// A change of the factor of a target over twice `SIDE` beyond this is a jump. The loader's own
+/// limits (0.001 on a share, 0.01 on a factor) make smaller ones at every step.
 pub const JUMP: f64 = 0.02;
-/// Weights of a component may miss one by the shares of up to 0.001 that the loader leaves out on either side.
+/// Weights of a component may miss one by the shares of up to 0.001 that the loader leaves out on
+/// either side.
 pub const SUM_TOLERANCE: f64 = 0.0025;
 
 /// The most weight that the cut-off throws away.
@@ -41,22 +43,47 @@ pub(crate) fn measure(table: &MacroTable, scene: &Scene, settings: &[Setting]) -
     let sums = sums_off(table, products, &scene.macro_defaults, &mut budget);
     let jumps = jumps(table, products, &scene.macro_defaults, &mut budget);
     let lost = losses(table, products, settings, &scene.defaults(), &mut budget).into_iter();
-    let losses = lost.map(|loss| (loss.macrodef, loss.lost, moved(scene, &loss.setting))).collect();
-    MacroMeasure { dead, sums, jumps, losses, is_cut: budget.is_cut() }
+    let losses = lost
+        .map(|loss| (loss.macrodef, loss.lost, moved(scene, &loss.setting)))
+        .collect();
+    MacroMeasure {
+        dead,
+        sums,
+        jumps,
+        losses,
+        is_cut: budget.is_cut(),
+    }
 }
 
-/// Stretches in which a macrodef applies nothing although it applies something elsewhere on that slider.
-pub fn dead_ranges(table: &MacroTable, macrodefs: &[Vec<Dimension>], budget: &mut Budget) -> Vec<DeadRange> {
+/// Stretches in which a macrodef applies nothing although it applies something elsewhere on that
+/// slider.
+pub fn dead_ranges(
+    table: &MacroTable,
+    macrodefs: &[Vec<Dimension>],
+    budget: &mut Budget,
+) -> Vec<DeadRange> {
     let mut found = Vec::new();
     for (macrodef, dimensions) in macrodefs.iter().enumerate() {
-        let values = dimensions.iter().map(Dimension::corners).fold(0, usize::saturating_add);
-        let combinations = table.combination_count(macrodef).saturating_mul(dimensions.len());
+        let values = dimensions
+            .iter()
+            .map(Dimension::corners)
+            .fold(0, usize::saturating_add);
+        let combinations = table
+            .combination_count(macrodef)
+            .saturating_mul(dimensions.len());
         if !budget.take(combinations.saturating_add(values)) {
             continue;
         }
-        for (position, states) in value_states(table, macrodef, dimensions).into_iter().enumerate() {
+        for (position, states) in value_states(table, macrodef, dimensions)
+            .into_iter()
+            .enumerate()
+        {
             if states.iter().any(|state| state.applied > 0) {
-                found.extend(stretches(&states).into_iter().map(|range| DeadRange { macrodef, position, ..range }));
+                found.extend(stretches(&states).into_iter().map(|range| DeadRange {
+                    macrodef,
+                    position,
+                    ..range
+                }));
             }
         }
     }
@@ -71,21 +98,38 @@ struct ValueState {
     missing: usize,
 }
 
-/// The states of the values of each position in one pass over the combinations; none for a barycentric set.
-fn value_states(table: &MacroTable, macrodef: usize, dimensions: &[Dimension]) -> Vec<Vec<ValueState>> {
+/// The states of the values of each position in one pass over the combinations; none for a
+/// barycentric set.
+fn value_states(
+    table: &MacroTable,
+    macrodef: usize,
+    dimensions: &[Dimension],
+) -> Vec<Vec<ValueState>> {
     let values = |dimension: &Dimension| match dimension {
         Dimension::Steps { steps, .. } => vec![ValueState::default(); steps.len()],
         Dimension::Corners(_) => Vec::new(),
     };
     let mut states: Vec<Vec<ValueState>> = dimensions.iter().map(values).collect();
-    let combinations = if dimensions.is_empty() { 0 } else { table.combination_count(macrodef) };
+    let combinations = if dimensions.is_empty() {
+        0
+    } else {
+        table.combination_count(macrodef)
+    };
     for combination in 0..combinations {
         // Names in which a component is left out belong to settings beyond a last step.
-        if table.values(macrodef, combination).any(|value| value.is_none()) {
+        if table
+            .values(macrodef, combination)
+            .any(|value| value.is_none())
+        {
             continue;
         }
-        for (states, value) in states.iter_mut().zip(table.values(macrodef, combination).flatten()) {
-            let Some(state) = states.get_mut(value) else { continue };
+        for (states, value) in states
+            .iter_mut()
+            .zip(table.values(macrodef, combination).flatten())
+        {
+            let Some(state) = states.get_mut(value) else {
+                continue;
+            };
             match table.link(macrodef, combination) {
                 Some(Link::Target(_)) => state.applied += 1,
                 Some(Link::Null) => state.null += 1,
@@ -101,7 +145,11 @@ fn stretches(states: &[ValueState]) -> Vec<DeadRange> {
     let mut found = Vec::new();
     let mut start = 0;
     while start < states.len() {
-        let run = states.iter().skip(start).take_while(|state| state.applied == 0).count();
+        let run = states
+            .iter()
+            .skip(start)
+            .take_while(|state| state.applied == 0)
+            .count();
         if run == 0 {
             start += 1;
             continue;
@@ -120,7 +168,8 @@ fn stretches(states: &[ValueState]) -> Vec<DeadRange> {
     found
 }
 
-/// Components whose weights do not sum to one somewhere between their first and last step, or after a reset.
+/// Components whose weights do not sum to one somewhere between their first and last step, or after
+/// a reset.
 pub fn sums_off(
     table: &MacroTable,
     macrodefs: &[Vec<Dimension>],
@@ -132,15 +181,27 @@ pub fn sums_off(
         for (position, dimension) in dimensions.iter().enumerate() {
             let worst = match dimension {
                 // Four positions for each step, and each of them is looked for among the steps.
-                Dimension::Steps { steps, .. } if !budget.take(steps.len().saturating_mul(4 * steps.len())) => continue,
-                Dimension::Steps { steps, .. } => worst_stepped(steps, table.value_count(macrodef, position)),
+                Dimension::Steps { steps, .. }
+                    if !budget.take(steps.len().saturating_mul(4 * steps.len())) =>
+                {
+                    continue;
+                }
+                Dimension::Steps { steps, .. } => {
+                    worst_stepped(steps, table.value_count(macrodef, position))
+                }
                 Dimension::Corners(places) => {
                     let sum = places.iter().filter_map(|place| defaults.get(*place)).sum();
                     Some((None, sum))
                 }
             };
-            if let Some((at, sum)) = worst.filter(|(_, sum)| !((sum - 1.0).abs() <= SUM_TOLERANCE)) {
-                found.push(SumOff { macrodef, position, at, sum });
+            if let Some((at, sum)) = worst.filter(|(_, sum)| !((sum - 1.0).abs() <= SUM_TOLERANCE))
+            {
+                found.push(SumOff {
+                    macrodef,
+                    position,
+                    at,
+                    sum,
+                });
             }
         }
     }
@@ -155,9 +216,14 @@ fn worst_stepped(steps: &[f64], values: usize) -> Option<(Option<f64>, f64)> {
     positions
         .filter(|at| (first..=last).contains(at))
         .filter_map(|at| match stepped(at, steps, values) {
-            Ok(ComponentState::Shares(shares)) => {
-                Some((Some(at), shares.as_slice().iter().map(|share| share.weight).sum::<f64>()))
-            }
+            Ok(ComponentState::Shares(shares)) => Some((
+                Some(at),
+                shares
+                    .as_slice()
+                    .iter()
+                    .map(|share| share.weight)
+                    .sum::<f64>(),
+            )),
             // Dropped components and faults are reported for themselves.
             Ok(ComponentState::Dropped(_)) | Err(_) => None,
         })
@@ -165,20 +231,36 @@ fn worst_stepped(steps: &[f64], values: usize) -> Option<(Option<f64>, f64)> {
 }
 
 /// Jumps between the two sides of steps, other sliders at their defaults.
-pub fn jumps(table: &MacroTable, macrodefs: &[Vec<Dimension>], defaults: &[f64], budget: &mut Budget) -> Vec<Jump> {
+pub fn jumps(
+    table: &MacroTable,
+    macrodefs: &[Vec<Dimension>],
+    defaults: &[f64],
+    budget: &mut Budget,
+) -> Vec<Jump> {
     let mut found: Vec<Jump> = Vec::new();
     let mut seen: BTreeSet<(usize, u64)> = BTreeSet::new();
     let cost = table.cost().saturating_add(defaults.len());
     for (macrodef, dimensions) in macrodefs.iter().enumerate() {
         for (position, dimension) in dimensions.iter().enumerate() {
-            let Dimension::Steps { place, steps } = dimension else { continue };
-            for at in steps.iter().copied().filter(|at| *at > SIDE && *at < 1.0 - SIDE) {
+            let Dimension::Steps { place, steps } = dimension else {
+                continue;
+            };
+            for at in steps
+                .iter()
+                .copied()
+                .filter(|at| *at > SIDE && *at < 1.0 - SIDE)
+            {
                 // On either side of a step the macros are evaluated once.
                 if !seen.insert((*place, at.to_bits())) || !budget.take(cost.saturating_mul(2)) {
                     continue;
                 }
                 let jump = jump(table, *place, at, defaults).filter(|by| *by > JUMP);
-                found.extend(jump.map(|by| Jump { macrodef, position, at, by }));
+                found.extend(jump.map(|by| Jump {
+                    macrodef,
+                    position,
+                    at,
+                    by,
+                }));
             }
         }
     }
@@ -201,8 +283,9 @@ fn jump(table: &MacroTable, place: usize, at: f64, defaults: &[f64]) -> Option<f
     change.into_values().map(f64::abs).max_by(f64::total_cmp)
 }
 
-/// For each macrodef a setting of its sliders at which the cut-off throws away most: the worst of those given,
-/// other sliders back at their defaults, and from there uphill one slider after the other.
+/// For each macrodef a setting of its sliders at which the cut-off throws away most: the worst of
+/// those given, other sliders back at their defaults, and from there uphill one slider after the
+/// other.
 pub fn losses(
     table: &MacroTable,
     macrodefs: &[Vec<Dimension>],
@@ -232,7 +315,13 @@ pub fn losses(
         if !budget.take(climbing) {
             continue;
         }
-        let mut climb = Climb { table, macrodef, at: rest.macros.to_vec(), lost: 0.0, result: MacroResult::default() };
+        let mut climb = Climb {
+            table,
+            macrodef,
+            at: rest.macros.to_vec(),
+            lost: 0.0,
+            result: MacroResult::default(),
+        };
         for dimension in dimensions {
             dimension.copy(&start.macros, &mut climb.at);
         }
@@ -243,8 +332,15 @@ pub fn losses(
             }
         }
         if climb.lost > 0.0 {
-            let setting = Setting { macros: climb.at.into(), details: rest.details.clone() };
-            found.push(Loss { macrodef, lost: climb.lost, setting });
+            let setting = Setting {
+                macros: climb.at.into(),
+                details: rest.details.clone(),
+            };
+            found.push(Loss {
+                macrodef,
+                lost: climb.lost,
+                setting,
+            });
         }
     }
     found
@@ -258,7 +354,11 @@ const POSITIONS: u32 = 24;
 /// Sums of the factors below the limit, by macrodef.
 fn lost(result: &MacroResult, macrodefs: usize) -> Vec<f64> {
     let mut lost = vec![0.0; macrodefs];
-    for combination in result.combinations.iter().filter(|combination| combination.fate == Fate::BelowThreshold) {
+    for combination in result
+        .combinations
+        .iter()
+        .filter(|combination| combination.fate == Fate::BelowThreshold)
+    {
         if let Some(sum) = lost.get_mut(combination.macrodef) {
             *sum += combination.factor;
         }
@@ -280,14 +380,24 @@ impl Climb<'_> {
         if self.table.evaluate(macros, &mut self.result).is_err() {
             return 0.0;
         }
-        lost(&self.result, self.table.macrodef_count()).get(self.macrodef).copied().unwrap_or(0.0)
+        lost(&self.result, self.table.macrodef_count())
+            .get(self.macrodef)
+            .copied()
+            .unwrap_or(0.0)
     }
 
     /// Moves one slider inside its interval to where most is lost.
     fn along(&mut self, dimension: &Dimension) {
-        let Dimension::Steps { place, steps } = dimension else { return };
-        let Some(here) = self.at.get(*place).copied() else { return };
-        let interval = steps.windows(2).find(|pair| here <= pair[1]).map(|pair| (pair[0], pair[1]));
+        let Dimension::Steps { place, steps } = dimension else {
+            return;
+        };
+        let Some(here) = self.at.get(*place).copied() else {
+            return;
+        };
+        let interval = steps
+            .windows(2)
+            .find(|pair| here <= pair[1])
+            .map(|pair| (pair[0], pair[1]));
         let Some((from, to)) = interval else { return };
         for number in 0..POSITIONS {
             let mut macros = self.at.clone();
@@ -309,45 +419,85 @@ mod tests {
     use super::*;
 
     fn table(links: Vec<(&str, Option<u32>)>) -> MacroTable {
-        let component = |name, values, steps| Component { name, pattern: name, values, blend: Blend::Steps(steps) };
+        let component = |name, values, steps| Component {
+            name,
+            pattern: name,
+            values,
+            blend: Blend::Steps(steps),
+        };
         let components = [
             component("age", vec!["baby", "child", "old"], vec![0.0, 0.5, 1.0]),
             component("sex", vec!["f", "m"], vec![0.0, 1.0]),
         ];
-        let macrodefs = [Macrodef { components: vec!["age", "sex"], links }];
+        let macrodefs = [Macrodef {
+            components: vec!["age", "sex"],
+            links,
+        }];
         let slider = |pattern: &str| Some(Slider::Value(usize::from(pattern == "sex")));
         MacroTable::new(&components, &macrodefs, slider).unwrap()
     }
 
     fn dimensions() -> Vec<Vec<Dimension>> {
         vec![vec![
-            Dimension::Steps { place: 0, steps: [0.0, 0.5, 1.0].into() },
-            Dimension::Steps { place: 1, steps: [0.0, 1.0].into() },
+            Dimension::Steps {
+                place: 0,
+                steps: [0.0, 0.5, 1.0].into(),
+            },
+            Dimension::Steps {
+                place: 1,
+                steps: [0.0, 1.0].into(),
+            },
         ]]
     }
 
     #[test]
     fn a_value_without_target_is_dead() {
-        let table = table(vec![("child-f", Some(0)), ("old-m", Some(1)), ("baby-f", None)]);
+        let table = table(vec![
+            ("child-f", Some(0)),
+            ("old-m", Some(1)),
+            ("baby-f", None),
+        ]);
         let found = dead_ranges(&table, &dimensions(), &mut Budget::default());
         assert_eq!(found.len(), 1);
         let baby = &found[0];
-        assert_eq!((baby.null, baby.missing, baby.values.as_slice()), (1, 1, [0].as_slice()));
+        assert_eq!(
+            (baby.null, baby.missing, baby.values.as_slice()),
+            (1, 1, [0].as_slice())
+        );
     }
 
     #[test]
     fn two_dead_values_in_a_row_are_one_stretch() {
         let table = table(vec![("old-f", Some(0)), ("old-m", Some(1))]);
         let found = dead_ranges(&table, &dimensions(), &mut Budget::default());
-        assert_eq!(found.iter().map(|range| range.values.as_slice()).collect::<Vec<_>>(), [[0, 1]]);
+        assert_eq!(
+            found
+                .iter()
+                .map(|range| range.values.as_slice())
+                .collect::<Vec<_>>(),
+            [[0, 1]]
+        );
     }
 
     #[test]
     fn a_barycentric_set_of_two_does_not_reach_one() {
         let sets = vec![vec![Dimension::Corners(vec![0, 1])]];
-        let found = sums_off(&table(Vec::new()), &sets, &[0.33, 0.33, 0.34], &mut Budget::default());
+        let found = sums_off(
+            &table(Vec::new()),
+            &sets,
+            &[0.33, 0.33, 0.34],
+            &mut Budget::default(),
+        );
         assert_eq!((found[0].at, (found[0].sum * 100.0).round()), (None, 66.0));
-        assert_eq!(sums_off(&table(Vec::new()), &dimensions(), &[0.5, 0.5], &mut Budget::default()), []);
+        assert_eq!(
+            sums_off(
+                &table(Vec::new()),
+                &dimensions(),
+                &[0.5, 0.5],
+                &mut Budget::default()
+            ),
+            []
+        );
     }
 
     fn lost_directly(table: &MacroTable, setting: &Setting) -> f64 {
@@ -359,11 +509,25 @@ mod tests {
     #[test]
     fn small_factors_are_lost_where_they_are_many() {
         let table = table(vec![("child-f", Some(0))]);
-        let setting = |macros: [f64; 2]| Setting { macros: macros.to_vec().into(), details: [].into() };
-        let losses =
-            |settings: &[Setting], rest| losses(&table, &dimensions(), settings, &rest, &mut Budget::default());
-        let found = losses(&[setting([0.5, 0.5]), setting([0.0025, 0.5])], setting([0.5, 0.5]));
-        // The worse of the two settings loses 0.005; uphill from there is more, but never the 0.02 of two sliders.
+        let setting = |macros: [f64; 2]| Setting {
+            macros: macros.to_vec().into(),
+            details: [].into(),
+        };
+        let losses = |settings: &[Setting], rest| {
+            losses(
+                &table,
+                &dimensions(),
+                settings,
+                &rest,
+                &mut Budget::default(),
+            )
+        };
+        let found = losses(
+            &[setting([0.5, 0.5]), setting([0.0025, 0.5])],
+            setting([0.5, 0.5]),
+        );
+        // The worse of the two settings loses 0.005; uphill from there is more, but never the 0.02
+        // of two sliders.
         assert!(found[0].lost > 0.005 && found[0].lost <= 0.02, "{found:?}");
         assert_eq!(lost_directly(&table, &found[0].setting), found[0].lost);
         assert_eq!(losses(&[], setting([0.5, 0.0])), []);
@@ -372,22 +536,42 @@ mod tests {
     #[test]
     fn what_is_more_than_the_budget_is_left_out_and_said() {
         let table = table(vec![("child-f", Some(0))]);
-        let setting = Setting { macros: vec![0.5, 0.5].into(), details: [].into() };
+        let setting = Setting {
+            macros: vec![0.5, 0.5].into(),
+            details: [].into(),
+        };
         let all = |left: usize| {
             let budget = &mut Budget::of(left);
             dead_ranges(&table, &dimensions(), budget);
             sums_off(&table, &dimensions(), &[0.5, 0.5], budget);
             jumps(&table, &dimensions(), &[0.5, 0.5], budget);
-            losses(&table, &dimensions(), std::slice::from_ref(&setting), &setting, budget);
+            losses(
+                &table,
+                &dimensions(),
+                std::slice::from_ref(&setting),
+                &setting,
+                budget,
+            );
             (left - budget.left(), budget.is_cut())
         };
         let (whole, is_cut) = all(1 << 20);
-        assert!(!is_cut && all(whole) == (whole, false) && all(whole - 1).1 && all(0) == (0, true), "{whole}");
+        assert!(
+            !is_cut && all(whole) == (whole, false) && all(whole - 1).1 && all(0) == (0, true),
+            "{whole}"
+        );
     }
 
     #[test]
     fn continuous_steps_do_not_jump() {
-        let table = table(vec![("child-f", Some(0)), ("child-m", Some(1)), ("old-f", Some(2)), ("baby-f", Some(3))]);
-        assert_eq!(jumps(&table, &dimensions(), &[0.5, 0.5], &mut Budget::default()), []);
+        let table = table(vec![
+            ("child-f", Some(0)),
+            ("child-m", Some(1)),
+            ("old-f", Some(2)),
+            ("baby-f", Some(3)),
+        ]);
+        assert_eq!(
+            jumps(&table, &dimensions(), &[0.5, 0.5], &mut Budget::default()),
+            []
+        );
     }
 }

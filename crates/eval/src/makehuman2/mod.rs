@@ -1,5 +1,5 @@
-//! The formulas of MakeHuman 2: macros, joints, rest pose, weights as moved to other skeletons, and what
-//! it adds to fitting.
+//! The formulas of MakeHuman 2: macros, joints, rest pose, weights as moved to other skeletons, and
+//! what it adds to fitting.
 
 pub mod budget;
 pub mod component;

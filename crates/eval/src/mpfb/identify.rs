@@ -11,14 +11,21 @@ const BUILT_IN: [(&str, &[&str]); 10] = [
     ("cmu_mb", &["RThumb"]),
     ("mixamo", &["mixamo:Hips"]),
     ("openpose", &["LBigToe"]),
-    ("mixamo_unity", &["mixamorig:LeftHandThumb1", "mixamorig:LeftBreast"]),
+    (
+        "mixamo_unity",
+        &["mixamorig:LeftHandThumb1", "mixamorig:LeftBreast"],
+    ),
     ("rigify.human", &["brow.T.R.002"]),
     ("rigify.human_toes", &["brow.T.R.002", "toe2-1.L"]),
 ];
 
 /// The rig of MPFB whose bones an armature has, and these bones.
 pub fn built_in(has: impl Fn(&str) -> bool) -> Option<(&'static str, &'static [&'static str])> {
-    BUILT_IN.iter().rev().find(|(_, marks)| marks.iter().all(|mark| has(mark))).copied()
+    BUILT_IN
+        .iter()
+        .rev()
+        .find(|(_, marks)| marks.iter().all(|mark| has(mark)))
+        .copied()
 }
 
 /// What MPFB calls an armature with these bones; rigs of users are not asked for here.

@@ -62,9 +62,16 @@ impl Located {
 
 impl<'a> Joints<'a> {
     /// A mesh with its joints: names, and first and last vertices of each, both included.
-    pub fn new(positions: &'a [Point], groups: impl IntoIterator<Item = (&'a str, &'a [(i64, i64)])>) -> Self {
-        let groups = groups.into_iter().filter(|(name, _)| name.contains("joint"));
-        let cubes = groups.map(|(name, ranges)| (name, middle(positions, ranges))).collect();
+    pub fn new(
+        positions: &'a [Point],
+        groups: impl IntoIterator<Item = (&'a str, &'a [(i64, i64)])>,
+    ) -> Self {
+        let groups = groups
+            .into_iter()
+            .filter(|(name, _)| name.contains("joint"));
+        let cubes = groups
+            .map(|(name, ranges)| (name, middle(positions, ranges)))
+            .collect();
         Self { positions, cubes }
     }
 
@@ -78,10 +85,13 @@ impl<'a> Joints<'a> {
         self.cubes.keys().copied()
     }
 
-    /// Where an end is. `relative_scale` is the scale of the mesh by that at which offsets were recorded.
+    /// Where an end is. `relative_scale` is the scale of the mesh by that at which offsets were
+    /// recorded.
     pub fn locate(&self, end: &BoneEnd<'_>, relative_scale: f64) -> Located {
         match (self.by_strategy(end.strategy), end.default_position) {
-            (Some(place), _) => Located::Found(widen(narrow(add(place, scale(end.offset, relative_scale))))),
+            (Some(place), _) => {
+                Located::Found(widen(narrow(add(place, scale(end.offset, relative_scale)))))
+            }
             (None, Some(place)) => Located::Default(place),
             (None, None) => Located::Nowhere,
         }
@@ -93,7 +103,8 @@ impl<'a> Joints<'a> {
             Strategy::Vertex(vertex) => self.vertex(vertex),
             Strategy::Mean(vertices) => mean(vertices.iter().map(|vertex| self.vertex(*vertex))),
             Strategy::Xyz(vertices) => {
-                let places: Option<Vec<Vec3>> = vertices.iter().map(|vertex| self.vertex(*vertex)).collect();
+                let places: Option<Vec<Vec3>> =
+                    vertices.iter().map(|vertex| self.vertex(*vertex)).collect();
                 match places?.as_slice() {
                     [x, y, z, ..] => Some([x[0], y[1], z[2]]),
                     _ => None,
@@ -105,16 +116,31 @@ impl<'a> Joints<'a> {
 
     fn vertex(&self, vertex: i64) -> Option<Vec3> {
         let count = i64::try_from(self.positions.len()).ok()?;
-        let at = if vertex < 0 { vertex.checked_add(count)? } else { vertex };
-        self.positions.get(usize::try_from(at).ok()?).copied().map(widen)
+        let at = if vertex < 0 {
+            vertex.checked_add(count)?
+        } else {
+            vertex
+        };
+        self.positions
+            .get(usize::try_from(at).ok()?)
+            .copied()
+            .map(widen)
     }
 }
 
 /// Mean of the vertices in ranges, as far as they exist.
 fn middle(positions: &[Point], ranges: &[(i64, i64)]) -> Option<Vec3> {
-    let clamp = |at: i64| usize::try_from(at.max(0)).unwrap_or(usize::MAX).min(positions.len());
-    let of_range = |(first, last): &(i64, i64)| clamp(*first)..clamp(last.saturating_add(1)).max(clamp(*first));
-    let all = ranges.iter().flat_map(|range| positions.get(of_range(range)).unwrap_or_default());
+    let clamp = |at: i64| {
+        usize::try_from(at.max(0))
+            .unwrap_or(usize::MAX)
+            .min(positions.len())
+    };
+    let of_range = |(first, last): &(i64, i64)| {
+        clamp(*first)..clamp(last.saturating_add(1)).max(clamp(*first))
+    };
+    let all = ranges
+        .iter()
+        .flat_map(|range| positions.get(of_range(range)).unwrap_or_default());
     mean(all.map(|point| Some(widen(*point))))
 }
 
@@ -132,21 +158,49 @@ fn mean(places: impl Iterator<Item = Option<Vec3>>) -> Option<Vec3> {
 mod tests {
     use super::*;
 
-    const MESH: [Point; 4] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 2.0, 0.0], [0.0, 2.0, 4.0]];
+    const MESH: [Point; 4] = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [1.0, 2.0, 0.0],
+        [0.0, 2.0, 4.0],
+    ];
 
     fn locate(strategy: Strategy<'_>) -> Located {
         let ranges = [(0, 1)];
-        let joints = Joints::new(&MESH, [("joint-a", &ranges[..]), ("joint-empty", &[(9, 12)]), ("body", &[(0, 3)])]);
-        let end = BoneEnd { strategy, offset: [0.0, 0.0, 2.0], default_position: Some([9.0; 3]) };
+        let joints = Joints::new(
+            &MESH,
+            [
+                ("joint-a", &ranges[..]),
+                ("joint-empty", &[(9, 12)]),
+                ("body", &[(0, 3)]),
+            ],
+        );
+        let end = BoneEnd {
+            strategy,
+            offset: [0.0, 0.0, 2.0],
+            default_position: Some([9.0; 3]),
+        };
         joints.locate(&end, 0.5)
     }
 
     #[test]
     fn offsets_are_scaled_and_belong_to_what_is_found() {
-        assert_eq!(locate(Strategy::Cube("joint-a")), Located::Found([0.5, 0.0, 1.0]));
-        assert_eq!(locate(Strategy::Vertex(-1)), Located::Found([0.0, 2.0, 5.0]));
-        assert_eq!(locate(Strategy::Mean(&[0, 1, 1, 0])), Located::Found([0.5, 0.0, 1.0]));
-        assert_eq!(locate(Strategy::Xyz(&[1, 2, 3, 0])), Located::Found([1.0, 2.0, 5.0]));
+        assert_eq!(
+            locate(Strategy::Cube("joint-a")),
+            Located::Found([0.5, 0.0, 1.0])
+        );
+        assert_eq!(
+            locate(Strategy::Vertex(-1)),
+            Located::Found([0.0, 2.0, 5.0])
+        );
+        assert_eq!(
+            locate(Strategy::Mean(&[0, 1, 1, 0])),
+            Located::Found([0.5, 0.0, 1.0])
+        );
+        assert_eq!(
+            locate(Strategy::Xyz(&[1, 2, 3, 0])),
+            Located::Found([1.0, 2.0, 5.0])
+        );
         let nothing = [
             Strategy::Cube("joint-empty"),
             Strategy::Cube("body"),
@@ -158,12 +212,20 @@ mod tests {
             Strategy::Xyz(&[0, 1, 2, 4]),
             Strategy::None,
         ];
-        assert!(nothing.into_iter().all(|strategy| locate(strategy) == Located::Default([9.0; 3])));
+        assert!(
+            nothing
+                .into_iter()
+                .all(|strategy| locate(strategy) == Located::Default([9.0; 3]))
+        );
     }
 
     #[test]
     fn without_a_default_there_is_no_place() {
-        let end = BoneEnd { strategy: Strategy::None, offset: [0.0; 3], default_position: None };
+        let end = BoneEnd {
+            strategy: Strategy::None,
+            offset: [0.0; 3],
+            default_position: None,
+        };
         assert_eq!(Joints::new(&MESH, []).locate(&end, 1.0).place(), None);
     }
 }

@@ -31,7 +31,8 @@ pub struct MacroLoops {
 pub struct TargetLoop {
     /// Whose names they are.
     pub axes: Vec<Axis>,
-    /// For each combination of names its target, the last axis running fastest; `None` where it is skipped.
+    /// For each combination of names its target, the last axis running fastest; `None` where it is
+    /// skipped.
     pub targets: Vec<Option<u32>>,
 }
 
@@ -51,7 +52,8 @@ pub enum Source {
     Races,
     /// A setting, by number; its names are numbered as in its parts.
     Setting(usize),
-    /// One name of a setting, by numbers: with a factor of 1 wherever it has a share, even one of 0.
+    /// One name of a setting, by numbers: with a factor of 1 wherever it has a share, even one of
+    /// 0.
     Only(usize, u32),
 }
 
@@ -64,25 +66,48 @@ pub struct LoopResult {
 }
 
 impl MacroLoops {
-    /// Weights of the targets at values of settings and races. Values are taken as they are: the program stores them in
-    /// 32 bits before.
+    /// Weights of the targets at values of settings and races. Values are taken as they are: the
+    /// program stores them in 32 bits before.
     pub fn evaluate(&self, values: &[f64], cut_off: f64, out: &mut LoopResult) {
         out.weights.clear();
         out.places.clear();
         let value = |place: usize| values.get(place).copied().unwrap_or(f64::NAN);
-        let of_settings: Vec<Vec<(u32, f64)>> =
-            self.settings.iter().enumerate().map(|(place, parts)| shares(parts, value(place))).collect();
-        let races = (0_u32..).zip(values.iter().skip(self.settings.len()).take(self.races).copied());
+        let of_settings: Vec<Vec<(u32, f64)>> = self
+            .settings
+            .iter()
+            .enumerate()
+            .map(|(place, parts)| shares(parts, value(place)))
+            .collect();
+        let races = (0_u32..).zip(
+            values
+                .iter()
+                .skip(self.settings.len())
+                .take(self.races)
+                .copied(),
+        );
         let races: Vec<(u32, f64)> = races.filter(|(_, share)| *share > LEAST_RACE).collect();
         for own in &self.loops {
-            let axes: Vec<Vec<(u32, f64)>> = own.axes.iter().map(|axis| axis.shares(&of_settings, &races)).collect();
-            own.walk(&axes, &mut |target, weight| out.add(target, weight, cut_off), 0, 0, 1.0);
+            let axes: Vec<Vec<(u32, f64)>> = own
+                .axes
+                .iter()
+                .map(|axis| axis.shares(&of_settings, &races))
+                .collect();
+            own.walk(
+                &axes,
+                &mut |target, weight| out.add(target, weight, cut_off),
+                0,
+                0,
+                1.0,
+            );
         }
     }
 
     /// The names of a setting with their shares at a value.
     pub fn shares(&self, setting: usize, value: f64) -> Vec<(u32, f64)> {
-        self.settings.get(setting).map(|parts| shares(parts, value)).unwrap_or_default()
+        self.settings
+            .get(setting)
+            .map(|parts| shares(parts, value))
+            .unwrap_or_default()
     }
 
     /// Steps that evaluating one setting takes at most.
@@ -111,16 +136,26 @@ impl Axis {
             Source::Races => races.to_vec(),
             Source::Setting(setting) => of(setting).to_vec(),
             // The only name of its axis.
-            Source::Only(setting, name) => {
-                of(setting).iter().filter(|(own, _)| *own == name).map(|_| (0, 1.0)).collect()
-            }
+            Source::Only(setting, name) => of(setting)
+                .iter()
+                .filter(|(own, _)| *own == name)
+                .map(|_| (0, 1.0))
+                .collect(),
         }
     }
 }
 
 impl TargetLoop {
-    /// All combinations of the shares from axis `from` on, behind those that make `index` and `weight`.
-    fn walk(&self, axes: &[Vec<(u32, f64)>], found: &mut impl FnMut(u32, f64), from: usize, index: usize, weight: f64) {
+    /// All combinations of the shares from axis `from` on, behind those that make `index` and
+    /// `weight`.
+    fn walk(
+        &self,
+        axes: &[Vec<(u32, f64)>],
+        found: &mut impl FnMut(u32, f64),
+        from: usize,
+        index: usize,
+        weight: f64,
+    ) {
         let (Some(shares), Some(of)) = (axes.get(from), self.axes.get(from)) else {
             if let Some(target) = self.targets.get(index).copied().flatten() {
                 found(target, weight);
@@ -128,7 +163,13 @@ impl TargetLoop {
             return;
         };
         for (name, share) in shares {
-            self.walk(axes, found, from + 1, index * of.names + *name as usize, weight * share);
+            self.walk(
+                axes,
+                found,
+                from + 1,
+                index * of.names + *name as usize,
+                weight * share,
+            );
         }
     }
 }
@@ -138,7 +179,12 @@ mod tests {
     use super::*;
 
     fn part(lowest: f64, highest: f64, low: u32, high: u32) -> Part {
-        Part { lowest, highest, low: Some(low), high: Some(high) }
+        Part {
+            lowest,
+            highest,
+            low: Some(low),
+            high: Some(high),
+        }
     }
 
     /// Gender (0 female, 1 male) and age (0 young, 1 old), two races.
@@ -174,7 +220,10 @@ mod tests {
 
     #[test]
     fn a_setting_without_share_empties_its_loops() {
-        assert_eq!(weights(&loops(), &[0.5, 2.0, 0.0, 1.0]), [(2, 0.5), (3, 0.5)]);
+        assert_eq!(
+            weights(&loops(), &[0.5, 2.0, 0.0, 1.0]),
+            [(2, 0.5), (3, 0.5)]
+        );
         assert_eq!(weights(&loops(), &[-1.0, 0.5, 1.0, 1.0]), []);
         assert_eq!(weights(&loops(), &[f64::NAN, 0.5, 1.0, 1.0]), []);
         assert_eq!(weights(&loops(), &[]), []);

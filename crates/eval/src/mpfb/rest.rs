@@ -1,6 +1,8 @@
-//! Bones at rest, as Blender has them: roll, what it is aligned to, connections, and the matrix that follows.
+//! Bones at rest, as Blender has them: roll, what it is aligned to, connections, and the matrix
+//! that follows.
 //!
-//! Source: MPFB and Blender 4.5 (`docs/loaders/mpfb/rigs.md#roll`; `reference/README.md`, `mpfb_bones`).
+//! Source: MPFB and Blender 4.5 (`docs/loaders/mpfb/rigs.md#roll`; `reference/README.md`,
+//! `mpfb_bones`).
 
 use super::armature::{set_axes, without_roll};
 use crate::vector::{Mat3, Vec3, cross, dot, length, narrow, sub, unit, widen};
@@ -69,8 +71,13 @@ pub fn rest(bones: &[Defined]) -> Vec<RestBone> {
         })
         .collect();
     for at in 0..found.len() {
-        let tail = found.get(at).filter(|bone| bone.use_connect).and_then(|bone| bone.parent);
-        let tail = tail.and_then(|parent| found.get(parent)).map(|parent| parent.tail);
+        let tail = found
+            .get(at)
+            .filter(|bone| bone.use_connect)
+            .and_then(|bone| bone.parent);
+        let tail = tail
+            .and_then(|parent| found.get(parent))
+            .map(|parent| parent.tail);
         if let Some((bone, tail)) = found.get_mut(at).zip(tail) {
             bone.head = tail;
         }
@@ -85,7 +92,9 @@ pub fn accepted(bones: &[Defined]) -> Vec<Option<usize>> {
     let mut above: Vec<usize> = (0..bones.len()).collect();
     let mut parents = Vec::with_capacity(bones.len());
     for (at, bone) in bones.iter().enumerate() {
-        let parent = bone.parent.filter(|parent| *parent < bones.len() && uppermost(&mut above, *parent) != at);
+        let parent = bone
+            .parent
+            .filter(|parent| *parent < bones.len() && uppermost(&mut above, *parent) != at);
         if let Some((slot, parent)) = above.get_mut(at).zip(parent) {
             *slot = parent;
         }
@@ -133,7 +142,13 @@ mod tests {
     use super::*;
 
     fn bone(parent: Option<usize>) -> Defined {
-        Defined { head: [0.0; 3], tail: [0.0, 0.0, 1.0], roll: Roll::Angle(0.0), parent, use_connect: true }
+        Defined {
+            head: [0.0; 3],
+            tail: [0.0, 0.0, 1.0],
+            roll: Roll::Angle(0.0),
+            parent,
+            use_connect: true,
+        }
     }
 
     #[test]
@@ -142,26 +157,55 @@ mod tests {
             let bones: Vec<Defined> = parents.iter().map(|parent| bone(*parent)).collect();
             accepted(&bones)
         };
-        assert_eq!(parents(&[Some(1), Some(2), Some(0)]), [Some(1), Some(2), None]);
+        assert_eq!(
+            parents(&[Some(1), Some(2), Some(0)]),
+            [Some(1), Some(2), None]
+        );
         assert_eq!(parents(&[Some(0), Some(0), Some(7)]), [None, Some(0), None]);
         assert_eq!(parents(&[Some(1), None, Some(0)]), [Some(1), None, Some(0)]);
         // A long chain in the worst order takes no longer than any other.
-        let chain: Vec<Option<usize>> = (0..200_000).map(|at| (at < 199_999).then_some(at + 1)).collect();
-        assert_eq!(parents(&chain).iter().filter(|parent| parent.is_none()).count(), 1);
+        let chain: Vec<Option<usize>> = (0..200_000)
+            .map(|at| (at < 199_999).then_some(at + 1))
+            .collect();
+        assert_eq!(
+            parents(&chain)
+                .iter()
+                .filter(|parent| parent.is_none())
+                .count(),
+            1
+        );
     }
 
     #[test]
     fn connected_heads_move_and_keep_their_roll() {
-        let child = Defined { head: [0.1, 0.05, 0.55], tail: [0.2, 0.0, 1.0], ..bone(Some(0)) };
-        let rest = rest(&[bone(None), Defined { roll: Roll::Angle(0.2), ..child }]);
+        let child = Defined {
+            head: [0.1, 0.05, 0.55],
+            tail: [0.2, 0.0, 1.0],
+            ..bone(Some(0))
+        };
+        let rest = rest(&[
+            bone(None),
+            Defined {
+                roll: Roll::Angle(0.2),
+                ..child
+            },
+        ]);
         assert_eq!((rest[1].head, rest[1].roll), ([0.0, 0.0, 1.0], 0.2));
     }
 
     #[test]
     fn a_bone_along_the_world_axis_has_no_roll() {
-        let up = rest(&[Defined { roll: Roll::ZUp, parent: None, ..bone(None) }]);
+        let up = rest(&[Defined {
+            roll: Roll::ZUp,
+            parent: None,
+            ..bone(None)
+        }]);
         assert_eq!(up[0].roll, 0.0);
-        let left = Defined { tail: [1.0, 0.0, 0.0], roll: Roll::XLeft, ..bone(None) };
+        let left = Defined {
+            tail: [1.0, 0.0, 0.0],
+            roll: Roll::XLeft,
+            ..bone(None)
+        };
         assert_eq!(rest(&[left])[0].roll, 0.0);
     }
 }

@@ -29,13 +29,22 @@ impl Part {
     }
 }
 
-/// Names with their shares, in the order of the parts; those of 0 as well. A name of several parts comes several times.
+/// Names with their shares, in the order of the parts; those of 0 as well. A name of several parts
+/// comes several times.
 pub fn shares(parts: &[Part], value: f64) -> Vec<(u32, f64)> {
     let of_part = |part: &Part| {
         let [low, high] = part.shares(value);
-        [part.low.map(|name| (name, low)), part.high.map(|name| (name, high))]
+        [
+            part.low.map(|name| (name, low)),
+            part.high.map(|name| (name, high)),
+        ]
     };
-    parts.iter().filter(|part| part.holds(value)).flat_map(of_part).flatten().collect()
+    parts
+        .iter()
+        .filter(|part| part.holds(value))
+        .flat_map(of_part)
+        .flatten()
+        .collect()
 }
 
 /// To four decimals as Python rounds: the number as it is stored, halves to even.
@@ -48,8 +57,18 @@ mod tests {
     use super::*;
 
     const HALF: [Part; 2] = [
-        Part { lowest: -0.01, highest: 0.5, low: Some(0), high: Some(1) },
-        Part { lowest: 0.5, highest: 1.01, low: Some(1), high: Some(2) },
+        Part {
+            lowest: -0.01,
+            highest: 0.5,
+            low: Some(0),
+            high: Some(1),
+        },
+        Part {
+            lowest: 0.5,
+            highest: 1.01,
+            low: Some(1),
+            high: Some(2),
+        },
     ];
 
     #[test]
@@ -63,23 +82,39 @@ mod tests {
 
     #[test]
     fn names_without_shape_have_no_share() {
-        let part = Part { low: None, ..HALF[0] };
+        let part = Part {
+            low: None,
+            ..HALF[0]
+        };
         assert_eq!(shares(&[part], 0.245), [(1, 0.5)]);
     }
 
     #[test]
     fn a_name_of_two_parts_comes_twice() {
-        let wide = Part { highest: 0.75, ..HALF[0] };
+        let wide = Part {
+            highest: 0.75,
+            ..HALF[0]
+        };
         assert_eq!(shares(&[wide, HALF[1]], 0.5001).len(), 4);
-        let turned = Part { lowest: 0.5, highest: 0.25, ..HALF[0] };
+        let turned = Part {
+            lowest: 0.5,
+            highest: 0.25,
+            ..HALF[0]
+        };
         assert_eq!(shares(&[turned], 0.3), []);
     }
 
     #[test]
     fn decimals_are_rounded_as_python_does() {
-        // The first three are exact halves; 0.00005 is stored a little above, 0.00015 a little below one.
-        let cases =
-            [(0.031_25, 0.0312), (0.093_75, 0.0938), (-0.031_25, -0.0312), (0.000_05, 0.0001), (0.000_15, 0.0001)];
+        // The first three are exact halves; 0.00005 is stored a little above, 0.00015 a little
+        // below one.
+        let cases = [
+            (0.031_25, 0.0312),
+            (0.093_75, 0.0938),
+            (-0.031_25, -0.0312),
+            (0.000_05, 0.0001),
+            (0.000_15, 0.0001),
+        ];
         for (value, expected) in cases {
             assert_eq!(rounded(value), expected, "{value}");
         }

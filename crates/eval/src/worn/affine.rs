@@ -18,19 +18,29 @@ const TURNS: usize = 3;
 const FLAT: f64 = 1e-6;
 
 impl Affine {
-    /// The map from `before` to `after`, of which a tenth may be anywhere. `None` for fewer than four points.
+    /// The map from `before` to `after`, of which a tenth may be anywhere. `None` for fewer than
+    /// four points.
     pub(super) fn between(before: &[Point], after: &[Point]) -> Option<Self> {
-        let mut pairs: Vec<(Vec3, Vec3)> = before.iter().zip(after).map(|(a, b)| (widen(*a), widen(*b))).collect();
+        let mut pairs: Vec<(Vec3, Vec3)> = before
+            .iter()
+            .zip(after)
+            .map(|(a, b)| (widen(*a), widen(*b)))
+            .collect();
         pairs.retain(|(a, b)| a.iter().chain(b).all(|part| part.is_finite()));
-        // Those that are far from the middle on either side are left out first: one of them bends the first map.
+        // Those that are far from the middle on either side are left out first: one of them bends
+        // the first map.
         let middles = [middle(&pairs, |pair| pair.0), middle(&pairs, |pair| pair.1)];
-        let off = |(a, b): &(Vec3, Vec3)| [square(sub(*a, middles[0])), square(sub(*b, middles[1]))];
-        let usual =
-            [0, 1].map(|side| median(pairs.iter().map(|pair| off(pair)[side]).collect()).max(f64::MIN_POSITIVE));
+        let off =
+            |(a, b): &(Vec3, Vec3)| [square(sub(*a, middles[0])), square(sub(*b, middles[1]))];
+        let usual = [0, 1].map(|side| {
+            median(pairs.iter().map(|pair| off(pair)[side]).collect()).max(f64::MIN_POSITIVE)
+        });
         let far = |pair: &(Vec3, Vec3)| off(pair)[0] / usual[0] + off(pair)[1] / usual[1];
         let mut map = Self::of(nearest(&mut pairs, far))?;
         for _ in 1..TURNS {
-            map = Self::of(nearest(&mut pairs, |(a, b)| square(sub(map.of_point(*a), *b))))?;
+            map = Self::of(nearest(&mut pairs, |(a, b)| {
+                square(sub(map.of_point(*a), *b))
+            }))?;
         }
         Some(map)
     }
@@ -40,7 +50,9 @@ impl Affine {
             return None;
         }
         let share = 1.0 / pairs.len() as f64;
-        let mean = |side: fn(&(Vec3, Vec3)) -> Vec3| scale(pairs.iter().map(side).fold([0.0; 3], add), share);
+        let mean = |side: fn(&(Vec3, Vec3)) -> Vec3| {
+            scale(pairs.iter().map(side).fold([0.0; 3], add), share)
+        };
         let (from, to) = (mean(|pair| pair.0), mean(|pair| pair.1));
         let (mut spread, mut mixed) = ([[0.0; 3]; 3], [[0.0; 3]; 3]);
         for (a, b) in pairs {
@@ -61,7 +73,11 @@ impl Affine {
         let inverse = inverse(&from_columns(x, y, z, [0.0; 3]));
         let column = |at: usize| [inverse[0][at], inverse[1][at], inverse[2][at]];
         let linear = mixed.map(|row| [0, 1, 2].map(|at| dot(row, column(at))));
-        linear.iter().flatten().all(|part| part.is_finite()).then_some(Self { linear, from, to })
+        linear
+            .iter()
+            .flatten()
+            .all(|part| part.is_finite())
+            .then_some(Self { linear, from, to })
     }
 
     /// Whether it makes mirror images.
@@ -97,7 +113,11 @@ fn middle(pairs: &[(Vec3, Vec3)], side: fn(&(Vec3, Vec3)) -> Vec3) -> Vec3 {
 /// The middle one of numbers; 0 without any.
 pub fn median(mut numbers: Vec<f64>) -> f64 {
     let half = numbers.len() / 2;
-    if numbers.is_empty() { 0.0 } else { *numbers.select_nth_unstable_by(half, f64::total_cmp).1 }
+    if numbers.is_empty() {
+        0.0
+    } else {
+        *numbers.select_nth_unstable_by(half, f64::total_cmp).1
+    }
 }
 
 /// The square of a length.
@@ -111,13 +131,19 @@ mod tests {
 
     /// Points of a screw, all different.
     fn screw(count: u16) -> Vec<Point> {
-        (0..count).map(f32::from).map(|at| [at.sin(), at.cos(), at * 0.1]).collect()
+        (0..count)
+            .map(f32::from)
+            .map(|at| [at.sin(), at.cos(), at * 0.1])
+            .collect()
     }
 
     #[test]
     fn a_turned_stretched_and_moved_shape_is_found() {
         let before = screw(40);
-        let after: Vec<Point> = before.iter().map(|p| [2.0 * p[2] + 5.0, -p[0], p[1] * 3.0 - 1.0]).collect();
+        let after: Vec<Point> = before
+            .iter()
+            .map(|p| [2.0 * p[2] + 5.0, -p[0], p[1] * 3.0 - 1.0])
+            .collect();
         let map = Affine::between(&before, &after).unwrap();
         for (a, b) in before.iter().zip(&after) {
             assert!(square(sub(map.of_point(widen(*a)), widen(*b))) < 1e-6);

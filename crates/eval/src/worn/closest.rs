@@ -2,8 +2,8 @@
 
 use crate::vector::{Vec3, add, dot, length, scale, sub};
 
-/// How far a point is from a triangle, by the region of its plane that it is over (Ericson, Real-Time Collision
-/// Detection, 5.1.5).
+/// How far a point is from a triangle, by the region of its plane that it is over (Ericson,
+/// Real-Time Collision Detection, 5.1.5).
 pub(super) fn from_triangle(point: Vec3, [a, b, c]: [Vec3; 3]) -> f64 {
     let (ab, ac, ap) = (sub(b, a), sub(c, a), sub(point, a));
     let (d1, d2) = (dot(ab, ap), dot(ac, ap));
@@ -20,7 +20,8 @@ pub(super) fn from_triangle(point: Vec3, [a, b, c]: [Vec3; 3]) -> f64 {
     if d6 >= 0.0 && d5 <= d6 {
         return length(cp);
     }
-    let on = |from: Vec3, along: Vec3, share: f64| length(sub(point, add(from, scale(along, share))));
+    let on =
+        |from: Vec3, along: Vec3, share: f64| length(sub(point, add(from, scale(along, share))));
     let vc = d1 * d4 - d3 * d2;
     if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
         return on(a, ab, d1 / (d1 - d3));
@@ -53,7 +54,10 @@ mod tests {
             ([-2.0, 2.0, 0.0], 2.0),
             ([4.0, 4.0, 0.0], 8.0_f64.sqrt()),
         ] {
-            assert!((from_triangle(point, triangle) - expected).abs() < 1e-12, "{point:?}");
+            assert!(
+                (from_triangle(point, triangle) - expected).abs() < 1e-12,
+                "{point:?}"
+            );
         }
     }
 }

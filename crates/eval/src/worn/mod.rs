@@ -1,8 +1,10 @@
-//! What becomes of an asset on the base mesh that it is fitted to, against the mesh that its author drew.
+//! What becomes of an asset on the base mesh that it is fitted to, against the mesh that its author
+//! drew.
 //!
-//! Applications never look at where the vertices of an asset were drawn: every vertex goes where its row puts it. The
-//! drawn mesh still tells what was meant. Up to an affine map the two have one shape: of the assets of MakeHuman all
-//! agree within 7 % of their size, and their edges keep their lengths in proportion within a tenth.
+//! Applications never look at where the vertices of an asset were drawn: every vertex goes where
+//! its row puts it. The drawn mesh still tells what was meant. Up to an affine map the two have one
+//! shape: of the assets of MakeHuman all agree within 7 % of their size, and their edges keep their
+//! lengths in proportion within a tenth.
 
 mod affine;
 mod closest;
@@ -60,7 +62,8 @@ pub struct WornMeasure {
     pub uncovered: Option<Uncovered>,
 }
 
-/// Of so many rows one may have weights that do not sum to 1: where more have, nothing can be told of the shape.
+/// Of so many rows one may have weights that do not sum to 1: where more have, nothing can be told
+/// of the shape.
 const MANY: usize = 10;
 
 /// Measures an asset on a mesh. `None` if a row names a vertex that the mesh lacks.
@@ -68,9 +71,16 @@ pub fn measure(wearer: &Wearer<'_>, garment: &Garment<'_>) -> Option<WornMeasure
     let fitted = fit(wearer.positions, garment.references, garment.scales).ok()?;
     let triples = triples::measure(wearer.positions, garment.references);
     // Weights that do not sum to 1 bend the shape by themselves.
-    let off = garment.references.iter().filter(|row| shape::is_told_by_its_weights(row)).count();
+    let off = garment
+        .references
+        .iter()
+        .filter(|row| shape::is_told_by_its_weights(row))
+        .count();
     if off > garment.references.len() / MANY {
-        return Some(WornMeasure { triples, ..WornMeasure::default() });
+        return Some(WornMeasure {
+            triples,
+            ..WornMeasure::default()
+        });
     }
     let is_inside_out = facing::is_inside_out(wearer, garment.faces, &fitted);
     let shape = shape::measure(wearer, garment, &fitted, &triples, is_inside_out);
@@ -79,7 +89,11 @@ pub fn measure(wearer: &Wearer<'_>, garment: &Garment<'_>) -> Option<WornMeasure
     Some(WornMeasure {
         triples,
         is_inside_out: is_in_order && is_inside_out,
-        uncovered: if is_in_order { cover::uncovered(wearer, garment, &fitted) } else { None },
+        uncovered: if is_in_order {
+            cover::uncovered(wearer, garment, &fitted)
+        } else {
+            None
+        },
         shape,
     })
 }

@@ -26,7 +26,9 @@ const LINE: f64 = 1e-6;
 
 pub(super) fn measure(positions: &[Point], references: &[Reference]) -> Triples {
     let faults = references.iter().enumerate();
-    let faults = faults.filter_map(|(row, reference)| Some((row, fault(positions, reference)?))).collect();
+    let faults = faults
+        .filter_map(|(row, reference)| Some((row, fault(positions, reference)?)))
+        .collect();
     Triples { faults }
 }
 
@@ -44,7 +46,10 @@ fn fault(positions: &[Point], reference: &Reference) -> Option<TripleFault> {
     let both_count = |one: usize, other: usize| weights[one] != 0.0 && weights[other] != 0.0;
     let is_one = |one: usize, other: usize| vertices[one] == vertices[other];
     let pairs = [(0, 1), (1, 2), (0, 2)];
-    if pairs.iter().any(|(one, other)| is_one(*one, *other) && both_count(*one, *other)) {
+    if pairs
+        .iter()
+        .any(|(one, other)| is_one(*one, *other) && both_count(*one, *other))
+    {
         return Some(TripleFault::Two);
     }
     if counting < 3 {
@@ -64,7 +69,16 @@ mod tests {
     #[test]
     fn triples_are_told_by_what_counts() {
         let positions = [[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-        let of = |vertices, weights| fault(&positions, &Reference { vertices, weights, offset: [0.0; 3] });
+        let of = |vertices, weights| {
+            fault(
+                &positions,
+                &Reference {
+                    vertices,
+                    weights,
+                    offset: [0.0; 3],
+                },
+            )
+        };
         assert_eq!(of([0, 1, 3], [0.5, 0.25, 0.25]), None);
         assert_eq!(of([1, 1, 1], [0.5, 0.25, 0.25]), Some(TripleFault::One));
         assert_eq!(of([1, 1, 1], [1.0, 0.0, 0.0]), None);

@@ -40,7 +40,9 @@ pub struct Deviation {
 impl Comparison {
     /// Whether everything agrees within the tolerances.
     pub fn agrees(&self) -> bool {
-        self.failure.is_none() && self.differences.is_empty() && self.deviations.iter().all(Deviation::is_allowed)
+        self.failure.is_none()
+            && self.differences.is_empty()
+            && self.deviations.iter().all(Deviation::is_allowed)
     }
 }
 
@@ -58,20 +60,39 @@ pub(super) fn compare(kind: &Kind, case: &Node, report: &CaseReport) -> Comparis
         differences: Vec::new(),
         failure: report.outputs.as_ref().err().map(ToString::to_string),
     };
-    let scale = inputs::field(case, "scale_factor").and_then(Node::as_f64).unwrap_or(1.0);
-    let mut comparer = Comparer { kind, of_asset: is_of_asset(kind, case), scale, comparison };
+    let scale = inputs::field(case, "scale_factor")
+        .and_then(Node::as_f64)
+        .unwrap_or(1.0);
+    let mut comparer = Comparer {
+        kind,
+        of_asset: is_of_asset(kind, case),
+        scale,
+        comparison,
+    };
     let is_list = case.is_array();
     if let Ok(found) = &report.outputs {
         match expected(case) {
             Some(Value::Object(expected)) if !expected.is_empty() => {
                 for (key, expected) in &expected {
-                    match found.get(key).map(|found| if is_list { in_order(found) } else { found.clone() }) {
+                    match found.get(key).map(|found| {
+                        if is_list {
+                            in_order(found)
+                        } else {
+                            found.clone()
+                        }
+                    }) {
                         Some(found) => comparer.field(key, expected, &found),
                         None => comparer.differ(format!("`{key}` is expected, but not computed")),
                     }
                 }
-                if let Some(Value::String(error)) = found.get("error").filter(|_| !expected.contains_key("error")) {
-                    comparer.differ(format!("`{error}` instead of outputs: {}", report.notes.join("; ")));
+                if let Some(Value::String(error)) = found
+                    .get("error")
+                    .filter(|_| !expected.contains_key("error"))
+                {
+                    comparer.differ(format!(
+                        "`{error}` instead of outputs: {}",
+                        report.notes.join("; ")
+                    ));
                 }
             }
             _ => comparer.differ("the case has no outputs to compare with".to_owned()),
@@ -80,7 +101,8 @@ pub(super) fn compare(kind: &Kind, case: &Node, report: &CaseReport) -> Comparis
     comparer.comparison
 }
 
-/// The outputs of a case. One that is a list has its input first, then the key of a group and the values behind it.
+/// The outputs of a case. One that is a list has its input first, then the key of a group and the
+/// values behind it.
 fn expected(case: &Node) -> Option<Value> {
     let plain = |node: &Node| node.plain(&Value::Null);
     match case.elements() {
@@ -91,14 +113,21 @@ fn expected(case: &Node) -> Option<Value> {
 
 /// Words whose order counts, as one.
 fn in_order(words: &Value) -> Value {
-    let all = words.as_array().map(|words| words.iter().filter_map(Value::as_str).collect::<Vec<_>>());
+    let all = words
+        .as_array()
+        .map(|words| words.iter().filter_map(Value::as_str).collect::<Vec<_>>());
     all.map_or_else(|| words.clone(), |all| Value::from(all.join("-")))
 }
 
 /// Weights for the mesh of an asset may have an entry more or less at the threshold.
 fn is_of_asset(kind: &Kind, case: &Node) -> bool {
-    let file = case.get("inputs").and_then(|inputs| inputs.get("file")).and_then(Node::as_str);
-    file.is_some_and(|file| use_of(file, kind.application).is_none_or(|use_of| use_of.kind != Weights))
+    let file = case
+        .get("inputs")
+        .and_then(|inputs| inputs.get("file"))
+        .and_then(Node::as_str);
+    file.is_some_and(|file| {
+        use_of(file, kind.application).is_none_or(|use_of| use_of.kind != Weights)
+    })
 }
 
 struct Comparer<'a> {
@@ -143,14 +172,22 @@ impl Comparer<'_> {
                 }
             }
             (Value::Array(expected), Value::Array(found)) => {
-                self.differ(format!("`{at}` has {} elements, {} expected", found.len(), expected.len()));
+                self.differ(format!(
+                    "`{at}` has {} elements, {} expected",
+                    found.len(),
+                    expected.len()
+                ));
             }
             (Value::Number(_) | Value::Null, Value::Number(_) | Value::Null) => {
                 let tolerance = self.kind.tolerance(quantity, self.scale);
                 self.number(quantity, at, tolerance, expected.as_f64(), found.as_f64());
             }
             (expected, found) if expected == found => {}
-            (expected, found) => self.differ(format!("`{at}` is {}, {} expected", short(found), short(expected))),
+            (expected, found) => self.differ(format!(
+                "`{at}` is {}, {} expected",
+                short(found),
+                short(expected)
+            )),
         }
     }
 
@@ -167,12 +204,27 @@ impl Comparer<'_> {
         }
     }
 
-    fn number(&mut self, quantity: &str, at: &str, tolerance: Tolerance, expected: Option<f64>, found: Option<f64>) {
+    fn number(
+        &mut self,
+        quantity: &str,
+        at: &str,
+        tolerance: Tolerance,
+        expected: Option<f64>,
+        found: Option<f64>,
+    ) {
         let worst = tolerance.deviation(expected, found);
         let deviations = &mut self.comparison.deviations;
         let limit = tolerance.limit();
-        let new = Deviation { quantity: quantity.to_owned(), worst, limit, at: at.to_owned() };
-        match deviations.iter_mut().find(|known| known.quantity == quantity) {
+        let new = Deviation {
+            quantity: quantity.to_owned(),
+            worst,
+            limit,
+            at: at.to_owned(),
+        };
+        match deviations
+            .iter_mut()
+            .find(|known| known.quantity == quantity)
+        {
             // A NaN never gets here: it is no number in JSON.
             Some(known) if worst > known.worst => *known = new,
             Some(_) => {}
@@ -188,19 +240,32 @@ impl Comparer<'_> {
         for (bone, expected) in expected {
             let at = format!("bones/{bone}");
             let pair = |value: &Value| Some((value.get(0)?.as_i64()?, value.get(1)?.as_f64()));
-            let (Some((count, sum)), Some((count_here, sum_here))) = (pair(expected), found.get(bone).and_then(pair))
+            let (Some((count, sum)), Some((count_here, sum_here))) =
+                (pair(expected), found.get(bone).and_then(pair))
             else {
                 self.differ(format!("`{at}` is expected, but not computed"));
                 continue;
             };
             if self.of_asset && count.abs_diff(count_here) == 1 {
-                self.number("bone sum at the threshold", &at, AT_THRESHOLD, sum, sum_here);
+                self.number(
+                    "bone sum at the threshold",
+                    &at,
+                    AT_THRESHOLD,
+                    sum,
+                    sum_here,
+                );
                 continue;
             }
             if count != count_here {
                 self.differ(format!("`{at}` has {count_here} entries, {count} expected"));
             }
-            self.number("bone sum", &at, self.kind.tolerance("bone sum", self.scale), sum, sum_here);
+            self.number(
+                "bone sum",
+                &at,
+                self.kind.tolerance("bone sum", self.scale),
+                sum,
+                sum_here,
+            );
         }
         for bone in found.keys().filter(|bone| !expected.contains_key(*bone)) {
             self.differ(format!("`bones/{bone}` is computed, but not expected"));
@@ -210,7 +275,9 @@ impl Comparer<'_> {
 
 /// Lists of names, and of pairs that begin with a name, sorted; all others as they are.
 fn by_name(value: &Value) -> Value {
-    let Value::Array(elements) = value else { return value.clone() };
+    let Value::Array(elements) = value else {
+        return value.clone();
+    };
     let mut elements: Vec<Value> = elements.iter().map(by_name).collect();
     let key = |value: &Value| -> Option<(String, f64)> {
         match value {

@@ -26,21 +26,45 @@ pub(crate) struct Computer<'a> {
 }
 
 impl<'a> Computer<'a> {
-    pub(super) fn new(kind: &'static Kind, roots: &'a Roots, file: &File<'a>, open: OpenBase) -> Self {
-        Self { roots, file: file.root, kind, open, bases: BTreeMap::new(), work: 0 }
+    pub(super) fn new(
+        kind: &'static Kind,
+        roots: &'a Roots,
+        file: &File<'a>,
+        open: OpenBase,
+    ) -> Self {
+        Self {
+            roots,
+            file: file.root,
+            kind,
+            open,
+            bases: BTreeMap::new(),
+            work: 0,
+        }
     }
 
-    /// The base that a case names, or else the file; without one the only base, or the only one with macros.
+    /// The base that a case names, or else the file; without one the only base, or the only one
+    /// with macros.
     pub(crate) fn base(&mut self, case: &Node) -> Result<&mut Evaluation, Error> {
-        let common = || self.file.get("inputs").and_then(|inputs| inputs.get("base"));
-        let name = inputs::field(case, "base").or_else(common).and_then(Node::as_str);
+        let common = || {
+            self.file
+                .get("inputs")
+                .and_then(|inputs| inputs.get("base"))
+        };
+        let name = inputs::field(case, "base")
+            .or_else(common)
+            .and_then(Node::as_str);
         self.base_called(name)
     }
 
     pub(crate) fn base_called(&mut self, name: Option<&str>) -> Result<&mut Evaluation, Error> {
         let data = self.roots.data(self.kind.application)?;
-        let opened = self.bases.entry(name.map(str::to_owned)).or_insert_with(|| open(self.open, &data, name));
-        self.work += opened.as_ref().map_or(0, |base| base.scene().positions.len());
+        let opened = self
+            .bases
+            .entry(name.map(str::to_owned))
+            .or_insert_with(|| open(self.open, &data, name));
+        self.work += opened
+            .as_ref()
+            .map_or(0, |base| base.scene().positions.len());
         opened.as_mut().map_err(|error| error.clone())
     }
 }
@@ -49,7 +73,10 @@ fn open(open: OpenBase, data: &Path, name: Option<&str>) -> Result<Evaluation, E
     match open(data, None, name) {
         Err(Error::BaseNeeded { known, with_macros }) => match with_macros.as_slice() {
             [only] => open(data, None, Some(only)),
-            _ => Err(Error::Input(format!("the case names no base mesh (known: {})", known.join(", ")))),
+            _ => Err(Error::Input(format!(
+                "the case names no base mesh (known: {})",
+                known.join(", ")
+            ))),
         },
         other => other,
     }
@@ -61,15 +88,26 @@ pub(crate) fn morphed(
     modifiers: Option<Vec<SliderSetting>>,
     notes: &mut Vec<String>,
 ) -> Result<Vec<Point>, Error> {
-    let Some(modifiers) = modifiers else { return Ok(base.scene().positions.clone()) };
+    let Some(modifiers) = modifiers else {
+        return Ok(base.scene().positions.clone());
+    };
     let setting = setting(base, &modifiers, notes);
     base.morphed(&setting)
 }
 
 /// The settings of a case; names that no slider has are left out.
-pub(crate) fn setting(base: &Evaluation, modifiers: &[SliderSetting], notes: &mut Vec<String>) -> Setting {
+pub(crate) fn setting(
+    base: &Evaluation,
+    modifiers: &[SliderSetting],
+    notes: &mut Vec<String>,
+) -> Setting {
     let (setting, unknown) = base.model_setting(modifiers);
-    let left_out = |name| format!("unknown slider `{name}` ignored, as in {}", base.application());
+    let left_out = |name| {
+        format!(
+            "unknown slider `{name}` ignored, as in {}",
+            base.application()
+        )
+    };
     notes.extend(unknown.into_iter().map(left_out));
     setting
 }

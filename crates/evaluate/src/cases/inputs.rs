@@ -17,7 +17,11 @@ impl<'a> File<'a> {
         if !root.get("cases").is_some_and(Node::is_array) {
             return Err(Error::file(path, "it has no `cases` list"));
         }
-        Ok(Self { kind, root, cases: cases(root) })
+        Ok(Self {
+            kind,
+            root,
+            cases: cases(root),
+        })
     }
 }
 
@@ -33,13 +37,22 @@ pub(super) fn title(case: &Node) -> String {
         return first.to_owned();
     }
     let text = |key| case.get(key).and_then(Node::as_str);
-    let parts: Vec<&str> = [text("base"), text("kind"), text("name")].into_iter().flatten().collect();
-    if parts.is_empty() { "(unnamed case)".to_owned() } else { parts.join(" ") }
+    let parts: Vec<&str> = [text("base"), text("kind"), text("name")]
+        .into_iter()
+        .flatten()
+        .collect();
+    if parts.is_empty() {
+        "(unnamed case)".to_owned()
+    } else {
+        parts.join(" ")
+    }
 }
 
 /// A field of the `inputs` of a case, or of the case itself.
 pub(crate) fn field<'a>(case: &'a Node, key: &str) -> Option<&'a Node> {
-    case.get("inputs").and_then(|inputs| inputs.get(key)).or_else(|| case.get(key))
+    case.get("inputs")
+        .and_then(|inputs| inputs.get(key))
+        .or_else(|| case.get(key))
 }
 
 pub(crate) fn wanted<'a>(case: &'a Node, key: &str) -> Result<&'a Node, Error> {
@@ -47,12 +60,20 @@ pub(crate) fn wanted<'a>(case: &'a Node, key: &str) -> Result<&'a Node, Error> {
 }
 
 pub(crate) fn text<'a>(case: &'a Node, key: &str) -> Result<&'a str, Error> {
-    wanted(case, key)?.as_str().ok_or_else(|| Error::Input(format!("`{key}` of the case is not a string")))
+    wanted(case, key)?
+        .as_str()
+        .ok_or_else(|| Error::Input(format!("`{key}` of the case is not a string")))
 }
 
 pub(crate) fn count(case: &Node, key: &str) -> Result<usize, Error> {
-    let number = wanted(case, key)?.as_i64().and_then(|number| usize::try_from(number).ok());
-    number.ok_or_else(|| Error::Input(format!("`{key}` of the case is not a whole number, 0 or more")))
+    let number = wanted(case, key)?
+        .as_i64()
+        .and_then(|number| usize::try_from(number).ok());
+    number.ok_or_else(|| {
+        Error::Input(format!(
+            "`{key}` of the case is not a whole number, 0 or more"
+        ))
+    })
 }
 
 /// Slider settings; `None` for `null`: the mesh as it is, without even the defaults.
@@ -62,25 +83,42 @@ pub(crate) fn modifiers(case: &Node) -> Result<Option<Vec<SliderSetting>>, Error
         return Ok(None);
     }
     let read = crate::settings::modifiers(node);
-    read.map(Some).map_err(|reason| Error::Input(format!("`modifiers` of the case: {reason}")))
+    read.map(Some)
+        .map_err(|reason| Error::Input(format!("`modifiers` of the case: {reason}")))
 }
 
 /// The vertices to report: those of the case, or those that the file has for the base.
 pub(crate) fn vertex_ids(file: &Node, case: &Node, base: &str) -> Result<Vec<i64>, Error> {
     let common = || {
         let ids = file.get("inputs")?.get("vertex_ids")?;
-        if ids.is_array() { Some(ids) } else { ids.get(base) }
+        if ids.is_array() {
+            Some(ids)
+        } else {
+            ids.get(base)
+        }
     };
-    let Some(ids) = field(case, "vertex_ids").or_else(common) else { return Ok(Vec::new()) };
+    let Some(ids) = field(case, "vertex_ids").or_else(common) else {
+        return Ok(Vec::new());
+    };
     let wrong = || Error::Input("`vertex_ids` of the case is not a list of vertices".to_owned());
     if !ids.is_array() {
         return Err(wrong());
     }
-    ids.elements().iter().map(|id| id.as_i64().ok_or_else(wrong)).collect()
+    ids.elements()
+        .iter()
+        .map(|id| id.as_i64().ok_or_else(wrong))
+        .collect()
 }
 
 /// The vertices whose weights are reported: those in the outputs that are there.
 pub(crate) fn weighted_vertices(case: &Node) -> Vec<i64> {
-    let listed = case.get("outputs").and_then(|outputs| outputs.get("vertices")).map(Node::elements);
-    listed.unwrap_or_default().iter().filter_map(|pair| pair.elements().first()?.as_i64()).collect()
+    let listed = case
+        .get("outputs")
+        .and_then(|outputs| outputs.get("vertices"))
+        .map(Node::elements);
+    listed
+        .unwrap_or_default()
+        .iter()
+        .filter_map(|pair| pair.elements().first()?.as_i64())
+        .collect()
 }

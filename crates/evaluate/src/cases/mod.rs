@@ -1,7 +1,7 @@
 //! Batches of cases as in the reference files: read, computed, printed or compared.
 //!
-//! A file has a `kind` and `cases`, each with `inputs` and `outputs`. One case that cannot be computed does not
-//! keep the others from it.
+//! A file has a `kind` and `cases`, each with `inputs` and `outputs`. One case that cannot be
+//! computed does not keep the others from it.
 
 mod compare;
 mod computer;
@@ -26,10 +26,11 @@ use mhlint_json::{Document, Node};
 use tolerance::Tolerance;
 
 /// Computes the outputs of a case; notes what a reader should know besides.
-pub(super) type Compute = fn(&mut Computer<'_>, &Node, &mut Vec<String>) -> Result<Map<String, Value>, Error>;
+pub(super) type Compute =
+    fn(&mut Computer<'_>, &Node, &mut Vec<String>) -> Result<Map<String, Value>, Error>;
 
-/// Values of all outputs of a file; reference files have three thousand. A few names of vertices that all
-/// cases share make any number of them.
+/// Values of all outputs of a file; reference files have three thousand. A few names of vertices
+/// that all cases share make any number of them.
 const MOST_VALUES: usize = 1 << 20;
 /// Vertices that a case is computed for and that cost as much as a value in its outputs.
 const WORK_OF_A_VALUE: usize = 256;
@@ -75,7 +76,12 @@ pub struct CaseReport {
 ///
 /// # Errors
 /// No JSON, no cases, or a kind that is not computed here.
-pub fn run_cases<'t>(path: &str, text: &'t [u8], roots: &Roots, open: OpenBase) -> Result<CaseRun<'t>, Error> {
+pub fn run_cases<'t>(
+    path: &str,
+    text: &'t [u8],
+    roots: &Roots,
+    open: OpenBase,
+) -> Result<CaseRun<'t>, Error> {
     let document = files::document(text).map_err(|reason| Error::file(path, reason))?;
     let file = File::new(path, &document.root)?;
     let kind = kind_called(file.kind)?;
@@ -85,29 +91,49 @@ pub fn run_cases<'t>(path: &str, text: &'t [u8], roots: &Roots, open: OpenBase) 
     let mut computer = Computer::new(kind, roots, &file, open);
     let mut room = MOST_VALUES;
     let reports = file.cases.iter().map(|case| {
-        let report = if room > 0 { report(kind, &mut computer, case) } else { left_out(case) };
-        room = room.saturating_sub(report.outputs.as_ref().map_or(0, values) + computer.work / WORK_OF_A_VALUE);
+        let report = if room > 0 {
+            report(kind, &mut computer, case)
+        } else {
+            left_out(case)
+        };
+        room = room.saturating_sub(
+            report.outputs.as_ref().map_or(0, values) + computer.work / WORK_OF_A_VALUE,
+        );
         computer.work = 0;
         report
     });
     let reports = reports.collect();
-    Ok(CaseRun { kind, text, document, reports })
+    Ok(CaseRun {
+        kind,
+        text,
+        document,
+        reports,
+    })
 }
 
 fn kind_called(name: &str) -> Result<&'static Kind, Error> {
     kinds().find(|kind| kind.name == name).ok_or_else(|| {
         let names: Vec<&str> = kinds().map(|kind| kind.name).collect();
-        Error::Input(format!("cases of kind `{name}` are not supported; use one of: {}", names.join(", ")))
+        Error::Input(format!(
+            "cases of kind `{name}` are not supported; use one of: {}",
+            names.join(", ")
+        ))
     })
 }
 
 /// A case that there is no room for.
 fn left_out(case: &Node) -> CaseReport {
-    let reason = "not computed: the cases before it reach the limit for one file; split the file".to_owned();
-    CaseReport { name: inputs::title(case), outputs: Err(Error::Input(reason)), notes: Vec::new() }
+    let reason =
+        "not computed: the cases before it reach the limit for one file; split the file".to_owned();
+    CaseReport {
+        name: inputs::title(case),
+        outputs: Err(Error::Input(reason)),
+        notes: Vec::new(),
+    }
 }
 
-/// How many values there are in some outputs. They are nested as deep as the kinds of cases make them.
+/// How many values there are in some outputs. They are nested as deep as the kinds of cases make
+/// them.
 fn values(outputs: &Map<String, Value>) -> usize {
     let mut open: Vec<&Value> = outputs.values().collect();
     let mut count = 0;
@@ -125,13 +151,19 @@ fn values(outputs: &Map<String, Value>) -> usize {
 fn report(kind: &Kind, computer: &mut Computer<'_>, case: &Node) -> CaseReport {
     let mut notes = Vec::new();
     let outputs = match (kind.outputs)(computer, case, &mut notes) {
-        Err(Error::Stops { exception, reason, .. }) => {
+        Err(Error::Stops {
+            exception, reason, ..
+        }) => {
             notes.push(reason);
             Ok(super::object([("error", Value::from(exception))]))
         }
         other => other,
     };
-    CaseReport { name: inputs::title(case), outputs, notes }
+    CaseReport {
+        name: inputs::title(case),
+        outputs,
+        notes,
+    }
 }
 
 impl CaseRun<'_> {
@@ -145,7 +177,13 @@ impl CaseRun<'_> {
                 Err(error) => super::object([("error", Value::from(error.to_string()))]),
             };
             if let [_, key, .., last] = case.elements() {
-                let of = |name: &str| outputs.get(name).cloned().unwrap_or(Value::Null).to_string();
+                let of = |name: &str| {
+                    outputs
+                        .get(name)
+                        .cloned()
+                        .unwrap_or(Value::Null)
+                        .to_string()
+                };
                 out.extend_from_slice(self.text.get(from..key.span.start).unwrap_or_default());
                 out.extend_from_slice(format!("{}, {}", of("key"), of("values")).as_bytes());
                 from = last.span.end;
@@ -172,6 +210,8 @@ impl CaseRun<'_> {
     /// Every case against the outputs that are in the file.
     pub fn compared(&self) -> Vec<Comparison> {
         let cases = inputs::cases(&self.document.root).iter().zip(&self.reports);
-        cases.map(|(case, report)| compare::compare(self.kind, case, report)).collect()
+        cases
+            .map(|(case, report)| compare::compare(self.kind, case, report))
+            .collect()
     }
 }

@@ -28,8 +28,12 @@ impl Roots {
         let mut roots = Self::default();
         for (name, folder) in folders {
             if !NAMES.contains(&name.as_str()) {
-                let meant = nearest(&name, NAMES).map_or(String::new(), |name| format!("; did you mean `{name}`?"));
-                return Err(Error::Input(format!("unknown root `{name}`{meant} (known: {})", NAMES.join(", "))));
+                let meant = nearest(&name, NAMES)
+                    .map_or(String::new(), |name| format!("; did you mean `{name}`?"));
+                return Err(Error::Input(format!(
+                    "unknown root `{name}`{meant} (known: {})",
+                    NAMES.join(", ")
+                )));
             }
             roots.folders.insert(name, folder);
         }
@@ -46,10 +50,16 @@ impl Roots {
         self.file_of(written, Application::Makehuman2)
     }
 
-    /// Where a file of a case is. The name may end in ` (NAME)`; without, files of the assets begin with `base/`, and all
-    /// others are those of the application.
-    pub(crate) fn file_of(&self, written: &str, application: Application) -> Result<PathBuf, Error> {
-        let marked = written.strip_suffix(')').and_then(|text| text.rsplit_once(" ("));
+    /// Where a file of a case is. The name may end in ` (NAME)`; without, files of the assets begin
+    /// with `base/`, and all others are those of the application.
+    pub(crate) fn file_of(
+        &self,
+        written: &str,
+        application: Application,
+    ) -> Result<PathBuf, Error> {
+        let marked = written
+            .strip_suffix(')')
+            .and_then(|text| text.rsplit_once(" ("));
         let (path, name) = match marked {
             Some((path, name)) => (path, name),
             None if written.starts_with("base/") => (written, "makehuman-assets"),
@@ -60,7 +70,11 @@ impl Roots {
             match part {
                 Component::Normal(part) => parts.push(part),
                 Component::CurDir => {}
-                _ => return Err(Error::Input(format!("`{path}` is outside the folder of {name}"))),
+                _ => {
+                    return Err(Error::Input(format!(
+                        "`{path}` is outside the folder of {name}"
+                    )));
+                }
             }
         }
         let folder = self.folder(name)?;
@@ -73,8 +87,15 @@ impl Roots {
     }
 
     fn folder(&self, name: &str) -> Result<&Path, Error> {
-        let missing = || Error::Input(format!("the folder of {name} is needed; use `--root {name}=DIR`"));
-        self.folders.get(name).map(PathBuf::as_path).ok_or_else(missing)
+        let missing = || {
+            Error::Input(format!(
+                "the folder of {name} is needed; use `--root {name}=DIR`"
+            ))
+        };
+        self.folders
+            .get(name)
+            .map(PathBuf::as_path)
+            .ok_or_else(missing)
     }
 }
 
@@ -87,8 +108,14 @@ pub(crate) fn use_of(written: &str, application: Application) -> Option<Use> {
 /// `folder/first`, or `folder` where that is already it.
 fn inside(folder: &Path, first: impl AsRef<Path>) -> PathBuf {
     let below = folder.join(&first);
-    let is_it = folder.file_name().is_some_and(|name| Path::new(name) == first.as_ref());
-    if canonical(&below).is_none() && is_it { folder.to_path_buf() } else { below }
+    let is_it = folder
+        .file_name()
+        .is_some_and(|name| Path::new(name) == first.as_ref());
+    if canonical(&below).is_none() && is_it {
+        folder.to_path_buf()
+    } else {
+        below
+    }
 }
 
 #[cfg(test)]
@@ -101,10 +128,30 @@ mod tests {
         let roots = Roots::new([folder("makehuman2"), folder("makehuman-assets")]).unwrap();
         let file = |name: &str| roots.file(name).map(|path| path.display().to_string());
         assert_eq!(file("data/a/b.mhw").unwrap(), "/makehuman2/data/a/b.mhw");
-        assert_eq!(file("base/a.mhclo").unwrap(), "/makehuman-assets/base/a.mhclo");
-        assert_eq!(file("data/a.mhclo (makehuman2)").unwrap(), "/makehuman2/data/a.mhclo");
-        assert!(file("data/../../etc/passwd").is_err() && file("/etc/passwd").is_err() && file("").is_err());
-        assert!(file("x (mpfb)").unwrap_err().to_string().contains("--root mpfb=DIR"));
-        assert!(Roots::new([folder("makehuman3")]).unwrap_err().to_string().contains("makehuman2"));
+        assert_eq!(
+            file("base/a.mhclo").unwrap(),
+            "/makehuman-assets/base/a.mhclo"
+        );
+        assert_eq!(
+            file("data/a.mhclo (makehuman2)").unwrap(),
+            "/makehuman2/data/a.mhclo"
+        );
+        assert!(
+            file("data/../../etc/passwd").is_err()
+                && file("/etc/passwd").is_err()
+                && file("").is_err()
+        );
+        assert!(
+            file("x (mpfb)")
+                .unwrap_err()
+                .to_string()
+                .contains("--root mpfb=DIR")
+        );
+        assert!(
+            Roots::new([folder("makehuman3")])
+                .unwrap_err()
+                .to_string()
+                .contains("makehuman2")
+        );
     }
 }

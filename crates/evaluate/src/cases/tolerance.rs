@@ -1,7 +1,8 @@
 //! How far two evaluations of the same files may lie apart.
 //!
-//! The applications store coordinates, offsets, weights and matrices as float32 and add up in float32. The
-//! numbers are those that the reference files suggest (reference/README.md, "Tolerances").
+//! The applications store coordinates, offsets, weights and matrices as float32 and add up in
+//! float32. The numbers are those that the reference files suggest (reference/README.md,
+//! "Tolerances").
 
 use super::Kind;
 
@@ -26,11 +27,20 @@ pub(crate) const FACTORS: Tolerance = Tolerance::Absolute(1e-6);
 /// Coordinates and boxes of morphed meshes, decimetres.
 pub(crate) const MORPHED: Tolerance = Tolerance::Absolute(2e-5);
 /// Coordinates and boxes of shape keys as Blender mixes them.
-pub(crate) const MIXED: Tolerance = Tolerance::ByScale { metres: 3e-6, decimetres: 2e-5 };
+pub(crate) const MIXED: Tolerance = Tolerance::ByScale {
+    metres: 3e-6,
+    decimetres: 2e-5,
+};
 /// Ends of bones as MPFB computes them.
-pub(crate) const RIG_ENDS: Tolerance = Tolerance::ByScale { metres: 1e-6, decimetres: 1e-5 };
+pub(crate) const RIG_ENDS: Tolerance = Tolerance::ByScale {
+    metres: 1e-6,
+    decimetres: 1e-5,
+};
 /// The same as Blender stores them.
-pub(crate) const BONE_ENDS: Tolerance = Tolerance::ByScale { metres: 2e-6, decimetres: 2e-5 };
+pub(crate) const BONE_ENDS: Tolerance = Tolerance::ByScale {
+    metres: 2e-6,
+    decimetres: 2e-5,
+};
 /// Axes of bones at rest: those of short ones that nearly point to -y turn at the least difference.
 pub(crate) const REST_AXES: Tolerance = Tolerance::Absolute(1e-3);
 /// Number of entries and sum of the weights of a vertex group.
@@ -38,7 +48,10 @@ pub(crate) const GROUP_SUMS: Tolerance = Tolerance::Relative(1e-6);
 /// The same of an asset that takes its weights from the body.
 pub(crate) const TAKEN_SUMS: Tolerance = Tolerance::Absolute(2e-4);
 /// Assets in Blender.
-pub(crate) const FITTED_IN_BLENDER: Tolerance = Tolerance::ByScale { metres: 2e-6, decimetres: 2e-5 };
+pub(crate) const FITTED_IN_BLENDER: Tolerance = Tolerance::ByScale {
+    metres: 2e-6,
+    decimetres: 2e-5,
+};
 /// Pose matrices and skinned vertices in Blender.
 pub(crate) const POSED_IN_BLENDER: Tolerance = Tolerance::Absolute(5e-6);
 /// Their sums over all vertices of a mesh.
@@ -57,7 +70,8 @@ pub(crate) const FITTED: Tolerance = Tolerance::Absolute(2e-5);
 pub(crate) const WEIGHTS: Tolerance = Tolerance::Absolute(1e-6);
 /// Sum of the weights of a bone.
 const BONE_SUMS: Tolerance = Tolerance::Relative(1e-6);
-/// Sum of the weights of a bone that has one entry more or less, in files of assets: the weight on the threshold.
+/// Sum of the weights of a bone that has one entry more or less, in files of assets: the weight on
+/// the threshold.
 pub(super) const AT_THRESHOLD: Tolerance = Tolerance::Absolute(1e-4);
 /// Counts.
 const EXACT: Tolerance = Tolerance::Absolute(0.0);
@@ -80,7 +94,9 @@ impl Tolerance {
     /// The tolerance for a mesh of this scale.
     fn at(self, scale: f64) -> Self {
         match self {
-            Self::ByScale { metres, decimetres } => Self::Absolute(if scale > 0.1 { decimetres } else { metres }),
+            Self::ByScale { metres, decimetres } => {
+                Self::Absolute(if scale > 0.1 { decimetres } else { metres })
+            }
             other => other,
         }
     }
@@ -88,7 +104,9 @@ impl Tolerance {
     /// The limit itself.
     pub(super) const fn limit(self) -> f64 {
         match self {
-            Self::Absolute(limit) | Self::Relative(limit) | Self::ByScale { metres: limit, .. } => limit,
+            Self::Absolute(limit) | Self::Relative(limit) | Self::ByScale { metres: limit, .. } => {
+                limit
+            }
         }
     }
 
@@ -101,7 +119,11 @@ impl Tolerance {
                 Self::Relative(_) => {
                     let distance = (expected - found).abs();
                     // Equal zeros have no ratio.
-                    if distance > 0.0 { distance / expected.abs() } else { distance }
+                    if distance > 0.0 {
+                        distance / expected.abs()
+                    } else {
+                        distance
+                    }
                 }
             },
             _ => f64::INFINITY,

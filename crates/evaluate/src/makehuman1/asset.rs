@@ -30,10 +30,20 @@ pub struct Asset {
 /// Reads an asset and its OBJ.
 ///
 /// # Errors
-/// Files that cannot be read, and lines that stop the application; rows that are not as many as vertices.
+/// Files that cannot be read, and lines that stop the application; rows that are not as many as
+/// vertices.
 pub fn read_asset(path: &Path) -> Result<Asset, Error> {
-    let AssetFile { path, clothes, obj_path, positions } = read(path, OWN, |entry| !entry.has_colon)?;
-    let stops = |exception, reason| Error::Stops { application: OWN, exception, reason };
+    let AssetFile {
+        path,
+        clothes,
+        obj_path,
+        positions,
+    } = read(path, OWN, |entry| !entry.has_colon)?;
+    let stops = |exception, reason| Error::Stops {
+        application: OWN,
+        exception,
+        reason,
+    };
     let clothes = clothes.kept();
     let rows = clothes.rows.count;
     if clothes.kept.len() != rows {
@@ -47,12 +57,22 @@ pub fn read_asset(path: &Path) -> Result<Asset, Error> {
         [only] => references = vec![*only; positions.len()],
         rows if rows.len() == positions.len() => {}
         rows => {
-            let counts = format!("{} vertex lines, but its mesh has {} vertices", rows.len(), positions.len());
+            let counts = format!(
+                "{} vertex lines, but its mesh has {} vertices",
+                rows.len(),
+                positions.len()
+            );
             return Err(stops("ValueError", format!("`{path}` has {counts}")));
         }
     }
     let stretch = stretch(&clothes);
-    Ok(Asset { path, obj_path, deleted: clothes.deleted, references, stretch })
+    Ok(Asset {
+        path,
+        obj_path,
+        deleted: clothes.deleted,
+        references,
+        stretch,
+    })
 }
 
 impl Asset {
@@ -66,6 +86,11 @@ impl Asset {
         let fitted = fit(positions, &self.references, scales).map_err(index)?;
         let deleted = deleted_vertices(&self.deleted, positions.len()).map_err(index)?;
         let deleted = deleted.into_iter().filter(|deleted| *deleted).count();
-        Ok(Fitted { positions: fitted, references: self.references.len(), scales, deleted })
+        Ok(Fitted {
+            positions: fitted,
+            references: self.references.len(),
+            scales,
+            deleted,
+        })
     }
 }

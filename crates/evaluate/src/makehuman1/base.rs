@@ -1,4 +1,5 @@
-//! The body of MakeHuman 1 made ready for settings: mesh, modifiers with their targets, base skeleton with its weights.
+//! The body of MakeHuman 1 made ready for settings: mesh, modifiers with their targets, base
+//! skeleton with its weights.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -27,7 +28,10 @@ use mhlint_source::Limits;
 
 /// The name of the body, if there is a mesh for it.
 pub(crate) fn with_mesh(layers: Layers<'_>) -> BTreeSet<&str> {
-    mesh(layers).and_then(|(file, _)| file.base_in(OWN)).into_iter().collect()
+    mesh(layers)
+        .and_then(|(file, _)| file.base_in(OWN))
+        .into_iter()
+        .collect()
 }
 
 /// Takes what its files hold, but for the rows of its targets.
@@ -36,15 +40,30 @@ pub(crate) fn with_mesh(layers: Layers<'_>) -> BTreeSet<&str> {
 /// An unusable mesh.
 pub(crate) fn open(name: &str, layers: Layers<'_>, limits: Limits) -> Result<Evaluation, Error> {
     let view = View::connect(layers);
-    let (file, mesh) = view.mesh.ok_or_else(|| Error::file("3dobjs/base.obj", NO_MESH))?;
+    let (file, mesh) = view
+        .mesh
+        .ok_or_else(|| Error::file("3dobjs/base.obj", NO_MESH))?;
     if let Some(bad) = mesh.facts.unreadable.first() {
-        return Err(Error::file(&file.path, format!("line {}: {} (`{}`)", bad.line, bad.what, bad.text)));
+        return Err(Error::file(
+            &file.path,
+            format!("line {}: {} (`{}`)", bad.line, bad.what, bad.text),
+        ));
     }
-    let composed = compose(&view, &mut Rows::new()).ok_or_else(|| Error::file(&file.path, NO_MESH))?;
-    let rig = view.base_rig().and_then(|rig| Some((rig.file, rig.skeleton()?)));
+    let composed =
+        compose(&view, &mut Rows::new()).ok_or_else(|| Error::file(&file.path, NO_MESH))?;
+    let rig = view
+        .base_rig()
+        .and_then(|rig| Some((rig.file, rig.skeleton()?)));
     let no_rig = || "rigs/default.mhskel is missing or cannot be used".to_owned();
-    let skeleton = rig.map(|(file, model)| SkeletonFile { path: file.path.clone(), model: model.clone() });
-    let macros = if composed.scene.macros.is_some() { Ok(MacroNames::Variables) } else { Err(NO_MODIFIERS.to_owned()) };
+    let skeleton = rig.map(|(file, model)| SkeletonFile {
+        path: file.path.clone(),
+        model: model.clone(),
+    });
+    let macros = if composed.scene.macros.is_some() {
+        Ok(MacroNames::Variables)
+    } else {
+        Err(NO_MODIFIERS.to_owned())
+    };
     Ok(Evaluation {
         formulas: Formulas::Makehuman1,
         trees: Vec::new(),
@@ -70,7 +89,9 @@ fn name_of(rel: &str) -> &str {
 /// The archive that the program reads in place of texts, with the targets that it takes from it.
 fn archive(view: &View<'_>) -> Option<(String, BTreeMap<String, String>)> {
     let (archive, targets) = view.targets.archived()?;
-    let named = targets.iter().map(|(target, _)| (name_of(&target.rel).to_owned(), target.member().to_owned()));
+    let named = targets
+        .iter()
+        .map(|(target, _)| (name_of(&target.rel).to_owned(), target.member().to_owned()));
     Some((archive.file.path.clone(), named.collect()))
 }
 
@@ -78,7 +99,9 @@ const NO_MODIFIERS: &str = "`modifiers/` is missing or cannot be used";
 
 /// The scene, with the rows of its targets taken out of `rows`. `None` without a mesh.
 pub(super) fn compose(view: &View<'_>, rows: &mut Rows) -> Option<Composed> {
-    let (_, mesh) = view.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
+    let (_, mesh) = view
+        .mesh
+        .filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
     let mut composer = Composer::default();
     take_mesh(&mut composer.scene, mesh, shows);
     composer.modifiers(view);
@@ -88,15 +111,27 @@ pub(super) fn compose(view: &View<'_>, rows: &mut Rows) -> Option<Composed> {
     let rig = view.base_rig();
     scene.skeleton = rig.and_then(|rig| skeleton_of(rig.skeleton()?, &scene).ok());
     let lists = rig.and_then(mhlint_repo::Rig::usable_weights);
-    scene.weights = scene.skeleton.as_ref().zip(lists).and_then(|(bones, (_, own))| weights::bind(bones, own, &scene));
+    scene.weights = scene
+        .skeleton
+        .as_ref()
+        .zip(lists)
+        .and_then(|(bones, (_, own))| weights::bind(bones, own, &scene));
     // What other skeletons take of the weights is theirs to leave out: bones without any are usual
     // (`docs/loaders/makehuman1/weights.md#shipped-weights`).
     let rigs = view.rigs().iter().filter_map(|rig| {
         let skeleton = skeleton_of(rig.skeleton()?, &scene).ok()?;
-        Some(Rig { path: rig.file.path.clone(), skeleton, received: Received::default() })
+        Some(Rig {
+            path: rig.file.path.clone(),
+            skeleton,
+            received: Received::default(),
+        })
     });
     let rigs = rigs.collect();
-    Some(Composed { scene, rigs, is_cut: false })
+    Some(Composed {
+        scene,
+        rigs,
+        is_cut: false,
+    })
 }
 
 #[derive(Default)]
@@ -117,7 +152,9 @@ impl<'a> Composer<'a> {
     fn modifiers(&mut self, view: &'a View<'a>) {
         self.scene.most_factor = Some(1.0);
         let human = Human::default();
-        self.scene.macro_defaults = (0..SLIDERS.len()).map(|slider| human.value(slider)).collect();
+        self.scene.macro_defaults = (0..SLIDERS.len())
+            .map(|slider| human.value(slider))
+            .collect();
         let mut groups = BTreeSet::new();
         for one in &view.modifiers.all {
             // A name that is there already stops its file.
@@ -126,10 +163,18 @@ impl<'a> Composer<'a> {
             }
             match &one.modifier.variable {
                 Some(variable) => {
-                    let Some(place) = SLIDERS.iter().position(|own| own.eq_ignore_ascii_case(&variable.name)) else {
+                    let Some(place) = SLIDERS
+                        .iter()
+                        .position(|own| own.eq_ignore_ascii_case(&variable.name))
+                    else {
                         continue;
                     };
-                    let default = self.scene.macro_defaults.get(place).copied().unwrap_or_default();
+                    let default = self
+                        .scene
+                        .macro_defaults
+                        .get(place)
+                        .copied()
+                        .unwrap_or_default();
                     self.slider(&one.name, SliderKind::Macro(place), default);
                     if groups.insert(one.modifier.group.as_str()) {
                         self.macro_group(view, one);
@@ -144,7 +189,11 @@ impl<'a> Composer<'a> {
     }
 
     fn slider(&mut self, name: &str, kind: SliderKind, default: f64) {
-        self.scene.sliders.push(SceneSlider { pattern: name.to_owned(), kind, default });
+        self.scene.sliders.push(SceneSlider {
+            pattern: name.to_owned(),
+            kind,
+            default,
+        });
     }
 
     fn macro_group(&mut self, view: &'a View<'a>, one: &'a KnownModifier<'a>) {
@@ -154,7 +203,12 @@ impl<'a> Composer<'a> {
     }
 
     fn group(&mut self, factor: Factor, targets: &[&'a NamedTarget<'a>]) {
-        let targets = targets.iter().map(|target| (self.number(target.file, &target.rel), variables(&target.name)));
+        let targets = targets.iter().map(|target| {
+            (
+                self.number(target.file, &target.rel),
+                variables(&target.name),
+            )
+        });
         let targets = targets.collect();
         self.formula.groups.push(TargetGroup { factor, targets });
     }
@@ -162,22 +216,44 @@ impl<'a> Composer<'a> {
     /// A modifier whose sides have a plain target each, or one with a setting of its own.
     fn detail(&mut self, view: &'a View<'a>, one: &'a KnownModifier<'a>) {
         let of = |part: Part| targets(view, one, part);
-        let (left, centre, right, only) = (of(Part::Left), of(Part::Centre), of(Part::Right), of(Part::Only));
+        let (left, centre, right, only) = (
+            of(Part::Left),
+            of(Part::Centre),
+            of(Part::Right),
+            of(Part::Only),
+        );
         let two_sided = one.modifier.tails.sides().is_some();
-        let is_plain =
-            |targets: &Vec<&NamedTarget<'a>>| targets.len() < 2 && targets.iter().all(|target| !target.name.is_macro());
+        let is_plain = |targets: &Vec<&NamedTarget<'a>>| {
+            targets.len() < 2 && targets.iter().all(|target| !target.name.is_macro())
+        };
         let default = one.modifier.default.unwrap_or(0.0);
         if centre.is_empty() && [&left, &right, &only].into_iter().all(is_plain) {
-            let mut first =
-                |targets: &[&'a NamedTarget<'a>]| targets.first().map(|target| self.target(target.file, &target.rel));
+            let mut first = |targets: &[&'a NamedTarget<'a>]| {
+                targets
+                    .first()
+                    .map(|target| self.target(target.file, &target.rel))
+            };
             let decr = first(&left);
             let incr = first(&right).or_else(|| first(&only));
-            return self.slider(&one.name, SliderKind::Detail { incr, decr, two_sided }, default);
+            return self.slider(
+                &one.name,
+                SliderKind::Detail {
+                    incr,
+                    decr,
+                    two_sided,
+                },
+                default,
+            );
         }
         let place = self.scene.macro_defaults.len();
         self.scene.macro_defaults.push(default);
         self.slider(&one.name, SliderKind::Macro(place), default);
-        let sides = [Factor::Left(place), Factor::Centre(place), Factor::Right(place), Factor::Only(place)];
+        let sides = [
+            Factor::Left(place),
+            Factor::Centre(place),
+            Factor::Right(place),
+            Factor::Only(place),
+        ];
         for (factor, targets) in sides.into_iter().zip([left, centre, right, only]) {
             if !targets.is_empty() {
                 self.group(factor, &targets);
@@ -185,14 +261,25 @@ impl<'a> Composer<'a> {
         }
         let steps: [f64; 3] = [if two_sided { -1.0 } else { 0.0 }, 0.0, 1.0];
         let steps = if two_sided { &steps[..] } else { &steps[1..] };
-        self.scene.products.push(vec![Dimension::Steps { place, steps: steps.into() }]);
+        self.scene.products.push(vec![Dimension::Steps {
+            place,
+            steps: steps.into(),
+        }]);
     }
 
     fn custom(&mut self, view: &'a View<'a>) {
         for one in &view.targets.custom {
             if self.known.insert(one.name.as_str()) {
                 let incr = Some(self.target(one.file, &one.file.rel));
-                self.slider(&one.name, SliderKind::Detail { incr, decr: None, two_sided: false }, 0.0);
+                self.slider(
+                    &one.name,
+                    SliderKind::Detail {
+                        incr,
+                        decr: None,
+                        two_sided: false,
+                    },
+                    0.0,
+                );
             }
         }
     }
@@ -204,7 +291,11 @@ impl<'a> Composer<'a> {
         }
         let name = name_of(rel).to_owned();
         let place = self.scene.targets.len();
-        self.scene.targets.push(MorphTarget { name, path: file.path.clone(), ..MorphTarget::default() });
+        self.scene.targets.push(MorphTarget {
+            name,
+            path: file.path.clone(),
+            ..MorphTarget::default()
+        });
         self.files.push(file);
         self.by_path.insert(rel, place);
         place
@@ -225,7 +316,9 @@ impl<'a> Composer<'a> {
         let (vertices, suspects) = (mesh.positions.len(), Suspects::new(mesh));
         for (target, file) in self.scene.targets.iter_mut().zip(&self.files) {
             let is_whole = file.target().is_some_and(is_usable);
-            let own = rows.remove(&target.path).filter(|own| own.iter().all(|row| (row.0 as usize) < vertices));
+            let own = rows
+                .remove(&target.path)
+                .filter(|own| own.iter().all(|row| (row.0 as usize) < vertices));
             target.rows = own.filter(|_| is_whole);
             target.suspect = suspects.has(file);
         }
@@ -233,32 +326,55 @@ impl<'a> Composer<'a> {
 }
 
 /// The targets that a modifier has for a side.
-fn targets<'a>(view: &'a View<'a>, one: &KnownModifier<'_>, part: Part) -> Vec<&'a NamedTarget<'a>> {
-    let places = one.parts.iter().filter(|own| own.part == part).flat_map(|own| &own.targets);
+fn targets<'a>(
+    view: &'a View<'a>,
+    one: &KnownModifier<'_>,
+    part: Part,
+) -> Vec<&'a NamedTarget<'a>> {
+    let places = one
+        .parts
+        .iter()
+        .filter(|own| own.part == part)
+        .flat_map(|own| &own.targets);
     places.filter_map(|place| view.targets.at(*place)).collect()
 }
 
 /// Places of the variables that a target depends on.
 pub(super) fn variables(name: &TargetName) -> Vec<u8> {
-    let place = |value: &str| VARIABLES.iter().position(|own| *own == value).and_then(|place| u8::try_from(place).ok());
-    name.categories().filter_map(|(_, value)| place(value)).collect()
+    let place = |value: &str| {
+        VARIABLES
+            .iter()
+            .position(|own| *own == value)
+            .and_then(|place| u8::try_from(place).ok())
+    };
+    name.categories()
+        .filter_map(|(_, value)| place(value))
+        .collect()
 }
 
 /// The sliders that targets depend on, with their steps.
 fn dimensions(targets: &[&NamedTarget<'_>]) -> Vec<Dimension> {
-    let categories: BTreeSet<&str> =
-        targets.iter().flat_map(|target| target.name.categories()).map(|(category, _)| category).collect();
+    let categories: BTreeSet<&str> = targets
+        .iter()
+        .flat_map(|target| target.name.categories())
+        .map(|(category, _)| category)
+        .collect();
     let of = |category: &&str| {
         if *category == "race" {
             return Some(Dimension::Corners((FIRST_RACE..SLIDERS.len()).collect()));
         }
-        let place = SLIDERS.iter().position(|own| own.eq_ignore_ascii_case(category))?;
+        let place = SLIDERS
+            .iter()
+            .position(|own| own.eq_ignore_ascii_case(category))?;
         let steps: &[f64] = match *category {
             "gender" => &[0.0, 1.0],
             "age" => &[0.0, 0.1875, 0.5, 1.0],
             _ => &[0.0, 0.5, 1.0],
         };
-        Some(Dimension::Steps { place, steps: steps.into() })
+        Some(Dimension::Steps {
+            place,
+            steps: steps.into(),
+        })
     };
     categories.iter().filter_map(of).collect()
 }
@@ -271,7 +387,11 @@ mod tests {
     /// Formulas and names of files have lists of their own.
     #[test]
     fn every_word_of_a_path_has_a_formula() {
-        let words: BTreeSet<&str> = CATEGORIES.iter().flat_map(|(_, words)| *words).copied().collect();
+        let words: BTreeSet<&str> = CATEGORIES
+            .iter()
+            .flat_map(|(_, words)| *words)
+            .copied()
+            .collect();
         assert_eq!(words, VARIABLES.into_iter().collect());
     }
 }

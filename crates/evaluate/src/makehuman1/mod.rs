@@ -32,13 +32,19 @@ pub(super) fn measure(layers: Layers<'_>, rows: &mut Rows, options: &Config) -> 
         return Measures::default();
     }
     let worn = worn::measure(layers);
-    let measured = base::compose(&view, rows).map(|composed| gauge(&composed, options)).unwrap_or_default();
+    let measured = base::compose(&view, rows)
+        .map(|composed| gauge(&composed, options))
+        .unwrap_or_default();
     Measures { worn, ..measured }
 }
 
 /// Data that stop the application, as Python says it.
 fn stops(exception: &'static str, reason: String) -> Error {
-    Error::Stops { application: OWN, exception, reason }
+    Error::Stops {
+        application: OWN,
+        exception,
+        reason,
+    }
 }
 
 fn stopped(error: EvalError) -> Error {

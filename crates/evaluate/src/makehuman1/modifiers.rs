@@ -11,7 +11,8 @@ use mhlint_eval::makehuman1::variables::{Human, SLIDERS};
 use mhlint_eval::scene::{Setting, SliderKind};
 use mhlint_formats::target_name::TargetName;
 
-/// The variables, what each of these modifiers does to its targets, and the weights of all targets, at a setting.
+/// The variables, what each of these modifiers does to its targets, and the weights of all targets,
+/// at a setting.
 ///
 /// # Errors
 /// No modifiers, or an unknown one.
@@ -24,11 +25,21 @@ pub(crate) fn modifiers_json(
     let human = Human::of_file(&setting.macros);
     let mut modifiers = Map::new();
     for (name, value) in asked {
-        modifiers.insert(name.clone(), Value::Object(moved(base, name)?.at(*value, human)));
+        modifiers.insert(
+            name.clone(),
+            Value::Object(moved(base, name)?.at(*value, human)),
+        );
     }
-    let name = |place: usize| base.scene.targets.get(place).map(|target| target.name.clone());
+    let name = |place: usize| {
+        base.scene
+            .targets
+            .get(place)
+            .map(|target| target.name.clone())
+    };
     let stack = base.factors(setting)?;
-    let targets = stack.iter().filter_map(|(place, weight)| Some((name(*place)?, rounded(*weight))));
+    let targets = stack
+        .iter()
+        .filter_map(|(place, weight)| Some((name(*place)?, rounded(*weight))));
     Ok(object([
         ("variables", Value::Object(variables_json(&human))),
         ("modifiers", Value::Object(modifiers)),
@@ -55,22 +66,38 @@ impl Moved {
         centre: Option<&str>,
         right: Option<&str>,
     ) -> Self {
-        let sides = [(left, Factor::Left(PLACE)), (centre, Factor::Centre(PLACE)), (right, Factor::Right(PLACE))];
+        let sides = [
+            (left, Factor::Left(PLACE)),
+            (centre, Factor::Centre(PLACE)),
+            (right, Factor::Right(PLACE)),
+        ];
         let sides = sides.into_iter().filter_map(|(own, factor)| {
             let own = own?;
-            let own = if own.starts_with(&format!("{group}-")) { own.to_owned() } else { format!("{group}-{own}") };
+            let own = if own.starts_with(&format!("{group}-")) {
+                own.to_owned()
+            } else {
+                format!("{group}-{own}")
+            };
             Some(targets_of(base, factor, |name| name.group() == own))
         });
-        Self { sides: sides.collect(), slider: None, lowest: -1.0 }
+        Self {
+            sides: sides.collect(),
+            slider: None,
+            lowest: -1.0,
+        }
     }
 
-    /// Its value in its range, the weights that it gives its targets on a human, and what it reads back of them.
+    /// Its value in its range, the weights that it gives its targets on a human, and what it reads
+    /// back of them.
     pub(super) fn at(&self, value: f64, mut human: Human) -> Map<String, Value> {
         let clamped = clamped(value, self.lowest);
         if let Some(slider) = self.slider {
             human.set(slider, value);
         }
-        let settings: Vec<f64> = (0..SLIDERS.len()).map(|slider| human.value(slider)).chain([clamped]).collect();
+        let settings: Vec<f64> = (0..SLIDERS.len())
+            .map(|slider| human.value(slider))
+            .chain([clamped])
+            .collect();
         let variables = human.variables();
         let mut weights = Map::new();
         let (mut right, mut left) = (0.0, 0.0);
@@ -87,11 +114,23 @@ impl Moved {
             }
         }
         // A macro asks the human.
-        let read = self.slider.map_or(if right == 0.0 { -left } else { right }, |slider| human.value(slider));
+        let read = self
+            .slider
+            .map_or(if right == 0.0 { -left } else { right }, |slider| {
+                human.value(slider)
+            });
         object([
             ("clamped", rounded(clamped)),
             ("value_read_back", rounded(read)),
-            ("target_count", Value::from(self.sides.iter().map(|(_, names)| names.len()).sum::<usize>())),
+            (
+                "target_count",
+                Value::from(
+                    self.sides
+                        .iter()
+                        .map(|(_, names)| names.len())
+                        .sum::<usize>(),
+                ),
+            ),
             ("weights", Value::Object(weights)),
         ])
     }
@@ -106,39 +145,82 @@ const PLACE: usize = SLIDERS.len();
 /// An unknown name.
 pub(super) fn moved(base: &Evaluation, name: &str) -> Result<Moved, Error> {
     if let Some(stem) = name.strip_prefix("custom/") {
-        let is_it = |path: &str| path.strip_suffix(".target").is_some_and(|path| path.replace('/', "-") == stem);
+        let is_it = |path: &str| {
+            path.strip_suffix(".target")
+                .is_some_and(|path| path.replace('/', "-") == stem)
+        };
         let found = base.scene.targets.iter().find(|target| is_it(&target.name));
         let found = found.map(|target| target.name.clone());
-        let found = found.ok_or_else(|| Error::Input(format!("no target makes the modifier `{name}`")))?;
-        let group = TargetGroup { factor: Factor::Only(PLACE), targets: vec![(0, Vec::new())] };
-        return Ok(Moved { sides: vec![(group, vec![found])], slider: None, lowest: 0.0 });
+        let found =
+            found.ok_or_else(|| Error::Input(format!("no target makes the modifier `{name}`")))?;
+        let group = TargetGroup {
+            factor: Factor::Only(PLACE),
+            targets: vec![(0, Vec::new())],
+        };
+        return Ok(Moved {
+            sides: vec![(group, vec![found])],
+            slider: None,
+            lowest: 0.0,
+        });
     }
     let scene = &base.scene;
-    let unknown = || Error::UnknownSlider { name: name.to_owned(), nearest: None };
-    let slider = scene.slider(name).and_then(|place| scene.sliders.get(place)).ok_or_else(unknown)?;
+    let unknown = || Error::UnknownSlider {
+        name: name.to_owned(),
+        nearest: None,
+    };
+    let slider = scene
+        .slider(name)
+        .and_then(|place| scene.sliders.get(place))
+        .ok_or_else(unknown)?;
     match slider.kind {
         SliderKind::Macro(place) if place < SLIDERS.len() => {
             let group = name.split('/').next().unwrap_or_default();
             let sides = vec![targets_of(base, Factor::One, |name| name.group() == group)];
-            Ok(Moved { sides, slider: Some(place), lowest: 0.0 })
+            Ok(Moved {
+                sides,
+                slider: Some(place),
+                lowest: 0.0,
+            })
         }
         SliderKind::Macro(place) => of_formula(base, place),
-        SliderKind::Detail { incr, decr, two_sided } => {
+        SliderKind::Detail {
+            incr,
+            decr,
+            two_sided,
+        } => {
             let side = |factor: Factor, target: Option<usize>| {
                 let name = scene.targets.get(target?)?.name.clone();
-                Some((TargetGroup { factor, targets: vec![(0, Vec::new())] }, vec![name]))
+                Some((
+                    TargetGroup {
+                        factor,
+                        targets: vec![(0, Vec::new())],
+                    },
+                    vec![name],
+                ))
             };
-            let right = if two_sided { Factor::Right(PLACE) } else { Factor::Only(PLACE) };
+            let right = if two_sided {
+                Factor::Right(PLACE)
+            } else {
+                Factor::Only(PLACE)
+            };
             let sides = [side(Factor::Left(PLACE), decr), side(right, incr)];
             let lowest = if two_sided { -1.0 } else { 0.0 };
-            Ok(Moved { sides: sides.into_iter().flatten().collect(), slider: None, lowest })
+            Ok(Moved {
+                sides: sides.into_iter().flatten().collect(),
+                slider: None,
+                lowest,
+            })
         }
     }
 }
 
 /// A modifier whose targets depend on the macro variables, as the formula has it.
 fn of_formula(base: &Evaluation, place: usize) -> Result<Moved, Error> {
-    let mut moved = Moved { sides: Vec::new(), slider: None, lowest: 0.0 };
+    let mut moved = Moved {
+        sides: Vec::new(),
+        slider: None,
+        lowest: 0.0,
+    };
     for group in &formula(base)?.groups {
         let factor = match group.factor {
             Factor::Left(own) if own == place => Factor::Left(PLACE),
@@ -150,16 +232,40 @@ fn of_formula(base: &Evaluation, place: usize) -> Result<Moved, Error> {
         if !matches!(factor, Factor::Only(_)) {
             moved.lowest = -1.0;
         }
-        let name = |number: &u32| base.scene.targets.get(*base.scene.macro_targets.get(*number as usize)?);
-        let names = group.targets.iter().filter_map(|(number, _)| Some(name(number)?.name.clone())).collect();
-        moved.sides.push((TargetGroup { factor, targets: group.targets.clone() }, names));
+        let name = |number: &u32| {
+            base.scene
+                .targets
+                .get(*base.scene.macro_targets.get(*number as usize)?)
+        };
+        let names = group
+            .targets
+            .iter()
+            .filter_map(|(number, _)| Some(name(number)?.name.clone()))
+            .collect();
+        moved.sides.push((
+            TargetGroup {
+                factor,
+                targets: group.targets.clone(),
+            },
+            names,
+        ));
     }
     Ok(moved)
 }
 
 /// The targets whose names fit.
-fn targets_of(base: &Evaluation, factor: Factor, fits: impl Fn(&TargetName) -> bool) -> (TargetGroup, Vec<String>) {
-    let mut found = (TargetGroup { factor, targets: Vec::new() }, Vec::new());
+fn targets_of(
+    base: &Evaluation,
+    factor: Factor,
+    fits: impl Fn(&TargetName) -> bool,
+) -> (TargetGroup, Vec<String>) {
+    let mut found = (
+        TargetGroup {
+            factor,
+            targets: Vec::new(),
+        },
+        Vec::new(),
+    );
     for (number, target) in (0_u32..).zip(&base.scene.targets) {
         if let Ok(name) = TargetName::of(&target.name)
             && fits(&name)

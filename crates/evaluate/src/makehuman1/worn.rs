@@ -1,4 +1,5 @@
-//! What the body of MakeHuman 1 wears, as it fits it (`docs/loaders/makehuman1/clothes.md#fitting`).
+//! What the body of MakeHuman 1 wears, as it fits it
+//! (`docs/loaders/makehuman1/clothes.md#fitting`).
 
 use std::collections::BTreeMap;
 
@@ -13,24 +14,44 @@ use mhlint_repo::makehuman1::{mesh, shows, worn};
 
 /// Measures the assets of the checked layer.
 pub(crate) fn measure(layers: Layers<'_>) -> BTreeMap<String, WornMeasure> {
-    let Some((_, mesh)) = mesh(layers).filter(|(_, mesh)| mesh.is_sound()) else { return BTreeMap::new() };
+    let Some((_, mesh)) = mesh(layers).filter(|(_, mesh)| mesh.is_sound()) else {
+        return BTreeMap::new();
+    };
     let all = worn(layers);
     let own = all.iter().filter(|worn| layers.is_checked(worn.file));
-    let fitted = fitted(mesh, own, |_, clothes| stretch(clothes).factors(&mesh.positions).ok());
-    if fitted.is_empty() { BTreeMap::new() } else { measure_all(mesh, &skin(mesh, shows), &fitted) }
+    let fitted = fitted(mesh, own, |_, clothes| {
+        stretch(clothes).factors(&mesh.positions).ok()
+    });
+    if fitted.is_empty() {
+        BTreeMap::new()
+    } else {
+        measure_all(mesh, &skin(mesh, shows), &fitted)
+    }
 }
 
 /// The lines of an asset that stretch it; of several for one axis the last.
 pub(crate) fn stretch(clothes: &Clothes) -> Stretch {
-    let set = |start: &str| ["x", "y", "z"].map(|axis| shear_line(clothes, &format!("{start}shear_{axis}")));
-    Stretch { scales: scale_lines(clothes), shears: ["", "l_", "r_"].map(set) }
+    let set = |start: &str| {
+        ["x", "y", "z"].map(|axis| shear_line(clothes, &format!("{start}shear_{axis}")))
+    };
+    Stretch {
+        scales: scale_lines(clothes),
+        shears: ["", "l_", "r_"].map(set),
+    }
 }
 
 fn shear_line(clothes: &Clothes, keyword: &str) -> Option<ShearLine> {
     let entry = clothes.all(keyword).rev().find(|entry| !entry.has_colon)?;
-    let mut words = entry.value.split(' ').filter(|word| !word.is_empty()).map(str::as_bytes);
+    let mut words = entry
+        .value
+        .split(' ')
+        .filter(|word| !word.is_empty())
+        .map(str::as_bytes);
     let mut vertex = || u32::try_from(python_int(words.next()?)?).ok();
     let vertices = [vertex()?, vertex()?];
     let mut place = || python_float(words.next()?).map(round_to_f32);
-    Some(ShearLine { vertices, places: [place()?, place()?] })
+    Some(ShearLine {
+        vertices,
+        places: [place()?, place()?],
+    })
 }

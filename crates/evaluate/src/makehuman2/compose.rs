@@ -1,7 +1,7 @@
 //! A base mesh with the rows of its targets to a scene of plain arrays.
 //!
-//! Takes what the application would take; what cannot be used (missing file, damaged rows) is left out
-//! and named by rules of its own.
+//! Takes what the application would take; what cannot be used (missing file, damaged rows) is left
+//! out and named by rules of its own.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -35,9 +35,16 @@ const BARYCENTRIC_DEFAULTS: [f64; 3] = [0.33, 0.33, 0.34];
 /// The scene of a base, taking its rows out of `rows`. `None` without a mesh.
 pub(crate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
     // With lines that could not be read, vertices have other numbers than their author meant.
-    let (_, mesh) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
-    let mut composer =
-        Composer { rows, mesh, suspects: Suspects::new(mesh), by_path: BTreeMap::new(), scene: Scene::default() };
+    let (_, mesh) = base
+        .mesh
+        .filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
+    let mut composer = Composer {
+        rows,
+        mesh,
+        suspects: Suspects::new(mesh),
+        by_path: BTreeMap::new(),
+        scene: Scene::default(),
+    };
     composer.mesh(base);
     let registered = composer.sliders(base);
     match base.macro_file() {
@@ -49,7 +56,11 @@ pub(crate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
     if let Some((rig, skeleton)) = base.pose_rig() {
         scene.skeleton = skeleton_of(skeleton, mesh.positions.len()).ok();
         let weights = rig.usable_weights().map(|(_, weights)| weights);
-        scene.weights = scene.skeleton.as_ref().zip(weights).and_then(|(bones, weights)| bind(bones, weights, mesh));
+        scene.weights = scene
+            .skeleton
+            .as_ref()
+            .zip(weights)
+            .and_then(|(bones, weights)| bind(bones, weights, mesh));
     }
     let mut giver = Giver::of(&scene);
     let rigs = base.rigs.iter().filter_map(|rig| {
@@ -57,11 +68,19 @@ pub(crate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
         let skeleton = skeleton_of(model, mesh.positions.len()).ok()?;
         let giver = giver.as_mut().filter(|_| !rig.is_default);
         let received = giver.map_or_else(Received::default, |giver| giver.received(model));
-        Some(Rig { path: rig.file.path.clone(), skeleton, received })
+        Some(Rig {
+            path: rig.file.path.clone(),
+            skeleton,
+            received,
+        })
     });
     let rigs = rigs.collect();
     let is_cut = giver.is_some_and(|giver| giver.is_cut);
-    Some(Composed { scene, rigs, is_cut })
+    Some(Composed {
+        scene,
+        rigs,
+        is_cut,
+    })
 }
 
 struct Composer<'r, 'm> {
@@ -74,8 +93,12 @@ struct Composer<'r, 'm> {
 
 impl Composer<'_, '_> {
     fn mesh(&mut self, base: &Base<'_>) {
-        let visible = base.settings().and_then(|(_, settings)| settings.shown.as_ref());
-        take_mesh(&mut self.scene, self.mesh, |group| visible.is_some_and(|names| names.contains(group)));
+        let visible = base
+            .settings()
+            .and_then(|(_, settings)| settings.shown.as_ref());
+        take_mesh(&mut self.scene, self.mesh, |group| {
+            visible.is_some_and(|names| names.contains(group))
+        });
     }
 
     /// Binds all sliders; gives where each pattern is found in the macro settings.
@@ -96,7 +119,11 @@ impl Composer<'_, '_> {
                     let two_sided = matches!(bound.pattern, Pattern::Pair(_));
                     self.scene.sliders.push(SceneSlider {
                         pattern: pattern.clone(),
-                        kind: SliderKind::Detail { incr, decr, two_sided },
+                        kind: SliderKind::Detail {
+                            incr,
+                            decr,
+                            two_sided,
+                        },
                         default: slider.default.unwrap_or(0.0),
                     });
                 }
@@ -110,14 +137,21 @@ impl Composer<'_, '_> {
         let first = self.scene.macro_defaults.len();
         for (pattern, default) in patterns.iter().zip(BARYCENTRIC_DEFAULTS) {
             self.setting(pattern, default);
-            registered.insert(pattern.clone(), Slider::Barycentric([first, first + 1, first + 2]));
+            registered.insert(
+                pattern.clone(),
+                Slider::Barycentric([first, first + 1, first + 2]),
+            );
         }
     }
 
     fn setting(&mut self, pattern: &str, default: f64) -> usize {
         let place = self.scene.macro_defaults.len();
         self.scene.macro_defaults.push(default);
-        self.scene.sliders.push(SceneSlider { pattern: pattern.to_owned(), kind: SliderKind::Macro(place), default });
+        self.scene.sliders.push(SceneSlider {
+            pattern: pattern.to_owned(),
+            kind: SliderKind::Macro(place),
+            default,
+        });
         place
     }
 
@@ -128,19 +162,29 @@ impl Composer<'_, '_> {
         if let Some(place) = self.by_path.get(&path) {
             return *place;
         }
-        let rows =
-            file.filter(|file| file.target().is_some_and(is_usable)).and_then(|file| self.rows.remove(&file.path));
+        let rows = file
+            .filter(|file| file.target().is_some_and(is_usable))
+            .and_then(|file| self.rows.remove(&file.path));
         let vertices = self.mesh.positions.len();
         // Rows for seam duplicates are accepted and overwritten by the application.
         let in_mesh = |row: &Row| (row.0 as usize) < vertices;
         let rows = rows.map(|rows| {
             let is_whole = rows.iter().all(in_mesh);
-            if is_whole { rows } else { Arc::new(rows.iter().copied().filter(in_mesh).collect()) }
+            if is_whole {
+                rows
+            } else {
+                Arc::new(rows.iter().copied().filter(in_mesh).collect())
+            }
         });
         let place = self.scene.targets.len();
         self.by_path.insert(path.clone(), place);
         let suspect = file.is_some_and(|file| self.suspects.has(file));
-        self.scene.targets.push(MorphTarget { name: name.to_owned(), path, rows, suspect });
+        self.scene.targets.push(MorphTarget {
+            name: name.to_owned(),
+            path,
+            rows,
+            suspect,
+        });
         place
     }
 
@@ -152,7 +196,10 @@ impl Composer<'_, '_> {
             let mut links = Vec::new();
             for link in &macrodef.links {
                 let number = link.target.as_ref().map(|target| {
-                    let place = self.target(base.targets, &format!("{}/{}", shortened(folder), shortened(target)));
+                    let place = self.target(
+                        base.targets,
+                        &format!("{}/{}", shortened(folder), shortened(target)),
+                    );
                     let next = u32::try_from(numbers.len()).unwrap_or(u32::MAX);
                     *numbers.entry(place).or_insert_with(|| {
                         self.scene.macro_targets.push(place);
@@ -161,40 +208,65 @@ impl Composer<'_, '_> {
                 });
                 links.push((link.name.as_str(), number));
             }
-            macrodefs.push(Macrodef { components: macrodef.components.iter().map(String::as_str).collect(), links });
+            macrodefs.push(Macrodef {
+                components: macrodef.components.iter().map(String::as_str).collect(),
+                links,
+            });
         }
-        let by_name: BTreeMap<&str, Option<Dimension>> =
-            file.components.iter().map(|one| (one.name.as_str(), dimension(one, registered))).collect();
-        let products = file.macrodefs.iter().map(|macrodef| dimensions(&by_name, &macrodef.components));
+        let by_name: BTreeMap<&str, Option<Dimension>> = file
+            .components
+            .iter()
+            .map(|one| (one.name.as_str(), dimension(one, registered)))
+            .collect();
+        let products = file
+            .macrodefs
+            .iter()
+            .map(|macrodef| dimensions(&by_name, &macrodef.components));
         self.scene.products = products.collect();
         let components: Vec<Component<'_>> = file.components.iter().filter_map(component).collect();
-        let table = MacroTable::new(&components, &macrodefs, |pattern| registered.get(pattern).copied());
+        let table = MacroTable::new(&components, &macrodefs, |pattern| {
+            registered.get(pattern).copied()
+        });
         // Too many combinations to tabulate is a limit of ours.
         self.scene.lacks_macros = table.is_err();
         self.scene.macros = table.ok().map(Macros::Makehuman2);
     }
 }
 
-/// Sliders of the components of a macrodef; empty where one of them is undefined or unbound, which is reported for
-/// itself.
+/// Sliders of the components of a macrodef; empty where one of them is undefined or unbound, which
+/// is reported for itself.
 fn dimensions(by_name: &BTreeMap<&str, Option<Dimension>>, names: &[String]) -> Vec<Dimension> {
-    names.iter().map(|name| by_name.get(name.as_str())?.clone()).collect::<Option<_>>().unwrap_or_default()
+    names
+        .iter()
+        .map(|name| by_name.get(name.as_str())?.clone())
+        .collect::<Option<_>>()
+        .unwrap_or_default()
 }
 
 /// The slider of a component, if it is bound.
-fn dimension(component: &macro_json::Component, registered: &BTreeMap<String, Slider>) -> Option<Dimension> {
+fn dimension(
+    component: &macro_json::Component,
+    registered: &BTreeMap<String, Slider>,
+) -> Option<Dimension> {
     let pattern = component.pattern.as_deref()?;
     match (&component.steps, &component.sum) {
         (Some(steps), _) => match registered.get(pattern)? {
-            Slider::Value(place) => Some(Dimension::Steps { place: *place, steps: steps.as_slice().into() }),
+            Slider::Value(place) => Some(Dimension::Steps {
+                place: *place,
+                steps: steps.as_slice().into(),
+            }),
             Slider::Barycentric(_) => None,
         },
         (None, Some(sum)) => {
-            let place = |(value, end): (usize, &String)| match registered.get(&format!("{pattern}{end}"))? {
+            let place = |(value, end): (usize, &String)| match registered
+                .get(&format!("{pattern}{end}"))?
+            {
                 Slider::Barycentric(places) => places.get(value).copied(),
                 Slider::Value(_) => None,
             };
-            Some(Dimension::Corners(sum.iter().enumerate().map(place).collect::<Option<_>>()?))
+            Some(Dimension::Corners(
+                sum.iter().enumerate().map(place).collect::<Option<_>>()?,
+            ))
         }
         (None, None) => None,
     }
@@ -214,20 +286,32 @@ fn component(component: &macro_json::Component) -> Option<Component<'_>> {
     })
 }
 
-/// Bones in an order with parents first, or the first thing that makes the application refuse the skeleton or stop.
+/// Bones in an order with parents first, or the first thing that makes the application refuse the
+/// skeleton or stop.
 pub(crate) fn skeleton_of(skeleton: &Skeleton, vertices: usize) -> Result<SceneSkeleton, String> {
     let mut out = SceneSkeleton::default();
     for joint in &skeleton.joints {
-        // A joint without vertices does not exist for the application; it matters only where a bone names it.
-        let Some(list) = joint.vertices.as_deref().filter(|list| !list.is_empty()) else { continue };
-        let outside =
-            |vertex| format!("joint `{}` uses vertex {vertex}, but the mesh has {vertices} vertices", joint.name);
+        // A joint without vertices does not exist for the application; it matters only where a bone
+        // names it.
+        let Some(list) = joint.vertices.as_deref().filter(|list| !list.is_empty()) else {
+            continue;
+        };
+        let outside = |vertex| {
+            format!(
+                "joint `{}` uses vertex {vertex}, but the mesh has {vertices} vertices",
+                joint.name
+            )
+        };
         let number = |vertex: &i64| joint_vertex(*vertex, vertices).ok_or_else(|| outside(*vertex));
-        out.joints.push(list.iter().map(number).collect::<Result<_, _>>()?);
+        out.joints
+            .push(list.iter().map(number).collect::<Result<_, _>>()?);
         out.joint_names.push(joint.name.clone());
     }
     let by_name = first_places(skeleton.bones.iter().map(|bone| bone.name.as_str()));
-    let parents = skeleton.bones.iter().map(|bone| by_name.get(bone.parent.as_deref()?).copied());
+    let parents = skeleton
+        .bones
+        .iter()
+        .map(|bone| by_name.get(bone.parent.as_deref()?).copied());
     let parents: Vec<Option<usize>> = parents.collect();
     let joints = first_places(out.joint_names.iter().map(String::as_str));
     let joint = |name: &str| joints.get(name).copied();
@@ -235,42 +319,85 @@ pub(crate) fn skeleton_of(skeleton: &Skeleton, vertices: usize) -> Result<SceneS
     let bone = |bone: &mhskel::Bone| {
         let name = &bone.name;
         let end = |end: &str, at: &Option<String>| {
-            let at = at.as_ref().ok_or_else(|| format!("bone `{name}` has no {end}"))?;
-            joint(at).ok_or_else(|| format!("the {end} of bone `{name}` is joint `{at}`, which has no vertices"))
+            let at = at
+                .as_ref()
+                .ok_or_else(|| format!("bone `{name}` has no {end}"))?;
+            joint(at).ok_or_else(|| {
+                format!("the {end} of bone `{name}` is joint `{at}`, which has no vertices")
+            })
         };
         let (head, tail) = (end("head", &bone.head)?, end("tail", &bone.tail)?);
-        if let Some(parent) = bone.parent.as_ref().filter(|parent| !by_name.contains_key(parent.as_str())) {
-            return Err(format!("the parent `{parent}` of bone `{name}` does not exist"));
+        if let Some(parent) = bone
+            .parent
+            .as_ref()
+            .filter(|parent| !by_name.contains_key(parent.as_str()))
+        {
+            return Err(format!(
+                "the parent `{parent}` of bone `{name}` does not exist"
+            ));
         }
         let plane = match &bone.rotation_plane {
             RotationPlane::Absent => None,
-            RotationPlane::Malformed => return Err(format!("`rotation_plane` of bone `{name}` is not a name")),
+            RotationPlane::Malformed => {
+                return Err(format!("`rotation_plane` of bone `{name}` is not a name"));
+            }
             RotationPlane::Named(plane) => {
-                let found = by_plane.get(plane.as_str()).and_then(|at| skeleton.planes.get(*at));
+                let found = by_plane
+                    .get(plane.as_str())
+                    .and_then(|at| skeleton.planes.get(*at));
                 let three = found.and_then(|found| plane_joints(found, joint));
-                Some(three.ok_or_else(|| format!("plane `{plane}` of bone `{name}` does not have three joints"))?)
+                Some(three.ok_or_else(|| {
+                    format!("plane `{plane}` of bone `{name}` does not have three joints")
+                })?)
             }
         };
-        Ok(Bone { parent: None, head, tail, plane })
+        Ok(Bone {
+            parent: None,
+            head,
+            tail,
+            plane,
+        })
     };
     let bones: Vec<Result<Bone, String>> = skeleton.bones.iter().map(bone).collect();
-    let first_fault = |fault: String| bones.iter().find_map(|bone| bone.clone().err()).unwrap_or(fault);
-    // A bone without known parent is a root here, so that it is reached or a second one. Others that are not reached
-    // from the root do not exist for the application, whatever is wrong with them.
+    let first_fault = |fault: String| {
+        bones
+            .iter()
+            .find_map(|bone| bone.clone().err())
+            .unwrap_or(fault)
+    };
+    // A bone without known parent is a root here, so that it is reached or a second one. Others
+    // that are not reached from the root do not exist for the application, whatever is wrong with
+    // them.
     let order = hierarchy(&parents).map_err(|fault| first_fault(fault.to_string()))?;
-    let places: BTreeMap<usize, usize> = order.iter().enumerate().map(|(place, old)| (*old, place)).collect();
+    let places: BTreeMap<usize, usize> = order
+        .iter()
+        .enumerate()
+        .map(|(place, old)| (*old, place))
+        .collect();
     for old in &order {
-        let (Some(bone), Some(model)) = (bones.get(*old), skeleton.bones.get(*old)) else { continue };
-        let parent = parents.get(*old).copied().flatten().and_then(|parent| places.get(&parent).copied());
-        out.bones.push(Bone { parent, ..bone.clone().map_err(first_fault)? });
+        let (Some(bone), Some(model)) = (bones.get(*old), skeleton.bones.get(*old)) else {
+            continue;
+        };
+        let parent = parents
+            .get(*old)
+            .copied()
+            .flatten()
+            .and_then(|parent| places.get(&parent).copied());
+        out.bones.push(Bone {
+            parent,
+            ..bone.clone().map_err(first_fault)?
+        });
         out.names.push(model.name.clone());
     }
     Ok(out)
 }
 
-/// A negative index counts from the end of the mesh with its seam duplicates; only the plain ones are resolved here.
+/// A negative index counts from the end of the mesh with its seam duplicates; only the plain ones
+/// are resolved here.
 fn joint_vertex(vertex: i64, vertices: usize) -> Option<u32> {
-    u32::try_from(vertex).ok().filter(|vertex| (*vertex as usize) < vertices)
+    u32::try_from(vertex)
+        .ok()
+        .filter(|vertex| (*vertex as usize) < vertices)
 }
 
 /// Where each name stands, of equal ones the first.
@@ -292,14 +419,30 @@ fn plane_joints(plane: &Plane, joint: impl Fn(&str) -> Option<usize>) -> Option<
 /// Weights with bones numbered as in the skeleton, loaded as the application does.
 fn bind(skeleton: &SceneSkeleton, weights: &Weights, mesh: &Mesh) -> Option<LoadedWeights> {
     let vertices = mesh.positions.len();
-    let root = skeleton.bones.iter().position(|bone| bone.parent.is_none())?;
+    let root = skeleton
+        .bones
+        .iter()
+        .position(|bone| bone.parent.is_none())?;
     let numbers = first_places(skeleton.names.iter().map(String::as_str));
     let mut lists: Vec<(usize, Vec<Entry>)> = Vec::new();
     for bone in &weights.bones {
-        let Some(number) = numbers.get(bone.name.as_str()).copied() else { continue };
-        let entry = |pair: &mhlint_formats::mhw::Pair| Some((u32::try_from(pair.vertex).ok()?, pair.weight));
-        lists.push((number, bone.pairs.iter().map(entry).collect::<Option<Vec<Entry>>>()?));
+        let Some(number) = numbers.get(bone.name.as_str()).copied() else {
+            continue;
+        };
+        let entry = |pair: &mhlint_formats::mhw::Pair| {
+            Some((u32::try_from(pair.vertex).ok()?, pair.weight))
+        };
+        lists.push((
+            number,
+            bone.pairs
+                .iter()
+                .map(entry)
+                .collect::<Option<Vec<Entry>>>()?,
+        ));
     }
-    let lists: Vec<(usize, &[Entry])> = lists.iter().map(|(bone, entries)| (*bone, entries.as_slice())).collect();
+    let lists: Vec<(usize, &[Entry])> = lists
+        .iter()
+        .map(|(bone, entries)| (*bone, entries.as_slice()))
+        .collect();
     load(&lists, root, vertices).ok()
 }

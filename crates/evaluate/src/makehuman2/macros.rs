@@ -22,8 +22,13 @@ impl Evaluation {
     /// No macros, or macros that stop the application.
     pub fn macros(&self, setting: &Setting) -> Result<(&MacroTable, MacroResult), Error> {
         let base = self.base.clone();
-        let Some(Macros::Makehuman2(table)) = self.scene.macros.as_ref().filter(|_| self.macros.is_ok()) else {
-            return Err(Error::NoMacros { base, reason: self.macros.as_ref().err().cloned().unwrap_or_default() });
+        let Some(Macros::Makehuman2(table)) =
+            self.scene.macros.as_ref().filter(|_| self.macros.is_ok())
+        else {
+            return Err(Error::NoMacros {
+                base,
+                reason: self.macros.as_ref().err().cloned().unwrap_or_default(),
+            });
         };
         let mut result = MacroResult::default();
         let evaluated = table.evaluate(&setting.macros, &mut result);
@@ -32,15 +37,27 @@ impl Evaluation {
     }
 
     /// Combinations, what was dropped, factors of targets, and sums of a macro evaluation.
-    pub(crate) fn macro_outputs(&self, table: &MacroTable, result: &MacroResult) -> Map<String, Value> {
-        let kept = || result.combinations.iter().filter(|c| c.fate != Fate::BelowThreshold);
+    pub(crate) fn macro_outputs(
+        &self,
+        table: &MacroTable,
+        result: &MacroResult,
+    ) -> Map<String, Value> {
+        let kept = || {
+            result
+                .combinations
+                .iter()
+                .filter(|c| c.fate != Fate::BelowThreshold)
+        };
         let dropped = || kept().filter(|c| !matches!(c.fate, Fate::Applied(_)));
         let name = |c: &Combination| table.name(c.macrodef, c.number);
         let mut folders: BTreeMap<String, f64> = BTreeMap::new();
         let mut order: Vec<String> = Vec::new();
         for (target, factor) in &result.factors {
             let target = self.macro_target(*target);
-            let folder = target.rsplit_once('/').map_or("", |(folder, _)| folder).to_owned();
+            let folder = target
+                .rsplit_once('/')
+                .map_or("", |(folder, _)| folder)
+                .to_owned();
             if !folders.contains_key(&folder) {
                 order.push(folder.clone());
             }
@@ -50,38 +67,65 @@ impl Evaluation {
             let sum = rounded(folders.get(&folder).copied().unwrap_or_default());
             (folder, sum)
         });
-        let targets =
-            result.factors.iter().map(|(target, factor)| json!([self.macro_target(*target), rounded(*factor)]));
+        let targets = result
+            .factors
+            .iter()
+            .map(|(target, factor)| json!([self.macro_target(*target), rounded(*factor)]));
         object([
-            ("raw", kept().map(|c| json!([name(c), rounded(c.factor)])).collect()),
+            (
+                "raw",
+                kept()
+                    .map(|c| json!([name(c), rounded(c.factor)]))
+                    .collect(),
+            ),
             ("dropped", dropped().map(name).collect()),
-            ("dropped_factor_sum", rounded(dropped().map(|c| c.factor).sum())),
+            (
+                "dropped_factor_sum",
+                rounded(dropped().map(|c| c.factor).sum()),
+            ),
             ("targets", targets.collect()),
             ("sum_by_folder", Value::Object(by_folder.collect())),
-            ("sum", rounded(result.factors.iter().map(|(_, factor)| factor).sum())),
+            (
+                "sum",
+                rounded(result.factors.iter().map(|(_, factor)| factor).sum()),
+            ),
         ])
     }
 
     fn macro_target(&self, number: u32) -> &str {
         let place = self.scene.macro_targets.get(number as usize);
-        place.and_then(|place| self.scene.targets.get(*place)).map_or("", |target| target.name.as_str())
+        place
+            .and_then(|place| self.scene.targets.get(*place))
+            .map_or("", |target| target.name.as_str())
     }
 
     fn components(&self) -> Option<&MacroFile> {
-        if let Ok(MacroNames::Components(file)) = &self.macros { Some(file) } else { None }
+        if let Ok(MacroNames::Components(file)) = &self.macros {
+            Some(file)
+        } else {
+            None
+        }
     }
 
     pub(crate) fn macro_error(&self, error: MacroError) -> Error {
         let MacroError::Component { component, fault } = error else {
-            return Error::NoMacros { base: self.base.clone(), reason: error.to_string() };
+            return Error::NoMacros {
+                base: self.base.clone(),
+                reason: error.to_string(),
+            };
         };
         let name = self.components().and_then(|macros| {
             // The table holds the components that have a pattern.
-            let used =
-                macros.components.iter().filter(|c| c.pattern.is_some() && (c.steps.is_some() || c.sum.is_some()));
+            let used = macros
+                .components
+                .iter()
+                .filter(|c| c.pattern.is_some() && (c.steps.is_some() || c.sum.is_some()));
             used.map(|c| c.name.as_str()).nth(component)
         });
-        stops(exception(fault), format!("macro component `{}`: {fault}", name.unwrap_or("?")))
+        stops(
+            exception(fault),
+            format!("macro component `{}`: {fault}", name.unwrap_or("?")),
+        )
     }
 }
 
@@ -98,10 +142,21 @@ fn exception(fault: ComponentFault) -> &'static str {
 }
 
 /// As `macro_outputs`, with the fate of every combination and the components that dropped out.
-pub fn macros_json(evaluation: &Evaluation, table: &MacroTable, result: &MacroResult) -> Map<String, Value> {
+pub fn macros_json(
+    evaluation: &Evaluation,
+    table: &MacroTable,
+    result: &MacroResult,
+) -> Map<String, Value> {
     let mut outputs = evaluation.macro_outputs(table, result);
-    let macrodefs = evaluation.components().map(|macros| macros.macrodefs.as_slice()).unwrap_or_default();
-    let title = |number: usize| macrodefs.get(number).and_then(|macrodef| macrodef.name.clone());
+    let macrodefs = evaluation
+        .components()
+        .map(|macros| macros.macrodefs.as_slice())
+        .unwrap_or_default();
+    let title = |number: usize| {
+        macrodefs
+            .get(number)
+            .and_then(|macrodef| macrodef.name.clone())
+    };
     let fate = |fate: Fate| match fate {
         Fate::Applied(_) => "applied",
         Fate::Null => "null",

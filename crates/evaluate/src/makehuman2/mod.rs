@@ -22,7 +22,11 @@ use mhlint_eval::error::EvalError;
 
 /// Data that stop the application, as Python says it.
 fn stops(exception: &'static str, reason: String) -> Error {
-    Error::Stops { application: Application::Makehuman2, exception, reason }
+    Error::Stops {
+        application: Application::Makehuman2,
+        exception,
+        reason,
+    }
 }
 
 fn stopped(error: EvalError) -> Error {

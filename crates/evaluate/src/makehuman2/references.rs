@@ -11,7 +11,8 @@ use mhlint_eval::skeleton::SceneSkeleton;
 use mhlint_eval::weights::BoneWeights;
 use mhlint_formats::mhskel::Skeleton;
 
-/// What the bones of `skeleton` receive. `number` finds a default bone by name; `parents` are those of the default bones.
+/// What the bones of `skeleton` receive. `number` finds a default bone by name; `parents` are those
+/// of the default bones.
 pub(crate) fn through_references(
     weights: &[BoneWeights],
     parents: &[Option<usize>],
@@ -22,8 +23,15 @@ pub(crate) fn through_references(
         names.iter().flatten().map(|name| number(name)).collect()
     };
     let bones = skeleton.bones.iter();
-    let lists: Vec<_> =
-        bones.map(|bone| (number(&bone.name), numbers(&bone.reference), numbers(&bone.weights_reference))).collect();
+    let lists: Vec<_> = bones
+        .map(|bone| {
+            (
+                number(&bone.name),
+                numbers(&bone.reference),
+                numbers(&bone.weights_reference),
+            )
+        })
+        .collect();
     let bones: Vec<TransferBone<'_>> = lists
         .iter()
         .map(|(same_name, reference, weights_reference)| TransferBone {
@@ -78,21 +86,44 @@ impl<'s> Giver<'s> {
 
     /// What another skeleton gets of the weights, and what is lost.
     pub(super) fn received(&mut self, skeleton: &Skeleton) -> Received {
-        let entries = self.weights.iter().map(|list| list.entries.len()).sum::<usize>();
-        let left = self.left.checked_sub(entries.saturating_add(BONE * self.parents.len()));
+        let entries = self
+            .weights
+            .iter()
+            .map(|list| list.entries.len())
+            .sum::<usize>();
+        let left = self
+            .left
+            .checked_sub(entries.saturating_add(BONE * self.parents.len()));
         self.is_cut |= left.is_none();
-        let Some(left) = left else { return Received::default() };
+        let Some(left) = left else {
+            return Received::default();
+        };
         self.left = left;
-        let moved = through_references(self.weights, &self.parents, skeleton, |name| self.numbers.get(name).copied());
-        // Who takes what is enough to know; what is taken, many times perhaps, is never put together.
-        let filled: BTreeSet<usize> =
-            self.weights.iter().filter(|list| !list.entries.is_empty()).map(|list| list.bone).collect();
+        let moved = through_references(self.weights, &self.parents, skeleton, |name| {
+            self.numbers.get(name).copied()
+        });
+        // Who takes what is enough to know; what is taken, many times perhaps, is never put
+        // together.
+        let filled: BTreeSet<usize> = self
+            .weights
+            .iter()
+            .filter(|list| !list.entries.is_empty())
+            .map(|list| list.bone)
+            .collect();
         let is_bare = |sources: &Vec<usize>| !sources.iter().any(|source| filled.contains(source));
-        let bare = skeleton.bones.iter().zip(&moved.sources).filter(|(_, sources)| is_bare(sources));
+        let bare = skeleton
+            .bones
+            .iter()
+            .zip(&moved.sources)
+            .filter(|(_, sources)| is_bare(sources));
         let taken: BTreeSet<usize> = moved.sources.iter().flatten().copied().collect();
         Received {
             without_weights: bare.map(|(bone, _)| bone.name.clone()).collect(),
-            lost_bones: moved.lost.iter().filter_map(|bone| self.skeleton.names.get(*bone).cloned()).collect(),
+            lost_bones: moved
+                .lost
+                .iter()
+                .filter_map(|bone| self.skeleton.names.get(*bone).cloned())
+                .collect(),
             lost_vertices: self.vertices - self.count(|bone| taken.contains(&bone)),
         }
     }
@@ -101,8 +132,17 @@ impl<'s> Giver<'s> {
     fn count(&mut self, is_counted: impl Fn(usize) -> bool) -> usize {
         self.number += 1;
         let mut count = 0;
-        for (vertex, _) in self.weights.iter().filter(|list| is_counted(list.bone)).flat_map(|list| &list.entries) {
-            if let Some(last) = self.taken.get_mut(*vertex as usize).filter(|last| **last != self.number) {
+        for (vertex, _) in self
+            .weights
+            .iter()
+            .filter(|list| is_counted(list.bone))
+            .flat_map(|list| &list.entries)
+        {
+            if let Some(last) = self
+                .taken
+                .get_mut(*vertex as usize)
+                .filter(|last| **last != self.number)
+            {
                 *last = self.number;
                 count += 1;
             }
@@ -119,22 +159,36 @@ mod tests {
 
     #[test]
     fn skeletons_beyond_the_work_of_a_base_are_left_out() {
-        let list = BoneWeights { bone: 0, entries: vec![(0, 1.0), (2, 1.0), (2, 0.5)] };
+        let list = BoneWeights {
+            bone: 0,
+            entries: vec![(0, 1.0), (2, 1.0), (2, 0.5)],
+        };
         let scene = Scene {
             positions: vec![[0.0; 3]; 3],
             skeleton: Some(SceneSkeleton {
                 names: vec!["a".to_owned()],
-                bones: vec![Bone { parent: None, head: 0, tail: 0, plane: None }],
+                bones: vec![Bone {
+                    parent: None,
+                    head: 0,
+                    tail: 0,
+                    plane: None,
+                }],
                 ..SceneSkeleton::default()
             }),
-            weights: Some(LoadedWeights { bones: vec![list], ..LoadedWeights::default() }),
+            weights: Some(LoadedWeights {
+                bones: vec![list],
+                ..LoadedWeights::default()
+            }),
             ..Scene::default()
         };
         let mut giver = Giver::of(&scene).unwrap();
         giver.left = 2 * (3 + BONE);
         for _ in 0..2 {
             let received = giver.received(&Skeleton::default());
-            assert_eq!((received.lost_bones, received.lost_vertices), (vec!["a".to_owned()], 2));
+            assert_eq!(
+                (received.lost_bones, received.lost_vertices),
+                (vec!["a".to_owned()], 2)
+            );
         }
         assert!(!giver.is_cut);
         assert_eq!(giver.received(&Skeleton::default()), Received::default());

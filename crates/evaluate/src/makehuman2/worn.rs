@@ -17,17 +17,29 @@ pub(crate) fn own<'a>(base: &Base<'_>, layers: Layers<'a>) -> Vec<Worn<'a>> {
 
 /// The assets that can be fitted to the mesh of a base.
 pub(crate) fn fit<'w>(base: &Base<'_>, own: &'w [Worn<'w>]) -> Vec<Fitted<'w>> {
-    let Some((_, mesh)) = base.mesh.filter(|(_, mesh)| mesh.is_sound()) else { return Vec::new() };
+    let Some((_, mesh)) = base.mesh.filter(|(_, mesh)| mesh.is_sound()) else {
+        return Vec::new();
+    };
     fitted(mesh, own.iter(), |worn, clothes| {
-        let lines = if worn.is_topology() { [None; 3] } else { scale_lines(clothes) };
+        let lines = if worn.is_topology() {
+            [None; 3]
+        } else {
+            scale_lines(clothes)
+        };
         axis_scales(&mesh.positions, lines).ok()
     })
 }
 
 /// Measures them.
 pub(crate) fn measure(base: &Base<'_>, fitted: &[Fitted<'_>]) -> BTreeMap<String, WornMeasure> {
-    let Some((_, mesh)) = base.mesh.filter(|_| !fitted.is_empty()) else { return BTreeMap::new() };
-    let shown = base.settings().and_then(|(_, settings)| settings.shown.as_ref());
-    let skin = skin(mesh, |group| shown.is_some_and(|shown| shown.contains(group)));
+    let Some((_, mesh)) = base.mesh.filter(|_| !fitted.is_empty()) else {
+        return BTreeMap::new();
+    };
+    let shown = base
+        .settings()
+        .and_then(|(_, settings)| settings.shown.as_ref());
+    let skin = skin(mesh, |group| {
+        shown.is_some_and(|shown| shown.contains(group))
+    });
     measure_all(mesh, &skin, fitted)
 }

@@ -47,7 +47,8 @@ pub struct FittedAsset {
 pub fn read_asset(path: &Path) -> Result<Asset, Error> {
     let read = in_order::read(&read_text(path)?);
     let name = read.obj_file.clone();
-    let name = name.ok_or_else(|| stops("ValueError", format!("`{}` has no `obj_file`", shown(path))))?;
+    let name =
+        name.ok_or_else(|| stops("ValueError", format!("`{}` has no `obj_file`", shown(path))))?;
     let obj_path = path.parent().unwrap_or(Path::new("")).join(name);
     let mesh = obj::parse(&read_text(&obj_path)?);
     Asset::of(shown(path), obj_path, read, &mesh)
@@ -58,20 +59,36 @@ impl Asset {
     ///
     /// # Errors
     /// Lines that stop MPFB.
-    pub(super) fn of(path: String, obj_path: PathBuf, read: InOrder, mesh: &Mesh) -> Result<Self, Error> {
+    pub(super) fn of(
+        path: String,
+        obj_path: PathBuf,
+        read: InOrder,
+        mesh: &Mesh,
+    ) -> Result<Self, Error> {
         if let Some((line, exception)) = read.stop {
-            return Err(stops(exception, format!("`{path}`, line {line}: MPFB cannot read it")));
+            return Err(stops(
+                exception,
+                format!("`{path}`, line {line}: MPFB cannot read it"),
+            ));
         }
         let used = used_vertices(mesh);
-        let drawn = used.iter().filter_map(|at| mesh.positions.get(*at)).copied().collect::<Vec<Point>>();
+        let drawn = used
+            .iter()
+            .filter_map(|at| mesh.positions.get(*at))
+            .copied()
+            .collect::<Vec<Point>>();
         if read.rows.len() < drawn.len() {
-            let reason =
-                format!("`{path}` has {} vertex lines, but its mesh has {} vertices", read.rows.len(), drawn.len());
+            let reason = format!(
+                "`{path}` has {} vertex lines, but its mesh has {} vertices",
+                read.rows.len(),
+                drawn.len()
+            );
             return Err(stops("KeyError", reason));
         }
         if read.are_ranges_first && !drawn.is_empty() {
-            let reason =
-                format!("`{path}` has ranges of `delete_verts` above `verts`, which are counted as vertex lines");
+            let reason = format!(
+                "`{path}` has ranges of `delete_verts` above `verts`, which are counted as vertex lines"
+            );
             return Err(stops("KeyError", reason));
         }
         let row = |(vertices, weights, offset): &([i64; 3], [f64; 3], [f64; 3])| Row {
@@ -80,7 +97,14 @@ impl Asset {
             offset: *offset,
         };
         let rows = read.rows.iter().take(drawn.len()).map(row).collect();
-        Ok(Self { path, obj_path, rows, read, drawn, used })
+        Ok(Self {
+            path,
+            obj_path,
+            rows,
+            read,
+            drawn,
+            used,
+        })
     }
 
     /// Its rows, one a vertex that is drawn.
@@ -92,15 +116,25 @@ impl Asset {
     ///
     /// # Errors
     /// What stops MPFB.
-    pub fn fit(&self, mesh: &[Point], body: &Evaluation, scale_factor: f64) -> Result<FittedAsset, Error> {
-        let line = |line: &Option<([i64; 2], f64)>| line.map(|(vertices, distance)| ScaleLine { vertices, distance });
+    pub fn fit(
+        &self,
+        mesh: &[Point],
+        body: &Evaluation,
+        scale_factor: f64,
+    ) -> Result<FittedAsset, Error> {
+        let line = |line: &Option<([i64; 2], f64)>| {
+            line.map(|(vertices, distance)| ScaleLine { vertices, distance })
+        };
         let [x, y, z] = &self.read.scales;
         let stopped = |stop| {
             let (exception, reason) = match stop {
                 Stop::ScaleMissing => ("TypeError", "`x_scale` needs `y_scale` and `z_scale`"),
                 Stop::NoDistance => ("ZeroDivisionError", "a scale has the distance 0"),
                 Stop::ScaleVertex => ("ValueError", "a scale names a vertex that does not exist"),
-                Stop::RowVertex => ("IndexError", "a vertex line names a vertex that does not exist"),
+                Stop::RowVertex => (
+                    "IndexError",
+                    "a vertex line names a vertex that does not exist",
+                ),
             };
             stops(exception, format!("`{}`: {reason}", self.path))
         };
@@ -111,15 +145,23 @@ impl Asset {
             [from, to] => scene.corners.get(*from as usize..*to as usize),
             _ => None,
         });
-        Ok(FittedAsset { positions, scales, hidden: hidden(&self.read.deleted, mesh.len(), faces) })
+        Ok(FittedAsset {
+            positions,
+            scales,
+            hidden: hidden(&self.read.deleted, mesh.len(), faces),
+        })
     }
 
-    /// Positions for all vertices of the OBJ, in its axes as `to_obj` has them: those that Blender leaves out stay where
-    /// they are drawn.
+    /// Positions for all vertices of the OBJ, in its axes as `to_obj` has them: those that Blender
+    /// leaves out stay where they are drawn.
     ///
     /// # Errors
     /// An OBJ that cannot be read any more.
-    pub fn on_obj(&self, fitted: &FittedAsset, to_obj: impl Fn(Point) -> Point) -> Result<Vec<Point>, Error> {
+    pub fn on_obj(
+        &self,
+        fitted: &FittedAsset,
+        to_obj: impl Fn(Point) -> Point,
+    ) -> Result<Vec<Point>, Error> {
         let mut positions = obj::parse(&read_text(&self.obj_path)?).positions;
         for (at, place) in self.used.iter().zip(&fitted.positions) {
             if let Some(slot) = positions.get_mut(*at) {
@@ -133,7 +175,11 @@ impl Asset {
     ///
     /// # Errors
     /// A chosen vertex that the asset does not have.
-    pub fn outputs(&self, fitted: &FittedAsset, vertices: &[i64]) -> Result<Map<String, Value>, Error> {
+    pub fn outputs(
+        &self,
+        fitted: &FittedAsset,
+        vertices: &[i64],
+    ) -> Result<Map<String, Value>, Error> {
         let mut outputs = mesh_json(&fitted.positions, vertices)?;
         let distinct: BTreeSet<i64> = self.read.deleted.iter().copied().collect();
         outputs.extend(object([
@@ -143,7 +189,10 @@ impl Asset {
             ("delete_lines", Value::from(self.read.deleted.len())),
             ("delete_distinct", Value::from(distinct.len())),
             ("delete_verts", Value::from(fitted.hidden.len())),
-            ("delete_sum", Value::from(fitted.hidden.iter().sum::<usize>())),
+            (
+                "delete_sum",
+                Value::from(fitted.hidden.iter().sum::<usize>()),
+            ),
         ]));
         Ok(outputs)
     }
@@ -160,5 +209,10 @@ fn used_vertices(mesh: &Mesh) -> Vec<usize> {
             *slot = true;
         }
     }
-    is_used.iter().enumerate().filter(|(_, is_used)| **is_used).map(|(at, _)| at).collect()
+    is_used
+        .iter()
+        .enumerate()
+        .filter(|(_, is_used)| **is_used)
+        .map(|(at, _)| at)
+        .collect()
 }

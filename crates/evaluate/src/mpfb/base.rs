@@ -30,7 +30,10 @@ pub(crate) const SHOWN: &str = "body";
 /// The name of the body, if there is a mesh for it.
 pub(crate) fn with_mesh(layers: Layers<'_>) -> BTreeSet<&str> {
     let own = mhlint_diag::Application::Mpfb;
-    let files = layers.system.into_iter().flat_map(|layer| layer.files.values());
+    let files = layers
+        .system
+        .into_iter()
+        .flat_map(|layer| layer.files.values());
     let meshes = files.filter(|file| file.kind_in(own) == Kind::BaseMesh && file.mesh().is_some());
     meshes.filter_map(|file| file.base_in(own)).collect()
 }
@@ -41,9 +44,14 @@ pub(crate) fn with_mesh(layers: Layers<'_>) -> BTreeSet<&str> {
 /// An unusable mesh.
 pub(crate) fn open(name: &str, layers: Layers<'_>, limits: Limits) -> Result<Evaluation, Error> {
     let view = View::connect(layers);
-    let (file, mesh) = view.mesh.ok_or_else(|| Error::file("3dobjs/base.obj", NO_MESH))?;
+    let (file, mesh) = view
+        .mesh
+        .ok_or_else(|| Error::file("3dobjs/base.obj", NO_MESH))?;
     if let Some(bad) = mesh.facts.unreadable.first() {
-        return Err(Error::file(&file.path, format!("line {}: {} (`{}`)", bad.line, bad.what, bad.text)));
+        return Err(Error::file(
+            &file.path,
+            format!("line {}: {} (`{}`)", bad.line, bad.what, bad.text),
+        ));
     }
     let mut composer = Composer::default();
     let macros = composer.all(&view, mesh, |_| true);
@@ -67,27 +75,46 @@ pub(crate) fn open(name: &str, layers: Layers<'_>, limits: Limits) -> Result<Eva
 /// The vertex groups of the base mesh.
 fn groups(view: &View<'_>) -> Vec<(String, Vec<(i64, i64)>)> {
     let groups = view.groups.iter().flat_map(|groups| &groups.groups);
-    groups.map(|group| (group.name.clone(), group.ranges.clone())).collect()
+    groups
+        .map(|group| (group.name.clone(), group.ranges.clone()))
+        .collect()
 }
 
 /// The scene, with the rows of its targets taken out of `rows`. `None` without a mesh.
 pub(super) fn compose(view: &View<'_>, rows: &mut Rows) -> Option<Composed> {
-    let (_, mesh) = view.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0 && view.misplaced.is_none())?;
+    let (_, mesh) = view
+        .mesh
+        .filter(|(_, mesh)| mesh.facts.unreadable_lines == 0 && view.misplaced.is_none())?;
     let mut composer = Composer::default();
     let macros = composer.all(view, mesh, |group| group == SHOWN);
-    composer.scene.lacks_macros = macros.is_err() && view.parts.as_ref().is_some_and(|parts| parts.is_too_large);
-    let (files, suspects) = (view.layers.system.map(|system| &system.files), Suspects::new(mesh));
-    let by_path = files.into_iter().flat_map(|files| files.values()).map(|file| (file.path.as_str(), file));
+    composer.scene.lacks_macros =
+        macros.is_err() && view.parts.as_ref().is_some_and(|parts| parts.is_too_large);
+    let (files, suspects) = (
+        view.layers.system.map(|system| &system.files),
+        Suspects::new(mesh),
+    );
+    let by_path = files
+        .into_iter()
+        .flat_map(|files| files.values())
+        .map(|file| (file.path.as_str(), file));
     let by_path: BTreeMap<&str, &FileFacts> = by_path.collect();
     let vertices = mesh.positions.len();
     for target in &mut composer.scene.targets {
-        let Some(file) = by_path.get(target.path.as_str()) else { continue };
+        let Some(file) = by_path.get(target.path.as_str()) else {
+            continue;
+        };
         let is_whole = file.target().is_some_and(is_usable);
-        let own = rows.remove(&target.path).filter(|own| own.iter().all(|row| (row.0 as usize) < vertices));
+        let own = rows
+            .remove(&target.path)
+            .filter(|own| own.iter().all(|row| (row.0 as usize) < vertices));
         target.rows = own.filter(|_| is_whole);
         target.suspect = suspects.has(file);
     }
-    Some(Composed { scene: composer.scene, rigs: Vec::new(), is_cut: false })
+    Some(Composed {
+        scene: composer.scene,
+        rigs: Vec::new(),
+        is_cut: false,
+    })
 }
 
 #[derive(Default)]
@@ -100,34 +127,60 @@ struct Composer {
 
 impl Composer {
     /// Takes the mesh, the sliders and the macros; gives the names of these, or why there are none.
-    fn all(&mut self, view: &View<'_>, mesh: &Mesh, is_visible: impl Fn(&str) -> bool) -> Result<MacroNames, String> {
+    fn all(
+        &mut self,
+        view: &View<'_>,
+        mesh: &Mesh,
+        is_visible: impl Fn(&str) -> bool,
+    ) -> Result<MacroNames, String> {
         take_mesh(&mut self.scene, mesh, is_visible);
         // Shape keys end at 1.
         self.scene.most_factor = Some(1.0);
-        view.catalog.iter().for_each(|catalog| self.sliders(catalog));
+        view.catalog
+            .iter()
+            .for_each(|catalog| self.sliders(catalog));
         self.macros(view.parts.as_ref())
     }
 
     fn sliders(&mut self, catalog: &Catalog<'_>) {
         for section in &catalog.sliders.sections {
-            for category in section.categories.iter().filter(|category| !category.has_full_path) {
+            for category in section
+                .categories
+                .iter()
+                .filter(|category| !category.has_full_path)
+            {
                 for side in category.sides() {
                     let name = format!("{side}{}", category.name);
                     let pattern = format!("{}/{name}", section.name);
                     let kind = self.kind(catalog, section, category, side);
-                    self.keys.push((identifier(&section.name, &name), vec![pattern.clone()]));
-                    self.scene.sliders.push(SceneSlider { pattern, kind, default: 0.0 });
+                    self.keys
+                        .push((identifier(&section.name, &name), vec![pattern.clone()]));
+                    self.scene.sliders.push(SceneSlider {
+                        pattern,
+                        kind,
+                        default: 0.0,
+                    });
                 }
             }
         }
     }
 
-    fn kind(&mut self, catalog: &Catalog<'_>, section: &Section, category: &Category, side: &str) -> SliderKind {
+    fn kind(
+        &mut self,
+        catalog: &Catalog<'_>,
+        section: &Section,
+        category: &Category,
+        side: &str,
+    ) -> SliderKind {
         if category.slots.is_none() {
             let stem = format!("{side}{}", category.name);
             let file = catalog.target(&section.name, &stem);
             let incr = Some(self.target(format!("{}/{stem}", section.name), file));
-            return SliderKind::Detail { incr, decr: None, two_sided: false };
+            return SliderKind::Detail {
+                incr,
+                decr: None,
+                two_sided: false,
+            };
         }
         let side = match side {
             "l-" => "left",
@@ -139,10 +192,17 @@ impl Composer {
             // A slot without a name asks for a file without a stem.
             let found = category.slots.iter().flatten().find(|slot| slot.key == key);
             let stem = found.map_or("", |slot| slot.stem.as_str());
-            let file = catalog.layer.file(&format!("{}/{stem}.target.gz", catalog.folder(&section.name)));
+            let file = catalog.layer.file(&format!(
+                "{}/{stem}.target.gz",
+                catalog.folder(&section.name)
+            ));
             Some(self.target(format!("{}/{stem}", section.name), file))
         };
-        SliderKind::Detail { incr: slot("positive"), decr: slot("negative"), two_sided: true }
+        SliderKind::Detail {
+            incr: slot("positive"),
+            decr: slot("negative"),
+            two_sided: true,
+        }
     }
 
     /// Place of a target among the scene's.
@@ -150,7 +210,11 @@ impl Composer {
         let path = file.map_or_else(|| name.clone(), |file| file.path.clone());
         let scene = &mut self.scene;
         *self.by_path.entry(path.clone()).or_insert_with(|| {
-            scene.targets.push(MorphTarget { name, path, ..MorphTarget::default() });
+            scene.targets.push(MorphTarget {
+                name,
+                path,
+                ..MorphTarget::default()
+            });
             scene.targets.len() - 1
         })
     }
@@ -158,32 +222,61 @@ impl Composer {
     fn macros(&mut self, parts: Option<&Parts<'_>>) -> Result<MacroNames, String> {
         let parts = parts.ok_or_else(|| "macro.json is missing or cannot be used".to_owned())?;
         if parts.is_too_large {
-            return Err(format!("`{}` has too many combinations to evaluate", parts.file.path));
+            return Err(format!(
+                "`{}` has too many combinations to evaluate",
+                parts.file.path
+            ));
         }
         if !parts.settings.is_whole() {
-            return Err(format!("`{}` lacks a setting, or a part of one cannot be used", parts.file.path));
+            return Err(format!(
+                "`{}` lacks a setting, or a part of one cannot be used",
+                parts.file.path
+            ));
         }
         let settings = SETTINGS.iter().map(|name| (*name, DEFAULTS.0));
         for (name, default) in settings.chain(RACES.iter().map(|name| (*name, DEFAULTS.1))) {
             let place = self.scene.macro_defaults.len();
             self.scene.macro_defaults.push(default);
             let kind = SliderKind::Macro(place);
-            self.scene.sliders.push(SceneSlider { pattern: name.to_owned(), kind, default });
+            self.scene.sliders.push(SceneSlider {
+                pattern: name.to_owned(),
+                kind,
+                default,
+            });
         }
         self.scene.products = dimensions(parts.settings);
         let names: Vec<Vec<String>> = parts.settings.settings.iter().map(names).collect();
         let numbered = parts.settings.settings.iter().zip(&names);
-        let settings = numbered.map(|(setting, names)| eval_parts(setting, names)).collect();
-        let loops = (0..LOOPS.len()).map(|number| self.target_loop(parts, &names, number)).collect();
-        self.scene.macros = Some(Macros::Mpfb(MacroLoops { settings, races: RACES.len(), loops }));
+        let settings = numbered
+            .map(|(setting, names)| eval_parts(setting, names))
+            .collect();
+        let loops = (0..LOOPS.len())
+            .map(|number| self.target_loop(parts, &names, number))
+            .collect();
+        self.scene.macros = Some(Macros::Mpfb(MacroLoops {
+            settings,
+            races: RACES.len(),
+            loops,
+        }));
         Ok(MacroNames::Parts(names))
     }
 
-    fn target_loop(&mut self, parts: &Parts<'_>, names: &[Vec<String>], number: usize) -> TargetLoop {
-        let Some(own) = LOOPS.get(number) else { return TargetLoop::default() };
+    fn target_loop(
+        &mut self,
+        parts: &Parts<'_>,
+        names: &[Vec<String>],
+        number: usize,
+    ) -> TargetLoop {
+        let Some(own) = LOOPS.get(number) else {
+            return TargetLoop::default();
+        };
         let place = |setting: usize, name: &str| {
-            let known = names.get(setting).and_then(|names| names.iter().position(|own| own == name));
-            known.and_then(|place| u32::try_from(place).ok()).unwrap_or(u32::MAX)
+            let known = names
+                .get(setting)
+                .and_then(|names| names.iter().position(|own| own == name));
+            known
+                .and_then(|place| u32::try_from(place).ok())
+                .unwrap_or(u32::MAX)
         };
         let lists = own.names(parts.settings);
         let source = |axis: &loops::Axis| match axis {
@@ -193,13 +286,23 @@ impl Composer {
         };
         let taken = |at: &usize| {
             let (axis, list) = (own.axes.get(*at)?, lists.get(*at)?);
-            Some(Axis { of: source(axis), names: list.len() })
+            Some(Axis {
+                of: source(axis),
+                names: list.len(),
+            })
         };
         let axes: Vec<Axis> = own.order.iter().filter_map(taken).collect();
         let mut targets = vec![None; lists.iter().map(Vec::len).product()];
-        for request in parts.requests.iter().filter(|request| request.number == number) {
+        for request in parts
+            .requests
+            .iter()
+            .filter(|request| request.number == number)
+        {
             let names = own.order.iter().filter_map(|at| request.names.get(*at));
-            let index = axes.iter().zip(names).fold(0, |index, (axis, name)| index * axis.names + name);
+            let index = axes
+                .iter()
+                .zip(names)
+                .fold(0, |index, (axis, name)| index * axis.names + name);
             if let Some(slot) = targets.get_mut(index) {
                 *slot = u32::try_from(self.scene.macro_targets.len()).ok();
                 let place = self.target(request.target.clone(), request.file);
@@ -213,15 +316,30 @@ impl Composer {
 /// What the settings are looked at alone by: the ends of the ranges of their parts, and the races.
 fn dimensions(settings: &MacroParts) -> Vec<Vec<Dimension>> {
     let of_setting = |(place, setting): (usize, &Setting)| {
-        let ends = setting.parts.iter().flat_map(|part| [part.lowest, part.highest]);
-        let mut steps: Vec<f64> = ends.map(|end| end.clamp(0.0, 1.0)).chain([0.0, 1.0]).collect();
+        let ends = setting
+            .parts
+            .iter()
+            .flat_map(|part| [part.lowest, part.highest]);
+        let mut steps: Vec<f64> = ends
+            .map(|end| end.clamp(0.0, 1.0))
+            .chain([0.0, 1.0])
+            .collect();
         steps.sort_by(f64::total_cmp);
         steps.dedup_by(|one, other| (*one - *other).abs() < APART);
-        vec![Dimension::Steps { place, steps: steps.into() }]
+        vec![Dimension::Steps {
+            place,
+            steps: steps.into(),
+        }]
     };
     let first = settings.settings.len();
     let races = vec![Dimension::Corners((first..first + RACES.len()).collect())];
-    settings.settings.iter().enumerate().map(of_setting).chain([races]).collect()
+    settings
+        .settings
+        .iter()
+        .enumerate()
+        .map(of_setting)
+        .chain([races])
+        .collect()
 }
 
 /// Ends of ranges that are nearer are looked at once.
@@ -229,7 +347,10 @@ const APART: f64 = 0.01;
 
 /// The names of a setting, numbered.
 fn names(setting: &Setting) -> Vec<String> {
-    loops::names(setting).iter().map(|name| name.text.to_owned()).collect()
+    loops::names(setting)
+        .iter()
+        .map(|name| name.text.to_owned())
+        .collect()
 }
 
 fn eval_parts(setting: &Setting, names: &[String]) -> Vec<Part> {

@@ -6,8 +6,8 @@ use super::keys::Keys;
 use super::macros::outputs;
 use super::rig_cases;
 use crate::cases::tolerance::{
-    BONE_ENDS, FACTORS, FITTED_IN_BLENDER, GROUP_SUMS, MIXED, MIXED_SUMS, POSED_IN_BLENDER, REST_AXES, RIG_ENDS,
-    TAKEN_SUMS, Tolerance, WEIGHTS,
+    BONE_ENDS, FACTORS, FITTED_IN_BLENDER, GROUP_SUMS, MIXED, MIXED_SUMS, POSED_IN_BLENDER,
+    REST_AXES, RIG_ENDS, TAKEN_SUMS, Tolerance, WEIGHTS,
 };
 use crate::cases::{Compute, Computer, Kind, inputs};
 use crate::outputs::{mesh_json, rounded};
@@ -23,19 +23,37 @@ type Outputs = Map<String, Value>;
 
 /// The kinds that the reference files of MPFB have.
 pub(crate) static KINDS: [Kind; 7] = [
-    Kind { tolerances: &[("sum", FACTORS)], ..kind("mpfb_macro", macros, FACTORS) },
     Kind {
-        tolerances: &[("shape_keys", FACTORS), ("sum", MIXED_SUMS), ("sum_xyz", MIXED_SUMS)],
+        tolerances: &[("sum", FACTORS)],
+        ..kind("mpfb_macro", macros, FACTORS)
+    },
+    Kind {
+        tolerances: &[
+            ("shape_keys", FACTORS),
+            ("sum", MIXED_SUMS),
+            ("sum_xyz", MIXED_SUMS),
+        ],
         ..kind("mpfb_morph", morph, MIXED)
     },
     kind("mpfb_rig", rig_cases::rig, RIG_ENDS),
     Kind {
-        tolerances: &[("matrix", REST_AXES), ("roll", REST_AXES), ("relative_scale", FACTORS)],
+        tolerances: &[
+            ("matrix", REST_AXES),
+            ("roll", REST_AXES),
+            ("relative_scale", FACTORS),
+        ],
         ..kind("mpfb_bones", rig_cases::bones, BONE_ENDS)
     },
-    Kind { tolerances: &[("groups", GROUP_SUMS)], ..kind("mpfb_weights", rig_cases::weights, WEIGHTS) },
     Kind {
-        tolerances: &[("sum", MIXED_SUMS), ("sum_xyz", MIXED_SUMS), ("groups", TAKEN_SUMS)],
+        tolerances: &[("groups", GROUP_SUMS)],
+        ..kind("mpfb_weights", rig_cases::weights, WEIGHTS)
+    },
+    Kind {
+        tolerances: &[
+            ("sum", MIXED_SUMS),
+            ("sum_xyz", MIXED_SUMS),
+            ("groups", TAKEN_SUMS),
+        ],
         ..kind("mpfb_fit", rig_cases::fit, FITTED_IN_BLENDER)
     },
     Kind {
@@ -45,13 +63,22 @@ pub(crate) static KINDS: [Kind; 7] = [
 ];
 
 const fn kind(name: &'static str, outputs: Compute, tolerance: Tolerance) -> Kind {
-    Kind { name, application: Application::Mpfb, outputs, tolerance, tolerances: &[], by_bone: false }
+    Kind {
+        name,
+        application: Application::Mpfb,
+        outputs,
+        tolerance,
+        tolerances: &[],
+        by_bone: false,
+    }
 }
 
 /// Here values are taken as they are: no property stores them.
 fn macros(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outputs, Error> {
     let values = settings(inputs::wanted(case, "macro_info")?)?;
-    let cut_off = inputs::field(case, "cutoff").and_then(Node::as_f64).unwrap_or(CUT_OFF);
+    let cut_off = inputs::field(case, "cutoff")
+        .and_then(Node::as_f64)
+        .unwrap_or(CUT_OFF);
     let base = of.base(case)?;
     let setting = base.setting(&values)?;
     outputs(base, &setting.macros, cut_off)
@@ -59,13 +86,22 @@ fn macros(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Out
 
 fn morph(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outputs, Error> {
     let file = of.file;
-    let scale = inputs::field(case, "scale_factor").and_then(Node::as_f64).map_or(0.1, round_to_f32);
-    let is_lifted = matches!(inputs::field(case, "feet_on_ground").map(|node| &node.value), Some(Json::Bool(true)));
+    let scale = inputs::field(case, "scale_factor")
+        .and_then(Node::as_f64)
+        .map_or(0.1, round_to_f32);
+    let is_lifted = matches!(
+        inputs::field(case, "feet_on_ground").map(|node| &node.value),
+        Some(Json::Bool(true))
+    );
     let details = details(case, "targets")?;
     let base = of.base(case)?;
     let mut keys = Keys::default();
-    let setting = |base: &Evaluation, node: &Node| -> Result<Setting, Error> { base.setting(&settings(node)?) };
-    if let Some(node) = inputs::field(case, "macro").filter(|node| !matches!(node.value, Json::Null)) {
+    let setting = |base: &Evaluation, node: &Node| -> Result<Setting, Error> {
+        base.setting(&settings(node)?)
+    };
+    if let Some(node) =
+        inputs::field(case, "macro").filter(|node| !matches!(node.value, Json::Null))
+    {
         let setting = setting(base, node)?;
         keys.set_macros(base, &setting)?;
     }
@@ -98,10 +134,16 @@ pub(super) fn settings(node: &Node) -> Result<Vec<SliderSetting>, Error> {
     for member in node.effective_members() {
         let races = member.node.effective_members();
         let one = [member];
-        let values = if member.key == "race" { races.as_slice() } else { &one };
+        let values = if member.key == "race" {
+            races.as_slice()
+        } else {
+            &one
+        };
         for value in values {
             let number = value.node.as_f64();
-            let number = number.ok_or_else(|| Error::Input(format!("`{}` of the case is not a number", value.key)))?;
+            let number = number.ok_or_else(|| {
+                Error::Input(format!("`{}` of the case is not a number", value.key))
+            })?;
             settings.push((value.key.clone(), number));
         }
     }
@@ -110,11 +152,20 @@ pub(super) fn settings(node: &Node) -> Result<Vec<SliderSetting>, Error> {
 
 /// Target files with their values, out of a field of a case.
 pub(super) fn details(case: &Node, key: &str) -> Result<Vec<SliderSetting>, Error> {
-    let listed = inputs::field(case, key).map(Node::elements).unwrap_or_default();
+    let listed = inputs::field(case, key)
+        .map(Node::elements)
+        .unwrap_or_default();
     let pair = |node: &Node| match node.elements() {
         [file, value] => Some((file.as_str()?.to_owned(), value.as_f64()?)),
         _ => None,
     };
-    let wrong = || Error::Input(format!("`{key}` of the case is not a list of [file, value]"));
-    listed.iter().map(|node| pair(node).ok_or_else(wrong)).collect()
+    let wrong = || {
+        Error::Input(format!(
+            "`{key}` of the case is not a list of [file, value]"
+        ))
+    };
+    listed
+        .iter()
+        .map(|node| pair(node).ok_or_else(wrong))
+        .collect()
 }

@@ -11,7 +11,12 @@ use mhlint_eval::vector::{Point, round_to_f32};
 impl Evaluation {
     /// The joints of the mesh at these positions.
     pub fn joints<'p>(&'p self, positions: &'p [Point]) -> Joints<'p> {
-        Joints::new(positions, self.groups.iter().map(|(name, ranges)| (name.as_str(), ranges.as_slice())))
+        Joints::new(
+            positions,
+            self.groups
+                .iter()
+                .map(|(name, ranges)| (name.as_str(), ranges.as_slice())),
+        )
     }
 
     /// The figure at a setting, in Blender's axes.
@@ -19,7 +24,10 @@ impl Evaluation {
     /// # Errors
     /// A target that cannot be had.
     pub fn in_blender(&mut self, setting: &Setting, scale: f32) -> Result<Vec<Point>, Error> {
-        let only_macros = Setting { macros: Arc::clone(&setting.macros), details: [].into() };
+        let only_macros = Setting {
+            macros: Arc::clone(&setting.macros),
+            details: [].into(),
+        };
         let macros = self.factors(&only_macros)?.len();
         let mut factors = self.factors(setting)?;
         // A character gets the keys of its macros first.
@@ -28,10 +36,21 @@ impl Evaluation {
     }
 
     /// The same of a figure with these targets as its shape keys, in the order of the keys.
-    pub(super) fn with_keys(&mut self, keys: &[(usize, f64)], scale: f32) -> Result<Vec<Point>, Error> {
+    pub(super) fn with_keys(
+        &mut self,
+        keys: &[(usize, f64)],
+        scale: f32,
+    ) -> Result<Vec<Point>, Error> {
         self.need_rows(keys.iter().map(|(target, _)| *target))?;
-        let rows = |target: usize| self.scene.targets.get(target).and_then(|target| target.rows.as_deref());
-        let keys = keys.iter().filter_map(|(target, value)| Some((rows(*target)?.as_slice(), round_to_f32(*value))));
+        let rows = |target: usize| {
+            self.scene
+                .targets
+                .get(target)
+                .and_then(|target| target.rows.as_deref())
+        };
+        let keys = keys
+            .iter()
+            .filter_map(|(target, value)| Some((rows(*target)?.as_slice(), round_to_f32(*value))));
         Ok(mixed(&self.scene.positions, keys, scale))
     }
 }

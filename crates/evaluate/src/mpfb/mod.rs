@@ -31,14 +31,24 @@ pub(super) fn measure(layers: Layers<'_>, rows: &mut Rows, options: &Config) -> 
     let view = View::connect(layers);
     let composed = base::compose(&view, rows)?;
     let mesh = worn::mesh(&view);
-    let fitted = mesh.map(|mesh| worn::fit(mesh, view.worn(), layers)).unwrap_or_default();
-    let worn = mesh.map(|mesh| worn::measure(mesh, &fitted)).unwrap_or_default();
-    Some(Measures { worn, ..gauge(&composed, options) })
+    let fitted = mesh
+        .map(|mesh| worn::fit(mesh, view.worn(), layers))
+        .unwrap_or_default();
+    let worn = mesh
+        .map(|mesh| worn::measure(mesh, &fitted))
+        .unwrap_or_default();
+    Some(Measures {
+        worn,
+        ..gauge(&composed, options)
+    })
 }
 
 /// Rigs of MPFB follow formulas of their own.
 pub(super) fn no_rigs(base: &str) -> Error {
-    Error::NoSkeleton { base: base.to_owned(), reason: NO_RIGS.to_owned() }
+    Error::NoSkeleton {
+        base: base.to_owned(),
+        reason: NO_RIGS.to_owned(),
+    }
 }
 
 const NO_RIGS: &str = "a rig of MPFB is chosen with `--rig FILE`";

@@ -18,7 +18,8 @@ use mhlint_json::Node;
 pub struct StoredPose {
     turns: Vec<(String, Turn)>,
     moves: Vec<(String, Vec3)>,
-    /// The spine and the width of the shoulders that the pose was made on; none where they are not to be scaled.
+    /// The spine and the width of the shoulders that the pose was made on; none where they are not
+    /// to be scaled.
     original: Option<[Option<f64>; 2]>,
 }
 
@@ -49,23 +50,50 @@ pub fn read_stored_pose(path: &Path) -> Result<StoredPose, Error> {
 /// A pose from a JSON value.
 pub(super) fn stored_pose(node: &Node) -> Result<StoredPose, Error> {
     let lacks = |key: &str| stops("KeyError", format!("the pose has no `{key}`"));
-    let kind = node.get("skeleton_type").ok_or_else(|| lacks("skeleton_type"))?;
-    let kind = kind.as_str().ok_or_else(|| stops("TypeError", "`skeleton_type` is not a text".to_owned()))?;
+    let kind = node
+        .get("skeleton_type")
+        .ok_or_else(|| lacks("skeleton_type"))?;
+    let kind = kind
+        .as_str()
+        .ok_or_else(|| stops("TypeError", "`skeleton_type` is not a text".to_owned()))?;
     let mut pose = StoredPose::default();
     if kind.contains("default") {
-        let size = |key| node.get(key).and_then(Node::as_f64).filter(|size| *size > LEAST);
-        pose.original = Some([size("original_spine_length"), size("original_shoulder_width")]);
+        let size = |key| {
+            node.get(key)
+                .and_then(Node::as_f64)
+                .filter(|size| *size > LEAST)
+        };
+        pose.original = Some([
+            size("original_spine_length"),
+            size("original_shoulder_width"),
+        ]);
     }
     let modes = node.get("bone_rotation_modes");
-    for member in node.get("bone_rotations").ok_or_else(|| lacks("bone_rotations"))?.effective_members() {
-        let mode = modes.and_then(|modes| modes.get(&member.key)).and_then(Node::as_str);
-        pose.turns.push((member.key.clone(), turn(&member.key, &numbers(&member.key, &member.node)?, mode)?));
+    for member in node
+        .get("bone_rotations")
+        .ok_or_else(|| lacks("bone_rotations"))?
+        .effective_members()
+    {
+        let mode = modes
+            .and_then(|modes| modes.get(&member.key))
+            .and_then(Node::as_str);
+        pose.turns.push((
+            member.key.clone(),
+            turn(&member.key, &numbers(&member.key, &member.node)?, mode)?,
+        ));
     }
-    for member in node.get("bone_translations").ok_or_else(|| lacks("bone_translations"))?.effective_members() {
+    for member in node
+        .get("bone_translations")
+        .ok_or_else(|| lacks("bone_translations"))?
+        .effective_members()
+    {
         let [x, y, z, ..] = *numbers(&member.key, &member.node)? else {
             return Err(stops(
                 "IndexError",
-                format!("the translation of bone `{}` has fewer than 3 numbers", member.key),
+                format!(
+                    "the translation of bone `{}` has fewer than 3 numbers",
+                    member.key
+                ),
             ));
         };
         pose.moves.push((member.key.clone(), [x, y, z]));
@@ -78,19 +106,37 @@ const LEAST: f64 = 1e-4;
 
 fn numbers(bone: &str, node: &Node) -> Result<Vec<f64>, Error> {
     let numbers: Option<Vec<f64>> = node.elements().iter().map(Node::as_f64).collect();
-    let wrong = || stops("TypeError", format!("the pose of bone `{bone}` is not a list of numbers"));
+    let wrong = || {
+        stops(
+            "TypeError",
+            format!("the pose of bone `{bone}` is not a list of numbers"),
+        )
+    };
     numbers.filter(|_| node.is_array()).ok_or_else(wrong)
 }
 
 fn turn(bone: &str, numbers: &[f64], mode: Option<&str>) -> Result<Turn, Error> {
-    let usual = if numbers.len() == 4 { "QUATERNION" } else { "XYZ" };
+    let usual = if numbers.len() == 4 {
+        "QUATERNION"
+    } else {
+        "XYZ"
+    };
     let mode = mode.unwrap_or(usual);
-    let order = ORDERS.iter().find(|(name, _)| *name == mode).map(|(_, order)| *order);
+    let order = ORDERS
+        .iter()
+        .find(|(name, _)| *name == mode)
+        .map(|(_, order)| *order);
     match (mode, order, numbers) {
         (_, Some(order), [x, y, z]) => Ok(Turn::Euler(order, [*x, *y, *z])),
         ("QUATERNION", _, [w, x, y, z]) => Ok(Turn::Quaternion([*w, *x, *y, *z])),
         ("AXIS_ANGLE", _, [angle, x, y, z]) => Ok(Turn::AxisAngle(*angle, [*x, *y, *z])),
-        _ => Err(stops("ValueError", format!("{} numbers of bone `{bone}` do not fit `{mode}`", numbers.len()))),
+        _ => Err(stops(
+            "ValueError",
+            format!(
+                "{} numbers of bone `{bone}` do not fit `{mode}`",
+                numbers.len()
+            ),
+        )),
     }
 }
 
@@ -102,17 +148,26 @@ impl StandingRig {
     pub fn posed(&self, pose: &StoredPose) -> Result<PosedRig, Error> {
         let factors = self.factors(pose)?;
         let place = |name: &String| self.names.iter().position(|own| own == name);
-        let still = BonePose { turn: Turn::Quaternion([1.0, 0.0, 0.0, 0.0]), translation: [0.0; 3] };
+        let still = BonePose {
+            turn: Turn::Quaternion([1.0, 0.0, 0.0, 0.0]),
+            translation: [0.0; 3],
+        };
         let mut poses: Vec<Option<BonePose>> = vec![None; self.bones.len()];
         for (name, turn) in &pose.turns {
             if let Some(slot) = place(name).and_then(|at| poses.get_mut(at)) {
-                *slot = Some(BonePose { turn: *turn, ..still });
+                *slot = Some(BonePose {
+                    turn: *turn,
+                    ..still
+                });
             }
         }
         for (name, [x, y, z]) in &pose.moves {
             if let Some(slot) = place(name).and_then(|at| poses.get_mut(at)) {
                 let translation = [x * factors[0], y * factors[1], z * factors[2]];
-                *slot = Some(BonePose { translation, ..slot.unwrap_or(still) });
+                *slot = Some(BonePose {
+                    translation,
+                    ..slot.unwrap_or(still)
+                });
             }
         }
         let matrices = pose_matrices(&self.bones, &poses);
@@ -125,25 +180,40 @@ impl StandingRig {
 
     /// What translations are multiplied by.
     fn factors(&self, pose: &StoredPose) -> Result<Vec3, Error> {
-        let Some([spine, shoulders]) = pose.original else { return Ok([1.0; 3]) };
+        let Some([spine, shoulders]) = pose.original else {
+            return Ok([1.0; 3]);
+        };
         let bone = |name: &str| {
             let at = self.names.iter().position(|own| own == name);
-            let missing = || stops("AttributeError", format!("a pose for the default rig needs bone `{name}`"));
+            let missing = || {
+                stops(
+                    "AttributeError",
+                    format!("a pose for the default rig needs bone `{name}`"),
+                )
+            };
             at.and_then(|at| self.bones.get(at)).ok_or_else(missing)
         };
         let apart = |a: Vec3, b: Vec3| mhlint_eval::vector::length(mhlint_eval::vector::sub(a, b));
         let length = apart(bone("spine05")?.head, bone("spine01")?.tail);
         let width = apart(bone("shoulder01.L")?.tail, bone("shoulder01.R")?.tail);
-        let factor = |own: f64, original: Option<f64>| original.map_or(1.0, |original| own / original);
+        let factor =
+            |own: f64, original: Option<f64>| original.map_or(1.0, |original| own / original);
         let across = factor(width, shoulders);
         Ok([across, across, factor(length, spine)])
     }
 
     /// The mesh moved by its groups, in a pose.
-    pub fn skinned(&self, positions: &[Point], posed: &PosedRig, groups: &[VertexGroup]) -> Vec<Point> {
+    pub fn skinned(
+        &self,
+        positions: &[Point],
+        posed: &PosedRig,
+        groups: &[VertexGroup],
+    ) -> Vec<Point> {
         let mut weights: Vec<Vec<(usize, f64)>> = vec![Vec::new(); positions.len()];
         for (name, own) in groups {
-            let Some(bone) = self.names.iter().position(|bone| bone == name) else { continue };
+            let Some(bone) = self.names.iter().position(|bone| bone == name) else {
+                continue;
+            };
             for (vertex, weight) in own {
                 if let Some(list) = weights.get_mut(*vertex) {
                     list.push((bone, *weight));
@@ -157,12 +227,20 @@ impl StandingRig {
     pub(super) fn posed_json(&self, posed: &PosedRig, chosen: Option<&[String]>) -> Value {
         let bones = self.names.iter().zip(&posed.matrices).zip(&posed.tails);
         let bone = |((name, matrix), tail): ((&String, &Mat4), &Vec3)| {
-            let fields =
-                object([("matrix", rows(matrix)), ("head", vector(translation(matrix))), ("tail", vector(*tail))]);
+            let fields = object([
+                ("matrix", rows(matrix)),
+                ("head", vector(translation(matrix))),
+                ("tail", vector(*tail)),
+            ]);
             (name.clone(), Value::Object(fields))
         };
         let is_chosen = |name: &String| chosen.is_none_or(|chosen| chosen.contains(name));
-        Value::Object(bones.filter(|((name, _), _)| is_chosen(name)).map(bone).collect())
+        Value::Object(
+            bones
+                .filter(|((name, _), _)| is_chosen(name))
+                .map(bone)
+                .collect(),
+        )
     }
 
     /// As `mhlint eval skin` shows it.

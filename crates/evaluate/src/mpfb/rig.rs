@@ -52,9 +52,15 @@ pub fn read_rig(path: &Path) -> Result<RigFile, Error> {
         && definition.faults.keys.all().is_empty()
         && definition.faults.ends.all().is_empty();
     if !is_sound {
-        return Err(Error::file(shown(path), "MPFB does not read it as a rig; `mhlint check` says why"));
+        return Err(Error::file(
+            shown(path),
+            "MPFB does not read it as a rig; `mhlint check` says why",
+        ));
     }
-    Ok(RigFile { path: shown(path), definition })
+    Ok(RigFile {
+        path: shown(path),
+        definition,
+    })
 }
 
 impl RigFile {
@@ -64,9 +70,17 @@ impl RigFile {
     /// An end that is nowhere, a bone without length.
     pub fn stand(&self, joints: &Joints<'_>, scale_factor: f64) -> Result<StandingRig, Error> {
         let rig = &self.definition;
-        let relative_scale = if rig.scale_factor == 0.0 { 1.0 } else { scale_factor / rig.scale_factor };
-        let numbers: BTreeMap<&str, usize> =
-            rig.bones.iter().enumerate().map(|(at, bone)| (bone.name.as_str(), at)).collect();
+        let relative_scale = if rig.scale_factor == 0.0 {
+            1.0
+        } else {
+            scale_factor / rig.scale_factor
+        };
+        let numbers: BTreeMap<&str, usize> = rig
+            .bones
+            .iter()
+            .enumerate()
+            .map(|(at, bone)| (bone.name.as_str(), at))
+            .collect();
         let mut standing = StandingRig {
             names: Vec::new(),
             bones: Vec::new(),
@@ -79,8 +93,18 @@ impl RigFile {
         for bone in &rig.bones {
             let head = standing.place(joints, bone, bone.head.as_ref(), "head")?;
             let tail = standing.place(joints, bone, bone.tail.as_ref(), "tail")?;
-            let parent = bone.parent.as_deref().and_then(|parent| numbers.get(parent)).copied();
-            defined.push(Defined { head, tail, roll: roll(bone), parent, use_connect: bone.use_connect });
+            let parent = bone
+                .parent
+                .as_deref()
+                .and_then(|parent| numbers.get(parent))
+                .copied();
+            defined.push(Defined {
+                head,
+                tail,
+                roll: roll(bone),
+                parent,
+                use_connect: bone.use_connect,
+            });
             standing.names.push(bone.name.clone());
             standing.inherit_scale.push(bone.inherit_scale.clone());
         }
@@ -91,14 +115,25 @@ impl RigFile {
     /// The bones that take weights.
     pub(super) fn takers(&self) -> Takers<'_> {
         let bones = self.definition.bones.iter();
-        let bones = bones.map(|bone| Taker { name: &bone.name, parent: bone.parent.as_deref(), deforms: true });
-        Takers::new(bones, self.definition.extra_bones.iter().map(String::as_str))
+        let bones = bones.map(|bone| Taker {
+            name: &bone.name,
+            parent: bone.parent.as_deref(),
+            deforms: true,
+        });
+        Takers::new(
+            bones,
+            self.definition.extra_bones.iter().map(String::as_str),
+        )
     }
 }
 
 /// What decides the turn of a bone.
 pub(super) fn roll(bone: &RigBone) -> Roll {
-    roll_of(bone.roll_strategy.as_deref(), bone.roll_reference_z, bone.roll)
+    roll_of(
+        bone.roll_strategy.as_deref(),
+        bone.roll_reference_z,
+        bone.roll,
+    )
 }
 
 /// The same of what a file says: a strategy, a direction, an angle.
@@ -106,7 +141,9 @@ pub(super) fn roll_of(strategy: Option<&str>, reference: Option<Vec3>, angle: f6
     match (strategy, reference) {
         (Some("ALIGN_Z_WORLD_Z"), _) => Roll::ZUp,
         (Some("ALIGN_X_WORLD_X"), _) => Roll::XLeft,
-        (Some("ALIGN_Z_REFERENCE_Z"), Some(reference)) if length(reference) > NO_LENGTH => Roll::ZTo(reference),
+        (Some("ALIGN_Z_REFERENCE_Z"), Some(reference)) if length(reference) > NO_LENGTH => {
+            Roll::ZTo(reference)
+        }
         _ => Roll::Angle(angle),
     }
 }
@@ -123,7 +160,14 @@ fn end_of(end: &End) -> (BoneEnd<'_>, &'static str) {
         DefaultPosition::At(place) => Some(place),
         DefaultPosition::Absent | DefaultPosition::Unfit => None,
     };
-    (BoneEnd { strategy, offset: end.offset, default_position }, name)
+    (
+        BoneEnd {
+            strategy,
+            offset: end.offset,
+            default_position,
+        },
+        name,
+    )
 }
 
 impl StandingRig {
@@ -132,7 +176,15 @@ impl StandingRig {
         let inherit_scale = vec!["FULL".to_owned(); names.len()];
         let bones = rest(defined);
         let (at_default, strategies) = (Vec::new(), BTreeMap::new());
-        Self { names, bones, inherit_scale, relative_scale: 1.0, at_default, strategies }.checked()
+        Self {
+            names,
+            bones,
+            inherit_scale,
+            relative_scale: 1.0,
+            at_default,
+            strategies,
+        }
+        .checked()
     }
 
     fn place(
@@ -142,7 +194,12 @@ impl StandingRig {
         end: Option<&End>,
         which: &'static str,
     ) -> Result<Vec3, Error> {
-        let nowhere = || stops("KeyError", format!("`{which}` of bone `{}` has no place", bone.name));
+        let nowhere = || {
+            stops(
+                "KeyError",
+                format!("`{which}` of bone `{}` has no place", bone.name),
+            )
+        };
         let (end, name) = end_of(end.ok_or_else(nowhere)?);
         *self.strategies.entry(name).or_default() += 1;
         let located = joints.locate(&end, self.relative_scale);
@@ -154,9 +211,15 @@ impl StandingRig {
 
     /// Blender drops bones without length, and MPFB looks for them.
     fn checked(self) -> Result<Self, Error> {
-        let short = self.bones.iter().position(|bone| length(sub(bone.tail, bone.head)) < NO_LENGTH);
+        let short = self
+            .bones
+            .iter()
+            .position(|bone| length(sub(bone.tail, bone.head)) < NO_LENGTH);
         match short.and_then(|at| self.names.get(at)) {
-            Some(name) => Err(stops("AttributeError", format!("bone `{name}` has no length"))),
+            Some(name) => Err(stops(
+                "AttributeError",
+                format!("bone `{name}` has no length"),
+            )),
             None => Ok(self),
         }
     }
@@ -168,19 +231,33 @@ impl StandingRig {
 
     /// Bones with all that Blender knows of them at rest.
     pub fn json(&self) -> Value {
-        let name = |parent: Option<usize>| parent.and_then(|at| self.names.get(at)).cloned().unwrap_or_default();
+        let name = |parent: Option<usize>| {
+            parent
+                .and_then(|at| self.names.get(at))
+                .cloned()
+                .unwrap_or_default()
+        };
         let bone = |(at, bone): (usize, &RestBone)| {
             let fields = object([
                 ("head", vector(bone.head)),
                 ("tail", vector(bone.tail)),
                 ("roll", rounded(bone.roll)),
-                ("matrix", bone.matrix.iter().map(|row| vector(*row)).collect()),
+                (
+                    "matrix",
+                    bone.matrix.iter().map(|row| vector(*row)).collect(),
+                ),
                 ("parent", Value::from(name(bone.parent))),
                 ("use_connect", Value::from(bone.use_connect)),
-                ("inherit_scale", Value::from(self.inherit_scale.get(at).cloned().unwrap_or_default())),
+                (
+                    "inherit_scale",
+                    Value::from(self.inherit_scale.get(at).cloned().unwrap_or_default()),
+                ),
                 ("use_deform", Value::from(true)),
             ]);
-            (self.names.get(at).cloned().unwrap_or_default(), Value::Object(fields))
+            (
+                self.names.get(at).cloned().unwrap_or_default(),
+                Value::Object(fields),
+            )
         };
         Value::Object(self.bones.iter().enumerate().map(bone).collect())
     }
@@ -188,14 +265,22 @@ impl StandingRig {
     /// Heads and tails alone, as they were placed.
     pub(super) fn ends_json(&self) -> Value {
         let bone = |(name, bone): (&String, &RestBone)| {
-            (name.clone(), Value::from(vec![vector(bone.head), vector(bone.tail)]))
+            (
+                name.clone(),
+                Value::from(vec![vector(bone.head), vector(bone.tail)]),
+            )
         };
         Value::Object(self.names.iter().zip(&self.bones).map(bone).collect())
     }
 
     /// How many ends there are of each strategy.
     pub(super) fn strategies_json(&self) -> Value {
-        Value::Object(self.strategies.iter().map(|(name, count)| ((*name).to_owned(), Value::from(*count))).collect())
+        Value::Object(
+            self.strategies
+                .iter()
+                .map(|(name, count)| ((*name).to_owned(), Value::from(*count)))
+                .collect(),
+        )
     }
 
     /// As `mhlint eval rig` shows it.
@@ -203,7 +288,10 @@ impl StandingRig {
         object([
             ("relative_scale", rounded(self.relative_scale)),
             ("identified", Value::from(self.identified())),
-            ("default_position_used", Value::from(self.at_default.clone())),
+            (
+                "default_position_used",
+                Value::from(self.at_default.clone()),
+            ),
             ("bones", self.json()),
         ])
     }
@@ -211,10 +299,17 @@ impl StandingRig {
 
 /// What stops MPFB.
 pub(super) fn stops(exception: &'static str, reason: String) -> Error {
-    Error::Stops { application: Application::Mpfb, exception, reason }
+    Error::Stops {
+        application: Application::Mpfb,
+        exception,
+        reason,
+    }
 }
 
 /// A matrix of a bone in a pose: four rows.
 pub(super) fn rows(matrix_of: &mhlint_eval::vector::Mat4) -> Value {
-    matrix_of.iter().map(|row| Value::from(row.map(rounded).to_vec())).collect()
+    matrix_of
+        .iter()
+        .map(|row| Value::from(row.map(rounded).to_vec()))
+        .collect()
 }

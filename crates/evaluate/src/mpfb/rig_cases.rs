@@ -23,8 +23,14 @@ use mhlint_json::{Node, Value as Json};
 type Outputs = Map<String, Value>;
 
 /// The mesh of a case, and the scale of one unit of the OBJ.
-fn figure(of: &mut Computer<'_>, case: &Node, with_refit: bool) -> Result<(Vec<Point>, f64), Error> {
-    let scale = inputs::field(case, "scale_factor").and_then(Node::as_f64).unwrap_or(0.1);
+fn figure(
+    of: &mut Computer<'_>,
+    case: &Node,
+    with_refit: bool,
+) -> Result<(Vec<Point>, f64), Error> {
+    let scale = inputs::field(case, "scale_factor")
+        .and_then(Node::as_f64)
+        .unwrap_or(0.1);
     let mut targets = details(case, "targets")?;
     if with_refit {
         targets.extend(details(case, "refit_targets")?);
@@ -46,7 +52,11 @@ fn figure(of: &mut Computer<'_>, case: &Node, with_refit: bool) -> Result<(Vec<P
 /// A file of MPFB itself, unless the name says whose it is.
 fn file(of: &Computer<'_>, written: &str) -> Result<PathBuf, Error> {
     let is_own = written.starts_with("data/") && !written.ends_with(')');
-    of.roots.file(&if is_own { format!("{written} (mpfb)") } else { written.to_owned() })
+    of.roots.file(&if is_own {
+        format!("{written} (mpfb)")
+    } else {
+        written.to_owned()
+    })
 }
 
 fn rig_of(of: &Computer<'_>, case: &Node) -> Result<RigFile, Error> {
@@ -60,7 +70,11 @@ fn standing(of: &mut Computer<'_>, case: &Node, rig: &RigFile) -> Result<Standin
 }
 
 /// `mpfb_rig`: heads and tails.
-pub(super) fn rig(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outputs, Error> {
+pub(super) fn rig(
+    of: &mut Computer<'_>,
+    case: &Node,
+    _: &mut Vec<String>,
+) -> Result<Outputs, Error> {
     let rig = rig_of(of, case)?;
     let rig = standing(of, case, &rig)?;
     Ok(object([
@@ -72,17 +86,27 @@ pub(super) fn rig(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Re
 }
 
 /// `mpfb_bones`: bones at rest.
-pub(super) fn bones(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outputs, Error> {
+pub(super) fn bones(
+    of: &mut Computer<'_>,
+    case: &Node,
+    _: &mut Vec<String>,
+) -> Result<Outputs, Error> {
     if let Some(definition) = inputs::field(case, "definition") {
         let rig = synthetic(definition)?;
-        return Ok(object([("bones", rig.json()), ("missing", Value::from(Vec::<Value>::new()))]));
+        return Ok(object([
+            ("bones", rig.json()),
+            ("missing", Value::from(Vec::<Value>::new())),
+        ]));
     }
     let rig = rig_of(of, case)?;
     let rig = standing(of, case, &rig)?;
     Ok(object([
         ("relative_scale", rounded(rig.relative_scale)),
         // An armature is made where its figure is.
-        ("armature_location", Value::from([0.0; 3].map(rounded).to_vec())),
+        (
+            "armature_location",
+            Value::from([0.0; 3].map(rounded).to_vec()),
+        ),
         ("identified", Value::from(rig.identified())),
         ("bones", rig.json()),
     ]))
@@ -95,17 +119,25 @@ fn synthetic(definition: &Node) -> Result<StandingRig, Error> {
     let bone = |node: &Node| {
         let text = |key| node.get(key).and_then(Node::as_str);
         let angle = node.get("roll").and_then(Node::as_f64).unwrap_or(0.0);
-        let roll = roll_of(text("roll_strategy"), node.get("roll_reference_z").and_then(place), angle);
+        let roll = roll_of(
+            text("roll_strategy"),
+            node.get("roll_reference_z").and_then(place),
+            angle,
+        );
         Some(Defined {
             head: node.get("head").and_then(place)?,
             tail: node.get("tail").and_then(place)?,
             roll,
             parent: text("parent").and_then(|parent| names.iter().position(|name| name == parent)),
-            use_connect: matches!(node.get("use_connect").map(|node| &node.value), Some(Json::Bool(true))),
+            use_connect: matches!(
+                node.get("use_connect").map(|node| &node.value),
+                Some(Json::Bool(true))
+            ),
         })
     };
     let defined: Option<Vec<Defined>> = members.iter().map(|member| bone(&member.node)).collect();
-    let wrong = || Error::Input("a bone of the case has no `head` and `tail` of three numbers".to_owned());
+    let wrong =
+        || Error::Input("a bone of the case has no `head` and `tail` of three numbers".to_owned());
     StandingRig::of_places(names.clone(), &defined.ok_or_else(wrong)?)
 }
 
@@ -117,7 +149,11 @@ fn place(node: &Node) -> Option<Vec3> {
 }
 
 /// `mpfb_weights`: vertex groups.
-pub(super) fn weights(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outputs, Error> {
+pub(super) fn weights(
+    of: &mut Computer<'_>,
+    case: &Node,
+    _: &mut Vec<String>,
+) -> Result<Outputs, Error> {
     if inputs::field(case, "bones").is_some() {
         return synthetic_weights(case);
     }
@@ -129,37 +165,76 @@ pub(super) fn weights(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -
 }
 
 fn synthetic_weights(case: &Node) -> Result<Outputs, Error> {
-    let is_set = |key: &str| matches!(inputs::field(case, key).map(|node| &node.value), Some(Json::Bool(true)));
+    let is_set = |key: &str| {
+        matches!(
+            inputs::field(case, key).map(|node| &node.value),
+            Some(Json::Bool(true))
+        )
+    };
     let bones = inputs::wanted(case, "bones")?.elements();
     let taker = |node: &'_ Node| -> Option<(String, Option<String>, bool)> {
-        let deforms = !matches!(node.get("deform").map(|node| &node.value), Some(Json::Bool(false)));
+        let deforms = !matches!(
+            node.get("deform").map(|node| &node.value),
+            Some(Json::Bool(false))
+        );
         let parent = node.get("parent").and_then(Node::as_str).map(str::to_owned);
         Some((node.get("name")?.as_str()?.to_owned(), parent, deforms))
     };
     let bones: Vec<(String, Option<String>, bool)> = bones.iter().filter_map(taker).collect();
-    let bones =
-        bones.iter().map(|(name, parent, deforms)| Taker { name, parent: parent.as_deref(), deforms: *deforms });
-    let extra = inputs::field(case, "extra_bones").map(Node::elements).unwrap_or_default();
+    let bones = bones.iter().map(|(name, parent, deforms)| Taker {
+        name,
+        parent: parent.as_deref(),
+        deforms: *deforms,
+    });
+    let extra = inputs::field(case, "extra_bones")
+        .map(Node::elements)
+        .unwrap_or_default();
     let takers = Takers::new(bones, extra.iter().filter_map(Node::as_str));
     let lists = inline(inputs::wanted(case, "weights")?)?;
-    let file: Vec<FileGroup<'_>> = lists.iter().map(|(name, pairs)| (name.as_str(), pairs.as_slice())).collect();
-    let before = inputs::field(case, "existing").map(inline).transpose()?.unwrap_or_default();
+    let file: Vec<FileGroup<'_>> = lists
+        .iter()
+        .map(|(name, pairs)| (name.as_str(), pairs.as_slice()))
+        .collect();
+    let before = inputs::field(case, "existing")
+        .map(inline)
+        .transpose()?
+        .unwrap_or_default();
     let vertices = inputs::count(case, "vertex_count")?;
-    let loading = Loading { all: is_set("all"), replace: is_set("replace"), vertices };
-    if file.iter().flat_map(|(_, pairs)| *pairs).any(|(vertex, _)| *vertex > i64::from(i32::MAX)) {
-        return Err(stops("SystemError", "a vertex does not fit into 31 bits".to_owned()));
+    let loading = Loading {
+        all: is_set("all"),
+        replace: is_set("replace"),
+        vertices,
+    };
+    if file
+        .iter()
+        .flat_map(|(_, pairs)| *pairs)
+        .any(|(vertex, _)| *vertex > i64::from(i32::MAX))
+    {
+        return Err(stops(
+            "SystemError",
+            "a vertex does not fit into 31 bits".to_owned(),
+        ));
     }
     Ok(lists_json(&load(existing(before), &file, &takers, loading)))
 }
 
 /// `mpfb_fit`: assets on a figure, and the weights that they take from it.
-pub(super) fn fit(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outputs, Error> {
+pub(super) fn fit(
+    of: &mut Computer<'_>,
+    case: &Node,
+    _: &mut Vec<String>,
+) -> Result<Outputs, Error> {
     let text = inputs::field(case, "mhclo").and_then(Node::as_str);
     let is_synthetic = text.is_some();
     let asset = match text {
         Some(text) => {
             let mesh = obj::parse(inputs::text(case, "obj")?.as_bytes());
-            Asset::of("the case".to_owned(), PathBuf::new(), in_order::read(text.as_bytes()), &mesh)?
+            Asset::of(
+                "the case".to_owned(),
+                PathBuf::new(),
+                in_order::read(text.as_bytes()),
+                &mesh,
+            )?
         }
         None => read_asset(&file(of, inputs::text(case, "file")?)?)?,
     };
@@ -176,7 +251,12 @@ pub(super) fn fit(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Re
     Ok(outputs)
 }
 
-fn taken_weights(of: &mut Computer<'_>, case: &Node, asset: &Asset, ids: &[i64]) -> Result<Outputs, Error> {
+fn taken_weights(
+    of: &mut Computer<'_>,
+    case: &Node,
+    asset: &Asset,
+    ids: &[i64],
+) -> Result<Outputs, Error> {
     let rig = rig_of(of, case)?;
     let lists = read_groups(&file(of, inputs::text(case, "weights")?)?)?;
     let vertices = of.base(case)?.scene().positions.len();
@@ -187,7 +267,11 @@ fn taken_weights(of: &mut Computer<'_>, case: &Node, asset: &Asset, ids: &[i64])
 }
 
 /// `mpfb_pose`: stored poses on a rig.
-pub(super) fn pose(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outputs, Error> {
+pub(super) fn pose(
+    of: &mut Computer<'_>,
+    case: &Node,
+    _: &mut Vec<String>,
+) -> Result<Outputs, Error> {
     let pose = match inputs::field(case, "pose") {
         Some(node) => stored_pose(node)?,
         None => read_stored_pose(&file(of, inputs::text(case, "pose_file")?)?)?,
@@ -198,7 +282,13 @@ pub(super) fn pose(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> R
     let standing = rig.stand(&of.base(case)?.joints(&mesh), scale)?;
     let posed = standing.posed(&pose)?;
     let chosen = case.get("outputs").and_then(|outputs| outputs.get("bones"));
-    let chosen = chosen.map(|bones| bones.members().iter().map(|bone| bone.key.clone()).collect::<Vec<_>>());
+    let chosen = chosen.map(|bones| {
+        bones
+            .members()
+            .iter()
+            .map(|bone| bone.key.clone())
+            .collect::<Vec<_>>()
+    });
     let bones = standing.posed_json(&posed, chosen.as_deref());
     let Some(weights) = inputs::field(case, "weights").and_then(Node::as_str) else {
         return Ok(object([("bones", bones)]));

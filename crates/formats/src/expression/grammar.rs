@@ -1,7 +1,8 @@
-//! The allow list as a grammar: recursive descent over tokens, with just enough types to see bombs coming.
+//! The allow list as a grammar: recursive descent over tokens, with just enough types to see bombs
+//! coming.
 //!
-//! No tree is kept. Every rule of the grammar gives what the next one has to know of an operand: number or
-//! text, a literal, whether a power is in it. Depth is bounded; long chains are loops.
+//! No tree is kept. Every rule of the grammar gives what the next one has to know of an operand:
+//! number or text, a literal, whether a power is in it. Depth is bounded; long chains are loops.
 
 use std::ops::Range;
 
@@ -15,13 +16,14 @@ const DEEPEST: u32 = 100;
 const LARGEST_EXPONENT: f64 = 16.0;
 /// Most digits `round` is asked for; a double has seventeen.
 const MOST_DIGITS: f64 = 20.0;
-/// Digits of a width and a precision with the point between them, that are taken for a layout and not for a bomb.
+/// Digits of a width and a precision with the point between them, that are taken for a layout and
+/// not for a bomb.
 const LONGEST_LAYOUT: usize = 4;
 /// Keywords that cannot begin an operand.
 const KEYWORDS: [&str; 30] = [
-    "if", "else", "elif", "and", "or", "not", "in", "is", "for", "while", "import", "from", "def", "class", "return",
-    "del", "pass", "break", "continue", "global", "nonlocal", "assert", "raise", "try", "except", "finally", "with",
-    "as", "async", "yield",
+    "if", "else", "elif", "and", "or", "not", "in", "is", "for", "while", "import", "from", "def",
+    "class", "return", "del", "pass", "break", "continue", "global", "nonlocal", "assert", "raise",
+    "try", "except", "finally", "with", "as", "async", "yield",
 ];
 
 type Parsed = Result<Operand, Fault>;
@@ -41,13 +43,22 @@ pub fn check(text: &str, variable: &str) -> Result<(), Fault> {
 pub fn results(text: &str, variable: &str) -> Result<Results, Fault> {
     let mut lexer = Lexer::new(text);
     let next = lexer.next()?;
-    let mut parser = Parser { lexer, next, variable, depth: 0, by_variable: None };
+    let mut parser = Parser {
+        lexer,
+        next,
+        variable,
+        depth: 0,
+        by_variable: None,
+    };
     let operand = parser.expression()?;
     if parser.next.token != Token::End {
         return Err(parser.unexpected());
     }
     match parser.by_variable {
-        Some(span) => Err(Parser::raises(span, format!("divides by `{variable}`, which can be 0"))),
+        Some(span) => Err(Parser::raises(
+            span,
+            format!("divides by `{variable}`, which can be 0"),
+        )),
         None => Ok(operand.results),
     }
 }
@@ -62,8 +73,13 @@ fn is_layout(text: &str) -> bool {
             continue;
         }
         let layout = after.trim_start_matches(['-', '+', ' ', '0', '#']);
-        let digits = layout.len() - layout.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.').len();
-        let Some(code) = layout.get(digits..).and_then(|code| code.chars().next()) else { return false };
+        let digits = layout.len()
+            - layout
+                .trim_start_matches(|c: char| c.is_ascii_digit() || c == '.')
+                .len();
+        let Some(code) = layout.get(digits..).and_then(|code| code.chars().next()) else {
+            return false;
+        };
         if digits > LONGEST_LAYOUT || !"dieEfFgGs".contains(code) {
             return false;
         }
@@ -91,11 +107,19 @@ impl<'a> Parser<'a> {
     }
 
     fn word(&self) -> &'a str {
-        if self.next.token == Token::Name { self.lexer.slice(&self.next.span) } else { "" }
+        if self.next.token == Token::Name {
+            self.lexer.slice(&self.next.span)
+        } else {
+            ""
+        }
     }
 
     fn operator(&self) -> &'static str {
-        if let Token::Operator(operator) = self.next.token { operator } else { "" }
+        if let Token::Operator(operator) = self.next.token {
+            operator
+        } else {
+            ""
+        }
     }
 
     fn foreign(span: Range<usize>, what: impl Into<String>) -> Fault {
@@ -116,14 +140,26 @@ impl<'a> Parser<'a> {
         let shown = self.lexer.slice(&span);
         match self.next.token {
             Token::End => Fault::new(FaultKind::Syntax, span, "ends too early"),
-            Token::Operator("&" | "|" | "^" | "~" | "<<" | ">>" | "@") => {
-                Fault::new(FaultKind::Mistyped, span, format!("uses `{shown}`, which does not work on decimal numbers"))
+            Token::Operator("&" | "|" | "^" | "~" | "<<" | ">>" | "@") => Fault::new(
+                FaultKind::Mistyped,
+                span,
+                format!("uses `{shown}`, which does not work on decimal numbers"),
+            ),
+            Token::Name if shown == "in" => {
+                Fault::new(FaultKind::Mistyped, span, "uses `in` on numbers".to_owned())
             }
-            Token::Name if shown == "in" => Fault::new(FaultKind::Mistyped, span, "uses `in` on numbers".to_owned()),
             Token::Operator(",") => Fault::new(FaultKind::Pair, span, "contains a comma"),
-            Token::Operator("[" | "{" | ":=" | "." | "...") => Self::foreign(span, format!("uses `{shown}`")),
-            Token::Name if matches!(shown, "is" | "for" | "async") => Self::foreign(span, format!("uses `{shown}`")),
-            _ => Fault::new(FaultKind::Syntax, span, format!("has an unexpected `{shown}`")),
+            Token::Operator("[" | "{" | ":=" | "." | "...") => {
+                Self::foreign(span, format!("uses `{shown}`"))
+            }
+            Token::Name if matches!(shown, "is" | "for" | "async") => {
+                Self::foreign(span, format!("uses `{shown}`"))
+            }
+            _ => Fault::new(
+                FaultKind::Syntax,
+                span,
+                format!("has an unexpected `{shown}`"),
+            ),
         }
     }
 
@@ -148,7 +184,8 @@ impl<'a> Parser<'a> {
                 return Err(self.unexpected());
             }
             self.advance()?;
-            result = result.either(self.either("or", |parser| parser.either("and", Self::inversion))?);
+            result =
+                result.either(self.either("or", |parser| parser.either("and", Self::inversion))?);
             // The condition may keep the variable from being 0.
             self.by_variable.clone_from(&before);
         }
@@ -174,7 +211,14 @@ impl<'a> Parser<'a> {
             inverted = true;
         }
         let operand = self.comparison()?;
-        Ok(if inverted { Operand { power: operand.power, ..Operand::TRUTH } } else { operand })
+        Ok(if inverted {
+            Operand {
+                power: operand.power,
+                ..Operand::TRUTH
+            }
+        } else {
+            operand
+        })
     }
 
     fn comparison(&mut self) -> Parsed {
@@ -190,7 +234,14 @@ impl<'a> Parser<'a> {
             power |= right.power;
             (left, compared) = (right, true);
         }
-        Ok(if compared { Operand { power, ..Operand::TRUTH } } else { left })
+        Ok(if compared {
+            Operand {
+                power,
+                ..Operand::TRUTH
+            }
+        } else {
+            left
+        })
     }
 
     fn sum(&mut self) -> Parsed {
@@ -219,10 +270,15 @@ impl<'a> Parser<'a> {
                     return Err(Self::endless(span, "repeats a string"));
                 }
                 "%" if left.is_layout && !right.may_be_text() => {
-                    left = Operand { power: left.power, ..Operand::TEXT };
+                    left = Operand {
+                        power: left.power,
+                        ..Operand::TEXT
+                    };
                     continue;
                 }
-                "%" if left.may_be_text() => return Err(Self::endless(span, "formats a string with `%`")),
+                "%" if left.may_be_text() => {
+                    return Err(Self::endless(span, "formats a string with `%`"));
+                }
                 _ if left.is_text() || right.is_text() => {
                     return Err(Self::raises(span, "uses a string in a division"));
                 }
@@ -234,7 +290,10 @@ impl<'a> Parser<'a> {
             }
             left = left.calculated(right);
             if operator == "/" {
-                left = Operand { power: left.power, ..Operand::FRACTION };
+                left = Operand {
+                    power: left.power,
+                    ..Operand::FRACTION
+                };
             }
         }
         Ok(left)
@@ -244,15 +303,20 @@ impl<'a> Parser<'a> {
         let mut sign = None;
         while let operator @ ("+" | "-") = self.operator() {
             let span = self.advance()?;
-            let negative = sign.as_ref().is_some_and(|(_, negative)| *negative) != (operator == "-");
+            let negative =
+                sign.as_ref().is_some_and(|(_, negative)| *negative) != (operator == "-");
             sign = Some((span, negative));
         }
         let operand = self.power()?;
-        let Some((span, negative)) = sign else { return Ok(operand) };
+        let Some((span, negative)) = sign else {
+            return Ok(operand);
+        };
         if operand.is_text() {
             return Err(Self::raises(span, "puts a sign before a string"));
         }
-        let literal = operand.literal.map(|(value, integer)| (if negative { -value } else { value }, integer));
+        let literal = operand
+            .literal
+            .map(|(value, integer)| (if negative { -value } else { value }, integer));
         Ok(Operand { literal, ..operand })
     }
 
@@ -268,22 +332,41 @@ impl<'a> Parser<'a> {
         if base.is_text() || exponent.is_text() {
             return Err(Self::raises(span, "raises a string to a power"));
         }
-        let bounded = exponent.variable || exponent.literal.is_some_and(|(value, _)| value.abs() <= LARGEST_EXPONENT);
+        let bounded = exponent.variable
+            || exponent
+                .literal
+                .is_some_and(|(value, _)| value.abs() <= LARGEST_EXPONENT);
         if !bounded || base.power || exponent.power {
             return Err(Self::endless(span, "raises to a power without a limit"));
         }
-        let is_whole =
-            base.results == Results::WHOLE && exponent.literal.is_some_and(|(value, whole)| whole && value >= 0.0);
-        let results = if is_whole { Results::WHOLE } else { Results::FRACTION };
-        Ok(Operand { power: true, ..Operand::of(results) })
+        let is_whole = base.results == Results::WHOLE
+            && exponent
+                .literal
+                .is_some_and(|(value, whole)| whole && value >= 0.0);
+        let results = if is_whole {
+            Results::WHOLE
+        } else {
+            Results::FRACTION
+        };
+        Ok(Operand {
+            power: true,
+            ..Operand::of(results)
+        })
     }
 
     fn operand(&mut self) -> Parsed {
         let operand = match self.next.token {
             Token::Number(value, integer) => {
                 self.advance()?;
-                let results = if integer { Results::WHOLE } else { Results::FRACTION };
-                Operand { literal: Some((value, integer)), ..Operand::of(results) }
+                let results = if integer {
+                    Results::WHOLE
+                } else {
+                    Results::FRACTION
+                };
+                Operand {
+                    literal: Some((value, integer)),
+                    ..Operand::of(results)
+                }
             }
             Token::Text => {
                 let span = self.advance()?;
@@ -292,7 +375,10 @@ impl<'a> Parser<'a> {
                     self.advance()?;
                 }
                 let is_layout = is_single && is_layout(self.lexer.slice(&span));
-                Operand { is_layout, ..Operand::TEXT }
+                Operand {
+                    is_layout,
+                    ..Operand::TEXT
+                }
             }
             Token::Name => self.name()?,
             Token::Operator("(") => self.parenthesis()?,
@@ -300,7 +386,10 @@ impl<'a> Parser<'a> {
         };
         match self.operator() {
             "." => Err(self.attribute()),
-            "[" => Err(Self::foreign(self.next.span.clone(), "reads an element with `[`")),
+            "[" => Err(Self::foreign(
+                self.next.span.clone(),
+                "reads an element with `[`",
+            )),
             "(" => Err(Self::foreign(self.next.span.clone(), "calls a value")),
             _ => Ok(operand),
         }
@@ -309,9 +398,10 @@ impl<'a> Parser<'a> {
     fn attribute(&mut self) -> Fault {
         let dot = self.next.span.clone();
         match self.advance() {
-            Ok(_) if self.next.token == Token::Name => {
-                Self::foreign(dot.start..self.next.span.end, format!("reads the attribute `{}`", self.word()))
-            }
+            Ok(_) if self.next.token == Token::Name => Self::foreign(
+                dot.start..self.next.span.end,
+                format!("reads the attribute `{}`", self.word()),
+            ),
             _ => Self::foreign(dot, "reads an attribute"),
         }
     }
@@ -329,12 +419,19 @@ impl<'a> Parser<'a> {
     fn name(&mut self) -> Parsed {
         let word = self.word();
         if KEYWORDS.contains(&word) {
-            return Err(Fault::new(FaultKind::Syntax, self.next.span.clone(), format!("has an unexpected `{word}`")));
+            return Err(Fault::new(
+                FaultKind::Syntax,
+                self.next.span.clone(),
+                format!("has an unexpected `{word}`"),
+            ));
         }
         let span = self.advance()?;
         match word {
             "True" | "False" => Ok(Operand::TRUTH),
-            _ if word == self.variable => Ok(Operand { variable: true, ..Operand::FRACTION }),
+            _ if word == self.variable => Ok(Operand {
+                variable: true,
+                ..Operand::FRACTION
+            }),
             "round" | "str" if self.operator() == "(" => self.call(word, &span),
             "lambda" => Err(Self::foreign(span, "defines a function with `lambda`")),
             _ if self.operator() == "(" => Err(Self::foreign(span, format!("calls `{word}`"))),
@@ -356,27 +453,44 @@ impl<'a> Parser<'a> {
         let call = name.start..self.next.span.end;
         self.advance()?;
         match (function, arguments.as_slice()) {
-            ("str", [value]) => Ok(Operand { power: value.power, ..Operand::TEXT }),
-            ("round", [value]) => {
-                Self::rounded(*value, call).map(|value| Operand { power: value.power, ..Operand::WHOLE })
-            }
+            ("str", [value]) => Ok(Operand {
+                power: value.power,
+                ..Operand::TEXT
+            }),
+            ("round", [value]) => Self::rounded(*value, call).map(|value| Operand {
+                power: value.power,
+                ..Operand::WHOLE
+            }),
             ("round", [value, digits]) => {
                 Self::digits(*digits, call.clone())?;
                 Self::rounded(*value, call)
             }
-            _ => Err(Self::raises(call, format!("calls `{function}` with {} arguments", arguments.len()))),
+            _ => Err(Self::raises(
+                call,
+                format!("calls `{function}` with {} arguments", arguments.len()),
+            )),
         }
     }
 
     fn argument(&mut self) -> Parsed {
         let span = self.next.span.clone();
         if matches!(self.operator(), "*" | "**") {
-            return Err(Self::foreign(span, format!("unpacks with `{}`", self.operator())));
+            return Err(Self::foreign(
+                span,
+                format!("unpacks with `{}`", self.operator()),
+            ));
         }
         let is_keyword = self.next.token == Token::Name
-            && self.lexer.clone().next().is_ok_and(|lexeme| lexeme.token == Token::Operator("="));
+            && self
+                .lexer
+                .clone()
+                .next()
+                .is_ok_and(|lexeme| lexeme.token == Token::Operator("="));
         if is_keyword {
-            return Err(Self::foreign(span, format!("passes `{}` as a keyword argument", self.word())));
+            return Err(Self::foreign(
+                span,
+                format!("passes `{}` as a keyword argument", self.word()),
+            ));
         }
         self.expression()
     }
@@ -385,7 +499,10 @@ impl<'a> Parser<'a> {
         if value.is_text() {
             return Err(Self::raises(call, "rounds a string"));
         }
-        Ok(Operand { power: value.power, ..Operand::of(value.results.rounded()) })
+        Ok(Operand {
+            power: value.power,
+            ..Operand::of(value.results.rounded())
+        })
     }
 
     fn digits(digits: Operand, call: Range<usize>) -> Result<(), Fault> {
@@ -393,7 +510,10 @@ impl<'a> Parser<'a> {
             Some((value, true)) if value.abs() <= MOST_DIGITS => Ok(()),
             Some((_, false)) => Err(Self::raises(call, NO_DIGITS)),
             None if digits.variable || digits.is_text() => Err(Self::raises(call, NO_DIGITS)),
-            _ => Err(Self::endless(call, "rounds to a number of digits without a limit")),
+            _ => Err(Self::endless(
+                call,
+                "rounds to a number of digits without a limit",
+            )),
         }
     }
 }

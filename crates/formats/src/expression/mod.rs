@@ -1,11 +1,11 @@
 //! Python expressions in assets: which of them may be evaluated without harm
 //! (`docs/loaders/makehuman2/sliders.md#display-and-formulas`).
 //!
-//! MakeHuman 2 hands `display.formula` and `random.rules` to Python's `eval`. Here nothing is evaluated: a
-//! tokenizer and a recursive descent parser accept numbers, the one variable, arithmetic, comparison chains,
-//! `and`/`or`/`not`, `True`/`False`, conditional expressions, `round`, `str`, texts and their concatenation,
-//! and name the first thing beyond that list. The boolean words are on the list because they can neither
-//! call anything nor grow anything.
+//! MakeHuman 2 hands `display.formula` and `random.rules` to Python's `eval`. Here nothing is
+//! evaluated: a tokenizer and a recursive descent parser accept numbers, the one variable,
+//! arithmetic, comparison chains, `and`/`or`/`not`, `True`/`False`, conditional expressions,
+//! `round`, `str`, texts and their concatenation, and name the first thing beyond that list. The
+//! boolean words are on the list because they can neither call anything nor grow anything.
 
 mod grammar;
 mod operand;
@@ -55,7 +55,11 @@ impl FaultKind {
 
 impl Fault {
     fn new(kind: FaultKind, span: Range<usize>, what: impl Into<String>) -> Self {
-        Self { span, kind, what: what.into() }
+        Self {
+            span,
+            kind,
+            what: what.into(),
+        }
     }
 }
 
@@ -163,7 +167,15 @@ mod tests {
 
     #[test]
     fn what_always_raises_is_told_apart() {
-        for text in ["'a' + 1", "val - 'a'", "val < 'a'", "round('a')", "val / 0", "round(val, 1.5)", "str()"] {
+        for text in [
+            "'a' + 1",
+            "val - 'a'",
+            "val < 'a'",
+            "round('a')",
+            "val / 0",
+            "round(val, 1.5)",
+            "str()",
+        ] {
             assert_eq!(kind(text), Some(FaultKind::Raises), "{text}");
         }
     }
@@ -173,12 +185,20 @@ mod tests {
         for text in ["val & 1", "val ^ 2", "~val", "val << 1", "val in 'a'"] {
             assert_eq!(kind(text), Some(FaultKind::Mistyped), "{text}");
         }
-        assert_eq!((kind("val < 0,5"), kind("val is 1")), (Some(FaultKind::Pair), Some(FaultKind::Foreign)));
+        assert_eq!(
+            (kind("val < 0,5"), kind("val is 1")),
+            (Some(FaultKind::Pair), Some(FaultKind::Foreign))
+        );
     }
 
     #[test]
     fn the_variable_can_be_zero_unless_a_condition_is_there() {
-        for text in ["1 / val", "2 // (val)", "1 % -val < 5", "(1 if val else 2) + 1 / val"] {
+        for text in [
+            "1 / val",
+            "2 // (val)",
+            "1 % -val < 5",
+            "(1 if val else 2) + 1 / val",
+        ] {
             assert_eq!(kind(text), Some(FaultKind::Raises), "{text}");
         }
         assert_eq!(check("1 / (val + 1)", "val"), Ok(()));
@@ -186,7 +206,12 @@ mod tests {
 
     #[test]
     fn types_are_those_of_python() {
-        let all = |truth, whole, fraction, text| Results { truth, whole, fraction, text };
+        let all = |truth, whole, fraction, text| Results {
+            truth,
+            whole,
+            fraction,
+            text,
+        };
         for (text, found) in [
             ("val * 100", Results::FRACTION),
             ("round(val * 100)", Results::WHOLE),
@@ -199,7 +224,10 @@ mod tests {
             ("(val < 1) + 1", Results::WHOLE),
             ("not val or val", all(true, false, true, false)),
             ("str(val) + '%'", Results::TEXT),
-            ("'none' if val < .1 else round(val)", all(false, true, false, true)),
+            (
+                "'none' if val < .1 else round(val)",
+                all(false, true, false, true),
+            ),
         ] {
             assert_eq!(results(text, "val"), Ok(found), "{text}");
         }
@@ -208,12 +236,20 @@ mod tests {
     #[test]
     fn the_offending_bytes_are_named() {
         let fault = check("val + os.x", "val").unwrap_err();
-        assert_eq!((fault.span, fault.what.as_str()), (6..8, "reads the name `os`"));
+        assert_eq!(
+            (fault.span, fault.what.as_str()),
+            (6..8, "reads the name `os`")
+        );
     }
 
     #[test]
     fn depth_is_bounded() {
-        for text in ["(".repeat(100_000), "-".repeat(100_000), "not ".repeat(100_000), "1**".repeat(100_000)] {
+        for text in [
+            "(".repeat(100_000),
+            "-".repeat(100_000),
+            "not ".repeat(100_000),
+            "1**".repeat(100_000),
+        ] {
             assert!(check(&text, "val").is_err());
         }
         assert_eq!(check(&format!("1{}", "+1".repeat(100_000)), "val"), Ok(()));

@@ -15,12 +15,29 @@ pub struct Results {
 }
 
 impl Results {
-    const NONE: Self = Self { truth: false, whole: false, fraction: false, text: false };
-    pub(super) const TRUTH: Self = Self { truth: true, ..Self::NONE };
-    pub(super) const WHOLE: Self = Self { whole: true, ..Self::NONE };
-    pub(super) const FRACTION: Self = Self { fraction: true, ..Self::NONE };
+    const NONE: Self = Self {
+        truth: false,
+        whole: false,
+        fraction: false,
+        text: false,
+    };
+    pub(super) const TRUTH: Self = Self {
+        truth: true,
+        ..Self::NONE
+    };
+    pub(super) const WHOLE: Self = Self {
+        whole: true,
+        ..Self::NONE
+    };
+    pub(super) const FRACTION: Self = Self {
+        fraction: true,
+        ..Self::NONE
+    };
     /// Texts alone.
-    pub const TEXT: Self = Self { text: true, ..Self::NONE };
+    pub const TEXT: Self = Self {
+        text: true,
+        ..Self::NONE
+    };
 
     const fn either(self, other: Self) -> Self {
         Self {
@@ -34,12 +51,21 @@ impl Results {
     /// Of two that are added, or otherwise calculated with.
     const fn calculated(self, other: Self) -> Self {
         let whole = (self.whole || self.truth) && (other.whole || other.truth);
-        Self { truth: false, whole, fraction: self.fraction || other.fraction, text: self.text || other.text }
+        Self {
+            truth: false,
+            whole,
+            fraction: self.fraction || other.fraction,
+            text: self.text || other.text,
+        }
     }
 
     /// Of one that is rounded to digits.
     pub(super) const fn rounded(self) -> Self {
-        Self { whole: self.whole || self.truth, fraction: self.fraction, ..Self::NONE }
+        Self {
+            whole: self.whole || self.truth,
+            fraction: self.fraction,
+            ..Self::NONE
+        }
     }
 }
 
@@ -64,17 +90,29 @@ impl Operand {
     pub(super) const TEXT: Self = Self::of(Results::TEXT);
 
     pub(super) const fn of(results: Results) -> Self {
-        Self { results, literal: None, variable: false, power: false, is_layout: false }
+        Self {
+            results,
+            literal: None,
+            variable: false,
+            power: false,
+            is_layout: false,
+        }
     }
 
     /// One or the other.
     pub(super) const fn either(self, other: Self) -> Self {
-        Self { power: self.power || other.power, ..Self::of(self.results.either(other.results)) }
+        Self {
+            power: self.power || other.power,
+            ..Self::of(self.results.either(other.results))
+        }
     }
 
     /// Both calculated into one.
     pub(super) const fn calculated(self, other: Self) -> Self {
-        Self { power: self.power || other.power, ..Self::of(self.results.calculated(other.results)) }
+        Self {
+            power: self.power || other.power,
+            ..Self::of(self.results.calculated(other.results))
+        }
     }
 
     pub(super) const fn clashes_with(self, other: Self) -> bool {

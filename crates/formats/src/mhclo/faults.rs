@@ -1,4 +1,5 @@
-//! Lines that are not what their section or keyword wants: counted by kind, the first few of each kept.
+//! Lines that are not what their section or keyword wants: counted by kind, the first few of each
+//! kept.
 
 use std::ops::Range;
 
@@ -54,9 +55,9 @@ impl Faults {
     /// Counts a fault.
     pub(super) fn add(&mut self, fault: Fault) {
         let same = |(first, _): &&mut (Vec<Fault>, u64)| {
-            first
-                .first()
-                .is_some_and(|known| std::mem::discriminant(&known.kind) == std::mem::discriminant(&fault.kind))
+            first.first().is_some_and(|known| {
+                std::mem::discriminant(&known.kind) == std::mem::discriminant(&fault.kind)
+            })
         };
         match self.kinds.iter_mut().find(same) {
             Some((first, count)) => {
@@ -71,8 +72,13 @@ impl Faults {
 
     /// The first few faults of one kind, and how many there are.
     pub fn of(&self, is_wanted: impl Fn(FaultKind) -> bool) -> Option<(&[Fault], u64)> {
-        let of_kind = |(first, _): &&(Vec<Fault>, u64)| first.first().is_some_and(|fault| is_wanted(fault.kind));
-        self.kinds.iter().find(of_kind).map(|(first, count)| (first.as_slice(), *count))
+        let of_kind = |(first, _): &&(Vec<Fault>, u64)| {
+            first.first().is_some_and(|fault| is_wanted(fault.kind))
+        };
+        self.kinds
+            .iter()
+            .find(of_kind)
+            .map(|(first, count)| (first.as_slice(), *count))
     }
 
     /// The first few of each kind.
@@ -82,7 +88,9 @@ impl Faults {
 
     /// The first fault in the file that is asked for.
     pub fn first<T>(&self, ask: impl Fn(&Fault) -> Option<T>) -> Option<(u32, T)> {
-        let found = self.iter().filter_map(|fault| Some((fault.line, ask(fault)?)));
+        let found = self
+            .iter()
+            .filter_map(|fault| Some((fault.line, ask(fault)?)));
         found.min_by_key(|(line, _)| *line)
     }
 }

@@ -1,5 +1,5 @@
-//! What a reader takes of the lines that ends a section at the first line of another sort, and throws that line away
-//! (`docs/loaders/mpfb/clothes.md#rows-of-an-asset`).
+//! What a reader takes of the lines that ends a section at the first line of another sort, and
+//! throws that line away (`docs/loaders/mpfb/clothes.md#rows-of-an-asset`).
 
 use std::collections::BTreeMap;
 
@@ -18,7 +18,8 @@ pub struct Flow {
     pub listed: usize,
     /// The first line at which the reader stops for good.
     pub stop: Option<Stop>,
-    /// Where a section ended, or a line of an unknown keyword stood, with lines of numbers behind it that nothing reads.
+    /// Where a section ended, or a line of an unknown keyword stood, with lines of numbers behind
+    /// it that nothing reads.
     pub gaps: Vec<Gap>,
     /// A range of the list in front of the first row, by its line: it counts as a row.
     pub early_range: Option<u32>,
@@ -114,7 +115,10 @@ impl Flow {
 impl Machine {
     /// One that keeps the values that it takes.
     pub(super) fn keeping() -> Self {
-        Self { kept: Some(InOrder::default()), ..Self::default() }
+        Self {
+            kept: Some(InOrder::default()),
+            ..Self::default()
+        }
     }
 
     /// Whether nothing more is taken.
@@ -132,7 +136,9 @@ impl Machine {
         if self.flow.stop.is_some() {
             return;
         }
-        let Some((_, first)) = words.first() else { return self.end("") };
+        let Some((_, first)) = words.first() else {
+            return self.end("");
+        };
         let first = String::from_utf8_lossy(first);
         match (&*first, self.part) {
             ("#", _) => {}
@@ -154,16 +160,23 @@ impl Machine {
 
     pub(super) fn finish(mut self) -> Flow {
         let is_thrown_away = |gap: &Gap| gap.ended.is_some() && !gap.word.is_empty();
-        self.flow.gaps.retain(|gap| gap.lines > 0 || is_thrown_away(gap));
+        self.flow
+            .gaps
+            .retain(|gap| gap.lines > 0 || is_thrown_away(gap));
         self.flow
     }
 
     /// Ends the section, if there is one.
     fn end(&mut self, word: &str) {
         let Some(part) = self.part.take() else { return };
-        let taken = if part == Part::Rows { self.flow.rows } else { self.listed_here };
+        let taken = if part == Part::Rows {
+            self.flow.rows
+        } else {
+            self.listed_here
+        };
         self.gap(Some(part), word, taken);
-        // Rows behind such a list are gone for the application; that is said once, and what is in them is still looked at.
+        // Rows behind such a list are gone for the application; that is said once, and what is in
+        // them is still looked at.
         if part == Part::List && word == "verts" && self.kept.is_none() {
             self.part = Some(Part::Rows);
         }
@@ -174,16 +187,29 @@ impl Machine {
         if self.flow.gaps.last().is_some_and(is_idle) || self.flow.gaps.len() >= 4 * EXAMPLES {
             self.flow.gaps.pop();
         }
-        self.flow.gaps.push(Gap { ended, line: self.line, word: word.into(), taken, lines: 0 });
+        self.flow.gaps.push(Gap {
+            ended,
+            line: self.line,
+            word: word.into(),
+            taken,
+            lines: 0,
+        });
     }
 
     fn stop(&mut self, cause: StopCause, word: &[u8]) {
         let word = String::from_utf8_lossy(word).into();
-        self.flow.stop = Some(Stop { line: self.line, cause, word });
+        self.flow.stop = Some(Stop {
+            line: self.line,
+            cause,
+            word,
+        });
     }
 
     fn keyword(&mut self, word: &str, words: &[Word<'_>]) {
-        let (key, value) = (words.first().map_or(&b""[..], |(_, key)| *key), words.get(1).map(|(_, value)| *value));
+        let (key, value) = (
+            words.first().map_or(&b""[..], |(_, key)| *key),
+            words.get(1).map(|(_, value)| *value),
+        );
         match word {
             "verts" => match value {
                 Some(value) if python_int(value).is_none() => self.stop(StopCause::Value, value),
@@ -205,7 +231,8 @@ impl Machine {
                 Some(known) => {
                     self.flow.read.insert(known, self.line);
                     if let Some(kept) = self.kept.as_mut().filter(|_| known == "obj_file") {
-                        kept.obj_file = value.map(|value| String::from_utf8_lossy(value).into_owned());
+                        kept.obj_file =
+                            value.map(|value| String::from_utf8_lossy(value).into_owned());
                     }
                 }
                 None => self.gap(None, word, 0),
@@ -229,9 +256,16 @@ impl Machine {
             Ok(scale) => scale,
             Err(word) => return self.stop(StopCause::ScaleWord, word),
         };
-        if let Some((axis, known)) = (0..).zip(SCALES).find(|(_, known)| known.as_bytes() == key.1) {
+        if let Some((axis, known)) = (0..)
+            .zip(SCALES)
+            .find(|(_, known)| known.as_bytes() == key.1)
+        {
             self.flow.read.insert(known, self.line);
-            if let Some(slot) = self.kept.as_mut().and_then(|kept| kept.scales.get_mut::<usize>(axis)) {
+            if let Some(slot) = self
+                .kept
+                .as_mut()
+                .and_then(|kept| kept.scales.get_mut::<usize>(axis))
+            {
                 *slot = Some(scale);
             }
         }
@@ -259,7 +293,9 @@ impl Machine {
                 is_range = true;
                 continue;
             }
-            let Some(number) = python_int(word) else { return self.stop(StopCause::ListWord, word) };
+            let Some(number) = python_int(word) else {
+                return self.stop(StopCause::ListWord, word);
+            };
             if is_range {
                 self.range(number);
             }
@@ -290,8 +326,8 @@ impl Machine {
     }
 }
 
-/// Vertices, weights and offset of a row; one word is all three vertices. Of a line of another length only whether its
-/// words are numbers counts.
+/// Vertices, weights and offset of a row; one word is all three vertices. Of a line of another
+/// length only whether its words are numbers counts.
 ///
 /// # Errors
 /// The first word that is not the number that it has to be.
@@ -304,7 +340,11 @@ fn row<'l>(words: &[Word<'l>]) -> Result<Row, &'l [u8]> {
         *slot = number(*word)?;
     }
     let ([u, v, w, offset @ ..], [vertex, ..]) = (numbers, vertices);
-    Ok(if words.len() == 1 { ([vertex; 3], [1.0, 0.0, 0.0], [0.0; 3]) } else { (vertices, [u, v, w], offset) })
+    Ok(if words.len() == 1 {
+        ([vertex; 3], [1.0, 0.0, 0.0], [0.0; 3])
+    } else {
+        (vertices, [u, v, w], offset)
+    })
 }
 
 fn whole((_, word): Word<'_>) -> Result<i64, &[u8]> {
@@ -336,32 +376,71 @@ mod tests {
     }
 
     fn gaps(text: &str) -> Vec<(u32, String, usize, u64)> {
-        of(text).gaps.into_iter().map(|gap| (gap.line, gap.word.into(), gap.taken, gap.lines)).collect()
+        of(text)
+            .gaps
+            .into_iter()
+            .map(|gap| (gap.line, gap.word.into(), gap.taken, gap.lines))
+            .collect()
     }
 
     #[test]
     fn a_line_of_another_sort_ends_the_rows_and_is_lost() {
         let row = "1 2 3 1 0 0 0 0 0\n";
-        let text = format!("verts 0\nvertexboneweights_file a.mhw\n{row}# a note\nmaterial a.mhmat\n{row}7\n\n");
+        let text = format!(
+            "verts 0\nvertexboneweights_file a.mhw\n{row}# a note\nmaterial a.mhmat\n{row}7\n\n"
+        );
         assert_eq!(of(&text).rows, 3);
-        assert_eq!(gaps(&format!("verts 0\ntag a\n{row}")), [(2, "tag".to_owned(), 0, 1)]);
-        assert_eq!(gaps(&format!("verts 0\n{row}#note\n{row}{row}")), [(3, "#note".to_owned(), 1, 2)]);
-        assert_eq!(gaps(&format!("verts 0\n{row}\n{row}")), [(3, String::new(), 1, 1)]);
-        assert_eq!(gaps(&format!("verts 0\n{row}delete_verts\n5 - 7\n")), [(3, "delete_verts".to_owned(), 1, 1)]);
-        assert_eq!(gaps(&format!("verts 0\n{row}\ndelete_vertices\n5\n")), [(4, "delete_vertices".to_owned(), 0, 1)]);
-        assert_eq!(gaps(&format!("verts 0\n{row}\ndelete_verts\n\n5 - 7\n")), [(5, String::new(), 0, 1)]);
-        assert_eq!(gaps(&format!("verts 0\n{row}\ndelete_verts\n5 - 7\n\ntag x\n")), []);
-        assert_eq!(gaps(&format!("verts 0\n{row}\ndelete_verts\n5-7\n")), [(5, "5-7".to_owned(), 0, 0)]);
+        assert_eq!(
+            gaps(&format!("verts 0\ntag a\n{row}")),
+            [(2, "tag".to_owned(), 0, 1)]
+        );
+        assert_eq!(
+            gaps(&format!("verts 0\n{row}#note\n{row}{row}")),
+            [(3, "#note".to_owned(), 1, 2)]
+        );
+        assert_eq!(
+            gaps(&format!("verts 0\n{row}\n{row}")),
+            [(3, String::new(), 1, 1)]
+        );
+        assert_eq!(
+            gaps(&format!("verts 0\n{row}delete_verts\n5 - 7\n")),
+            [(3, "delete_verts".to_owned(), 1, 1)]
+        );
+        assert_eq!(
+            gaps(&format!("verts 0\n{row}\ndelete_vertices\n5\n")),
+            [(4, "delete_vertices".to_owned(), 0, 1)]
+        );
+        assert_eq!(
+            gaps(&format!("verts 0\n{row}\ndelete_verts\n\n5 - 7\n")),
+            [(5, String::new(), 0, 1)]
+        );
+        assert_eq!(
+            gaps(&format!("verts 0\n{row}\ndelete_verts\n5 - 7\n\ntag x\n")),
+            []
+        );
+        assert_eq!(
+            gaps(&format!("verts 0\n{row}\ndelete_verts\n5-7\n")),
+            [(5, "5-7".to_owned(), 0, 0)]
+        );
         assert_eq!(of(&format!("verts\n{row}")).gaps.len(), 1);
-        assert_eq!(of("tag a\nverts 0\n5\nuuid 3\n\nname n\n").line_of("uuid"), None);
+        assert_eq!(
+            of("tag a\nverts 0\n5\nuuid 3\n\nname n\n").line_of("uuid"),
+            None
+        );
         assert_eq!(of("tag a\nverts 0\n5\n\nuuid 3\n").line_of("uuid"), Some(5));
     }
 
     #[test]
     fn a_list_of_vertices_to_hide() {
         let flow = of("verts 0\n5\n\ndelete_verts 3\n5 - 7 9 -\n7 - 5 -2\n");
-        assert_eq!((flow.beside, flow.cut, flow.reversed, flow.negative), (Some(4), vec![5], vec![6], vec![6]));
-        assert_eq!(of("delete_verts\n1 - 2\n\nverts 0\n5\n").early_range, Some(2));
+        assert_eq!(
+            (flow.beside, flow.cut, flow.reversed, flow.negative),
+            (Some(4), vec![5], vec![6], vec![6])
+        );
+        assert_eq!(
+            of("delete_verts\n1 - 2\n\nverts 0\n5\n").early_range,
+            Some(2)
+        );
         assert_eq!(of("delete_verts\n1 2\n\nverts 0\n5\n").early_range, None);
     }
 
@@ -378,7 +457,9 @@ mod tests {
             ("delete_verts\n5 to 7\n", StopCause::ListWord, "to"),
             ("delete_verts\n5 6-7\n", StopCause::ListWord, "6-7"),
         ] {
-            let stop = of(text).stop.map(|stop| (stop.cause, stop.word.to_string()));
+            let stop = of(text)
+                .stop
+                .map(|stop| (stop.cause, stop.word.to_string()));
             assert_eq!(stop, Some((cause, word.to_owned())), "{text}");
         }
         assert_eq!(of("verts 0\n1 2 3 nan 0 0 0 0 0 x\n\u{663}\n").rows, 2);

@@ -40,8 +40,8 @@ pub struct Value {
 }
 
 /// What MakeHuman 2 takes from the text when it looks through the library
-/// (`docs/loaders/makehuman2/clothes.md#keywords`, `docs/loaders/makehuman2/libraries.md#scan`): keywords without a
-/// colon, before the first row of several numbers; of several lines the last.
+/// (`docs/loaders/makehuman2/clothes.md#keywords`, `docs/loaders/makehuman2/libraries.md#scan`):
+/// keywords without a colon, before the first row of several numbers; of several lines the last.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Scanned {
     /// The first word of `name`.
@@ -52,7 +52,8 @@ pub struct Scanned {
     pub author: Option<Value>,
     /// What is behind the first word of each line with `tag` anywhere in it.
     pub tags: Vec<Value>,
-    /// A comment that is meant to say who the author is and is not read, for want of a blank behind its `#`.
+    /// A comment that is meant to say who the author is and is not read, for want of a blank behind
+    /// its `#`.
     pub glued_author: Option<Value>,
     /// A comment of one word with `author` in it, of which a second word is asked for.
     pub lone_author: Option<Value>,
@@ -60,7 +61,8 @@ pub struct Scanned {
     is_over: bool,
 }
 
-/// The keywords of which each application reads some. Lines of others are kept as long as they are few.
+/// The keywords of which each application reads some. Lines of others are kept as long as they are
+/// few.
 const KNOWN: [&str; 17] = [
     "name",
     "uuid",
@@ -82,7 +84,14 @@ const KNOWN: [&str; 17] = [
 ];
 
 /// What comments say of an asset.
-const REMARKS: [&str; 6] = ["author", "license", "licence", "homepage", "description", "copyright"];
+const REMARKS: [&str; 6] = [
+    "author",
+    "license",
+    "licence",
+    "homepage",
+    "description",
+    "copyright",
+];
 
 /// Lines kept in all; beyond that the last of each known keyword.
 const KEPT: usize = 500;
@@ -113,20 +122,36 @@ impl Header {
     pub(super) fn remark(&mut self, words: Words<'_>, section: Section) {
         match words.list {
             [(_, only)] if holds(only, b"author") => self.scanned.lone_author = rest(words, 0),
-            [(_, first), ..] if first.starts_with(b"#author") => self.scanned.glued_author = rest(words, 0),
+            [(_, first), ..] if first.starts_with(b"#author") => {
+                self.scanned.glued_author = rest(words, 0)
+            }
             _ => {}
         }
-        let [(_, b"#"), (_, second), ..] = words.list else { return };
+        let [(_, b"#"), (_, second), ..] = words.list else {
+            return;
+        };
         let second = second.strip_suffix(b":").unwrap_or(second);
-        if REMARKS.iter().any(|known| known.as_bytes().eq_ignore_ascii_case(second)) {
+        if REMARKS
+            .iter()
+            .any(|known| known.as_bytes().eq_ignore_ascii_case(second))
+        {
             let rest = words.list.get(1..).unwrap_or_default();
-            self.add(entry(Words { list: rest, ..words }, section, true));
+            self.add(entry(
+                Words {
+                    list: rest,
+                    ..words
+                },
+                section,
+                true,
+            ));
         }
     }
 
     fn add(&mut self, entry: Option<Entry>) {
         let Some(entry) = entry else { return };
-        let known = KNOWN.into_iter().find(|known| **known == *entry.keyword && !entry.is_comment);
+        let known = KNOWN
+            .into_iter()
+            .find(|known| **known == *entry.keyword && !entry.is_comment);
         let earlier = known.and_then(|known| self.last.get(known).copied());
         if self.entries.len() >= KEPT {
             match earlier.and_then(|at| self.entries.get_mut(at)) {
@@ -148,13 +173,21 @@ impl Header {
 
     /// Looks at any line as the scan of a library does.
     pub(super) fn scan(&mut self, words: Words<'_>, line: &[u8], is_row: bool) {
-        let [(_, first), (at, second), ..] = words.list else { return };
+        let [(_, first), (at, second), ..] = words.list else {
+            return;
+        };
         if self.scanned.is_over || is_row {
             self.scanned.is_over = true;
             return;
         }
         let span = words.start + at..words.start + at + second.len();
-        let one = || Some(Value { text: String::from_utf8_lossy(second).into(), line: words.line, span: span.clone() });
+        let one = || {
+            Some(Value {
+                text: String::from_utf8_lossy(second).into(),
+                line: words.line,
+                span: span.clone(),
+            })
+        };
         match *first {
             b"name" => self.scanned.name = one(),
             b"uuid" => self.scanned.uuid = one(),
@@ -186,22 +219,33 @@ fn holds(line: &[u8], word: &[u8]) -> bool {
 /// The words from a number on.
 fn rest(words: Words<'_>, from: usize) -> Option<Value> {
     let (text, span) = joined(words, from)?;
-    Some(Value { text, line: words.line, span })
+    Some(Value {
+        text,
+        line: words.line,
+        span,
+    })
 }
 
 fn joined(words: Words<'_>, from: usize) -> Option<(Box<str>, Range<usize>)> {
     let rest = words.list.get(from..)?;
     let (first, _) = rest.first()?;
     let (at, last) = rest.last()?;
-    let texts: Vec<_> = rest.iter().map(|(_, word)| String::from_utf8_lossy(word)).collect();
-    Some((texts.join(" ").into(), words.start + first..words.start + at + last.len()))
+    let texts: Vec<_> = rest
+        .iter()
+        .map(|(_, word)| String::from_utf8_lossy(word))
+        .collect();
+    Some((
+        texts.join(" ").into(),
+        words.start + first..words.start + at + last.len(),
+    ))
 }
 
 fn entry(words: Words<'_>, section: Section, is_comment: bool) -> Option<Entry> {
     let (at, first) = words.list.first()?;
     let keyword = first.strip_suffix(b":").unwrap_or(first);
     let keyword_span = words.start + at..words.start + at + first.len();
-    let (value, span) = joined(words, 1).unwrap_or_else(|| ("".into(), keyword_span.end..keyword_span.end));
+    let (value, span) =
+        joined(words, 1).unwrap_or_else(|| ("".into(), keyword_span.end..keyword_span.end));
     Some(Entry {
         keyword: String::from_utf8_lossy(keyword).into(),
         has_colon: keyword.len() < first.len(),

@@ -12,7 +12,8 @@ pub struct InOrder {
     pub rows: Vec<Row>,
     /// Vertices to hide as they are listed; the first one of a range is there twice.
     pub deleted: Vec<i64>,
-    /// Ranges to hide stood above the rows: they are counted as rows, and none has the number of its vertex any more.
+    /// Ranges to hide stood above the rows: they are counted as rows, and none has the number of
+    /// its vertex any more.
     pub are_ranges_first: bool,
     /// `x_scale`, `y_scale`, `z_scale`: two vertices and a distance.
     pub scales: [Option<([i64; 2], f64)>; 3],
@@ -35,14 +36,19 @@ pub fn read(text: &[u8]) -> InOrder {
         }
     }
     let (found, stop) = machine.into_kept();
-    InOrder { stop: stop.map(|stop| (stop.line, exception(stop.cause))), ..found }
+    InOrder {
+        stop: stop.map(|stop| (stop.line, exception(stop.cause))),
+        ..found
+    }
 }
 
 /// What the loader stops with.
 const fn exception(cause: StopCause) -> &'static str {
     match cause {
         StopCause::NoValue | StopCause::Words(_) | StopCause::ShortScale => "IndexError",
-        StopCause::Value | StopCause::RowWord | StopCause::ScaleWord | StopCause::ListWord => "ValueError",
+        StopCause::Value | StopCause::RowWord | StopCause::ScaleWord | StopCause::ListWord => {
+            "ValueError"
+        }
     }
 }
 
@@ -77,13 +83,19 @@ mod tests {
         assert_eq!(found.scales[0], Some(([1, 2], 3.0)));
         // A keyword directly behind the rows is lost with its section.
         assert!(read(b"verts 0\n5\ndelete_verts\n1 2\n").deleted.is_empty());
-        assert_eq!(read(b"verts 0\n5\n\ndelete_verts\n1 - 3 7\n").deleted, [1, 1, 2, 3, 7]);
+        assert_eq!(
+            read(b"verts 0\n5\n\ndelete_verts\n1 - 3 7\n").deleted,
+            [1, 1, 2, 3, 7]
+        );
         assert!(read(b"delete_verts\n\n1 2\n").deleted.is_empty());
         assert_eq!(read(b"delete_verts\n7 - 5 9\n").deleted, [7, 9]);
         // Ranges above the rows are counted as such; single numbers are not.
         let is_first = |text: &[u8]| read(text).are_ranges_first;
         assert!(is_first(b"delete_verts\n5 - 7\n\nverts 0\n5\n"));
-        assert!(!is_first(b"delete_verts\n5 7\n\nverts 0\n5\n") && !is_first(b"verts 0\n5\n\ndelete_verts\n5 - 7\n"));
+        assert!(
+            !is_first(b"delete_verts\n5 7\n\nverts 0\n5\n")
+                && !is_first(b"verts 0\n5\n\ndelete_verts\n5 - 7\n")
+        );
     }
 
     #[test]

@@ -1,10 +1,10 @@
-//! `.mhclo` and `.proxy`: an asset tied to the vertices of a base mesh (`docs/loaders/makehuman2/clothes.md#keywords`,
-//! `docs/loaders/makehuman1/clothes.md#keywords`,
+//! `.mhclo` and `.proxy`: an asset tied to the vertices of a base mesh
+//! (`docs/loaders/makehuman2/clothes.md#keywords`, `docs/loaders/makehuman1/clothes.md#keywords`,
 //! `docs/loaders/mpfb/clothes.md#lines`).
 //!
-//! Words split at white space; a keyword may have a colon behind it. All lines are read, also behind one that some
-//! application stops at, or that ends a section for it: such lines are kept as faults. What comes of a fault is a matter
-//! of the application's own evaluation.
+//! Words split at white space; a keyword may have a colon behind it. All lines are read, also
+//! behind one that some application stops at, or that ends a section for it: such lines are kept as
+//! faults. What comes of a fault is a matter of the application's own evaluation.
 
 mod faults;
 mod flow;
@@ -109,8 +109,18 @@ pub struct Row {
 impl Row {
     fn of(reference: &Reference) -> Option<Self> {
         let [a, b, c] = reference.vertices.map(|vertex| u32::try_from(vertex).ok());
-        let Reference { weights, offset, line, .. } = *reference;
-        Some(Self { vertices: [a?, b?, c?], weights, offset, line })
+        let Reference {
+            weights,
+            offset,
+            line,
+            ..
+        } = *reference;
+        Some(Self {
+            vertices: [a?, b?, c?],
+            weights,
+            offset,
+            line,
+        })
     }
 }
 
@@ -118,8 +128,17 @@ impl Clothes {
     /// With its rows as they are kept: assets of a repository have hundreds of thousands.
     #[must_use]
     pub fn kept(self) -> Self {
-        let kept = self.references.iter().map(Row::of).collect::<Option<_>>().unwrap_or_default();
-        Self { references: Vec::new(), kept, ..self }
+        let kept = self
+            .references
+            .iter()
+            .map(Row::of)
+            .collect::<Option<_>>()
+            .unwrap_or_default();
+        Self {
+            references: Vec::new(),
+            kept,
+            ..self
+        }
     }
 
     /// The line of a row.
@@ -127,10 +146,17 @@ impl Clothes {
         self.kept.get(row).map_or(0, |row| row.line)
     }
 
-    /// The vertices to hide as runs that do not overlap, of a mesh with so many. Negative numbers count from the end.
+    /// The vertices to hide as runs that do not overlap, of a mesh with so many. Negative numbers
+    /// count from the end.
     pub fn merged_deletes(&self, vertices: usize) -> Vec<std::ops::Range<usize>> {
         let end = i64::try_from(vertices).unwrap_or(i64::MAX);
-        let from_start = |vertex: i64| if vertex < 0 { vertex.saturating_add(end) } else { vertex };
+        let from_start = |vertex: i64| {
+            if vertex < 0 {
+                vertex.saturating_add(end)
+            } else {
+                vertex
+            }
+        };
         let run = |(first, last): (i64, i64)| {
             let first = usize::try_from(from_start(first)).ok()?;
             let last = usize::try_from(from_start(last)).ok()?;
@@ -141,7 +167,13 @@ impl Clothes {
             (first @ ..0, last @ 0..) => [Some((first, -1)), Some((0, last))],
             whole => [Some(whole), None],
         };
-        let mut runs: Vec<_> = self.deleted.iter().flat_map(parts).flatten().filter_map(run).collect();
+        let mut runs: Vec<_> = self
+            .deleted
+            .iter()
+            .flat_map(parts)
+            .flatten()
+            .filter_map(run)
+            .collect();
         runs.sort_by_key(|run| run.start);
         let mut merged: Vec<std::ops::Range<usize>> = Vec::new();
         for run in runs {
@@ -160,29 +192,40 @@ impl Clothes {
 
     /// All lines of a keyword that have a value, comments aside.
     pub fn all(&self, keyword: &str) -> impl DoubleEndedIterator<Item = &Entry> {
-        self.entries
-            .iter()
-            .filter(move |entry| *entry.keyword == *keyword && !entry.is_comment && !entry.value.is_empty())
+        self.entries.iter().filter(move |entry| {
+            *entry.keyword == *keyword && !entry.is_comment && !entry.value.is_empty()
+        })
     }
 }
 
 #[cfg(test)]
 mod tests {
-    #![allow(clippy::float_cmp, clippy::panic, reason = "tests choose numbers without rounding and may stop")]
+    #![allow(
+        clippy::float_cmp,
+        clippy::panic,
+        reason = "tests choose numbers without rounding and may stop"
+    )]
 
     use proptest::prelude::*;
 
     use super::*;
     use crate::target::MeshSize;
 
-    const SIZE: MeshSize = MeshSize { vertices: 10, with_seams: 12 };
+    const SIZE: MeshSize = MeshSize {
+        vertices: 10,
+        with_seams: 12,
+    };
 
     fn of(text: &str) -> Clothes {
         parse(text.as_bytes(), Some(SIZE))
     }
 
     fn faults(clothes: &Clothes) -> Vec<(u32, FaultKind, &str)> {
-        clothes.faults.iter().map(|fault| (fault.line, fault.kind, &*fault.word)).collect()
+        clothes
+            .faults
+            .iter()
+            .map(|fault| (fault.line, fault.kind, &*fault.word))
+            .collect()
     }
 
     #[test]
@@ -192,7 +235,11 @@ mod tests {
         let clothes = of(text);
         assert_eq!(clothes.last("obj_file").unwrap().word(), "shirt.obj");
         assert_eq!(clothes.scales[0].unwrap().vertices, [1, 2]);
-        let lines: Vec<u32> = clothes.references.iter().map(|reference| reference.line).collect();
+        let lines: Vec<u32> = clothes
+            .references
+            .iter()
+            .map(|reference| reference.line)
+            .collect();
         assert_eq!(lines, [8, 9, 10]);
         assert_eq!(clothes.deleted, [(1, 1), (2, 2), (2, 4), (4, 6)]);
         let kinds = [
@@ -209,16 +256,30 @@ mod tests {
         let text = "# author: Ann Ex\nname a shirt\nuuid: 1\nuuid 12 3\ntag Warm Wool\ndescription vintage coat\n\
             author someone\nobj_file shirt.obj tag\nverts 0\n5\nname other\n1 2 3 1 0 0\nname late\n";
         let clothes = of(text);
-        let text = |value: &Option<Value>| value.as_ref().map(|value| (value.text.to_string(), value.line));
+        let text = |value: &Option<Value>| {
+            value
+                .as_ref()
+                .map(|value| (value.text.to_string(), value.line))
+        };
         assert_eq!(text(&clothes.scanned.name), Some(("other".to_owned(), 11)));
         assert_eq!(text(&clothes.scanned.uuid), Some(("12".to_owned(), 4)));
-        assert_eq!(text(&clothes.scanned.author), Some(("Ann Ex".to_owned(), 1)));
+        assert_eq!(
+            text(&clothes.scanned.author),
+            Some(("Ann Ex".to_owned(), 1))
+        );
         let tags: Vec<_> = clothes.scanned.tags.iter().map(|tag| &*tag.text).collect();
         assert_eq!(tags, ["Warm Wool", "vintage coat"]);
         assert_eq!(&*clothes.last("name").unwrap().value, "late");
         assert_eq!(&*clothes.last("uuid").unwrap().value, "12 3");
-        let comments: Vec<_> = clothes.entries.iter().filter(|entry| entry.is_comment).collect();
-        assert_eq!((comments.len(), &*comments[0].keyword, &*comments[0].value), (1, "author", "Ann Ex"));
+        let comments: Vec<_> = clothes
+            .entries
+            .iter()
+            .filter(|entry| entry.is_comment)
+            .collect();
+        assert_eq!(
+            (comments.len(), &*comments[0].keyword, &*comments[0].value),
+            (1, "author", "Ann Ex")
+        );
     }
 
     #[test]
@@ -247,12 +308,22 @@ mod tests {
 
     #[test]
     fn rows_are_counted_against_the_mesh() {
-        let clothes =
-            of("verts 0\n9\n10\n12\n1 -2 4294967296 1 0 0\n1 2 3 .5 .25 .2\n1 2 3 nan 0 0\n1 2 3 0.999 0 0\n");
+        let clothes = of(
+            "verts 0\n9\n10\n12\n1 -2 4294967296 1 0 0\n1 2 3 .5 .25 .2\n1 2 3 nan 0 0\n1 2 3 0.999 0 0\n",
+        );
         let rows = &clothes.rows;
-        assert_eq!((rows.count, &rows.in_seams.first, &rows.out_of_range.first), (7, &vec![(3, 10)], &vec![(4, 12)]));
-        assert_eq!((&rows.unstorable.first, rows.unstorable.count), (&vec![(5, -2), (5, 4_294_967_296)], 2));
-        assert_eq!((&rows.off_sums.first, rows.visible_sums), (&vec![(6, 4), (8, 6)], 1));
+        assert_eq!(
+            (rows.count, &rows.in_seams.first, &rows.out_of_range.first),
+            (7, &vec![(3, 10)], &vec![(4, 12)])
+        );
+        assert_eq!(
+            (&rows.unstorable.first, rows.unstorable.count),
+            (&vec![(5, -2), (5, 4_294_967_296)], 2)
+        );
+        assert_eq!(
+            (&rows.off_sums.first, rows.visible_sums),
+            (&vec![(6, 4), (8, 6)], 1)
+        );
         assert_eq!(rows.non_finite.first, [(7, 5)]);
         assert_eq!(rows.worst_sum.unwrap().0, 4);
     }
@@ -260,7 +331,10 @@ mod tests {
     #[test]
     fn beside_a_vertex_with_all_the_weight_others_are_not_compared() {
         let prints = |rows: &str| of(&format!("verts 0\n{rows}\n")).rows.prints;
-        assert_eq!(prints("5\n1 2 3 .5 .25 .25"), prints("5 0 1 1 0 0\n1 2 3 .5 .25 .25 0 0 0"));
+        assert_eq!(
+            prints("5\n1 2 3 .5 .25 .25"),
+            prints("5 0 1 1 0 0\n1 2 3 .5 .25 .25 0 0 0")
+        );
         assert_ne!(prints("5"), prints("6"));
         assert_ne!(prints("1 2 3 .5 .5 0"), prints("1 2 4 .5 .5 0"));
         assert_ne!(prints("5\n6"), prints("6\n5"));
@@ -270,18 +344,35 @@ mod tests {
     #[test]
     fn ranges_are_counted_against_the_mesh() {
         let deletes = of("delete_verts\n2 -\n- 4 9 - 10\n-1 -11\n7 - 3\n").deletes;
-        assert_eq!((&deletes.cut_ranges.first, &deletes.reversed.first), (&vec![(2, 2)], &vec![(5, 7)]));
-        assert_eq!((&deletes.out_of_range.first, &deletes.negative.first), (&vec![(3, 10), (4, -11)], &vec![(4, -1)]));
+        assert_eq!(
+            (&deletes.cut_ranges.first, &deletes.reversed.first),
+            (&vec![(2, 2)], &vec![(5, 7)])
+        );
+        assert_eq!(
+            (&deletes.out_of_range.first, &deletes.negative.first),
+            (&vec![(3, 10), (4, -11)], &vec![(4, -1)])
+        );
         assert_eq!(faults(&of("delete_verts\n- 4\n0-3\n")).len(), 2);
     }
 
     #[test]
     fn long_lists_are_bounded() {
-        let text = format!("{}name x\n{}", "zzz 1\n".repeat(5000), "1 2\nname y\n".repeat(5000));
+        let text = format!(
+            "{}name x\n{}",
+            "zzz 1\n".repeat(5000),
+            "1 2\nname y\n".repeat(5000)
+        );
         let clothes = of(&format!("{text}verts 0\n{}", "-5\n".repeat(5000)));
         assert!(clothes.entries.len() < 2010 && clothes.faults.iter().count() <= 10);
         assert_eq!(&*clothes.last("name").unwrap().value, "y");
-        assert_eq!(clothes.faults.of(|kind| kind == FaultKind::DroppedRow).unwrap().1, 5000);
+        assert_eq!(
+            clothes
+                .faults
+                .of(|kind| kind == FaultKind::DroppedRow)
+                .unwrap()
+                .1,
+            5000
+        );
     }
 
     proptest! {

@@ -71,28 +71,61 @@ impl RowFacts {
         } else if is_triple {
             self.count_sum(row, own);
         }
-        let vertices = if is_triple { row.vertices.as_slice() } else { row.vertices.get(..1).unwrap_or_default() };
+        let vertices = if is_triple {
+            row.vertices.as_slice()
+        } else {
+            row.vertices.get(..1).unwrap_or_default()
+        };
         for vertex in vertices {
             self.count_vertex(row.line, *vertex);
         }
     }
 
-    /// Beside a vertex that alone has a weight others say nothing, and each writer has its own there: `v 0 1` in the
-    /// archives of `MakeHuman` 1, three times the vertex in a text as it is kept here.
+    /// Beside a vertex that alone has a weight others say nothing, and each writer has its own
+    /// there: `v 0 1` in the archives of `MakeHuman` 1, three times the vertex in a text as it is
+    /// kept here.
     fn print(&mut self, row: &Reference) {
         let [all, first] = &mut self.prints;
         let ([vertex, second, third], [weight, ..]) = (row.vertices, row.weights);
-        let others = if row.has_shares() { [second, third] } else { [0; 2] };
-        let numbers = row.weights.iter().chain(&row.offset).flat_map(|number| number.to_le_bytes());
+        let others = if row.has_shares() {
+            [second, third]
+        } else {
+            [0; 2]
+        };
+        let numbers = row
+            .weights
+            .iter()
+            .chain(&row.offset)
+            .flat_map(|number| number.to_le_bytes());
         let mut bytes: Vec<u8> = all.to_le_bytes().into_iter().chain(numbers).collect();
-        bytes.extend([vertex].iter().chain(&others).flat_map(|vertex| vertex.to_le_bytes()));
+        bytes.extend(
+            [vertex]
+                .iter()
+                .chain(&others)
+                .flat_map(|vertex| vertex.to_le_bytes()),
+        );
         *all = xxh3_64(&bytes);
-        *first = xxh3_64(&[&first.to_le_bytes()[..], &vertex.to_le_bytes(), &weight.to_le_bytes()].concat());
+        *first = xxh3_64(
+            &[
+                &first.to_le_bytes()[..],
+                &vertex.to_le_bytes(),
+                &weight.to_le_bytes(),
+            ]
+            .concat(),
+        );
     }
 
     fn count_vertex(&mut self, line: u32, vertex: i64) {
-        let Ok(number) = u32::try_from(vertex) else { return self.unstorable.add(line, vertex) };
-        let Some(MeshSize { vertices, with_seams }) = self.mesh else { return };
+        let Ok(number) = u32::try_from(vertex) else {
+            return self.unstorable.add(line, vertex);
+        };
+        let Some(MeshSize {
+            vertices,
+            with_seams,
+        }) = self.mesh
+        else {
+            return;
+        };
         match number as usize {
             number if number >= with_seams => self.out_of_range.add(line, vertex),
             number if number >= vertices => self.in_seams.add(line, vertex),
@@ -111,7 +144,10 @@ impl RowFacts {
             self.coarse_sums.add(row.line, own);
         }
         self.visible_sums += u64::from(off > VISIBLE_SUM);
-        if self.worst_sum.is_none_or(|(_, worst)| off > (worst - 1.0).abs()) {
+        if self
+            .worst_sum
+            .is_none_or(|(_, worst)| off > (worst - 1.0).abs())
+        {
             self.worst_sum = Some((own.unsigned_abs(), sum));
         }
     }
@@ -124,9 +160,12 @@ impl DeleteFacts {
         if last < first {
             return self.reversed.add(line, first);
         }
-        let Some(size) = mesh.and_then(|mesh| i64::try_from(mesh.vertices).ok()) else { return };
+        let Some(size) = mesh.and_then(|mesh| i64::try_from(mesh.vertices).ok()) else {
+            return;
+        };
         if last >= size || first < -size {
-            self.out_of_range.add(line, if last >= size { last } else { first });
+            self.out_of_range
+                .add(line, if last >= size { last } else { first });
         } else if first < 0 {
             self.negative.add(line, first);
         }

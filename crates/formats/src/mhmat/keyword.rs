@@ -1,4 +1,5 @@
-//! The keywords of materials: all that one of the applications reads (`docs/loaders/makehuman2/materials.md#lines`,
+//! The keywords of materials: all that one of the applications reads
+//! (`docs/loaders/makehuman2/materials.md#lines`,
 //! `docs/loaders/makehuman1/materials.md#material-keywords`,
 //! `docs/loaders/mpfb/materials.md#lines-of-a-material`).
 
@@ -35,11 +36,19 @@ pub enum Value {
 }
 
 const fn row(name: &'static str, value: Value) -> Keyword {
-    Keyword { name, value, alias_of: None }
+    Keyword {
+        name,
+        value,
+        alias_of: None,
+    }
 }
 
 const fn alias(name: &'static str, of: &'static str) -> Keyword {
-    Keyword { name, value: Picture, alias_of: Some(of) }
+    Keyword {
+        name,
+        value: Picture,
+        alias_of: Some(of),
+    }
 }
 
 use Value::{Colour, Flag, Number, Parameter, Picture, Text, Whole, Word};
@@ -88,7 +97,9 @@ pub fn keywords() -> impl Iterator<Item = &'static Keyword> {
 
 /// The keyword written so.
 pub(super) fn written(word: &[u8]) -> Option<&'static Keyword> {
-    KEYWORDS.iter().find(|keyword| keyword.name.as_bytes() == word)
+    KEYWORDS
+        .iter()
+        .find(|keyword| keyword.name.as_bytes() == word)
 }
 
 #[cfg(test)]
@@ -98,9 +109,21 @@ mod tests {
     #[test]
     fn every_keyword_has_one_row_and_every_alias_a_meaning() {
         for keyword in &KEYWORDS {
-            assert_eq!(KEYWORDS.iter().filter(|other| other.name == keyword.name).count(), 1, "{}", keyword.name);
+            assert_eq!(
+                KEYWORDS
+                    .iter()
+                    .filter(|other| other.name == keyword.name)
+                    .count(),
+                1,
+                "{}",
+                keyword.name
+            );
             let meant = keyword.alias_of.map(|name| written(name.as_bytes()));
-            assert!(meant.is_none_or(|meant| meant.is_some_and(|meant| meant.alias_of.is_none())), "{}", keyword.name);
+            assert!(
+                meant.is_none_or(|meant| meant.is_some_and(|meant| meant.alias_of.is_none())),
+                "{}",
+                keyword.name
+            );
         }
     }
 }

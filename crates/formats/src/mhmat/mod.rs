@@ -2,9 +2,10 @@
 //! `docs/loaders/makehuman1/materials.md#lines-of-a-material`,
 //! `docs/loaders/mpfb/materials.md#lines-of-a-material`).
 //!
-//! A line is a keyword and words, split at white space; what is behind the first word of a file name is lost. Comments
-//! begin with `#` or `//`. A byte order mark belongs to the first word. All keywords of all applications are kept as they
-//! are written; what a value comes to is a matter of each application.
+//! A line is a keyword and words, split at white space; what is behind the first word of a file
+//! name is lost. Comments begin with `#` or `//`. A byte order mark belongs to the first word. All
+//! keywords of all applications are kept as they are written; what a value comes to is a matter of
+//! each application.
 
 mod keyword;
 mod reader;
@@ -22,7 +23,8 @@ use super::python_float;
 /// The file.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Material {
-    /// The pictures that it names by keywords of which an application takes the last one that it finds, in file order.
+    /// The pictures that it names by keywords of which an application takes the last one that it
+    /// finds, in file order.
     pub textures: Vec<Texture>,
     /// Lines with a keyword, in file order, up to `MOST_LINES`.
     pub lines: Vec<Line>,
@@ -88,7 +90,9 @@ pub struct Unknown {
 impl Material {
     /// The lines of a keyword.
     pub fn lines_of(&self, keyword: &str) -> impl DoubleEndedIterator<Item = &Line> {
-        self.lines.iter().filter(move |line| line.keyword.name == keyword)
+        self.lines
+            .iter()
+            .filter(move |line| line.keyword.name == keyword)
     }
 
     /// The last line of a keyword.
@@ -98,7 +102,8 @@ impl Material {
 
     /// The last line that sets this parameter of the shader, with a value.
     pub fn parameter(&self, name: &str) -> Option<&Line> {
-        self.lines_of("shaderParam").rfind(|line| line.word(0) == name && line.count > 1)
+        self.lines_of("shaderParam")
+            .rfind(|line| line.word(0) == name && line.count > 1)
     }
 }
 

@@ -27,7 +27,11 @@ pub(super) fn statements(text: &[u8]) -> Vec<Statement> {
     let statements = all.filter_map(|(number, (Range { start, .. }, line))| {
         let ends_file = start + line.len() >= text.len();
         let own = statement(start, line)?;
-        Some(Statement { number, ends_file, ..own })
+        Some(Statement {
+            number,
+            ends_file,
+            ..own
+        })
     });
     statements.take(MOST_LINES).collect()
 }
@@ -38,7 +42,10 @@ fn statement(start: usize, line: &[u8]) -> Option<Statement> {
     if rest.starts_with(b"#") || rest.starts_with(b"/") {
         return None;
     }
-    let length = rest.iter().take_while(|byte| byte.is_ascii_alphabetic()).count();
+    let length = rest
+        .iter()
+        .take_while(|byte| byte.is_ascii_alphabetic())
+        .count();
     let (key, behind) = rest.split_at_checked(length)?;
     // A digit or a dash in it makes it no word of letters.
     if key.is_empty() || !behind.first().is_none_or(u8::is_ascii_whitespace) {
@@ -48,7 +55,14 @@ fn statement(start: usize, line: &[u8]) -> Option<Statement> {
     let at = start + indent + length + (behind.len() - behind.trim_ascii_start().len());
     Some(Statement {
         key: word(start + indent, key),
-        value: word(if value.is_empty() { start + indent + length } else { at }, value),
+        value: word(
+            if value.is_empty() {
+                start + indent + length
+            } else {
+                at
+            },
+            value,
+        ),
         number: 0,
         is_indented: indent > 0,
         ends_file: false,
@@ -56,7 +70,10 @@ fn statement(start: usize, line: &[u8]) -> Option<Statement> {
 }
 
 fn word(at: usize, bytes: &[u8]) -> Word {
-    Word { text: String::from_utf8_lossy(bytes).into(), span: at..at + bytes.len() }
+    Word {
+        text: String::from_utf8_lossy(bytes).into(),
+        span: at..at + bytes.len(),
+    }
 }
 
 #[cfg(test)]
@@ -65,16 +82,22 @@ mod tests {
 
     #[test]
     fn a_line_is_a_word_and_the_rest() {
-        let text =
-            "# a\n/b c\nname my shirt \r\n diffuseTexture a b.png # c\nshader_config x\nopacity\nsss1 2\nshadeless";
+        let text = "# a\n/b c\nname my shirt \r\n diffuseTexture a b.png # c\nshader_config x\nopacity\nsss1 2\nshadeless";
         let all: Vec<_> = statements(text.as_bytes())
             .into_iter()
             .map(|one| {
-                (one.number, one.key.text.to_string(), one.value.text.to_string(), one.is_indented, one.ends_file)
+                (
+                    one.number,
+                    one.key.text.to_string(),
+                    one.value.text.to_string(),
+                    one.is_indented,
+                    one.ends_file,
+                )
             })
             .collect();
-        let own =
-            |number, key: &str, value: &str, indented, last| (number, key.to_owned(), value.to_owned(), indented, last);
+        let own = |number, key: &str, value: &str, indented, last| {
+            (number, key.to_owned(), value.to_owned(), indented, last)
+        };
         assert_eq!(
             all,
             [

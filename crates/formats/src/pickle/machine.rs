@@ -9,7 +9,8 @@ use super::opcode::{self, Break, Opcode, unsigned};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Value(usize);
 
-/// What a value is. Values inside of others are shared, never copied: a pickle can name one many times.
+/// What a value is. Values inside of others are shared, never copied: a pickle can name one many
+/// times.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Node {
     /// `None`.
@@ -59,7 +60,8 @@ pub enum Fault {
 const MEMBERS: [&str; 3] = ["_r", "_g", "_b"];
 /// Values of one pickle at most: those of scenes have twenty.
 const MOST_VALUES: usize = 1 << 18;
-/// Members that all colours of a pickle are given at most: one dictionary can be given to many, again and again.
+/// Members that all colours of a pickle are given at most: one dictionary can be given to many,
+/// again and again.
 const MOST_MEMBERS: usize = 1 << 20;
 
 impl Heap {
@@ -74,17 +76,27 @@ impl Heap {
     }
 }
 
-/// Runs the pickle that begins at `start` of a file; returns its value and where the next one begins.
+/// Runs the pickle that begins at `start` of a file; returns its value and where the next one
+/// begins.
 ///
 /// # Errors
 /// Where the machine stops, and why.
 pub fn run(bytes: &[u8], start: usize, heap: &mut Heap) -> Result<(Value, usize), (usize, Fault)> {
-    let mut machine = Machine { heap, stack: Vec::new(), marks: Vec::new(), memo: BTreeMap::new(), members: 0 };
+    let mut machine = Machine {
+        heap,
+        stack: Vec::new(),
+        marks: Vec::new(),
+        memo: BTreeMap::new(),
+        members: 0,
+    };
     let mut at = start;
     loop {
         let (own, next) = opcode::read(bytes, at).map_err(|fault| (at, Fault::Break(fault)))?;
         if own.name == "STOP" {
-            return machine.pop(own.name).map(|value| (value, next)).map_err(|fault| (at, fault));
+            return machine
+                .pop(own.name)
+                .map(|value| (value, next))
+                .map_err(|fault| (at, fault));
         }
         machine.step(&own).map_err(|fault| (at, fault))?;
         if machine.is_full() {
@@ -107,7 +119,13 @@ struct Machine<'h> {
 impl Machine<'_> {
     /// Whether there are more values than any pickle of a scene has.
     fn is_full(&self) -> bool {
-        self.heap.0.len().max(self.stack.len()).max(self.marks.len()).max(self.memo.len()) > MOST_VALUES
+        self.heap
+            .0
+            .len()
+            .max(self.stack.len())
+            .max(self.marks.len())
+            .max(self.memo.len())
+            > MOST_VALUES
     }
 
     fn step(&mut self, own: &Opcode<'_>) -> Result<(), Fault> {
@@ -123,7 +141,9 @@ impl Machine<'_> {
             "DUP" => self.stack.push(self.top(own.name)?),
             "PUT" | "BINPUT" | "LONG_BINPUT" | "MEMOIZE" => return self.memoize(own),
             "GET" | "BINGET" | "LONG_BINGET" => return self.recall(own),
-            "APPEND" | "APPENDS" | "SETITEM" | "SETITEMS" | "ADDITEMS" | "BUILD" => return self.change(own.name),
+            "APPEND" | "APPENDS" | "SETITEM" | "SETITEMS" | "ADDITEMS" | "BUILD" => {
+                return self.change(own.name);
+            }
             _ => {
                 let node = self.node(own)?;
                 let value = self.heap.add(node);
@@ -140,15 +160,26 @@ impl Machine<'_> {
             "NONE" => Node::None,
             "NEWTRUE" => Node::Integer(1),
             "NEWFALSE" => Node::Integer(0),
-            "BININT1" | "BININT2" => Node::Integer(i64::try_from(unsigned(own.argument)).unwrap_or(i64::MAX)),
+            "BININT1" | "BININT2" => {
+                Node::Integer(i64::try_from(unsigned(own.argument)).unwrap_or(i64::MAX))
+            }
             "BININT" | "LONG1" | "LONG4" => Node::Integer(signed(own.argument)),
             "INT" | "LONG" => Node::Integer(integer(own.argument).ok_or(bad)?),
-            "BINFLOAT" => Node::Float(f64::from_be_bytes(own.argument.try_into().map_err(|_| bad)?)),
-            "FLOAT" => Node::Float(text(own.argument).and_then(|text| text.trim().parse().ok()).ok_or(bad)?),
+            "BINFLOAT" => Node::Float(f64::from_be_bytes(
+                own.argument.try_into().map_err(|_| bad)?,
+            )),
+            "FLOAT" => Node::Float(
+                text(own.argument)
+                    .and_then(|text| text.trim().parse().ok())
+                    .ok_or(bad)?,
+            ),
             "STRING" => Node::Text(quoted(own.argument).ok_or(bad)?),
-            "BINSTRING" | "SHORT_BINSTRING" => {
-                Node::Text(text(own.argument).filter(|text| text.is_ascii()).ok_or(bad)?.to_owned())
-            }
+            "BINSTRING" | "SHORT_BINSTRING" => Node::Text(
+                text(own.argument)
+                    .filter(|text| text.is_ascii())
+                    .ok_or(bad)?
+                    .to_owned(),
+            ),
             "UNICODE" | "BINUNICODE" | "BINUNICODE8" | "SHORT_BINUNICODE" => {
                 Node::Text(text(own.argument).ok_or(bad)?.to_owned())
             }
@@ -166,7 +197,9 @@ impl Machine<'_> {
                 Node::Other
             }
             "EMPTY_SET" | "BINBYTES" | "SHORT_BINBYTES" | "BINBYTES8" | "BYTEARRAY8" => Node::Other,
-            "GLOBAL" if (own.argument, own.second) == (COLOR.0.as_bytes(), COLOR.1.as_bytes()) => Node::Class,
+            "GLOBAL" if (own.argument, own.second) == (COLOR.0.as_bytes(), COLOR.1.as_bytes()) => {
+                Node::Class
+            }
             "NEWOBJ" => self.color()?,
             _ => return Err(Fault::Refused(own.name)),
         })
@@ -175,7 +208,11 @@ impl Machine<'_> {
     /// Below the last mark nothing can be reached.
     fn top(&self, name: &'static str) -> Result<Value, Fault> {
         let fence = self.marks.last().copied().unwrap_or_default();
-        self.stack.get(fence..).and_then(<[Value]>::last).copied().ok_or(Fault::Stack(name))
+        self.stack
+            .get(fence..)
+            .and_then(<[Value]>::last)
+            .copied()
+            .ok_or(Fault::Stack(name))
     }
 
     fn pop(&mut self, name: &'static str) -> Result<Value, Fault> {
@@ -185,7 +222,9 @@ impl Machine<'_> {
     }
 
     fn pop_many(&mut self, count: usize, name: &'static str) -> Result<Vec<Value>, Fault> {
-        let mut values: Vec<Value> = (0..count).map(|_| self.pop(name)).collect::<Result<_, _>>()?;
+        let mut values: Vec<Value> = (0..count)
+            .map(|_| self.pop(name))
+            .collect::<Result<_, _>>()?;
         values.reverse();
         Ok(values)
     }
@@ -235,7 +274,9 @@ impl Machine<'_> {
         };
         let target = self.top(name)?;
         if name == "BUILD" {
-            let [state] = *values.as_slice() else { return Err(fault) };
+            let [state] = *values.as_slice() else {
+                return Err(fault);
+            };
             return self.build(target, state);
         }
         if values.is_empty() {
@@ -243,7 +284,9 @@ impl Machine<'_> {
         }
         match (name, self.heap.0.get_mut(target.0)) {
             ("APPEND" | "APPENDS", Some(Node::List(own))) => own.extend(values),
-            ("SETITEM" | "SETITEMS", Some(Node::Dict(own))) => own.extend(pairs(&values).ok_or(fault)?),
+            ("SETITEM" | "SETITEMS", Some(Node::Dict(own))) => {
+                own.extend(pairs(&values).ok_or(fault)?)
+            }
             ("ADDITEMS", Some(Node::Other)) => {}
             _ => return Err(fault),
         }
@@ -261,9 +304,18 @@ impl Machine<'_> {
         if self.members > MOST_MEMBERS {
             return Err(Fault::Unbounded);
         }
-        let is_key = |key: Value, name: &str| matches!(self.heap.get(key), Node::Text(text) if text == name);
-        let set = MEMBERS.map(|name| members.iter().rev().find(|(key, _)| is_key(*key, name)).map(|(_, value)| *value));
-        let Some(Node::Color(own)) = self.heap.0.get_mut(target.0) else { return Err(Fault::Stack("BUILD")) };
+        let is_key =
+            |key: Value, name: &str| matches!(self.heap.get(key), Node::Text(text) if text == name);
+        let set = MEMBERS.map(|name| {
+            members
+                .iter()
+                .rev()
+                .find(|(key, _)| is_key(*key, name))
+                .map(|(_, value)| *value)
+        });
+        let Some(Node::Color(own)) = self.heap.0.get_mut(target.0) else {
+            return Err(Fault::Stack("BUILD"));
+        };
         for (own, new) in own.iter_mut().zip(set) {
             *own = new.or(*own);
         }
@@ -272,12 +324,16 @@ impl Machine<'_> {
 }
 
 fn protocol(argument: &[u8]) -> Result<(), Fault> {
-    argument.first().filter(|own| **own > 5).map_or(Ok(()), |own| Err(Fault::Protocol(*own)))
+    argument
+        .first()
+        .filter(|own| **own > 5)
+        .map_or(Ok(()), |own| Err(Fault::Protocol(*own)))
 }
 
 fn pairs(values: &[Value]) -> Option<Vec<(Value, Value)>> {
     let (pairs, rest) = values.as_chunks::<2>();
-    rest.is_empty().then(|| pairs.iter().map(|[key, value]| (*key, *value)).collect())
+    rest.is_empty()
+        .then(|| pairs.iter().map(|[key, value]| (*key, *value)).collect())
 }
 
 fn text(bytes: &[u8]) -> Option<&str> {
@@ -297,7 +353,11 @@ fn signed(bytes: &[u8]) -> i64 {
         }
         length => {
             let unused = 64 - 8 * u32::try_from(length).unwrap_or(8);
-            if unused == 64 { 0 } else { (unsigned(bytes) << unused).cast_signed() >> unused }
+            if unused == 64 {
+                0
+            } else {
+                (unsigned(bytes) << unused).cast_signed() >> unused
+            }
         }
     }
 }
@@ -311,6 +371,8 @@ fn integer(bytes: &[u8]) -> Option<i64> {
 /// A text in quotes. What is escaped in it stays as it is: nobody asks for such a text.
 fn quoted(bytes: &[u8]) -> Option<String> {
     let text = text(bytes)?.trim_end();
-    let inner = ['\'', '"'].into_iter().find_map(|quote| text.strip_prefix(quote)?.strip_suffix(quote))?;
+    let inner = ['\'', '"']
+        .into_iter()
+        .find_map(|quote| text.strip_prefix(quote)?.strip_suffix(quote))?;
     Some(inner.to_owned())
 }

@@ -1,9 +1,9 @@
 //! Pickles of Python, looked at without running anything
 //! (`docs/loaders/makehuman1/scenes.md#danger`).
 //!
-//! A pickle is a program for a small machine, and some of its instructions import and call what they name. A file is
-//! walked twice: first instruction by instruction, to find those; then, only if there are none, with a machine that
-//! knows plain values and one class that is asked for.
+//! A pickle is a program for a small machine, and some of its instructions import and call what
+//! they name. A file is walked twice: first instruction by instruction, to find those; then, only
+//! if there are none, with a machine that knows plain values and one class that is asked for.
 
 mod machine;
 mod opcode;

@@ -67,17 +67,34 @@ pub enum Break {
 /// Reads the instruction at `offset`; returns it and where the next one begins.
 pub(super) fn read(bytes: &[u8], offset: usize) -> Result<(Opcode<'_>, usize), Break> {
     let code = *bytes.get(offset).ok_or(Break::Truncated)?;
-    let (_, name, argument) = OPCODES.iter().find(|(own, ..)| *own == code).ok_or(Break::Unknown(code))?;
+    let (_, name, argument) = OPCODES
+        .iter()
+        .find(|(own, ..)| *own == code)
+        .ok_or(Break::Unknown(code))?;
     let rest = bytes.get(offset + 1..).unwrap_or_default();
     let (argument, second, used) = match *argument {
         Nothing => (Some(&[][..]), &[][..], 0),
         Bytes(count) => (rest.get(..count), &[][..], count),
-        Line => line(rest).map_or((None, &[][..], 0), |(text, used)| (Some(text), &[][..], used)),
-        TwoLines => two_lines(rest).map_or((None, &[][..], 0), |(one, two, used)| (Some(one), two, used)),
-        Counted(width) => counted(rest, width).map_or((None, &[][..], 0), |(text, used)| (Some(text), &[][..], used)),
+        Line => line(rest).map_or((None, &[][..], 0), |(text, used)| {
+            (Some(text), &[][..], used)
+        }),
+        TwoLines => two_lines(rest).map_or((None, &[][..], 0), |(one, two, used)| {
+            (Some(one), two, used)
+        }),
+        Counted(width) => counted(rest, width).map_or((None, &[][..], 0), |(text, used)| {
+            (Some(text), &[][..], used)
+        }),
     };
     let argument = argument.ok_or(Break::Truncated)?;
-    Ok((Opcode { offset, name, argument, second }, offset + 1 + used))
+    Ok((
+        Opcode {
+            offset,
+            name,
+            argument,
+            second,
+        },
+        offset + 1 + used,
+    ))
 }
 
 fn line(rest: &[u8]) -> Option<(&[u8], usize)> {
@@ -99,7 +116,11 @@ fn counted(rest: &[u8], width: usize) -> Option<(&[u8], usize)> {
 
 /// A number of up to eight bytes, the lowest first.
 pub(super) fn unsigned(bytes: &[u8]) -> u64 {
-    bytes.iter().rev().take(8).fold(0, |all, byte| all << 8 | u64::from(*byte))
+    bytes
+        .iter()
+        .rev()
+        .take(8)
+        .fold(0, |all, byte| all << 8 | u64::from(*byte))
 }
 
 #[cfg(test)]
@@ -108,18 +129,30 @@ mod tests {
 
     #[test]
     fn no_code_stands_twice() {
-        let codes: std::collections::BTreeSet<u8> = OPCODES.iter().map(|(code, ..)| *code).collect();
+        let codes: std::collections::BTreeSet<u8> =
+            OPCODES.iter().map(|(code, ..)| *code).collect();
         assert_eq!(codes.len(), OPCODES.len());
     }
 
     #[test]
     fn arguments_end_where_the_next_instruction_begins() {
-        let read = |bytes: &'static [u8]| read(bytes, 0).map(|(own, next)| (own.name, own.argument, own.second, next));
+        let read = |bytes: &'static [u8]| {
+            read(bytes, 0).map(|(own, next)| (own.name, own.argument, own.second, next))
+        };
         assert_eq!(read(b"K\x05."), Ok(("BININT1", &b"\x05"[..], &b""[..], 2)));
-        assert_eq!(read(b"cos\nsystem\n."), Ok(("GLOBAL", &b"os"[..], &b"system"[..], 11)));
-        assert_eq!(read(b"X\x02\0\0\0ab."), Ok(("BINUNICODE", &b"ab"[..], &b""[..], 7)));
+        assert_eq!(
+            read(b"cos\nsystem\n."),
+            Ok(("GLOBAL", &b"os"[..], &b"system"[..], 11))
+        );
+        assert_eq!(
+            read(b"X\x02\0\0\0ab."),
+            Ok(("BINUNICODE", &b"ab"[..], &b""[..], 7))
+        );
         assert_eq!(read(b"X\xff\xff\xff\xffab."), Err(Break::Truncated));
-        assert_eq!(read(b"\x8d\xff\xff\xff\xff\xff\xff\xff\xff"), Err(Break::Truncated));
+        assert_eq!(
+            read(b"\x8d\xff\xff\xff\xff\xff\xff\xff\xff"),
+            Err(Break::Truncated)
+        );
         assert_eq!(read(b"\xff"), Err(Break::Unknown(0xff)));
         assert_eq!(read(b"cos\nsystem"), Err(Break::Truncated));
     }

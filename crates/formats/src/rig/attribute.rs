@@ -35,8 +35,14 @@ pub(super) const BENDY_BONE: Properties = &[
     ("mapping_mode", Wants::Word(&["STRAIGHT", "CURVED"])),
     ("handle_type_start handle_type_end", Wants::Word(HANDLES)),
     ("handle_use_ease_start handle_use_ease_end", Wants::Bool),
-    ("handle_use_scale_start handle_use_scale_end", Wants::Bools(3)),
-    ("easein easeout rollin rollout curveinx curveinz curveoutx curveoutz x z", Wants::Number),
+    (
+        "handle_use_scale_start handle_use_scale_end",
+        Wants::Bools(3),
+    ),
+    (
+        "easein easeout rollin rollout curveinx curveinz curveoutx curveoutz x z",
+        Wants::Number,
+    ),
     ("scalein scaleout", Wants::Numbers(3)),
 ];
 
@@ -68,17 +74,28 @@ pub const BENDY: &[&str] = &[
 
 /// What a property takes; `None` if there is no such one.
 pub(super) fn wanted(properties: Properties, key: &str) -> Option<Wants> {
-    properties.iter().find(|(names, _)| names.split(' ').any(|name| name == key)).map(|(_, wants)| *wants)
+    properties
+        .iter()
+        .find(|(names, _)| names.split(' ').any(|name| name == key))
+        .map(|(_, wants)| *wants)
 }
 
 /// Checks a value; what does not fit goes to `types`, an unknown word to `words`.
-pub(super) fn check(pointer: &str, node: &Node, wants: Wants, types: &mut Unfits, words: &mut Unfits) {
+pub(super) fn check(
+    pointer: &str,
+    node: &Node,
+    wants: Wants,
+    types: &mut Unfits,
+    words: &mut Unfits,
+) {
     let wanted = match wants {
         Wants::Bool if is_bool(node) => return,
         Wants::Whole if matches!(node.value, Value::Number(_, true) | Value::Bool(_)) => return,
         Wants::Number if is_number(node) => return,
         Wants::Text if node.as_str().is_some() => return,
-        Wants::Word(known) if node.as_str().is_some() => return words.check_word(pointer, node, known),
+        Wants::Word(known) if node.as_str().is_some() => {
+            return words.check_word(pointer, node, known);
+        }
         Wants::Numbers(count) if is_list(node, count, is_number) => return,
         Wants::Bools(count) if is_list(node, count, is_bool) => return,
         Wants::Bool => "`true` or `false`",
@@ -107,7 +124,11 @@ pub(super) fn is_bool(node: &Node) -> bool {
 /// Three numbers.
 pub(super) fn triple(node: &Node) -> Option<[f64; 3]> {
     match node.elements() {
-        [x, y, z] => Some([x.as_python_number()?, y.as_python_number()?, z.as_python_number()?]),
+        [x, y, z] => Some([
+            x.as_python_number()?,
+            y.as_python_number()?,
+            z.as_python_number()?,
+        ]),
         _ => None,
     }
 }

@@ -1,4 +1,5 @@
-//! What the loader reads of a bone (`docs/loaders/mpfb/rigs.md#bone-keys`, `docs/loaders/mpfb/rigs.md#bendy-bones`).
+//! What the loader reads of a bone (`docs/loaders/mpfb/rigs.md#bone-keys`,
+//! `docs/loaders/mpfb/rigs.md#bendy-bones`).
 
 use super::attribute::{BENDY_BONE, Wants, check, triple, wanted};
 use super::{BENDY, RigBone, RigFaults, constraint, end, layers, rigify};
@@ -24,8 +25,24 @@ const NEEDED: [&str; 9] = [
     "rigify",
 ];
 
-const INHERITED: &[&str] = &["FULL", "FIX_SHEAR", "ALIGNED", "AVERAGE", "NONE", "NONE_LEGACY"];
-const ROTATION_MODES: &[&str] = &["QUATERNION", "XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX", "AXIS_ANGLE"];
+const INHERITED: &[&str] = &[
+    "FULL",
+    "FIX_SHEAR",
+    "ALIGNED",
+    "AVERAGE",
+    "NONE",
+    "NONE_LEGACY",
+];
+const ROTATION_MODES: &[&str] = &[
+    "QUATERNION",
+    "XYZ",
+    "XZY",
+    "YXZ",
+    "YZX",
+    "ZXY",
+    "ZYX",
+    "AXIS_ANGLE",
+];
 const ROLL_STRATEGIES: &[&str] = &["ALIGN_Z_WORLD_Z", "ALIGN_X_WORLD_X", "ALIGN_Z_REFERENCE_Z"];
 
 /// Keys with values of one type, and what they take.
@@ -39,8 +56,17 @@ const PLAIN: [(&str, Wants); 6] = [
 ];
 
 /// Reads a bone.
-pub(super) fn read(name: &str, pointer: &str, node: &Node, whole: &Whole, faults: &mut RigFaults) -> RigBone {
-    let mut bone = RigBone { name: name.to_owned(), ..RigBone::default() };
+pub(super) fn read(
+    name: &str,
+    pointer: &str,
+    node: &Node,
+    whole: &Whole,
+    faults: &mut RigFaults,
+) -> RigBone {
+    let mut bone = RigBone {
+        name: name.to_owned(),
+        ..RigBone::default()
+    };
     if !node.is_object() {
         faults.keys.add_type(pointer, node, "an object");
         return bone;
@@ -50,24 +76,44 @@ pub(super) fn read(name: &str, pointer: &str, node: &Node, whole: &Whole, faults
     }
     for (key, wants) in PLAIN {
         if let Some(value) = node.get(key) {
-            check(&below(pointer, key), value, wants, &mut faults.keys, &mut faults.words);
+            check(
+                &below(pointer, key),
+                value,
+                wants,
+                &mut faults.keys,
+                &mut faults.words,
+            );
         }
     }
     let text = |key| node.get(key).and_then(Node::as_str).map(str::to_owned);
     bone.head = place(pointer, "head", node, faults);
     bone.tail = place(pointer, "tail", node, faults);
-    bone.roll = node.get("roll").and_then(Node::as_python_number).unwrap_or(0.0);
+    bone.roll = node
+        .get("roll")
+        .and_then(Node::as_python_number)
+        .unwrap_or(0.0);
     bone.roll_strategy = text("roll_strategy");
     bone.roll_reference_z = node.get("roll_reference_z").and_then(triple);
     bone.parent = text("parent").filter(|parent| !parent.is_empty());
-    bone.use_connect = node.get("use_connect").is_some_and(|value| !value.is_falsy());
+    bone.use_connect = node
+        .get("use_connect")
+        .is_some_and(|value| !value.is_falsy());
     bone.inherit_scale = text("inherit_scale").unwrap_or_default();
     bone.rotation_mode = text("rotation_mode");
     if let Some(strategy) = node.get("roll_strategy") {
-        faults.ignored_words.check_word(&below(pointer, "roll_strategy"), strategy, ROLL_STRATEGIES);
+        faults.ignored_words.check_word(
+            &below(pointer, "roll_strategy"),
+            strategy,
+            ROLL_STRATEGIES,
+        );
     }
-    if let Some(parent) = node.get("parent").filter(|parent| !parent.is_falsy() && parent.as_str().is_none()) {
-        faults.keys.add_type(&below(pointer, "parent"), parent, "a text");
+    if let Some(parent) = node
+        .get("parent")
+        .filter(|parent| !parent.is_falsy() && parent.as_str().is_none())
+    {
+        faults
+            .keys
+            .add_type(&below(pointer, "parent"), parent, "a text");
     }
     bone.collections = collections(pointer, node, whole, faults);
     layers::check(pointer, node, whole.has_layers, &mut faults.layers);
@@ -96,7 +142,10 @@ fn place(pointer: &str, key: &str, node: &Node, faults: &mut RigFaults) -> Optio
 
 /// A text is taken letter by letter.
 fn collections(pointer: &str, node: &Node, whole: &Whole, faults: &mut RigFaults) -> Vec<String> {
-    let Some(list) = node.get("collections").filter(|list| !list.is_falsy() && !whole.has_layers) else {
+    let Some(list) = node
+        .get("collections")
+        .filter(|list| !list.is_falsy() && !whole.has_layers)
+    else {
         return Vec::new();
     };
     names(&below(pointer, "collections"), list, faults)
@@ -107,9 +156,11 @@ pub(super) fn names(pointer: &str, list: &Node, faults: &mut RigFaults) -> Vec<S
     match &list.value {
         Value::Null => Vec::new(),
         Value::String(text) => text.chars().map(String::from).collect(),
-        Value::Array(names) if names.iter().all(|name| name.as_str().is_some()) => {
-            names.iter().filter_map(Node::as_str).map(str::to_owned).collect()
-        }
+        Value::Array(names) if names.iter().all(|name| name.as_str().is_some()) => names
+            .iter()
+            .filter_map(Node::as_str)
+            .map(str::to_owned)
+            .collect(),
         _ => {
             faults.keys.add_type(pointer, list, "a list of names");
             Vec::new()
@@ -119,20 +170,32 @@ pub(super) fn names(pointer: &str, list: &Node, faults: &mut RigFaults) -> Vec<S
 
 /// How a bone is bent.
 fn bendy(pointer: &str, node: &Node, bone: &mut RigBone, faults: &mut RigFaults) {
-    let Some(bendy) = node.get("bendy_bone") else { return };
+    let Some(bendy) = node.get("bendy_bone") else {
+        return;
+    };
     let pointer = below(pointer, "bendy_bone");
     if !bendy.is_object() {
         faults.keys.add_type(&pointer, bendy, "an object");
     }
     for member in bendy.effective_members() {
         let place = below(&pointer, &member.key);
-        let handle = ["custom_handle_start", "custom_handle_end"].into_iter().find(|key| *key == member.key);
+        let handle = ["custom_handle_start", "custom_handle_end"]
+            .into_iter()
+            .find(|key| *key == member.key);
         match (handle, wanted(BENDY_BONE, &member.key)) {
             (Some(key), _) => match member.node.as_str() {
                 Some(name) => bone.handles.push((key, name.to_owned())),
-                None => faults.properties.add_type(&place, &member.node, "the name of a bone"),
+                None => faults
+                    .properties
+                    .add_type(&place, &member.node, "the name of a bone"),
             },
-            (None, Some(wants)) => check(&place, &member.node, wants, &mut faults.keys, &mut faults.words),
+            (None, Some(wants)) => check(
+                &place,
+                &member.node,
+                wants,
+                &mut faults.keys,
+                &mut faults.words,
+            ),
             (None, None) => faults.properties.add(&place, Why::Key(BENDY)),
         }
     }

@@ -39,7 +39,11 @@ pub enum Target {
 
 /// The names of properties of a type.
 fn names_of(properties: Properties) -> Vec<&'static str> {
-    COMMON.iter().chain(properties).map(|(names, _)| *names).collect()
+    COMMON
+        .iter()
+        .chain(properties)
+        .map(|(names, _)| *names)
+        .collect()
 }
 
 /// Keys that are not set as properties.
@@ -48,7 +52,8 @@ const OWN_KEYS: [&str; 5] = ["type", "name", "target", "targets", "space_object"
 /// The constraints of a bone.
 pub(super) fn read(pointer: &str, list: &Node, faults: &mut RigFaults) -> Vec<Constraint> {
     let each = list.elements().iter().enumerate();
-    each.filter_map(|(at, node)| one(nth(pointer, at), node, faults)).collect()
+    each.filter_map(|(at, node)| one(nth(pointer, at), node, faults))
+        .collect()
 }
 
 fn one(pointer: String, node: &Node, faults: &mut RigFaults) -> Option<Constraint> {
@@ -59,27 +64,48 @@ fn one(pointer: String, node: &Node, faults: &mut RigFaults) -> Option<Constrain
     for key in ["type", "name"] {
         match node.get(key) {
             None => faults.keys.add(&pointer, Why::Lacks(key)),
-            Some(text) if text.as_str().is_none() => faults.keys.add_type(&below(&pointer, key), text, "a text"),
+            Some(text) if text.as_str().is_none() => {
+                faults.keys.add_type(&below(&pointer, key), text, "a text")
+            }
             Some(_) => {}
         }
     }
     let kind = node.get("type").and_then(Node::as_str)?;
     let Some((_, has_target, properties)) = TYPES.iter().find(|(name, ..)| *name == kind) else {
-        faults.words.add(&below(&pointer, "type"), Why::Word(kind.to_owned(), NAMES));
+        faults
+            .words
+            .add(&below(&pointer, "type"), Why::Word(kind.to_owned(), NAMES));
         return None;
     };
-    for member in node.effective_members().into_iter().filter(|member| !OWN_KEYS.contains(&&*member.key)) {
+    for member in node
+        .effective_members()
+        .into_iter()
+        .filter(|member| !OWN_KEYS.contains(&&*member.key))
+    {
         let place = below(&pointer, &member.key);
         match wanted(properties, &member.key).or_else(|| wanted(COMMON, &member.key)) {
             Some(wants) if !matches!(wants, Wants::Nothing) => {
-                check(&place, &member.node, wants, &mut faults.keys, &mut faults.words);
+                check(
+                    &place,
+                    &member.node,
+                    wants,
+                    &mut faults.keys,
+                    &mut faults.words,
+                );
             }
-            _ => faults.properties.add(&place, Why::Property(names_of(properties))),
+            _ => faults
+                .properties
+                .add(&place, Why::Property(names_of(properties))),
         }
     }
     let targets = targets(&pointer, node, kind, *has_target, faults);
     let influence = node.get("influence").and_then(Node::as_f64);
-    Some(Constraint { pointer, kind: kind.to_owned(), targets, influence })
+    Some(Constraint {
+        pointer,
+        kind: kind.to_owned(),
+        targets,
+        influence,
+    })
 }
 
 fn targets(
@@ -89,30 +115,47 @@ fn targets(
     has_target: bool,
     faults: &mut RigFaults,
 ) -> Vec<(Target, Option<String>)> {
-    let bone = |node: &Node| node.get("subtarget").and_then(Node::as_str).map(str::to_owned);
+    let bone = |node: &Node| {
+        node.get("subtarget")
+            .and_then(Node::as_str)
+            .map(str::to_owned)
+    };
     if kind == "ARMATURE" {
         return of_armature(pointer, node, faults);
     }
     let found = target(&below(pointer, "target"), node.get("target"), faults);
     if !has_target {
         if matches!(found, Target::Own | Target::Parent | Target::Span(..)) {
-            faults.properties.add(&below(pointer, "target"), Why::Property(Vec::new()));
+            faults
+                .properties
+                .add(&below(pointer, "target"), Why::Property(Vec::new()));
         }
         return Vec::new();
     }
     // Some are bound to whole objects: what bone is named does not matter to them.
-    if !TYPES.iter().any(|(name, _, properties)| *name == kind && wanted(properties, "subtarget").is_some()) {
+    if !TYPES
+        .iter()
+        .any(|(name, _, properties)| *name == kind && wanted(properties, "subtarget").is_some())
+    {
         return Vec::new();
     }
     vec![(found, bone(node))]
 }
 
-fn of_armature(pointer: &str, node: &Node, faults: &mut RigFaults) -> Vec<(Target, Option<String>)> {
+fn of_armature(
+    pointer: &str,
+    node: &Node,
+    faults: &mut RigFaults,
+) -> Vec<(Target, Option<String>)> {
     let vertex = node.get("target").filter(|target| target.is_object());
     if let Some(vertex) = vertex {
         let strategy = vertex.get("strategy").and_then(Node::as_str);
         if strategy != Some("VERTEX") {
-            faults.keys.add_type(&below(pointer, "target"), vertex, "a vertex of the base mesh");
+            faults.keys.add_type(
+                &below(pointer, "target"),
+                vertex,
+                "a vertex of the base mesh",
+            );
         }
     }
     let Some(targets) = node.get("targets") else {
@@ -128,19 +171,31 @@ fn of_armature(pointer: &str, node: &Node, faults: &mut RigFaults) -> Vec<(Targe
     let mut found = Vec::new();
     for (at, one) in targets.elements().iter().enumerate() {
         let pointer = nth(&pointer, at);
-        for key in ["subtarget", "weight"].into_iter().filter(|key| one.get(key).is_none()) {
+        for key in ["subtarget", "weight"]
+            .into_iter()
+            .filter(|key| one.get(key).is_none())
+        {
             faults.keys.add(&pointer, Why::Lacks(key));
         }
-        let bone = one.get("subtarget").and_then(Node::as_str).map(str::to_owned);
+        let bone = one
+            .get("subtarget")
+            .and_then(Node::as_str)
+            .map(str::to_owned);
         let own = one.get("target").is_none();
-        let target = if own { Target::Own } else { target(&below(&pointer, "target"), one.get("target"), faults) };
+        let target = if own {
+            Target::Own
+        } else {
+            target(&below(&pointer, "target"), one.get("target"), faults)
+        };
         found.push((target, bone));
     }
     found
 }
 
 fn target(pointer: &str, node: Option<&Node>, faults: &mut RigFaults) -> Target {
-    let Some(node) = node else { return Target::Missing };
+    let Some(node) = node else {
+        return Target::Missing;
+    };
     match &node.value {
         Value::Bool(true) => Target::Own,
         Value::Object(_) => of_parent(pointer, node, faults),
@@ -165,7 +220,10 @@ fn of_parent(pointer: &str, node: &Node, faults: &mut RigFaults) -> Target {
         (Some("VERTEX"), _) => Target::Vertex,
         (Some("JOINTS"), _) => {
             let joint = |key: &'static str| node.get(key).and_then(Node::as_str).map(str::to_owned);
-            for key in ["joint_head", "joint_tail"].into_iter().filter(|key| node.get(key).is_none()) {
+            for key in ["joint_head", "joint_tail"]
+                .into_iter()
+                .filter(|key| node.get(key).is_none())
+            {
                 faults.keys.add(pointer, Why::Lacks(key));
             }
             match (joint("joint_head"), joint("joint_tail")) {
@@ -175,7 +233,10 @@ fn of_parent(pointer: &str, node: &Node, faults: &mut RigFaults) -> Target {
         }
         (text, _) => {
             let text = text.unwrap_or(strategy.type_word()).to_owned();
-            faults.words.add(&below(pointer, "strategy"), Why::Word(text, &["JOINTS", "VERTEX"]));
+            faults.words.add(
+                &below(pointer, "strategy"),
+                Why::Word(text, &["JOINTS", "VERTEX"]),
+            );
             Target::Unfit
         }
     }

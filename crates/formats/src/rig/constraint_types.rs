@@ -1,14 +1,37 @@
-//! The types of constraints of Blender 4.5 with their properties (`docs/loaders/mpfb/rigs.md#types-of-constraints`).
+//! The types of constraints of Blender 4.5 with their properties
+//! (`docs/loaders/mpfb/rigs.md#types-of-constraints`).
 
 use super::attribute::{Properties, Wants};
 
 const WORLD: &[&str] = &["WORLD", "CUSTOM", "POSE", "LOCAL_WITH_PARENT", "LOCAL"];
-const OF_TARGET: &[&str] = &["WORLD", "CUSTOM", "POSE", "LOCAL_WITH_PARENT", "LOCAL", "LOCAL_OWNER_ORIENT"];
+const OF_TARGET: &[&str] = &[
+    "WORLD",
+    "CUSTOM",
+    "POSE",
+    "LOCAL_WITH_PARENT",
+    "LOCAL",
+    "LOCAL_OWNER_ORIENT",
+];
 const EULER: &[&str] = &["AUTO", "XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"];
-const TRACK: &[&str] = &["TRACK_X", "TRACK_Y", "TRACK_Z", "TRACK_NEGATIVE_X", "TRACK_NEGATIVE_Y", "TRACK_NEGATIVE_Z"];
+const TRACK: &[&str] = &[
+    "TRACK_X",
+    "TRACK_Y",
+    "TRACK_Z",
+    "TRACK_NEGATIVE_X",
+    "TRACK_NEGATIVE_Y",
+    "TRACK_NEGATIVE_Z",
+];
 const AXES: &[&str] = &["X", "Y", "Z"];
 const MAPPED: &[&str] = &["LOCATION", "ROTATION", "SCALE"];
-const MIXED: &[&str] = &["REPLACE", "BEFORE_FULL", "BEFORE", "BEFORE_SPLIT", "AFTER_FULL", "AFTER", "AFTER_SPLIT"];
+const MIXED: &[&str] = &[
+    "REPLACE",
+    "BEFORE_FULL",
+    "BEFORE",
+    "BEFORE_SPLIT",
+    "AFTER_FULL",
+    "AFTER",
+    "AFTER_SPLIT",
+];
 const ROTATIONS: &[&str] = &[
     "AUTO",
     "XYZ",
@@ -39,9 +62,15 @@ const ALONG: (&str, Wants) = ("head_tail", Wants::Number);
 const SHAPE: (&str, Wants) = ("use_bbone_shape", Wants::Bool);
 const LIMITS: Properties = &[
     ("max_x max_y max_z min_x min_y min_z", Wants::Number),
-    ("use_max_x use_max_y use_max_z use_min_x use_min_y use_min_z use_transform_limit", Wants::Bool),
+    (
+        "use_max_x use_max_y use_max_z use_min_x use_min_y use_min_z use_transform_limit",
+        Wants::Bool,
+    ),
 ];
-const CLIP: Properties = &[("clip camera depth_object object", Wants::Nothing), ("use_active_clip", Wants::Bool)];
+const CLIP: Properties = &[
+    ("clip camera depth_object object", Wants::Nothing),
+    ("use_active_clip", Wants::Bool),
+];
 
 /// Types, whether they have a target, and their properties.
 pub(super) const TYPES: [(&str, bool, Properties); 28] = [
@@ -73,21 +102,39 @@ pub(super) const TYPES: [(&str, bool, Properties); 28] = [
             ("last_slot_identifier", Wants::Text),
         ],
     ),
-    ("ARMATURE", true, &[("use_bone_envelopes use_current_location use_deform_preserve_volume", Wants::Bool)]),
+    (
+        "ARMATURE",
+        true,
+        &[(
+            "use_bone_envelopes use_current_location use_deform_preserve_volume",
+            Wants::Bool,
+        )],
+    ),
     ("CAMERA_SOLVER", false, CLIP),
     ("CHILD_OF", true, CHILD_OF),
     (
         "CLAMP_TO",
         true,
         &[
-            ("main_axis", Wants::Word(&["CLAMPTO_AUTO", "CLAMPTO_X", "CLAMPTO_Y", "CLAMPTO_Z"])),
+            (
+                "main_axis",
+                Wants::Word(&["CLAMPTO_AUTO", "CLAMPTO_X", "CLAMPTO_Y", "CLAMPTO_Z"]),
+            ),
             ("use_cyclic", Wants::Bool),
         ],
     ),
     (
         "COPY_LOCATION",
         true,
-        &[BONE, ALONG, SHAPE, ("invert_x invert_y invert_z use_offset use_x use_y use_z", Wants::Bool)],
+        &[
+            BONE,
+            ALONG,
+            SHAPE,
+            (
+                "invert_x invert_y invert_z use_offset use_x use_y use_z",
+                Wants::Bool,
+            ),
+        ],
     ),
     (
         "COPY_ROTATION",
@@ -95,21 +142,44 @@ pub(super) const TYPES: [(&str, bool, Properties); 28] = [
         &[
             BONE,
             ("euler_order", Wants::Word(EULER)),
-            ("mix_mode", Wants::Word(&["REPLACE", "ADD", "BEFORE", "AFTER", "OFFSET"])),
-            ("invert_x invert_y invert_z use_offset use_x use_y use_z", Wants::Bool),
+            (
+                "mix_mode",
+                Wants::Word(&["REPLACE", "ADD", "BEFORE", "AFTER", "OFFSET"]),
+            ),
+            (
+                "invert_x invert_y invert_z use_offset use_x use_y use_z",
+                Wants::Bool,
+            ),
         ],
     ),
     (
         "COPY_SCALE",
         true,
-        &[BONE, ("power", Wants::Number), ("use_add use_make_uniform use_offset use_x use_y use_z", Wants::Bool)],
+        &[
+            BONE,
+            ("power", Wants::Number),
+            (
+                "use_add use_make_uniform use_offset use_x use_y use_z",
+                Wants::Bool,
+            ),
+        ],
     ),
     (
         "COPY_TRANSFORMS",
         true,
-        &[BONE, ALONG, SHAPE, ("mix_mode", Wants::Word(MIXED)), ("remove_target_shear", Wants::Bool)],
+        &[
+            BONE,
+            ALONG,
+            SHAPE,
+            ("mix_mode", Wants::Word(MIXED)),
+            ("remove_target_shear", Wants::Bool),
+        ],
     ),
-    ("DAMPED_TRACK", true, &[BONE, ALONG, SHAPE, ("track_axis", Wants::Word(TRACK))]),
+    (
+        "DAMPED_TRACK",
+        true,
+        &[BONE, ALONG, SHAPE, ("track_axis", Wants::Word(TRACK))],
+    ),
     (
         "FLOOR",
         true,
@@ -147,7 +217,10 @@ pub(super) const TYPES: [(&str, bool, Properties); 28] = [
             ),
             ("offset offset_factor", Wants::Number),
             ("up_axis", Wants::Word(&["UP_X", "UP_Y", "UP_Z"])),
-            ("use_curve_follow use_curve_radius use_fixed_location", Wants::Bool),
+            (
+                "use_curve_follow use_curve_radius use_fixed_location",
+                Wants::Bool,
+            ),
         ],
     ),
     (
@@ -157,7 +230,10 @@ pub(super) const TYPES: [(&str, bool, Properties); 28] = [
             ("clip camera depth_object", Wants::Nothing),
             ("frame_method", Wants::Word(&["STRETCH", "FIT", "CROP"])),
             ("object track", Wants::Text),
-            ("use_3d_position use_active_clip use_undistorted_position", Wants::Bool),
+            (
+                "use_3d_position use_active_clip use_undistorted_position",
+                Wants::Bool,
+            ),
         ],
     ),
     (
@@ -198,7 +274,10 @@ pub(super) const TYPES: [(&str, bool, Properties); 28] = [
         &[
             ("euler_order", Wants::Word(EULER)),
             ("max_x max_y max_z min_x min_y min_z", Wants::Number),
-            ("use_legacy_behavior use_limit_x use_limit_y use_limit_z use_transform_limit", Wants::Bool),
+            (
+                "use_legacy_behavior use_limit_x use_limit_y use_limit_z use_transform_limit",
+                Wants::Bool,
+            ),
         ],
     ),
     ("LIMIT_SCALE", false, LIMITS),
@@ -217,7 +296,10 @@ pub(super) const TYPES: [(&str, bool, Properties); 28] = [
         "MAINTAIN_VOLUME",
         false,
         &[
-            ("free_axis", Wants::Word(&["SAMEVOL_X", "SAMEVOL_Y", "SAMEVOL_Z"])),
+            (
+                "free_axis",
+                Wants::Word(&["SAMEVOL_X", "SAMEVOL_Y", "SAMEVOL_Z"]),
+            ),
             ("mode", Wants::Word(&["STRICT", "UNIFORM", "SINGLE_AXIS"])),
             ("volume", Wants::Number),
         ],
@@ -239,7 +321,10 @@ pub(super) const TYPES: [(&str, bool, Properties); 28] = [
             ALONG,
             SHAPE,
             ("offset", Wants::Numbers(3)),
-            ("rotation_range", Wants::Word(&["ALWAYS_ACTIVE", "NX", "NY", "NZ", "X", "Y", "Z"])),
+            (
+                "rotation_range",
+                Wants::Word(&["ALWAYS_ACTIVE", "NX", "NY", "NZ", "X", "Y", "Z"]),
+            ),
             ("use_relative_location", Wants::Bool),
         ],
     ),
@@ -249,12 +334,35 @@ pub(super) const TYPES: [(&str, bool, Properties); 28] = [
         &[
             ("cull_face", Wants::Word(&["OFF", "FRONT", "BACK"])),
             ("distance project_limit", Wants::Number),
-            ("project_axis", Wants::Word(&["POS_X", "POS_Y", "POS_Z", "NEG_X", "NEG_Y", "NEG_Z"])),
+            (
+                "project_axis",
+                Wants::Word(&["POS_X", "POS_Y", "POS_Z", "NEG_X", "NEG_Y", "NEG_Z"]),
+            ),
             ("project_axis_space", Wants::Word(WORLD)),
-            ("shrinkwrap_type", Wants::Word(&["NEAREST_SURFACE", "PROJECT", "NEAREST_VERTEX", "TARGET_PROJECT"])),
+            (
+                "shrinkwrap_type",
+                Wants::Word(&[
+                    "NEAREST_SURFACE",
+                    "PROJECT",
+                    "NEAREST_VERTEX",
+                    "TARGET_PROJECT",
+                ]),
+            ),
             ("track_axis", Wants::Word(TRACK)),
-            ("use_invert_cull use_project_opposite use_track_normal", Wants::Bool),
-            ("wrap_mode", Wants::Word(&["ON_SURFACE", "INSIDE", "OUTSIDE", "OUTSIDE_SURFACE", "ABOVE_SURFACE"])),
+            (
+                "use_invert_cull use_project_opposite use_track_normal",
+                Wants::Bool,
+            ),
+            (
+                "wrap_mode",
+                Wants::Word(&[
+                    "ON_SURFACE",
+                    "INSIDE",
+                    "OUTSIDE",
+                    "OUTSIDE_SURFACE",
+                    "ABOVE_SURFACE",
+                ]),
+            ),
         ],
     ),
     (
@@ -264,9 +372,23 @@ pub(super) const TYPES: [(&str, bool, Properties); 28] = [
             BULGE,
             BULGE_LIMITS,
             ("chain_count", Wants::Whole),
-            ("use_chain_offset use_curve_radius use_even_divisions use_original_scale", Wants::Bool),
-            ("xz_scale_mode", Wants::Word(&["NONE", "BONE_ORIGINAL", "INVERSE_PRESERVE", "VOLUME_PRESERVE"])),
-            ("y_scale_mode", Wants::Word(&["NONE", "FIT_CURVE", "BONE_ORIGINAL"])),
+            (
+                "use_chain_offset use_curve_radius use_even_divisions use_original_scale",
+                Wants::Bool,
+            ),
+            (
+                "xz_scale_mode",
+                Wants::Word(&[
+                    "NONE",
+                    "BONE_ORIGINAL",
+                    "INVERSE_PRESERVE",
+                    "VOLUME_PRESERVE",
+                ]),
+            ),
+            (
+                "y_scale_mode",
+                Wants::Word(&["NONE", "FIT_CURVE", "BONE_ORIGINAL"]),
+            ),
         ],
     ),
     (
@@ -280,7 +402,10 @@ pub(super) const TYPES: [(&str, bool, Properties); 28] = [
             BULGE_LIMITS,
             ("keep_axis", Wants::Word(&["PLANE_X", "PLANE_Z", "SWING_Y"])),
             ("rest_length", Wants::Number),
-            ("volume", Wants::Word(&["VOLUME_XZX", "VOLUME_X", "VOLUME_Z", "NO_VOLUME"])),
+            (
+                "volume",
+                Wants::Word(&["VOLUME_XZX", "VOLUME_X", "VOLUME_Z", "NO_VOLUME"]),
+            ),
         ],
     ),
     (
@@ -296,10 +421,18 @@ pub(super) const TYPES: [(&str, bool, Properties); 28] = [
         ],
     ),
     ("TRANSFORM", true, TRANSFORM),
-    ("TRANSFORM_CACHE", false, &[("cache_file", Wants::Nothing), ("object_path", Wants::Text)]),
+    (
+        "TRANSFORM_CACHE",
+        false,
+        &[("cache_file", Wants::Nothing), ("object_path", Wants::Text)],
+    ),
 ];
 
-const INSIDE: &[&str] = &["LIMITDIST_INSIDE", "LIMITDIST_OUTSIDE", "LIMITDIST_ONSURFACE"];
+const INSIDE: &[&str] = &[
+    "LIMITDIST_INSIDE",
+    "LIMITDIST_OUTSIDE",
+    "LIMITDIST_ONSURFACE",
+];
 
 const CHILD_OF: Properties = &[
     BONE,
@@ -323,9 +456,15 @@ const TRANSFORM: Properties = &[
     ),
     ("from_rotation_mode", Wants::Word(ROTATIONS)),
     ("map_from map_to", Wants::Word(MAPPED)),
-    ("map_to_x_from map_to_y_from map_to_z_from", Wants::Word(AXES)),
+    (
+        "map_to_x_from map_to_y_from map_to_z_from",
+        Wants::Word(AXES),
+    ),
     ("mix_mode", Wants::Word(&["REPLACE", "ADD"])),
-    ("mix_mode_rot", Wants::Word(&["REPLACE", "ADD", "BEFORE", "AFTER"])),
+    (
+        "mix_mode_rot",
+        Wants::Word(&["REPLACE", "ADD", "BEFORE", "AFTER"]),
+    ),
     ("mix_mode_scale", Wants::Word(&["REPLACE", "MULTIPLY"])),
     ("to_euler_order", Wants::Word(EULER)),
     ("use_motion_extrapolate", Wants::Bool),

@@ -49,11 +49,17 @@ pub(super) fn read(pointer: &str, node: &Node, faults: &mut Unfits) -> End {
         None => DefaultPosition::Absent,
         Some(node) => triple(node).map_or(DefaultPosition::Unfit, DefaultPosition::At),
     };
-    End { strategy: strategy(pointer, node, faults), offset: offset(pointer, node, faults), default_position }
+    End {
+        strategy: strategy(pointer, node, faults),
+        offset: offset(pointer, node, faults),
+        default_position,
+    }
 }
 
 fn offset(pointer: &str, node: &Node, faults: &mut Unfits) -> [f64; 3] {
-    let Some(offset) = node.get("offset") else { return [0.0; 3] };
+    let Some(offset) = node.get("offset") else {
+        return [0.0; 3];
+    };
     triple(offset).unwrap_or_else(|| {
         faults.add_type(&below(pointer, "offset"), offset, "a list of 3 numbers");
         [0.0; 3]
@@ -69,7 +75,9 @@ fn strategy(pointer: &str, node: &Node, faults: &mut Unfits) -> Strategy {
         Some("CUBE") => field(pointer, node, "cube_name", faults).map(cube),
         Some("VERTEX") => {
             let vertex = field(pointer, node, "vertex_index", faults);
-            vertex.and_then(|node| index(&below(pointer, "vertex_index"), node, faults)).map(Strategy::Vertex)
+            vertex
+                .and_then(|node| index(&below(pointer, "vertex_index"), node, faults))
+                .map(Strategy::Vertex)
         }
         Some("MEAN") => indices(pointer, node, faults).map(Strategy::Mean),
         Some("XYZ") => indices(pointer, node, faults).map(Strategy::Xyz),
@@ -81,10 +89,18 @@ fn strategy(pointer: &str, node: &Node, faults: &mut Unfits) -> Strategy {
 
 /// What is no text names no cube.
 fn cube(node: &Node) -> Strategy {
-    Strategy::Cube(node.as_str().map_or_else(|| node.type_word().to_owned(), str::to_owned))
+    Strategy::Cube(
+        node.as_str()
+            .map_or_else(|| node.type_word().to_owned(), str::to_owned),
+    )
 }
 
-fn field<'n>(pointer: &str, node: &'n Node, key: &'static str, faults: &mut Unfits) -> Option<&'n Node> {
+fn field<'n>(
+    pointer: &str,
+    node: &'n Node,
+    key: &'static str,
+    faults: &mut Unfits,
+) -> Option<&'n Node> {
     let found = node.get(key);
     if found.is_none() {
         faults.add(pointer, Why::Lacks(key));
@@ -100,13 +116,18 @@ fn indices(pointer: &str, node: &Node, faults: &mut Unfits) -> Option<Vec<i64>> 
         return None;
     }
     let elements = list.elements().iter().enumerate();
-    let indices: Vec<Option<i64>> = elements.map(|(at, one)| index(&nth(&pointer, at), one, faults)).collect();
+    let indices: Vec<Option<i64>> = elements
+        .map(|(at, one)| index(&nth(&pointer, at), one, faults))
+        .collect();
     indices.into_iter().collect()
 }
 
 fn index(pointer: &str, node: &Node, faults: &mut Unfits) -> Option<i64> {
     match node.value {
-        #[expect(clippy::cast_possible_truncation, reason = "written as an integer; no mesh has as many vertices")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "written as an integer; no mesh has as many vertices"
+        )]
         Value::Number(number, true) => Some(number as i64),
         Value::Bool(set) => Some(i64::from(set)),
         _ => {

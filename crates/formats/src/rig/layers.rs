@@ -1,4 +1,5 @@
-//! Layers of old rigs, and what became of them (`docs/loaders/mpfb/rigs.md#layers-below-version-110`).
+//! Layers of old rigs, and what became of them
+//! (`docs/loaders/mpfb/rigs.md#layers-below-version-110`).
 
 use crate::unfit::below;
 use mhlint_json::Node;
@@ -22,12 +23,22 @@ pub(super) const OF_RIGIFY: [&str; 3] = ["fk_layers", "tweak_layers", "secondary
 
 /// What is wrong with the layers of a bone.
 pub(super) fn check(pointer: &str, bone: &Node, are_read: bool, faults: &mut Vec<LayersFault>) {
-    let Some(layers) = bone.get("layers") else { return };
+    let Some(layers) = bone.get("layers") else {
+        return;
+    };
     let pointer = below(pointer, "layers");
-    let set = layers.elements().iter().enumerate().filter(|(_, layer)| !layer.is_falsy()).map(|(at, _)| at);
+    let set = layers
+        .elements()
+        .iter()
+        .enumerate()
+        .filter(|(_, layer)| !layer.is_falsy())
+        .map(|(at, _)| at);
     let set: Vec<usize> = set.collect();
     if !are_read {
-        faults.push(LayersFault::Dead(pointer, matches!(set.as_slice(), [] | [0])));
+        faults.push(LayersFault::Dead(
+            pointer,
+            matches!(set.as_slice(), [] | [0]),
+        ));
     } else if let Some(beyond) = set.iter().find(|at| **at >= COUNT) {
         faults.push(LayersFault::Beyond(pointer, *beyond));
     } else if layers.is_array() && layers.elements().len() != COUNT {
@@ -36,8 +47,16 @@ pub(super) fn check(pointer: &str, bone: &Node, are_read: bool, faults: &mut Vec
 }
 
 /// What is wrong with those of Rigify.
-pub(super) fn check_rigify(pointer: &str, parameters: &Node, are_read: bool, faults: &mut Vec<LayersFault>) {
-    for key in OF_RIGIFY.iter().filter(|key| parameters.get(key).is_some() && !are_read) {
+pub(super) fn check_rigify(
+    pointer: &str,
+    parameters: &Node,
+    are_read: bool,
+    faults: &mut Vec<LayersFault>,
+) {
+    for key in OF_RIGIFY
+        .iter()
+        .filter(|key| parameters.get(key).is_some() && !are_read)
+    {
         faults.push(LayersFault::Dead(below(pointer, key), false));
     }
 }

@@ -1,8 +1,9 @@
 //! Rigs of MPFB: `rig.*.json`, custom rigs and `.mpfbskel` (`docs/loaders/mpfb/rigs.md#layouts`,
-//! `docs/loaders/mpfb/custom-rigs.md#listing-custom-rigs`, `docs/loaders/mpfb/custom-rigs.md#what-differs`).
+//! `docs/loaders/mpfb/custom-rigs.md#listing-custom-rigs`,
+//! `docs/loaders/mpfb/custom-rigs.md#what-differs`).
 //!
-//! The loader is strict on what a bone has and lenient on where it lies: what stops it, and what it takes otherwise than it
-//! is written, is kept apart.
+//! The loader is strict on what a bone has and lenient on where it lies: what stops it, and what it
+//! takes otherwise than it is written, is kept apart.
 
 mod attribute;
 mod bone;
@@ -147,7 +148,11 @@ pub enum LayoutFault {
 impl Rig {
     /// The steps of a pointer to a bone.
     pub fn steps_to<'s>(&self, bone: &'s str) -> Vec<&'s str> {
-        if self.has_header { vec!["bones", bone] } else { vec![bone] }
+        if self.has_header {
+            vec!["bones", bone]
+        } else {
+            vec![bone]
+        }
     }
 
     /// The steps of a pointer to a key of a bone.
@@ -188,14 +193,30 @@ mod tests {
             ("inherit_scale", r#""FULL""#),
             ("rigify", "{}"),
         ];
-        let mut members: Vec<String> = keys.iter().map(|(own, usual)| format!("\"{own}\": {usual}")).collect();
+        let mut members: Vec<String> = keys
+            .iter()
+            .map(|(own, usual)| format!("\"{own}\": {usual}"))
+            .collect();
         members.push(format!("\"{key}\": {value}"));
-        of(&format!("{{\"version\": 110, \"bones\": {{\"a\": {{{}}}}}}}", members.join(", ")))
+        of(&format!(
+            "{{\"version\": 110, \"bones\": {{\"a\": {{{}}}}}}}",
+            members.join(", ")
+        ))
     }
 
     fn faults(rig: &Rig) -> usize {
-        let RigFaults { keys, words, properties, ends, rigify, .. } = &rig.faults;
-        [keys, words, properties, ends, rigify].iter().map(|own| own.all().len()).sum()
+        let RigFaults {
+            keys,
+            words,
+            properties,
+            ends,
+            rigify,
+            ..
+        } = &rig.faults;
+        [keys, words, properties, ends, rigify]
+            .iter()
+            .map(|own| own.all().len())
+            .sum()
     }
 
     #[test]
@@ -208,9 +229,15 @@ mod tests {
             ("inherit_scale", "\"NONE_LEGACY\""),
             ("rotation_mode", "\"AXIS_ANGLE\""),
             ("collections", "null"),
-            ("bendy_bone", r#"{"segments": 4, "handle_use_scale_start": [true, 0, 1], "x": 1}"#),
+            (
+                "bendy_bone",
+                r#"{"segments": 4, "handle_use_scale_start": [true, 0, 1], "x": 1}"#,
+            ),
             ("rigify", r#"{"rigify_type": "", "rigify_parameters": {}}"#),
-            ("constraints", r#"[{"type": "IK", "name": "i", "target": true, "subtarget": "b", "chain_count": 2}]"#),
+            (
+                "constraints",
+                r#"[{"type": "IK", "name": "i", "target": true, "subtarget": "b", "chain_count": 2}]"#,
+            ),
             ("anything", "[]"),
         ] {
             assert_eq!(faults(&with(key, value)), 0, "{key}: {value}");
@@ -225,7 +252,10 @@ mod tests {
             ("head", r#"{"strategy": "VERTEX", "vertex_index": 1.0}"#),
             ("head", r#"{"strategy": "XYZ", "vertex_indices": 1}"#),
             ("head", r#"{"strategy": "CUBE"}"#),
-            ("head", r#"{"strategy": "VERTEX", "vertex_index": 1, "offset": [0, 0]}"#),
+            (
+                "head",
+                r#"{"strategy": "VERTEX", "vertex_index": 1, "offset": [0, 0]}"#,
+            ),
             ("roll", "\"0\""),
             ("roll", "null"),
             ("parent", "5"),
@@ -238,7 +268,10 @@ mod tests {
             ("rigify", r#"{"rigify_type": 1}"#),
             ("rigify", r#"{"rigify_parameters": null}"#),
             ("rigify", r#"{"rigify_parameters": {"bbones": 1.5}}"#),
-            ("rigify", r#"{"rigify_parameters": {"skin_chain_falloff": [1, 2]}}"#),
+            (
+                "rigify",
+                r#"{"rigify_parameters": {"skin_chain_falloff": [1, 2]}}"#,
+            ),
             ("bendy_bone", "null"),
             ("bendy_bone", r#"{"segments": 1.0}"#),
             ("bendy_bone", r#"{"scalein": [1, 1]}"#),
@@ -248,16 +281,38 @@ mod tests {
             ("constraints", "[1]"),
             ("constraints", r#"[{"type": "IK"}]"#),
             ("constraints", r#"[{"type": "IKK", "name": "i"}]"#),
-            ("constraints", r#"[{"type": "IK", "name": "i", "target": "b"}]"#),
-            ("constraints", r#"[{"type": "IK", "name": "i", "chain_count": 2.5}]"#),
-            ("constraints", r#"[{"type": "IK", "name": "i", "pole_target": true}]"#),
-            ("constraints", r#"[{"type": "LIMIT_SCALE", "name": "i", "target": true}]"#),
+            (
+                "constraints",
+                r#"[{"type": "IK", "name": "i", "target": "b"}]"#,
+            ),
+            (
+                "constraints",
+                r#"[{"type": "IK", "name": "i", "chain_count": 2.5}]"#,
+            ),
+            (
+                "constraints",
+                r#"[{"type": "IK", "name": "i", "pole_target": true}]"#,
+            ),
+            (
+                "constraints",
+                r#"[{"type": "LIMIT_SCALE", "name": "i", "target": true}]"#,
+            ),
             ("constraints", r#"[{"type": "ARMATURE", "name": "i"}]"#),
-            ("constraints", r#"[{"type": "ARMATURE", "name": "i", "targets": [{"subtarget": "b"}]}]"#),
+            (
+                "constraints",
+                r#"[{"type": "ARMATURE", "name": "i", "targets": [{"subtarget": "b"}]}]"#,
+            ),
         ] {
             assert_eq!(faults(&with(key, value)), 1, "{key}: {value}");
         }
-        assert!(of(r#"{"a": {}}"#).faults.keys.all().iter().all(|one| matches!(one.why, Why::Lacks(_))));
+        assert!(
+            of(r#"{"a": {}}"#)
+                .faults
+                .keys
+                .all()
+                .iter()
+                .all(|one| matches!(one.why, Why::Lacks(_)))
+        );
     }
 
     #[test]
@@ -265,16 +320,32 @@ mod tests {
         let layout = |text: &str| of(text).faults.layout;
         assert_eq!(layout("[]"), [LayoutFault::NotObject("a list")]);
         assert_eq!(layout(r#"{"bones": {}}"#), [LayoutFault::WithoutVersion]);
-        assert_eq!(layout(r#"{"version": 110}"#), [LayoutFault::HeaderWithoutBones("version".to_owned())]);
-        assert_eq!(layout(r#"{"version": "1", "bones": {}}"#), [LayoutFault::VersionType("a string")]);
-        assert_eq!(layout(r#"{"version": 110.5, "bones": {}}"#), [LayoutFault::TooNew(110.5)]);
-        assert_eq!(layout(r#"{"version": 90, "bones": null, "joints": 1}"#), [LayoutFault::Skeleton]);
+        assert_eq!(
+            layout(r#"{"version": 110}"#),
+            [LayoutFault::HeaderWithoutBones("version".to_owned())]
+        );
+        assert_eq!(
+            layout(r#"{"version": "1", "bones": {}}"#),
+            [LayoutFault::VersionType("a string")]
+        );
+        assert_eq!(
+            layout(r#"{"version": 110.5, "bones": {}}"#),
+            [LayoutFault::TooNew(110.5)]
+        );
+        assert_eq!(
+            layout(r#"{"version": 90, "bones": null, "joints": 1}"#),
+            [LayoutFault::Skeleton]
+        );
         assert_eq!(layout("{}"), []);
     }
 
     #[test]
     fn the_schema_fits_what_the_loader_takes() {
-        let check = |text: &str| mhlint_json::check("mpfb_rig", &parse(text.as_bytes()).unwrap()).faults.len();
+        let check = |text: &str| {
+            mhlint_json::check("mpfb_rig", &parse(text.as_bytes()).unwrap())
+                .faults
+                .len()
+        };
         for sound in [
             include_str!("../../../../fixtures/mpfb/data/rigs/standard/rig.cube.json"),
             include_str!("../../../../fixtures/mpfb/data/rigs/rigify/rig.cube_control.json"),
@@ -288,7 +359,9 @@ mod tests {
 
     #[test]
     fn a_hundred_thousand_bones_are_read() {
-        let bones: Vec<String> = (0..100_000).map(|at| format!("\"b{at}\": {{\"roll\": null}}")).collect();
+        let bones: Vec<String> = (0..100_000)
+            .map(|at| format!("\"b{at}\": {{\"roll\": null}}"))
+            .collect();
         let rig = of(&format!("{{{}}}", bones.join(",")));
         assert_eq!(rig.bones.len(), 100_000);
         // Faults are kept for those that a report can name.

@@ -6,19 +6,33 @@ use crate::unfit::{below, is_number};
 use mhlint_json::{Document, Node, Value};
 
 /// Keys of the header.
-const HEADER: [&str; 8] =
-    ["version", "is_subrig", "scale_factor", "collections", "extra_bones", "rigify_ui", "identifying_bones", "joints"];
+const HEADER: [&str; 8] = [
+    "version",
+    "is_subrig",
+    "scale_factor",
+    "collections",
+    "extra_bones",
+    "rigify_ui",
+    "identifying_bones",
+    "joints",
+];
 /// The version of a file without `bones`.
 const PLAIN: f64 = 100.0;
 /// Bones that are kept; no rig that anybody made has as many.
 const MOST: usize = 200_000;
 
-/// Takes what the loader would take. Only one that is added to another rig can name bones of that; both are read alike.
+/// Takes what the loader would take. Only one that is added to another rig can name bones of that;
+/// both are read alike.
 pub fn read(document: &Document) -> Rig {
     let root = &document.root;
-    let mut rig = Rig { version: PLAIN, ..Rig::default() };
+    let mut rig = Rig {
+        version: PLAIN,
+        ..Rig::default()
+    };
     if !root.is_object() {
-        rig.faults.layout.push(LayoutFault::NotObject(root.type_word()));
+        rig.faults
+            .layout
+            .push(LayoutFault::NotObject(root.type_word()));
         return rig;
     }
     let bones = root.get("bones");
@@ -36,16 +50,36 @@ fn plain(root: &Node, rig: &mut Rig) {
     // A bone can be called like a key of a header, as long as it is one.
     let is_header = |node: &Node, key: &str| HEADER.contains(&key) && node.get("head").is_none();
     let mut faults = RigFaults::default();
-    let header = root.members().iter().find(|member| is_header(&member.node, &member.key));
+    let header = root
+        .members()
+        .iter()
+        .find(|member| is_header(&member.node, &member.key));
     if let Some(header) = header {
-        rig.top_keys = root.members().iter().take(HEADER.len() * 2).map(|member| member.key.clone()).collect();
-        faults.layout.push(LayoutFault::HeaderWithoutBones(header.key.clone()));
+        rig.top_keys = root
+            .members()
+            .iter()
+            .take(HEADER.len() * 2)
+            .map(|member| member.key.clone())
+            .collect();
+        faults
+            .layout
+            .push(LayoutFault::HeaderWithoutBones(header.key.clone()));
     }
     let whole = Whole { has_layers: true };
     // The finding on the header names them all.
-    let bones = if header.is_some() { Vec::new() } else { root.effective_members() };
+    let bones = if header.is_some() {
+        Vec::new()
+    } else {
+        root.effective_members()
+    };
     for member in bones.into_iter().take(MOST) {
-        rig.bones.push(bone::read(&member.key, &below("", &member.key), &member.node, &whole, &mut faults));
+        rig.bones.push(bone::read(
+            &member.key,
+            &below("", &member.key),
+            &member.node,
+            &whole,
+            &mut faults,
+        ));
     }
     rig.faults = faults;
 }
@@ -72,8 +106,13 @@ fn with_header(root: &Node, bones: &Node, rig: &mut Rig) {
     rig.collections = list("collections", &mut faults);
     rig.extra_bones = list("extra_bones", &mut faults);
     // What a letter for a collection leads to is told at the bones.
-    if let Some(text) = root.get("extra_bones").filter(|node| node.as_str().is_some_and(|text| text.len() > 1)) {
-        faults.letters.add_type("/extra_bones", text, "a list of names");
+    if let Some(text) = root
+        .get("extra_bones")
+        .filter(|node| node.as_str().is_some_and(|text| text.len() > 1))
+    {
+        faults
+            .letters
+            .add_type("/extra_bones", text, "a list of names");
     }
     let panel = root.get("rigify_ui").filter(|panel| !panel.is_falsy());
     rig.has_rigify_ui = panel.is_some();
@@ -83,12 +122,20 @@ fn with_header(root: &Node, bones: &Node, rig: &mut Rig) {
             rigify::panel(panel, &rig.collections, &mut faults);
         }
     }
-    let whole = Whole { has_layers: rig.has_layers() };
+    let whole = Whole {
+        has_layers: rig.has_layers(),
+    };
     if !bones.is_object() && bones.value != Value::Null {
         faults.keys.add_type("/bones", bones, "an object");
     }
     for member in bones.effective_members().into_iter().take(MOST) {
-        let bone = bone::read(&member.key, &below("/bones", &member.key), &member.node, &whole, &mut faults);
+        let bone = bone::read(
+            &member.key,
+            &below("/bones", &member.key),
+            &member.node,
+            &whole,
+            &mut faults,
+        );
         rig.bones.push(bone);
     }
     rig.faults = faults;
@@ -102,7 +149,9 @@ fn version(root: &Node, rig: &mut Rig, faults: &mut RigFaults) {
     match version.as_python_number() {
         None => {
             rig.version = NEWEST;
-            faults.layout.push(LayoutFault::VersionType(version.type_word()));
+            faults
+                .layout
+                .push(LayoutFault::VersionType(version.type_word()));
         }
         Some(number) => {
             rig.version = number;
@@ -117,7 +166,10 @@ fn identifying(root: &Node) -> Identifying {
     match root.get("identifying_bones") {
         None => Identifying::Absent,
         Some(list) if list.is_array() => {
-            let name = |one: &Node| one.as_str().map_or_else(|| one.type_word().to_owned(), str::to_owned);
+            let name = |one: &Node| {
+                one.as_str()
+                    .map_or_else(|| one.type_word().to_owned(), str::to_owned)
+            };
             Identifying::Bones(list.elements().iter().map(name).collect())
         }
         Some(other) => Identifying::Other(other.type_word()),

@@ -45,28 +45,55 @@ const TYPES: &[&str] = &[
 const PARAMETERS: Properties = &[
     ("limb_type", Wants::Word(&["arm", "leg", "paw"])),
     ("rotation_axis", Wants::Word(&["x", "z", "automatic"])),
-    ("primary_rotation_axis", Wants::Word(&["automatic", "X", "Y", "Z", "-X", "-Y", "-Z"])),
+    (
+        "primary_rotation_axis",
+        Wants::Word(&["automatic", "X", "Y", "Z", "-X", "-Y", "-Z"]),
+    ),
     ("roll_alignment", Wants::Word(&["automatic", "manual"])),
-    ("foot_pivot_type", Wants::Word(&["ANKLE", "TOE", "ANKLE_TOE"])),
-    ("skin_glue_add_constraint", Wants::Word(&["NONE", "COPY_LOCATION", "COPY_LOCATION_OWNER"])),
-    ("skin_chain_pivot_pos skin_chain_priority bbones segments pivot_pos neck_pos tail_pos", Wants::Whole),
+    (
+        "foot_pivot_type",
+        Wants::Word(&["ANKLE", "TOE", "ANKLE_TOE"]),
+    ),
+    (
+        "skin_glue_add_constraint",
+        Wants::Word(&["NONE", "COPY_LOCATION", "COPY_LOCATION_OWNER"]),
+    ),
+    (
+        "skin_chain_pivot_pos skin_chain_priority bbones segments pivot_pos neck_pos tail_pos",
+        Wants::Whole,
+    ),
     ("skin_chain_falloff", Wants::Numbers(3)),
-    ("skin_chain_falloff_spherical copy_rotation_axes", Wants::Bools(3)),
+    (
+        "skin_chain_falloff_spherical copy_rotation_axes",
+        Wants::Bools(3),
+    ),
     ("skin_chain_connect_ends", Wants::Bools(2)),
     ("skin_chain_connect_sharp_angle", Wants::Numbers(2)),
     ("skin_chain_use_scale", Wants::Bools(4)),
-    ("skin_glue_add_constraint_influence jaw_mouth_influence", Wants::Number),
+    (
+        "skin_glue_add_constraint_influence jaw_mouth_influence",
+        Wants::Number,
+    ),
     (
         "auto_align_extremity connect_chain extra_ik_toe extra_toe_roll ik_local_location make_control make_deform \
          make_widget make_custom_pivot make_ik_wrist_pivot make_fk_controls make_extra_ik_control relink_constraints \
          skin_chain_falloff_scale skin_glue_tail_reparent skin_glue_use_tail skin_secondary_layers_extra",
         Wants::Bool,
     ),
-    ("skin_control_orientation_bone super_copy_widget_type", Wants::Text),
+    (
+        "skin_control_orientation_bone super_copy_widget_type",
+        Wants::Text,
+    ),
 ];
 
 /// What a bone says to Rigify.
-pub(super) fn of_bone(pointer: &str, node: &Node, whole: &Whole, bone: &mut RigBone, faults: &mut RigFaults) {
+pub(super) fn of_bone(
+    pointer: &str,
+    node: &Node,
+    whole: &Whole,
+    bone: &mut RigBone,
+    faults: &mut RigFaults,
+) {
     if !node.is_object() {
         return faults.keys.add_type(pointer, node, "an object");
     }
@@ -81,7 +108,9 @@ pub(super) fn of_bone(pointer: &str, node: &Node, whole: &Whole, bone: &mut RigB
             None => faults.rigify.add_type(&place, kind, "a text"),
         }
     }
-    let Some(parameters) = node.get("rigify_parameters") else { return };
+    let Some(parameters) = node.get("rigify_parameters") else {
+        return;
+    };
     let pointer = below(pointer, "rigify_parameters");
     if !parameters.is_object() {
         return faults.rigify.add_type(&pointer, parameters, "an object");
@@ -92,7 +121,8 @@ pub(super) fn of_bone(pointer: &str, node: &Node, whole: &Whole, bone: &mut RigB
         if member.key.ends_with("_coll_refs") {
             faults.needs_rigify.push(place.clone());
             let names = names(&place, &member.node, faults);
-            bone.collection_references.extend(names.into_iter().map(|name| (place.clone(), name)));
+            bone.collection_references
+                .extend(names.into_iter().map(|name| (place.clone(), name)));
         } else if let Some(wants) = wanted(PARAMETERS, &member.key) {
             let mut words = std::mem::take(&mut faults.rigify);
             let mut types = crate::unfit::Unfits::default();
@@ -107,8 +137,19 @@ pub(super) fn of_bone(pointer: &str, node: &Node, whole: &Whole, bone: &mut RigB
 }
 
 /// Keys of `rigify_ui`, and those of each of its collections.
-const OF_PANEL: [&str; 4] = ["rigify_colors_lock", "selection_colors", "colors", "collections"];
-const OF_COLLECTION: [&str; 5] = ["is_visible", "ui_row", "ui_title", "sel_set", "color_set_id"];
+const OF_PANEL: [&str; 4] = [
+    "rigify_colors_lock",
+    "selection_colors",
+    "colors",
+    "collections",
+];
+const OF_COLLECTION: [&str; 5] = [
+    "is_visible",
+    "ui_row",
+    "ui_title",
+    "sel_set",
+    "color_set_id",
+];
 
 /// The panel of Rigify. That of older versions has other keys.
 pub(super) fn panel(node: &Node, collections: &[String], faults: &mut RigFaults) {
@@ -123,13 +164,33 @@ pub(super) fn panel(node: &Node, collections: &[String], faults: &mut RigFaults)
     };
     lack(POINTER, node, &OF_PANEL, faults);
     if let Some(colors) = node.get("selection_colors") {
-        lack("/rigify_ui/selection_colors", colors, &["select", "active"], faults);
+        lack(
+            "/rigify_ui/selection_colors",
+            colors,
+            &["select", "active"],
+            faults,
+        );
     }
-    for (at, color) in node.get("colors").map(Node::elements).unwrap_or_default().iter().enumerate() {
-        lack(&format!("/rigify_ui/colors/{at}"), color, &["name", "normal"], faults);
+    for (at, color) in node
+        .get("colors")
+        .map(Node::elements)
+        .unwrap_or_default()
+        .iter()
+        .enumerate()
+    {
+        lack(
+            &format!("/rigify_ui/colors/{at}"),
+            color,
+            &["name", "normal"],
+            faults,
+        );
     }
     let collections: BTreeSet<&str> = collections.iter().map(String::as_str).collect();
-    for member in node.get("collections").map(Node::effective_members).unwrap_or_default() {
+    for member in node
+        .get("collections")
+        .map(Node::effective_members)
+        .unwrap_or_default()
+    {
         let pointer = below("/rigify_ui/collections", &member.key);
         lack(&pointer, &member.node, &OF_COLLECTION, faults);
         if !collections.contains(member.key.as_str()) {

@@ -1,4 +1,5 @@
-//! Expressions with the frames that they are made of (`docs/loaders/makehuman1/expressions.md#units`).
+//! Expressions with the frames that they are made of
+//! (`docs/loaders/makehuman1/expressions.md#units`).
 
 use super::view::OWN;
 use crate::{BodyPose, FileFacts, Layers, PoseUnitsFile};
@@ -22,11 +23,15 @@ pub struct FaceFrames<'a> {
 
 impl<'a> FaceFrames<'a> {
     pub(super) fn of(layers: Layers<'a>) -> Self {
-        let Some(system) = layers.system else { return Self::default() };
+        let Some(system) = layers.system else {
+            return Self::default();
+        };
         let names = |file: &'a FileFacts| Some((file, file.face_units()?.names.as_deref()?));
         Self {
             names: system.file(NAMES).and_then(names),
-            motion: system.file(MOTION).and_then(|file| Some((file, file.motion()?))),
+            motion: system
+                .file(MOTION)
+                .and_then(|file| Some((file, file.motion()?))),
         }
     }
 
@@ -38,10 +43,12 @@ impl<'a> FaceFrames<'a> {
 
     /// The names, if they are as many as the frames: otherwise there are no units at all.
     fn units(&self) -> Option<(&'a FileFacts, &'a [String])> {
-        self.names.filter(|(_, names)| self.frames() == Some(names.len()))
+        self.names
+            .filter(|(_, names)| self.frames() == Some(names.len()))
     }
 
-    /// The files that make units, and the units. Whether they are there matters to the system that needs them.
+    /// The files that make units, and the units. Whether they are there matters to the system that
+    /// needs them.
     pub(super) fn files(&self, layers: Layers<'a>) -> Vec<PoseUnitsFile<'a>> {
         let is_there = |rel: &str| {
             let system = layers.system.filter(|_| layers.checks_system());
@@ -60,9 +67,18 @@ impl<'a> FaceFrames<'a> {
 
 /// The expressions of the checked layer that are listed.
 pub(super) fn expressions(layers: Layers<'_>) -> Vec<BodyPose<'_>> {
-    let own = layers.checked.below(LIBRARY).filter(|file| file.kind_in(OWN) == Kind::Pose);
+    let own = layers
+        .checked
+        .below(LIBRARY)
+        .filter(|file| file.kind_in(OWN) == Kind::Pose);
     let listed = own.filter(|file| library_of(&file.rel).is_some());
-    let expression =
-        |file| Some(BodyPose { file, pose: FileFacts::pose(file)?, is_expression: true, renewed: |_| None });
+    let expression = |file| {
+        Some(BodyPose {
+            file,
+            pose: FileFacts::pose(file)?,
+            is_expression: true,
+            renewed: |_| None,
+        })
+    };
     listed.filter_map(expression).collect()
 }

@@ -33,16 +33,29 @@ impl<'a> Asset<'a> {
         let file = worn.file;
         if let Some(clothes) = worn.clothes() {
             let library = library_of(&file.rel)?;
-            return Some(Self { file, library, name: last(clothes, "name"), uuid: last(clothes, "uuid") });
+            return Some(Self {
+                file,
+                library,
+                name: last(clothes, "name"),
+                uuid: last(clothes, "uuid"),
+            });
         }
         let [name, uuid] = &worn.packed_proxy()?.identity;
         let known = |text: &'a str| (!text.is_empty()).then_some(Known { text, entry: None });
-        Some(Self { file, library: archive_library_of(&file.rel)?, name: known(name), uuid: known(uuid) })
+        Some(Self {
+            file,
+            library: archive_library_of(&file.rel)?,
+            name: known(name),
+            uuid: known(uuid),
+        })
     }
 }
 
 /// The last line of a keyword with a value. One with a colon is another word to the program.
 fn last<'a>(clothes: &'a Clothes, keyword: &str) -> Option<Known<'a>> {
     let entry = clothes.all(keyword).rev().find(|entry| !entry.has_colon)?;
-    Some(Known { text: &entry.value, entry: Some(entry) })
+    Some(Known {
+        text: &entry.value,
+        entry: Some(entry),
+    })
 }

@@ -1,5 +1,6 @@
 //! The data of `MakeHuman` 1 as it sees them. Connected so far: its targets with the modifiers and
-//! sliders that move them, its libraries, which are what is worn with its materials and weights, skins, and poses.
+//! sliders that move them, its libraries, which are what is worn with its materials and weights,
+//! skins, and poses.
 
 mod compiled;
 mod expressions;

@@ -41,7 +41,9 @@ pub enum Version<'a> {
 
 impl<'a> Version<'a> {
     fn of(lines: &'a Lines) -> Self {
-        let Some(word) = lines.last("version") else { return Self::Missing };
+        let Some(word) = lines.last("version") else {
+            return Self::Missing;
+        };
         match numbers(&word.text) {
             Some(("1", "0")) => Self::First(word),
             Some(("1", "1")) => Self::Second(word),
@@ -59,7 +61,9 @@ impl<'a> Version<'a> {
 /// The first two numbers of `v1.3.0`.
 fn numbers(text: &str) -> Option<(&str, &str)> {
     let (major, rest) = text.strip_prefix('v')?.split_once('.')?;
-    let end = rest.find(|one: char| !one.is_ascii_digit()).unwrap_or(rest.len());
+    let end = rest
+        .find(|one: char| !one.is_ascii_digit())
+        .unwrap_or(rest.len());
     let minor = rest.get(..end)?;
     let is_number = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     (is_number(major) && is_number(minor)).then_some((major, minor))
@@ -67,21 +71,32 @@ fn numbers(text: &str) -> Option<(&str, &str)> {
 
 /// The characters of all layers that are listed.
 pub(super) fn models(layers: Layers<'_>) -> Vec<SavedModel<'_>> {
-    let files = layers.strongest_first().flat_map(|layer| layer.below(LIBRARY));
+    let files = layers
+        .strongest_first()
+        .flat_map(|layer| layer.below(LIBRARY));
     // Beside the data folder, not in it.
     let beside = files.filter(|file| file.is_loose);
-    let listed = beside.filter(|file| file.kind_in(OWN) == Kind::Model && library_of(&file.rel).is_some());
+    let listed =
+        beside.filter(|file| file.kind_in(OWN) == Kind::Model && library_of(&file.rel).is_some());
     // Of what is not UTF-8 nothing is read.
     let read = listed.filter(|file| file.encoding.invalid_utf8_at.is_none());
     let model = |file| {
         let lines = &FileFacts::model(file)?.lines;
-        Some(SavedModel { file, lines, version: Version::of(lines) })
+        Some(SavedModel {
+            file,
+            lines,
+            version: Version::of(lines),
+        })
     };
     read.filter_map(model).collect()
 }
 
 /// The files that characters name.
-pub(super) fn references<'a>(layers: Layers<'a>, models: &[SavedModel<'a>], worn: &[Worn<'a>]) -> Vec<Reference<'a>> {
+pub(super) fn references<'a>(
+    layers: Layers<'a>,
+    models: &[SavedModel<'a>],
+    worn: &[Worn<'a>],
+) -> Vec<Reference<'a>> {
     let named: [(&str, ReferenceKind, &str); 4] = [
         ("skinMaterial", ReferenceKind::Skin, ""),
         ("skeleton", ReferenceKind::ModelSkeleton, "rigs"),
@@ -90,14 +105,26 @@ pub(super) fn references<'a>(layers: Layers<'a>, models: &[SavedModel<'a>], worn
     ];
     let mut all = Vec::new();
     for model in models.iter().filter(|model| model.version.is_read()) {
-        let Some(asking) = Asking::of(layers, model.file) else { continue };
+        let Some(asking) = Asking::of(layers, model.file) else {
+            continue;
+        };
         for (keyword, kind, folder) in named {
-            let first: Vec<_> = layers.strongest_first().map(|layer| (layer, folder)).collect();
+            let first: Vec<_> = layers
+                .strongest_first()
+                .map(|layer| (layer, folder))
+                .collect();
             let first = if folder.is_empty() { &[][..] } else { &first };
-            all.extend(model.lines.last(keyword).map(|word| asking.reference(kind, first, word, "")));
+            all.extend(
+                model
+                    .lines
+                    .last(keyword)
+                    .map(|word| asking.reference(kind, first, word, "")),
+            );
         }
         for (line, uuid, path) in model.lines.of("material").filter_map(material) {
-            let Some(asset) = worn.iter().find(|asset| uuid_of(asset) == Some(uuid)) else { continue };
+            let Some(asset) = worn.iter().find(|asset| uuid_of(asset) == Some(uuid)) else {
+                continue;
+            };
             let first = layer_of(layers, asset.file).map(|layer| (layer, parent(&asset.file.rel)));
             let first: Vec<_> = first.into_iter().collect();
             all.push(asking.reference(ReferenceKind::ModelMaterial, &first, path, line.value(0)));
@@ -119,7 +146,11 @@ pub fn uuid_of<'a>(asset: &Worn<'a>) -> Option<&'a str> {
 }
 
 fn layer_of<'a>(layers: Layers<'a>, file: &FileFacts) -> Option<&'a Layer> {
-    layers.strongest_first().find(|layer| layer.file(&file.rel).is_some_and(|own| std::ptr::eq(own, file)))
+    layers.strongest_first().find(|layer| {
+        layer
+            .file(&file.rel)
+            .is_some_and(|own| std::ptr::eq(own, file))
+    })
 }
 
 /// A model that names files.
@@ -130,8 +161,15 @@ struct Asking<'a> {
 
 impl<'a> Asking<'a> {
     fn of(layers: Layers<'a>, file: &'a FileFacts) -> Option<Self> {
-        let search = Search { layers, layer: layer_of(layers, file)?, file };
-        Some(Self { search, base: file.base_in(OWN)? })
+        let search = Search {
+            layers,
+            layer: layer_of(layers, file)?,
+            file,
+        };
+        Some(Self {
+            search,
+            base: file.base_in(OWN)?,
+        })
     }
 
     fn reference(
@@ -142,8 +180,23 @@ impl<'a> Asking<'a> {
         owner: &'a str,
     ) -> Reference<'a> {
         let (rel, resolution) = self.search.find_from(first, &word.text);
-        let (base, from, place, text) = (self.base, self.search.file, Place::Span(word.span.clone()), &*word.text);
-        Reference { kind, base, from, place, text, owner, folder_at_fault: None, rel, resolution }
+        let (base, from, place, text) = (
+            self.base,
+            self.search.file,
+            Place::Span(word.span.clone()),
+            &*word.text,
+        );
+        Reference {
+            kind,
+            base,
+            from,
+            place,
+            text,
+            owner,
+            folder_at_fault: None,
+            rel,
+            resolution,
+        }
     }
 }
 
@@ -175,7 +228,12 @@ mod tests {
     #[test]
     fn a_material_has_a_name_in_front_or_none() {
         let lines = read(b"material 12 a.mhmat\nmaterial cap 12 a.mhmat more\nmaterial 12\n");
-        let told: Vec<_> = lines.all.iter().filter_map(material).map(|(_, uuid, path)| (uuid, &*path.text)).collect();
+        let told: Vec<_> = lines
+            .all
+            .iter()
+            .filter_map(material)
+            .map(|(_, uuid, path)| (uuid, &*path.text))
+            .collect();
         assert_eq!(told, [("12", "a.mhmat"), ("12", "a.mhmat")]);
     }
 }

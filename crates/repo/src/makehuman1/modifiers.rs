@@ -1,4 +1,5 @@
-//! Modifiers with their targets, descriptions and sliders (`docs/loaders/makehuman1/modifiers.md#modifier-file`).
+//! Modifiers with their targets, descriptions and sliders
+//! (`docs/loaders/makehuman1/modifiers.md#modifier-file`).
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,7 +10,8 @@ use mhlint_formats::modifier_sliders::ModifierSliders;
 use mhlint_formats::modifier_texts::ModifierTexts;
 use mhlint_formats::target_name::category_of;
 
-/// The files that the program opens, in its order: each has a list of modifiers, their descriptions and their sliders.
+/// The files that the program opens, in its order: each has a list of modifiers, their descriptions
+/// and their sliders.
 pub const SETS: [&str; 3] = ["modeling", "bodyshapes", "measurement"];
 
 /// The macro variables.
@@ -83,15 +85,37 @@ pub struct TargetPart {
 
 impl<'a> Modifiers<'a> {
     pub(super) fn of(layers: Layers<'a>, targets: &Targets<'a>) -> Self {
-        let Some(system) = layers.system else { return Self::default() };
-        let sets: Vec<ModifierSet<'a>> = SETS.iter().map(|stem| ModifierSet::of(system, stem)).collect();
-        let mut modifiers = Self { is_there: system.below("modifiers").next().is_some(), ..Self::default() };
-        for (set, (file, list)) in sets.iter().enumerate().filter_map(|(set, own)| Some((set, own.file?))) {
+        let Some(system) = layers.system else {
+            return Self::default();
+        };
+        let sets: Vec<ModifierSet<'a>> = SETS
+            .iter()
+            .map(|stem| ModifierSet::of(system, stem))
+            .collect();
+        let mut modifiers = Self {
+            is_there: system.below("modifiers").next().is_some(),
+            ..Self::default()
+        };
+        for (set, (file, list)) in sets
+            .iter()
+            .enumerate()
+            .filter_map(|(set, own)| Some((set, own.file?)))
+        {
             for modifier in &list.modifiers {
                 let name = modifier.full_name();
-                modifiers.by_name.entry(name.clone()).or_default().push(modifiers.all.len());
+                modifiers
+                    .by_name
+                    .entry(name.clone())
+                    .or_default()
+                    .push(modifiers.all.len());
                 let parts = parts(modifier, targets);
-                modifiers.all.push(KnownModifier { file, set, modifier, name, parts });
+                modifiers.all.push(KnownModifier {
+                    file,
+                    set,
+                    modifier,
+                    name,
+                    parts,
+                });
             }
         }
         modifiers.sets = sets;
@@ -101,7 +125,11 @@ impl<'a> Modifiers<'a> {
 
     /// The modifiers of a name; of several the program has the first.
     pub fn called(&self, name: &str) -> impl Iterator<Item = &KnownModifier<'a>> {
-        self.by_name.get(name).into_iter().flatten().filter_map(|place| self.all.get(*place))
+        self.by_name
+            .get(name)
+            .into_iter()
+            .flatten()
+            .filter_map(|place| self.all.get(*place))
     }
 
     /// All names, in order.
@@ -111,19 +139,31 @@ impl<'a> Modifiers<'a> {
 
     /// Whether there are macros, and none of them has a target.
     pub(super) fn has_no_macro(&self) -> bool {
-        let mut macros = self.all.iter().filter(|one| one.modifier.variable.is_some()).peekable();
-        macros.peek().is_some() && macros.all(|one| one.parts.iter().all(|part| part.targets.is_empty()))
+        let mut macros = self
+            .all
+            .iter()
+            .filter(|one| one.modifier.variable.is_some())
+            .peekable();
+        macros.peek().is_some()
+            && macros.all(|one| one.parts.iter().all(|part| part.targets.is_empty()))
     }
 
     /// Whether every file of modifiers could be read with all that is in it.
     pub fn is_whole(&self) -> bool {
-        self.is_there && self.sets.iter().all(|set| set.file.is_some_and(|(_, list)| list.is_whole))
+        self.is_there
+            && self
+                .sets
+                .iter()
+                .all(|set| set.file.is_some_and(|(_, list)| list.is_whole))
     }
 
     /// The modifiers that some slider sets.
     pub fn with_slider(&self) -> BTreeSet<&'a str> {
         let sliders = self.sets.iter().filter_map(|set| set.sliders);
-        sliders.flat_map(|(_, sliders)| sliders.modifiers()).map(|named| named.name.as_str()).collect()
+        sliders
+            .flat_map(|(_, sliders)| sliders.modifiers())
+            .map(|named| named.name.as_str())
+            .collect()
     }
 }
 
@@ -133,7 +173,8 @@ impl<'a> ModifierSet<'a> {
         Self {
             stem,
             file: file("_modifiers.json").and_then(|file| Some((file, file.modifier_file()?))),
-            texts: file("_modifiers_desc.json").and_then(|file| Some((file, file.modifier_texts()?))),
+            texts: file("_modifiers_desc.json")
+                .and_then(|file| Some((file, file.modifier_texts()?))),
             sliders: file("_sliders.json").and_then(|file| Some((file, file.modifier_sliders()?))),
         }
     }
@@ -142,7 +183,11 @@ impl<'a> ModifierSet<'a> {
 fn uses(all: &[KnownModifier<'_>]) -> BTreeMap<usize, ReferenceKind> {
     let mut uses = BTreeMap::new();
     for part in all.iter().flat_map(|one| &one.parts) {
-        let own = if part.part == Part::Macro { ReferenceKind::MacroTarget } else { ReferenceKind::Incr };
+        let own = if part.part == Part::Macro {
+            ReferenceKind::MacroTarget
+        } else {
+            ReferenceKind::Incr
+        };
         for place in &part.targets {
             let known = uses.entry(*place).or_insert(own);
             *known = own.min(*known);
@@ -153,7 +198,13 @@ fn uses(all: &[KnownModifier<'_>]) -> BTreeMap<usize, ReferenceKind> {
 
 fn parts(modifier: &Modifier, targets: &Targets<'_>) -> Vec<TargetPart> {
     let groups = modifier.target_groups().into_iter();
-    groups.map(|(part, group)| TargetPart { part, targets: targets.of_group(&group).to_vec(), group }).collect()
+    groups
+        .map(|(part, group)| TargetPart {
+            part,
+            targets: targets.of_group(&group).to_vec(),
+            group,
+        })
+        .collect()
 }
 
 /// The category that a macro variable is, if it is one.
@@ -162,8 +213,11 @@ pub fn category(variable: &str) -> Option<&'static str> {
         return None;
     }
     let small = variable.to_lowercase();
-    let own = mhlint_formats::target_name::CATEGORIES.iter().find(|(category, _)| *category == small);
-    own.map(|(category, _)| *category).or_else(|| category_of(&small))
+    let own = mhlint_formats::target_name::CATEGORIES
+        .iter()
+        .find(|(category, _)| *category == small);
+    own.map(|(category, _)| *category)
+        .or_else(|| category_of(&small))
 }
 
 #[cfg(test)]
@@ -181,6 +235,10 @@ mod tests {
         ] {
             assert_eq!(category(variable), found, "{variable}");
         }
-        assert!(VARIABLES.iter().all(|variable| category(variable).is_some()));
+        assert!(
+            VARIABLES
+                .iter()
+                .all(|variable| category(variable).is_some())
+        );
     }
 }

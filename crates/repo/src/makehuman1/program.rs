@@ -3,8 +3,14 @@
 use crate::Layer;
 
 /// Folders and files of the program that no user has together.
-const OF_PROGRAM: [&str; 6] =
-    ["3dobjs/base.obj", "modifiers", "targets/macrodetails", "rigs/default.mhskel", "poseunits", "shaders/glsl"];
+const OF_PROGRAM: [&str; 6] = [
+    "3dobjs/base.obj",
+    "modifiers",
+    "targets/macrodetails",
+    "rigs/default.mhskel",
+    "poseunits",
+    "shaders/glsl",
+];
 /// A folder that lacks more of them is a part of the program.
 const MOST: usize = 4;
 

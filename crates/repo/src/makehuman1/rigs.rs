@@ -13,11 +13,24 @@ pub(super) const POSED: &str = "rigs/default.mhskel";
 pub(super) fn rigs(layers: Layers<'_>) -> Vec<Rig<'_>> {
     let mut rigs = Vec::new();
     for layer in layers.strongest_first() {
-        let is_system = layers.system.is_some_and(|system| std::ptr::eq(system, layer));
-        for file in layer.below("rigs").filter(|file| file.kind_in(OWN) == Kind::Skeleton) {
+        let is_system = layers
+            .system
+            .is_some_and(|system| std::ptr::eq(system, layer));
+        for file in layer
+            .below("rigs")
+            .filter(|file| file.kind_in(OWN) == Kind::Skeleton)
+        {
             let weights = file.skeleton().and_then(|skeleton| {
-                let text = skeleton.weights_file.as_deref().filter(|text| !text.is_empty())?;
-                let (rel, resolution) = Search { layers, layer, file }.find(text);
+                let text = skeleton
+                    .weights_file
+                    .as_deref()
+                    .filter(|text| !text.is_empty())?;
+                let (rel, resolution) = Search {
+                    layers,
+                    layer,
+                    file,
+                }
+                .find(text);
                 Some(Reference {
                     kind: ReferenceKind::WeightsFile,
                     base: file.base_in(OWN)?,
@@ -31,7 +44,12 @@ pub(super) fn rigs(layers: Layers<'_>) -> Vec<Rig<'_>> {
                 })
             });
             let is_default = is_system && file.rel == POSED;
-            rigs.push(Rig { file, weights, is_default, is_found: true });
+            rigs.push(Rig {
+                file,
+                weights,
+                is_default,
+                is_found: true,
+            });
         }
     }
     rigs

@@ -17,13 +17,18 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    /// The first place with the file, from its own folder on; without one, the place that comes nearest to it.
+    /// The first place with the file, from its own folder on; without one, the place that comes
+    /// nearest to it.
     pub(super) fn find(&self, text: &str) -> (String, Resolution<'a>) {
         self.find_from(&[(self.layer, parent(&self.file.rel))], text)
     }
 
     /// The same from other folders on.
-    pub(super) fn find_from(&self, first: &[(&'a Layer, &str)], text: &str) -> (String, Resolution<'a>) {
+    pub(super) fn find_from(
+        &self,
+        first: &[(&'a Layer, &str)],
+        text: &str,
+    ) -> (String, Resolution<'a>) {
         let mut nearest: Option<(String, Resolution<'a>)> = None;
         for (layer, rel, text) in self.places(first, text) {
             let resolution = resolve(&[layer], text, &rel);
@@ -35,7 +40,10 @@ impl<'a> Search<'a> {
             if nearest.is_some() && matches!(resolution, Resolution::Escapes) {
                 continue;
             }
-            if nearest.as_ref().is_none_or(|(_, other)| resolution.distance() < other.distance()) {
+            if nearest
+                .as_ref()
+                .is_none_or(|(_, other)| resolution.distance() < other.distance())
+            {
                 nearest = Some(found);
             }
         }
@@ -43,18 +51,35 @@ impl<'a> Search<'a> {
         let resolution = resolution.in_pack(&[self.layer], self.file, text);
         // Pictures are in folders of the system data, never at its top.
         let could_be_there = text.contains('/') && !text.starts_with('.');
-        let is_open = self.layers.system.is_none() && could_be_there && matches!(resolution, Resolution::Missing);
+        let is_open = self.layers.system.is_none()
+            && could_be_there
+            && matches!(resolution, Resolution::Missing);
         if is_open {
-            return (text.strip_prefix("data/").unwrap_or(text).to_owned(), Resolution::NeedsSystem);
+            return (
+                text.strip_prefix("data/").unwrap_or(text).to_owned(),
+                Resolution::NeedsSystem,
+            );
         }
         (rel, resolution)
     }
 
-    /// The first folders, then the data of the user and of the system; at last the same without `data/` in front.
-    fn places<'w>(&self, first: &[(&'a Layer, &str)], text: &'w str) -> Vec<(&'a Layer, String, &'w str)> {
+    /// The first folders, then the data of the user and of the system; at last the same without
+    /// `data/` in front.
+    fn places<'w>(
+        &self,
+        first: &[(&'a Layer, &str)],
+        text: &'w str,
+    ) -> Vec<(&'a Layer, String, &'w str)> {
         let mut places = Vec::new();
-        for text in [Some(text), text.strip_prefix("data/")].into_iter().flatten() {
-            places.extend(first.iter().map(|(layer, folder)| (*layer, format!("{folder}/{text}"), text)));
+        for text in [Some(text), text.strip_prefix("data/")]
+            .into_iter()
+            .flatten()
+        {
+            places.extend(
+                first
+                    .iter()
+                    .map(|(layer, folder)| (*layer, format!("{folder}/{text}"), text)),
+            );
             let shared = self.layers.strongest_first().chain(self.layers.beside);
             places.extend(shared.map(|layer| (layer, text.to_owned(), text)));
         }

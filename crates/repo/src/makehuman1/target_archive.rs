@@ -42,23 +42,41 @@ pub enum Unused<'a> {
 /// The list of pictures.
 const PICTURES: &str = "images.list";
 
-static NO_ARCHIVE: TargetsNpz =
-    TargetsNpz { targets: BTreeMap::new(), fault: Some(ArchiveFault::Empty), is_bomb: false };
-static NO_PICTURES: PictureList = PictureList { pictures: Vec::new(), is_broken: false };
+static NO_ARCHIVE: TargetsNpz = TargetsNpz {
+    targets: BTreeMap::new(),
+    fault: Some(ArchiveFault::Empty),
+    is_bomb: false,
+};
+static NO_PICTURES: PictureList = PictureList {
+    pictures: Vec::new(),
+    is_broken: false,
+};
 
 impl<'a> TargetArchive<'a> {
     /// That of a system.
     pub(super) fn of(system: &'a Layer) -> Option<Self> {
         let file = system.file(TARGETS_NPZ)?;
         // A pointer is no archive, and a list of no picture.
-        let content = file.targets_npz().or_else(|| file.encoding.lfs_pointer.then_some(&NO_ARCHIVE))?;
+        let content = file
+            .targets_npz()
+            .or_else(|| file.encoding.lfs_pointer.then_some(&NO_ARCHIVE))?;
         let list = |file: &'a FileFacts| {
-            let list = file.picture_list().or_else(|| file.encoding.lfs_pointer.then_some(&NO_PICTURES))?;
+            let list = file
+                .picture_list()
+                .or_else(|| file.encoding.lfs_pointer.then_some(&NO_PICTURES))?;
             Some((file, list))
         };
-        let pictures = system.file(PICTURES).and_then(list).filter(|(_, list)| !list.is_broken);
+        let pictures = system
+            .file(PICTURES)
+            .and_then(list)
+            .filter(|(_, list)| !list.is_broken);
         let unused = unused(content, pictures.map(|(_, list)| list));
-        Some(Self { file, content, pictures, unused })
+        Some(Self {
+            file,
+            content,
+            pictures,
+            unused,
+        })
     }
 
     /// Whether it is empty or a pointer of Git LFS.
@@ -73,7 +91,11 @@ impl<'a> TargetArchive<'a> {
 
     /// The targets that it lists.
     pub fn names(&self) -> impl Iterator<Item = &'a str> {
-        let listed = self.content.targets.iter().filter(|(_, own)| own.index.is_some());
+        let listed = self
+            .content
+            .targets
+            .iter()
+            .filter(|(_, own)| own.index.is_some());
         listed.map(|(name, _)| name.as_str())
     }
 }
@@ -82,8 +104,14 @@ fn unused<'a>(content: &'a TargetsNpz, pictures: Option<&'a PictureList>) -> Opt
     if content.fault.is_some() || content.is_bomb {
         return Some(Unused::Closed);
     }
-    let Some(pictures) = pictures else { return Some(Unused::NoPictures) };
-    let listed = content.targets.iter().filter(|(_, own)| own.index.is_some()).map(|(name, _)| name.as_str());
+    let Some(pictures) = pictures else {
+        return Some(Unused::NoPictures);
+    };
+    let listed = content
+        .targets
+        .iter()
+        .filter(|(_, own)| own.index.is_some())
+        .map(|(name, _)| name.as_str());
     if let Some(name) = content.targets.keys().find(|name| name.contains('\\')) {
         return Some(Unused::Backslashes(name));
     }
@@ -91,7 +119,12 @@ fn unused<'a>(content: &'a TargetsNpz, pictures: Option<&'a PictureList>) -> Opt
     if let Some((name, clash)) = members.next() {
         return Some(Unused::Member(name, clash));
     }
-    let of_picture = |path: &'a str| Some((path, TargetName::of(path.strip_prefix("data/").unwrap_or(path)).err()?));
+    let of_picture = |path: &'a str| {
+        Some((
+            path,
+            TargetName::of(path.strip_prefix("data/").unwrap_or(path)).err()?,
+        ))
+    };
     let clash = pictures.pictures.iter().find_map(|path| of_picture(path));
     clash.map(|(path, clash)| Unused::Picture(path, clash))
 }

@@ -1,5 +1,6 @@
 //! Targets by the words of their paths, and the user's own
-//! (`docs/loaders/makehuman1/targets.md#names`, `docs/loaders/makehuman1/modifiers.md#custom-targets`).
+//! (`docs/loaders/makehuman1/targets.md#names`,
+//! `docs/loaders/makehuman1/modifiers.md#custom-targets`).
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -77,12 +78,23 @@ impl NamedTarget<'_> {
 
 impl<'a> Targets<'a> {
     pub(super) fn of(layers: Layers<'a>) -> Self {
-        let mut targets = Self { custom: custom(layers), ..Self::default() };
-        let Some(system) = layers.system else { return targets };
+        let mut targets = Self {
+            custom: custom(layers),
+            ..Self::default()
+        };
+        let Some(system) = layers.system else {
+            return targets;
+        };
         targets.archive = TargetArchive::of(system);
-        if let Some(archive) = targets.archive.as_ref().filter(|archive| archive.unused.is_none()) {
-            let found: Vec<(String, &FileFacts)> =
-                archive.names().map(|name| (format!("{name}.target"), archive.file)).collect();
+        if let Some(archive) = targets
+            .archive
+            .as_ref()
+            .filter(|archive| archive.unused.is_none())
+        {
+            let found: Vec<(String, &FileFacts)> = archive
+                .names()
+                .map(|name| (format!("{name}.target"), archive.file))
+                .collect();
             for (rel, archive) in found {
                 let file = system.file(&rel).unwrap_or(archive);
                 targets.add(&rel, file);
@@ -94,7 +106,11 @@ impl<'a> Targets<'a> {
         if !targets.is_packed {
             targets.clashes = clashes(system);
         }
-        for file in system.files.values().filter(|file| file.kind_in(OWN) == Kind::Target && !file.is_loose) {
+        for file in system
+            .files
+            .values()
+            .filter(|file| file.kind_in(OWN) == Kind::Target && !file.is_loose)
+        {
             targets.add(&file.rel, file);
         }
         // An archive that cannot be used and no text: that is told once.
@@ -104,13 +120,19 @@ impl<'a> Targets<'a> {
 
     /// One that the program finds under this path. One with a clash it does not find.
     fn add(&mut self, rel: &str, file: &'a FileFacts) {
-        let Ok(name) = TargetName::of(rel) else { return };
+        let Ok(name) = TargetName::of(rel) else {
+            return;
+        };
         let place = self.shipped.len();
         self.by_group.entry(name.group()).or_default().push(place);
         if file.kind_in(OWN) == Kind::Target {
             self.places.insert(&file.rel, place);
         }
-        self.shipped.push(NamedTarget { file, rel: rel.to_owned(), name });
+        self.shipped.push(NamedTarget {
+            file,
+            rel: rel.to_owned(),
+            name,
+        });
     }
 
     /// Whether there is a text for a group, and an archive without it.
@@ -120,20 +142,39 @@ impl<'a> Targets<'a> {
 
     /// Whether the program takes them from an archive.
     pub fn are_archived(&self) -> bool {
-        self.archive.as_ref().is_some_and(|archive| archive.unused.is_none())
+        self.archive
+            .as_ref()
+            .is_some_and(|archive| archive.unused.is_none())
     }
 
-    /// The targets that the program reads from an archive, with their members, the archive first. It takes the text of
-    /// one that it cannot read there.
-    pub fn archived(&self) -> Option<(&TargetArchive<'a>, Vec<(&NamedTarget<'a>, &'a PackedTarget)>)> {
-        let archive = self.archive.as_ref().filter(|archive| archive.unused.is_none())?;
+    /// The targets that the program reads from an archive, with their members, the archive first.
+    /// It takes the text of one that it cannot read there.
+    pub fn archived(
+        &self,
+    ) -> Option<(
+        &TargetArchive<'a>,
+        Vec<(&NamedTarget<'a>, &'a PackedTarget)>,
+    )> {
+        let archive = self
+            .archive
+            .as_ref()
+            .filter(|archive| archive.unused.is_none())?;
         let sound = |target| archive.member_of(target).filter(|member| member.is_sound());
-        Some((archive, self.shipped.iter().filter_map(|target| Some((target, sound(target)?))).collect()))
+        Some((
+            archive,
+            self.shipped
+                .iter()
+                .filter_map(|target| Some((target, sound(target)?)))
+                .collect(),
+        ))
     }
 
     /// The targets of a group.
     pub fn of_group(&self, group: &str) -> &[usize] {
-        self.by_group.get(group).map(Vec::as_slice).unwrap_or_default()
+        self.by_group
+            .get(group)
+            .map(Vec::as_slice)
+            .unwrap_or_default()
     }
 
     /// The place of a target of the system.
@@ -146,11 +187,14 @@ impl<'a> Targets<'a> {
         self.shipped.get(place)
     }
 
-    /// The folder of all targets at the top of the data, where it has another name than `targets`, which is then a word of
-    /// every group (`docs/loaders/makehuman1/targets.md#names`).
+    /// The folder of all targets at the top of the data, where it has another name than `targets`,
+    /// which is then a word of every group (`docs/loaders/makehuman1/targets.md#names`).
     pub fn renamed_folder(&self) -> Option<&str> {
-        let folders: BTreeSet<&str> =
-            self.shipped.iter().map(|target| target.rel.split_once('/').map_or("", |(top, _)| top)).collect();
+        let folders: BTreeSet<&str> = self
+            .shipped
+            .iter()
+            .map(|target| target.rel.split_once('/').map_or("", |(top, _)| top))
+            .collect();
         let only = folders.first().filter(|_| folders.len() == 1)?;
         // The word `target` is in no group.
         (!matches!(*only, "" | "target" | "targets")).then_some(*only)
@@ -164,16 +208,30 @@ impl<'a> Targets<'a> {
 
 /// The groups of texts that are not found.
 fn hidden(system: &Layer, found: &BTreeMap<&str, usize>) -> BTreeSet<String> {
-    let texts = system.files.values().filter(|file| file.kind_in(OWN) == Kind::Target && !file.is_loose);
+    let texts = system
+        .files
+        .values()
+        .filter(|file| file.kind_in(OWN) == Kind::Target && !file.is_loose);
     let lost = texts.filter(|file| !found.contains_key(file.rel.as_str()));
-    lost.filter_map(|file| TargetName::of(&file.rel).ok()).map(|name| name.group()).collect()
+    lost.filter_map(|file| TargetName::of(&file.rel).ok())
+        .map(|name| name.group())
+        .collect()
 }
 
-/// Folders and targets at which the scan stops. What is below a folder with such a name is not told again.
+/// Folders and targets at which the scan stops. What is below a folder with such a name is not told
+/// again.
 fn clashes(system: &Layer) -> Vec<PathClash<'_>> {
     let is_target = |file: &&FileFacts| file.kind_in(OWN) == Kind::Target && !file.is_loose;
-    let folders = system.folders.iter().chain(&system.hidden_folders).map(|rel| (rel.as_str(), None));
-    let files = system.files.values().filter(is_target).map(|file| (file.rel.as_str(), Some(file)));
+    let folders = system
+        .folders
+        .iter()
+        .chain(&system.hidden_folders)
+        .map(|rel| (rel.as_str(), None));
+    let files = system
+        .files
+        .values()
+        .filter(is_target)
+        .map(|file| (file.rel.as_str(), Some(file)));
     let mut known = BTreeMap::new();
     let mut all: Vec<PathClash<'_>> = Vec::new();
     for (rel, file) in folders.chain(files) {
@@ -184,10 +242,18 @@ fn clashes(system: &Layer) -> Vec<PathClash<'_>> {
         }
     }
     let names: BTreeSet<&str> = all.iter().map(|one| one.rel).collect();
-    let is_below =
-        |rel: &str| rel.match_indices('/').any(|(end, _)| rel.get(..end).is_some_and(|up| names.contains(up)));
-    let below: BTreeSet<&str> = all.iter().map(|one| one.rel).filter(|rel| is_below(rel)).collect();
-    all.into_iter().filter(|one| !below.contains(one.rel)).collect()
+    let is_below = |rel: &str| {
+        rel.match_indices('/')
+            .any(|(end, _)| rel.get(..end).is_some_and(|up| names.contains(up)))
+    };
+    let below: BTreeSet<&str> = all
+        .iter()
+        .map(|one| one.rel)
+        .filter(|rel| is_below(rel))
+        .collect();
+    all.into_iter()
+        .filter(|one| !below.contains(one.rel))
+        .collect()
 }
 
 /// The values of a path, from those of the folders above it that are known.
@@ -209,9 +275,17 @@ fn custom(layers: Layers<'_>) -> Vec<CustomTarget<'_>> {
     let user = layers.user.filter(|_| !layers.is_one_root());
     // Beside the data of a user nobody looks.
     let is_in = |file: &&FileFacts| !file.is_loose || user.is_some_and(|user| user.is_loose);
-    let files = user.into_iter().flat_map(|user| user.below(CUSTOM)).filter(is_in);
+    let files = user
+        .into_iter()
+        .flat_map(|user| user.below(CUSTOM))
+        .filter(is_in);
     let targets = files.filter(|file| file.kind_in(OWN) == Kind::Target);
-    targets.map(|file| CustomTarget { file, name: custom_name(&file.rel) }).collect()
+    targets
+        .map(|file| CustomTarget {
+            file,
+            name: custom_name(&file.rel),
+        })
+        .collect()
 }
 
 /// `custom/<path with dashes>`.

@@ -12,8 +12,8 @@ use super::{Asset, compiled, surfaces};
 use crate::cubes::{Strays, strays_of};
 use crate::extent::implausible;
 use crate::{
-    Body, BodyWeights, Doubt, FileFacts, Gaps, Layer, Layers, ReferenceKind, References, Rig, Surface, Target,
-    WeightsUse, Worn, parent,
+    Body, BodyWeights, Doubt, FileFacts, Gaps, Layer, Layers, ReferenceKind, References, Rig,
+    Surface, Target, WeightsUse, Worn, parent,
 };
 use mhlint_diag::Application;
 use mhlint_discover::{Kind, library_of};
@@ -64,7 +64,8 @@ pub enum ForeignSign {
     Order(Strays),
 }
 
-/// What names of groups begin with that are not shown (`docs/loaders/makehuman1/base-mesh.md#numbers-of-hm08`).
+/// What names of groups begin with that are not shown
+/// (`docs/loaders/makehuman1/base-mesh.md#numbers-of-hm08`).
 pub const HIDDEN: [&str; 2] = ["joint-", "helper-"];
 
 /// Whether files of this kind are checked so far.
@@ -109,12 +110,18 @@ impl<'a> View<'a> {
         let worn = worn(layers);
         let (mut references, surfaces) = surfaces::read(layers, &worn);
         references.extend(rigs.iter().filter_map(|rig| rig.weights.clone()));
-        references.extend(worn.iter().flat_map(|worn| worn.references.iter().flatten()).cloned());
+        references.extend(
+            worn.iter()
+                .flat_map(|worn| worn.references.iter().flatten())
+                .cloned(),
+        );
         let models = models(layers);
         references.extend(models::references(layers, &models, &worn));
         let mesh = mesh(layers);
         let rig = rigs.iter().find(|rig| rig.is_default);
-        let foreign_mesh = mesh.zip(rig).and_then(|((file, mesh), rig)| Some((file, foreign_sign(mesh, rig)?)));
+        let foreign_mesh = mesh
+            .zip(rig)
+            .and_then(|((file, mesh), rig)| Some((file, foreign_sign(mesh, rig)?)));
         let mut targets = Targets::of(layers);
         let modifiers = Modifiers::of(layers, &targets);
         if targets.are_archived() && modifiers.has_no_macro() {
@@ -122,7 +129,10 @@ impl<'a> View<'a> {
             // Which targets there should be nobody can tell.
             targets.is_packed = true;
         }
-        let groups = mesh.iter().flat_map(|(_, mesh)| &mesh.groups).map(|group| &group.name);
+        let groups = mesh
+            .iter()
+            .flat_map(|(_, mesh)| &mesh.groups)
+            .map(|group| &group.name);
         Self {
             layers,
             references: References::new(references),
@@ -141,40 +151,73 @@ impl<'a> View<'a> {
 
     /// The targets of the checked layer that the program finds.
     fn own_targets(&self) -> Vec<Target<'a>> {
-        let custom = self.targets.custom.iter().map(|one| custom_target(one.file));
+        let custom = self
+            .targets
+            .custom
+            .iter()
+            .map(|one| custom_target(one.file));
         let shipped = self.targets.shipped.iter().enumerate();
         // What only the archive has is no file of its own.
         let shipped = shipped.filter(|(_, one)| one.file.kind_in(OWN) == Kind::Target);
         let shipped = shipped.map(|(place, one)| self.shipped(place, one.file));
-        custom.chain(shipped).filter(|target| self.layers.is_checked(target.file)).collect()
+        custom
+            .chain(shipped)
+            .filter(|target| self.layers.is_checked(target.file))
+            .collect()
     }
 
     fn shipped<'v>(&self, place: usize, file: &'v FileFacts) -> Target<'v> {
         let used_as = self.modifiers.uses.get(&place).copied();
         let is_unused = used_as.is_none() && self.modifiers.is_whole() && !self.targets.is_packed;
-        Target { file, folder: parent(&file.rel), used_as, is_unused, packed_in: None }
+        Target {
+            file,
+            folder: parent(&file.rel),
+            used_as,
+            is_unused,
+            packed_in: None,
+        }
     }
 
     /// Weights of a skeleton, named by one or not.
     fn weights<'v>(&self, file: &'v FileFacts) -> BodyWeights<'v> {
         let named = self.rigs.iter().filter_map(|rig| rig.weights.as_ref());
-        let is_named = named.clone().any(|named| named.meant().is_some_and(|found| found.path == file.path));
+        let is_named = named
+            .clone()
+            .any(|named| named.meant().is_some_and(|found| found.path == file.path));
         // A skeleton that cannot be read, or a name that leads nowhere, may mean any.
-        let is_clear = self.rigs.iter().all(|rig| rig.skeleton().is_some_and(|one| !one.weights_file_misshapen));
-        let can_tell = is_clear && self.base_rig().is_some() && named.into_iter().all(|one| one.meant().is_some());
-        let used = if is_named || !can_tell || file.is_loose { WeightsUse::Applied } else { WeightsUse::Unread };
-        BodyWeights { file, name: Some(file.rel.strip_prefix("rigs/").unwrap_or(&file.rel)), used }
+        let is_clear = self.rigs.iter().all(|rig| {
+            rig.skeleton()
+                .is_some_and(|one| !one.weights_file_misshapen)
+        });
+        let can_tell = is_clear
+            && self.base_rig().is_some()
+            && named.into_iter().all(|one| one.meant().is_some());
+        let used = if is_named || !can_tell || file.is_loose {
+            WeightsUse::Applied
+        } else {
+            WeightsUse::Unread
+        };
+        BodyWeights {
+            file,
+            name: Some(file.rel.strip_prefix("rigs/").unwrap_or(&file.rel)),
+            used,
+        }
     }
 
     /// What is known of a target of the checked layer.
     pub(crate) fn target<'v>(&'v self, file: &'v FileFacts) -> Target<'v> {
-        let place = self.targets.place(&file.rel).filter(|_| self.layers.checks_system());
+        let place = self
+            .targets
+            .place(&file.rel)
+            .filter(|_| self.layers.checks_system());
         match place {
             Some(place) => self.shipped(place, file),
             // An archive that does not have it hides it.
-            None if self.layers.checks_system() && self.targets.are_archived() => {
-                Target { used_as: None, is_unused: true, ..custom_target(file) }
-            }
+            None if self.layers.checks_system() && self.targets.are_archived() => Target {
+                used_as: None,
+                is_unused: true,
+                ..custom_target(file)
+            },
             None => custom_target(file),
         }
     }
@@ -187,8 +230,13 @@ impl<'a> View<'a> {
     /// How much of what its modifiers need the data lack.
     pub(crate) fn gaps(&self) -> Gaps<'_> {
         let parts = || self.modifiers.all.iter().flat_map(|one| one.parts.iter());
-        let missing = parts().filter(|part| part.targets.is_empty()).map(|part| part.group.as_str());
-        Gaps { named: parts().count(), missing: missing.collect() }
+        let missing = parts()
+            .filter(|part| part.targets.is_empty())
+            .map(|part| part.group.as_str());
+        Gaps {
+            named: parts().count(),
+            missing: missing.collect(),
+        }
     }
 
     /// The body, also where its mesh is not at hand.
@@ -198,16 +246,23 @@ impl<'a> View<'a> {
         body.obj = self.mesh;
         body.visible_groups = self.mesh.map(|_| &self.shown);
         body.rigs = &self.rigs;
-        body.doubt = self.foreign_mesh.map(|_| Doubt::Foreign).or_else(|| implausible(&body).map(|_| Doubt::Misplaced));
+        body.doubt = self
+            .foreign_mesh
+            .map(|_| Doubt::Foreign)
+            .or_else(|| implausible(&body).map(|_| Doubt::Misplaced));
         body.worn = &self.worn;
         // On a mesh that stops the program nobody counts vertices.
         let is_sound = self.mesh.is_none_or(|(_, mesh)| mesh.is_sound());
-        let weights = view.files().filter(|file| is_sound && file.kind == Kind::Weights);
+        let weights = view
+            .files()
+            .filter(|file| is_sound && file.kind == Kind::Weights);
         body.weights = weights.map(|file| self.weights(file)).collect();
         body.add_worn_weights(view.files().filter(|file| file.kind == Kind::AssetWeights));
         body.is_open = self.layers.system.is_none();
         let motions = view.files().filter(|file| file.kind == Kind::Motion);
-        body.motions = motions.filter_map(|file| Some((file, file.motion()?))).collect();
+        body.motions = motions
+            .filter_map(|file| Some((file, file.motion()?)))
+            .collect();
         body.poses = expressions(self.layers);
         body.pose_units = self.face.files(self.layers);
         body
@@ -239,13 +294,23 @@ impl<'a> View<'a> {
     }
 }
 
-/// What shows that a mesh is not the one that the default rig is for. Of one file alone it is the file that is at fault.
+/// What shows that a mesh is not the one that the default rig is for. Of one file alone it is the
+/// file that is at fault.
 fn foreign_sign(mesh: &Mesh, rig: &Rig<'_>) -> Option<ForeignSign> {
     let skeleton = rig.skeleton()?;
-    let named = skeleton.joints.iter().filter_map(|joint| joint.vertices.as_ref()).flatten();
+    let named = skeleton
+        .joints
+        .iter()
+        .filter_map(|joint| joint.vertices.as_ref())
+        .flatten();
     let joints = named.copied().max();
     let weights = rig.weights()?;
-    let weighted = weights.bones.iter().flat_map(|bone| &bone.pairs).map(|pair| pair.vertex).max();
+    let weighted = weights
+        .bones
+        .iter()
+        .flat_map(|bone| &bone.pairs)
+        .map(|pair| pair.vertex)
+        .max();
     let last = i64::try_from(mesh.facts.vertices).ok()? - 1;
     match joints.min(weighted).filter(|lower| *lower > last) {
         Some(_) if mesh.is_sound() => joints.max(weighted).map(ForeignSign::Short),
@@ -256,7 +321,13 @@ fn foreign_sign(mesh: &Mesh, rig: &Rig<'_>) -> Option<ForeignSign> {
 /// One of the user, which has a slider of its own.
 fn custom_target(file: &FileFacts) -> Target<'_> {
     let used_as = Some(ReferenceKind::Incr);
-    Target { file, folder: parent(&file.rel), used_as, is_unused: false, packed_in: None }
+    Target {
+        file,
+        folder: parent(&file.rel),
+        used_as,
+        is_unused: false,
+        packed_in: None,
+    }
 }
 
 /// What the body can wear, of all layers.
@@ -265,33 +336,57 @@ pub fn worn(layers: Layers<'_>) -> Vec<Worn<'_>> {
         let listed = Worn::all(layer, OWN).filter(|(file, _)| library_of(&file.rel).is_some());
         let of = move |(file, base)| Worn::of(layer, file, base, |name| !name.has_colon, false);
         listed.map(move |one| {
-            let worn = Worn { drops_bytes: true, ..of(one) }.beside_system(layers);
-            let binary = layer.file(&format!("{}/{}.mhpxy", parent(&worn.file.rel), worn.file.stem()));
+            let worn = Worn {
+                drops_bytes: true,
+                ..of(one)
+            }
+            .beside_system(layers);
+            let binary = layer.file(&format!(
+                "{}/{}.mhpxy",
+                parent(&worn.file.rel),
+                worn.file.stem()
+            ));
             let worn = Worn { binary, ..worn };
-            Worn { packed_mesh: packed_mesh(layers, &worn), ..worn }
+            Worn {
+                packed_mesh: packed_mesh(layers, &worn),
+                ..worn
+            }
         })
     };
     let lone = |layer| {
         compiled::lone(layers, layer).map(move |worn| {
             let worn = worn.beside_system(layers);
-            Worn { packed_mesh: packed_mesh(layers, &worn), ..worn }
+            Worn {
+                packed_mesh: packed_mesh(layers, &worn),
+                ..worn
+            }
         })
     };
-    layers.strongest_first().flat_map(|layer| worn(layer).chain(lone(layer))).collect()
+    layers
+        .strongest_first()
+        .flat_map(|layer| worn(layer).chain(lone(layer)))
+        .collect()
 }
 
 /// The mesh that the program reads in place of an OBJ: the archive beside it, if that is sound.
 fn packed_mesh<'a>(layers: Layers<'a>, worn: &Worn<'a>) -> Option<(&'a FileFacts, &'a AssetMesh)> {
     let (file, mesh) = beside_mesh(layers, worn)?;
     let asked = compiled::asked_faces(worn);
-    let holds = mesh.kept_faces.is_none_or(|kept| asked.iter().any(|asked| kept.holds(*asked)));
+    let holds = mesh
+        .kept_faces
+        .is_none_or(|kept| asked.iter().any(|asked| kept.holds(*asked)));
     holds.then_some((file, mesh))
 }
 
 /// The archive of the mesh that something worn names, also where it has too little room for that.
-pub(super) fn beside_mesh<'a>(layers: Layers<'a>, worn: &Worn<'a>) -> Option<(&'a FileFacts, &'a AssetMesh)> {
+pub(super) fn beside_mesh<'a>(
+    layers: Layers<'a>,
+    worn: &Worn<'a>,
+) -> Option<(&'a FileFacts, &'a AssetMesh)> {
     let reference = worn.reference(ReferenceKind::AssetMesh)?;
-    layers.strongest_first().find_map(|layer| mesh_archive(layer, &reference.rel))
+    layers
+        .strongest_first()
+        .find_map(|layer| mesh_archive(layer, &reference.rel))
 }
 
 /// The archive beside an OBJ, if it can be loaded.
@@ -305,7 +400,12 @@ pub fn mesh_archive<'a>(layer: &'a Layer, rel: &str) -> Option<(&'a FileFacts, &
 
 /// The base mesh, which only the system has; in releases packed alone.
 pub fn mesh(layers: Layers<'_>) -> Option<(&FileFacts, &Mesh)> {
-    let files = || layers.system.into_iter().flat_map(|layer| layer.files.values());
+    let files = || {
+        layers
+            .system
+            .into_iter()
+            .flat_map(|layer| layer.files.values())
+    };
     let of_kind = |kind| files().find(move |file| file.kind_in(OWN) == kind);
     let file = of_kind(Kind::BaseMesh).or_else(|| of_kind(Kind::PackedBaseMesh))?;
     Some((file, file.mesh()?))

@@ -1,5 +1,5 @@
-//! What damaged and misspelt sliders were meant to be. A name that leads nowhere only because of such a slider is
-//! no finding: the slider is.
+//! What damaged and misspelt sliders were meant to be. A name that leads nowhere only because of
+//! such a slider is no finding: the slider is.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,7 +7,8 @@ use super::{Base, BoundSlider, Pattern};
 use mhlint_diag::{Grouped, Sought, grouped};
 use mhlint_formats::modelling::Modelling;
 
-/// Names of missing targets that are compared with others: each pattern that is looked for is compared with all of them.
+/// Names of missing targets that are compared with others: each pattern that is looked for is
+/// compared with all of them.
 const COMPARED: usize = 256;
 
 /// What faulty sliders of a base hide.
@@ -21,7 +22,8 @@ pub(super) struct Intent<'a> {
     foreign: bool,
     /// Whether the icon of some slider cannot be read.
     unreadable_icons: bool,
-    /// Targets that entries with misspelt keys, or with a `user` of the system's, were meant to use.
+    /// Targets that entries with misspelt keys, or with a `user` of the system's, were meant to
+    /// use.
     targets: BTreeSet<&'a str>,
     /// Patterns of such entries.
     meant: BTreeSet<String>,
@@ -36,32 +38,54 @@ pub(super) struct Intent<'a> {
 impl<'a> Intent<'a> {
     pub(super) fn of(base: &Base<'a>) -> Self {
         let sliders = || base.sliders.iter();
-        let no_objects: BTreeSet<&str> =
-            base.models().flat_map(|model| &model.unreadable).map(String::as_str).collect();
+        let no_objects: BTreeSet<&str> = base
+            .models()
+            .flat_map(|model| &model.unreadable)
+            .map(String::as_str)
+            .collect();
         let unreadable = !no_objects.is_empty();
         let has_no_icon = |bound: &BoundSlider<'_>| {
             let slider = bound.slider;
             slider.keys.is_empty() || slider.has("icon") && slider.icon.is_none()
         };
         let misspelt = sliders().filter_map(|bound| bound.slider.meant.as_deref());
-        let is_short =
-            |bound: &&BoundSlider<'_>| bound.slider.barycentric.is_some() && bound.slider.barycentric_len < 3;
-        let short = sliders().filter(is_short).flat_map(|bound| bound.pattern.names());
-        let undeclared = base.sliders.iter().enumerate().filter(|(_, bound)| bound.is_undeclared_pair());
-        let undeclared =
-            grouped(undeclared.map(|(number, bound)| (bound.slider.decr.as_deref().unwrap_or_default(), number)));
+        let is_short = |bound: &&BoundSlider<'_>| {
+            bound.slider.barycentric.is_some() && bound.slider.barycentric_len < 3
+        };
+        let short = sliders()
+            .filter(is_short)
+            .flat_map(|bound| bound.pattern.names());
+        let undeclared = base
+            .sliders
+            .iter()
+            .enumerate()
+            .filter(|(_, bound)| bound.is_undeclared_pair());
+        let undeclared = grouped(
+            undeclared
+                .map(|(number, bound)| (bound.slider.decr.as_deref().unwrap_or_default(), number)),
+        );
         let lacking = sliders().filter(|slider| base.lacks_target(slider));
-        let names = lacking.flat_map(|bound| [&bound.slider.decr, &bound.slider.incr]).flatten();
+        let names = lacking
+            .flat_map(|bound| [&bound.slider.decr, &bound.slider.incr])
+            .flatten();
         let marked = || sliders().filter(|bound| base.is_marked_as_users(bound));
-        let unmarked = marked().flat_map(|bound| bound.pattern.names()).filter_map(|name| name.strip_prefix("custom/"));
+        let unmarked = marked()
+            .flat_map(|bound| bound.pattern.names())
+            .filter_map(|name| name.strip_prefix("custom/"));
         let misspelt = misspelt.chain(marked().map(|bound| bound.slider));
         let foreign = is_foreign(base);
         Self {
-            unreadable: unreadable || foreign || sliders().any(|bound| bound.slider.is_incomplete()),
+            unreadable: unreadable
+                || foreign
+                || sliders().any(|bound| bound.slider.is_incomplete()),
             no_objects,
             foreign,
             unreadable_icons: unreadable || foreign || sliders().any(has_no_icon),
-            targets: misspelt.flat_map(|slider| [&slider.incr, &slider.decr]).flatten().map(String::as_str).collect(),
+            targets: misspelt
+                .flat_map(|slider| [&slider.incr, &slider.decr])
+                .flatten()
+                .map(String::as_str)
+                .collect(),
             meant: sliders()
                 .flat_map(|slider| slider.meant.names())
                 .cloned()
@@ -69,7 +93,9 @@ impl<'a> Intent<'a> {
                 .collect(),
             short: short.map(|name| folder_of(name)).collect(),
             undeclared,
-            lacking: names.map(|name| (name.as_str(), Sought::new(name))).collect(),
+            lacking: names
+                .map(|name| (name.as_str(), Sought::new(name)))
+                .collect(),
         }
     }
 }
@@ -77,24 +103,46 @@ impl<'a> Intent<'a> {
 /// Sliders of which none finds a target, from this many on, are those of another base.
 const FOREIGN: usize = 3;
 
-/// Whether the folder in use has targets, and none of those that the sliders name, in whatever folder or spelling.
+/// Whether the folder in use has targets, and none of those that the sliders name, in whatever
+/// folder or spelling.
 fn is_foreign(base: &Base<'_>) -> bool {
-    let Some(folder) = base.targets.filter(|_| base.other_targets.is_none()) else { return false };
-    let has_target = |bound: &&BoundSlider<'_>| bound.slider.incr.is_some() || bound.slider.decr.is_some();
-    let own = || base.sliders.iter().filter(|bound| !bound.slider.user && !bound.slider.is_macro()).filter(has_target);
+    let Some(folder) = base.targets.filter(|_| base.other_targets.is_none()) else {
+        return false;
+    };
+    let has_target =
+        |bound: &&BoundSlider<'_>| bound.slider.incr.is_some() || bound.slider.decr.is_some();
+    let own = || {
+        base.sliders
+            .iter()
+            .filter(|bound| !bound.slider.user && !bound.slider.is_macro())
+            .filter(has_target)
+    };
     if own().count() < FOREIGN || !own().all(|bound| base.lacks_target(bound)) {
         return false;
     }
-    let stems: BTreeSet<String> = folder.targets().map(|file| file.stem().to_lowercase()).collect();
+    let stems: BTreeSet<String> = folder
+        .targets()
+        .map(|file| file.stem().to_lowercase())
+        .collect();
     let is_there = |name: &String| {
-        let file = name.rsplit(['/', '\\']).next().unwrap_or(name).to_lowercase();
+        let file = name
+            .rsplit(['/', '\\'])
+            .next()
+            .unwrap_or(name)
+            .to_lowercase();
         stems.contains(file.strip_suffix(".target").unwrap_or(&file))
     };
-    !stems.is_empty() && !own().flat_map(|bound| [&bound.slider.incr, &bound.slider.decr]).flatten().any(is_there)
+    !stems.is_empty()
+        && !own()
+            .flat_map(|bound| [&bound.slider.incr, &bound.slider.decr])
+            .flatten()
+            .any(is_there)
 }
 
 fn folder_of(pattern: &str) -> Option<String> {
-    pattern.rsplit_once('/').map(|(folder, _)| folder.to_owned())
+    pattern
+        .rsplit_once('/')
+        .map(|(folder, _)| folder.to_owned())
 }
 
 impl<'a> Base<'a> {
@@ -107,18 +155,25 @@ impl<'a> Base<'a> {
             || self.misspells_target(pattern)
     }
 
-    /// Whether several sliders list the position behind the last macro definition: one was probably removed, and what
-    /// it alone used is unused for that reason.
+    /// Whether several sliders list the position behind the last macro definition: one was probably
+    /// removed, and what it alone used is unused for that reason.
     pub fn lacks_macrodef(&self) -> bool {
-        let count = self.macro_file().and_then(|(_, macros)| i64::try_from(macros.macrodefs.len()).ok());
+        let count = self
+            .macro_file()
+            .and_then(|(_, macros)| i64::try_from(macros.macrodefs.len()).ok());
         let lists = |slider: &&BoundSlider<'_>| {
-            slider.slider.macro_influence.iter().flatten().any(|index| Some(*index) == count)
+            slider
+                .slider
+                .macro_influence
+                .iter()
+                .flatten()
+                .any(|index| Some(*index) == count)
         };
         count.is_some_and(|count| count > 0) && self.sliders.iter().filter(lists).nth(1).is_some()
     }
 
-    /// Whether some slider cannot be read, so that nobody can tell which patterns, targets and pictures it
-    /// would have used.
+    /// Whether some slider cannot be read, so that nobody can tell which patterns, targets and
+    /// pictures it would have used.
     pub fn has_unreadable_sliders(&self) -> bool {
         self.intent.unreadable
     }
@@ -144,16 +199,32 @@ impl<'a> Base<'a> {
     }
 
     fn models(&self) -> impl Iterator<Item = &'a Modelling> + use<'a> {
-        let both = self.modelling.winner().into_iter().chain(self.user_modelling.accepted());
+        let both = self
+            .modelling
+            .winner()
+            .into_iter()
+            .chain(self.user_modelling.accepted());
         both.map(|(_, model)| model)
     }
 
     /// Whether a pattern is missing only because `target-opposites` does not declare its pair.
     fn names_undeclared_pair(&self, pattern: &str) -> bool {
-        let path = |pattern: &str| pattern.split_once('|').map_or(String::new(), |(path, _)| path.to_owned());
-        let paths = [path(pattern), path(pattern.strip_prefix("custom/").unwrap_or_default())];
-        let numbers = paths.iter().filter_map(|path| self.intent.undeclared.get(path.as_str())).flatten();
-        numbers.filter_map(|number| self.sliders.get(*number)).any(|slider| slider.would_register(pattern))
+        let path = |pattern: &str| {
+            pattern
+                .split_once('|')
+                .map_or(String::new(), |(path, _)| path.to_owned())
+        };
+        let paths = [
+            path(pattern),
+            path(pattern.strip_prefix("custom/").unwrap_or_default()),
+        ];
+        let numbers = paths
+            .iter()
+            .filter_map(|path| self.intent.undeclared.get(path.as_str()))
+            .flatten();
+        numbers
+            .filter_map(|number| self.sliders.get(*number))
+            .any(|slider| slider.would_register(pattern))
     }
 
     /// Whether a slider that names a target which is not there has nearly this pattern.
@@ -161,12 +232,15 @@ impl<'a> Base<'a> {
         let wanted = pattern.split('|').next().unwrap_or_default();
         let lacking = &self.intent.lacking;
         // Where hundreds are missing, none of them is a slip of the pen.
-        lacking.contains_key(wanted) || lacking.len() <= COMPARED && lacking.values().any(|own| own.may_mean(wanted))
+        lacking.contains_key(wanted)
+            || lacking.len() <= COMPARED && lacking.values().any(|own| own.may_mean(wanted))
     }
 
     /// Whether a target of a slider is not where the application looks for it.
     pub fn lacks_target(&self, bound: &BoundSlider<'_>) -> bool {
-        let Some(folder) = self.folder_of(bound) else { return false };
+        let Some(folder) = self.folder_of(bound) else {
+            return false;
+        };
         if matches!(bound.pattern, Pattern::Macro(_) | Pattern::Barycentric(_)) {
             return false;
         }
@@ -174,7 +248,9 @@ impl<'a> Base<'a> {
             let archive = folder.archive().and_then(|file| file.archive());
             archive.is_some_and(|archive| archive.member(name).is_some())
         };
-        let mut named = [&bound.slider.incr, &bound.slider.decr].into_iter().flatten();
+        let mut named = [&bound.slider.incr, &bound.slider.decr]
+            .into_iter()
+            .flatten();
         named.any(|name| folder.target(name).is_none() && !packed(name))
     }
 }

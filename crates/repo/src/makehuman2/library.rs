@@ -1,7 +1,9 @@
-//! What the lists of assets show, and by what it is known (`docs/loaders/makehuman2/libraries.md#identity`).
+//! What the lists of assets show, and by what it is known
+//! (`docs/loaders/makehuman2/libraries.md#identity`).
 //!
-//! An asset is known by its name and its uuid, whatever its category; of several that are known by the same, all but one
-//! are lost. What the binary of an asset says of itself is looked at where there is no text.
+//! An asset is known by its name and its uuid, whatever its category; of several that are known by
+//! the same, all but one are lost. What the binary of an asset says of itself is looked at where
+//! there is no text.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -43,12 +45,23 @@ impl<'a> Library<'a> {
     pub(super) fn of(layers: Layers<'a>, bases: &BTreeSet<&str>) -> Self {
         let mut library = Self::default();
         for layer in layers.strongest_first() {
-            library.assets.extend(layer.files.values().filter_map(|file| asset(layer, file)));
-            library.unlisted.extend(layer.files.values().filter_map(|file| unlisted(file, bases)));
+            library
+                .assets
+                .extend(layer.files.values().filter_map(|file| asset(layer, file)));
+            library.unlisted.extend(
+                layer
+                    .files
+                    .values()
+                    .filter_map(|file| unlisted(file, bases)),
+            );
         }
         library.assets.sort_by_key(|asset| asset.base);
         for (number, asset) in library.assets.iter().enumerate() {
-            library.by_name.entry((asset.base, asset.name.clone())).or_default().push(number);
+            library
+                .by_name
+                .entry((asset.base, asset.name.clone()))
+                .or_default()
+                .push(number);
         }
         library
     }
@@ -62,11 +75,16 @@ impl<'a> Library<'a> {
 
     /// The assets of a base by name.
     pub fn named(&self, base: &'a str, name: &str) -> impl Iterator<Item = &Asset<'a>> {
-        let numbers = self.by_name.get(&(base, name.to_owned())).into_iter().flatten();
+        let numbers = self
+            .by_name
+            .get(&(base, name.to_owned()))
+            .into_iter()
+            .flatten();
         numbers.filter_map(|number| self.assets.get(*number))
     }
 
-    /// What a model gets that asks for a name and a uuid: the asset that is known by both, or else one of the name.
+    /// What a model gets that asks for a name and a uuid: the asset that is known by both, or else
+    /// one of the name.
     pub fn worn(&self, base: &'a str, name: &str, uuid: &str) -> Option<&Asset<'a>> {
         let both = self.named(base, name).find(|asset| asset.uuid == uuid);
         both.or_else(|| self.named(base, name).find(|asset| asset.is_worn()))
@@ -81,9 +99,15 @@ impl<'a> Library<'a> {
     pub fn clashes(&self, base: &str) -> Vec<Vec<&Asset<'a>>> {
         let mut known: BTreeMap<String, Vec<&Asset<'a>>> = BTreeMap::new();
         for asset in self.of_base(base) {
-            known.entry(format!("{}{}", asset.name, asset.uuid)).or_default().push(asset);
+            known
+                .entry(format!("{}{}", asset.name, asset.uuid))
+                .or_default()
+                .push(asset);
         }
-        known.into_values().filter(|assets| assets.len() > 1).collect()
+        known
+            .into_values()
+            .filter(|assets| assets.len() > 1)
+            .collect()
     }
 
     /// The base meshes that assets are for.
@@ -116,7 +140,14 @@ impl Asset<'_> {
 fn asset<'a>(layer: &'a Layer, file: &'a FileFacts) -> Option<Asset<'a>> {
     let category = listed_in(&file.rel)?;
     let (name, uuid, tags) = known_by(layer, file)?;
-    Some(Asset { file, base: file.base_in(OWN)?, category, name, uuid, tags })
+    Some(Asset {
+        file,
+        base: file.base_in(OWN)?,
+        category,
+        name,
+        uuid,
+        tags,
+    })
 }
 
 /// What is worn and not listed, with its name; that of one with another suffix is not read.
@@ -140,7 +171,12 @@ fn unlisted<'a>(file: &'a FileFacts, bases: &BTreeSet<&str>) -> Option<(String, 
 fn known_by(layer: &Layer, file: &FileFacts) -> Option<(String, String, Vec<String>)> {
     let stem = || file.stem().to_owned();
     // Without a name in it, a JSON is listed under its whole path.
-    let path = || file.path.rsplit_once('.').map_or(file.path.as_str(), |(path, _)| path).to_owned();
+    let path = || {
+        file.path
+            .rsplit_once('.')
+            .map_or(file.path.as_str(), |(path, _)| path)
+            .to_owned()
+    };
     Some(match file.kind_in(OWN) {
         Kind::Skeleton => {
             let name = file.skeleton()?.name.clone().unwrap_or_else(path);
@@ -152,16 +188,33 @@ fn known_by(layer: &Layer, file: &FileFacts) -> Option<(String, String, Vec<Stri
             (name.clone(), format!("pose_{name}"), pose.tags.clone())
         }
         Kind::Motion => {
-            let meta = file.rel.strip_suffix("bvh").and_then(|rel| layer.file(&format!("{rel}meta")));
+            let meta = file
+                .rel
+                .strip_suffix("bvh")
+                .and_then(|rel| layer.file(&format!("{rel}meta")));
             let meta = meta.and_then(FileFacts::meta);
-            let name = meta.and_then(|meta| meta.name.as_ref()).map_or_else(stem, |name| name.listed.to_string());
-            (name, format!("bvh_{}", file.stem()), meta.map(|meta| meta.tags.clone()).unwrap_or_default())
+            let name = meta
+                .and_then(|meta| meta.name.as_ref())
+                .map_or_else(stem, |name| name.listed.to_string());
+            (
+                name,
+                format!("bvh_{}", file.stem()),
+                meta.map(|meta| meta.tags.clone()).unwrap_or_default(),
+            )
         }
         Kind::Material => (stem(), format!("skin_{}", file.stem()), Vec::new()),
         Kind::Model => {
             let model = file.model()?;
-            let name = model.name.as_deref().filter(|name| !name.is_empty()).map_or_else(stem, str::to_owned);
-            (name, stem(), model.tags.iter().map(ToString::to_string).collect())
+            let name = model
+                .name
+                .as_deref()
+                .filter(|name| !name.is_empty())
+                .map_or_else(stem, str::to_owned);
+            (
+                name,
+                stem(),
+                model.tags.iter().map(ToString::to_string).collect(),
+            )
         }
         Kind::Clothes => return of_clothes(file),
         Kind::Packed => return of_packed(layer, file),
@@ -171,14 +224,27 @@ fn known_by(layer: &Layer, file: &FileFacts) -> Option<(String, String, Vec<Stri
 
 /// An asset that is nothing but its binary.
 fn of_packed(layer: &Layer, file: &FileFacts) -> Option<(String, String, Vec<String>)> {
-    let Packed::Asset(asset) = file.packed()? else { return None };
+    let Packed::Asset(asset) = file.packed()? else {
+        return None;
+    };
     let [name, uuid, ..] = &asset.texts;
-    layer.text_of_archive(&file.rel).is_none().then(|| (name.to_string(), uuid.to_string(), Vec::new()))
+    layer
+        .text_of_archive(&file.rel)
+        .is_none()
+        .then(|| (name.to_string(), uuid.to_string(), Vec::new()))
 }
 
 fn of_clothes(file: &FileFacts) -> Option<(String, String, Vec<String>)> {
     let scanned = &file.clothes()?.scanned;
     let text = |value: &Option<Value>| value.as_ref().map(|value| value.text.to_string());
-    let tags = scanned.tags.iter().map(|tag| tag.text.to_lowercase()).collect();
-    Some((text(&scanned.name).unwrap_or_default(), text(&scanned.uuid).unwrap_or_else(|| "0".to_owned()), tags))
+    let tags = scanned
+        .tags
+        .iter()
+        .map(|tag| tag.text.to_lowercase())
+        .collect();
+    Some((
+        text(&scanned.name).unwrap_or_default(),
+        text(&scanned.uuid).unwrap_or_else(|| "0".to_owned()),
+        tags,
+    ))
 }

@@ -1,5 +1,5 @@
-//! Folders of macro definitions, and what lies beneath them. Backslashes and other capitals are looked through: they have
-//! findings of their own, and which files are meant is clear.
+//! Folders of macro definitions, and what lies beneath them. Backslashes and other capitals are
+//! looked through: they have findings of their own, and which files are meant is clear.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -13,17 +13,29 @@ pub struct MacroFolders(BTreeSet<String>);
 
 impl MacroFolders {
     pub(super) fn of(file: &MacroFile) -> Self {
-        let mut folders: Vec<&Arc<str>> =
-            file.macrodefs.iter().filter_map(|macrodef| macrodef.effective_folder.as_ref()).collect();
-        // Those who inherit a folder share it. It may be long, so it is not compared for each of them.
+        let mut folders: Vec<&Arc<str>> = file
+            .macrodefs
+            .iter()
+            .filter_map(|macrodef| macrodef.effective_folder.as_ref())
+            .collect();
+        // Those who inherit a folder share it. It may be long, so it is not compared for each of
+        // them.
         folders.dedup_by(|one, other| Arc::ptr_eq(one, other));
-        Self(folders.into_iter().map(|folder| compared(folder)).filter(|folder| !folder.is_empty()).collect())
+        Self(
+            folders
+                .into_iter()
+                .map(|folder| compared(folder))
+                .filter(|folder| !folder.is_empty())
+                .collect(),
+        )
     }
 
     /// Whether a target lies in one of them, or below.
     pub(super) fn hold(&self, name: &str) -> bool {
         let name = name.to_lowercase();
-        name.match_indices('/').filter_map(|(end, _)| name.get(..end)).any(|folder| self.0.contains(folder))
+        name.match_indices('/')
+            .filter_map(|(end, _)| name.get(..end))
+            .any(|folder| self.0.contains(folder))
     }
 
     /// Whether a target lies in one of them, and not below.
@@ -34,7 +46,9 @@ impl MacroFolders {
 
 /// A folder as it is compared.
 fn compared(folder: &str) -> String {
-    let parts = folder.split(['/', '\\']).filter(|part| !matches!(*part, "" | "."));
+    let parts = folder
+        .split(['/', '\\'])
+        .filter(|part| !matches!(*part, "" | "."));
     parts.map(str::to_lowercase).collect::<Vec<_>>().join("/")
 }
 

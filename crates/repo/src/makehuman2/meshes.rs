@@ -1,6 +1,6 @@
 //! Which file is read as the base mesh, and which ones are not because of it
-//! (`docs/loaders/makehuman2/base-mesh.md#which-file-is-read`): an archive goes before any OBJ, that of the user before
-//! that of the system, and nobody compares dates.
+//! (`docs/loaders/makehuman2/base-mesh.md#which-file-is-read`): an archive goes before any OBJ,
+//! that of the user before that of the system, and nobody compares dates.
 
 use super::OWN;
 use crate::{FileFacts, Layers};
@@ -39,25 +39,37 @@ impl<'a> MeshFiles<'a> {
     pub(super) fn of(base: &str, layers: Layers<'a>) -> Self {
         let [packed, text] = ["base.mhbin", "base.obj"].map(|name| format!("base/{base}/{name}"));
         let Some(archive) = layers.first_existing(&packed) else {
-            return Self { read: layers.first_existing(&text), unread: Vec::new() };
+            return Self {
+                read: layers.first_existing(&text),
+                unread: Vec::new(),
+            };
         };
         let mut unread = Vec::new();
         let mut lies = Lies::Above;
         for layer in layers.strongest_first() {
-            let is_own = layer.file(&packed).is_some_and(|own| std::ptr::eq(own, archive));
+            let is_own = layer
+                .file(&packed)
+                .is_some_and(|own| std::ptr::eq(own, archive));
             lies = if is_own { Lies::Beside } else { lies };
             // The system's OBJ says nothing of an archive that was made of the user's.
-            if let Some(file) = layer.file(&text).filter(|_| lies != Lies::Below || unread.is_empty()) {
+            if let Some(file) = layer
+                .file(&text)
+                .filter(|_| lies != Lies::Below || unread.is_empty())
+            {
                 unread.push(UnreadMesh { file, lies });
             }
             lies = if is_own { Lies::Below } else { lies };
         }
-        Self { read: Some(archive), unread }
+        Self {
+            read: Some(archive),
+            unread,
+        }
     }
 
     /// The archive that is read.
     pub fn archive(&self) -> Option<&'a FileFacts> {
-        self.read.filter(|file| file.kind_in(OWN) == Kind::MeshArchive)
+        self.read
+            .filter(|file| file.kind_in(OWN) == Kind::MeshArchive)
     }
 
     /// The OBJ in the folder of the archive.
@@ -80,5 +92,6 @@ impl<'a> UnreadMesh<'a> {
 
 fn sound_mesh(file: &FileFacts) -> Option<&Mesh> {
     let is_text = || Format::of(file.kind_in(OWN)).is_text();
-    file.mesh().filter(|mesh| mesh.is_sound() && !(is_text() && file.encoding.invalid_utf8_at.is_some()))
+    file.mesh()
+        .filter(|mesh| mesh.is_sound() && !(is_text() && file.encoding.invalid_utf8_at.is_some()))
 }

@@ -1,4 +1,5 @@
-//! Folders that no loader lists: with other capitals than the one that is looked for, or without the folder of a base mesh.
+//! Folders that no loader lists: with other capitals than the one that is looked for, or without
+//! the folder of a base mesh.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,45 +13,69 @@ const OF_BASE: [&str; 3] = ["macro.json", "modelling.json", "target_cat.json"];
 
 /// Whether any layer has something of the base mesh itself.
 fn has_base(layers: Layers<'_>, name: &str) -> bool {
-    layers.strongest_first().any(|layer| layer.below(&format!("base/{name}")).next().is_some())
+    layers
+        .strongest_first()
+        .any(|layer| layer.below(&format!("base/{name}")).next().is_some())
 }
 
 /// The names that are those of a base mesh, of all that folders are called where one should be.
-pub(super) fn without_misnamed<'a>(layers: Layers<'a>, names: BTreeSet<&'a str>) -> BTreeSet<&'a str> {
-    let known: BTreeMap<String, &str> =
-        names.iter().filter(|name| has_base(layers, name)).map(|name| (fold(name), *name)).collect();
+pub(super) fn without_misnamed<'a>(
+    layers: Layers<'a>,
+    names: BTreeSet<&'a str>,
+) -> BTreeSet<&'a str> {
+    let known: BTreeMap<String, &str> = names
+        .iter()
+        .filter(|name| has_base(layers, name))
+        .map(|name| (fold(name), *name))
+        .collect();
     let is_meant = |name: &&str| {
         let other_case = known.get(&fold(name)).is_some_and(|known| known != name);
-        let is_inside = || layers.strongest_first().any(|layer| unsorted_above(layer, name).is_some());
+        let is_inside = || {
+            layers
+                .strongest_first()
+                .any(|layer| unsorted_above(layer, name).is_some())
+        };
         has_base(layers, name) || !other_case && !is_inside()
     };
     names.iter().copied().filter(is_meant).collect()
 }
 
-/// The folder in which the name is that of a folder of targets, because that of the base mesh is left out.
+/// The folder in which the name is that of a folder of targets, because that of the base mesh is
+/// left out.
 fn unsorted_above(layer: &Layer, name: &str) -> Option<&'static str> {
     let has_targets = |folder: &&&str| layer.below(&format!("{folder}/{name}")).next().is_some();
-    ["contarget", "target"].iter().filter(has_targets).find(|folder| unsorted(layer, folder).is_some()).copied()
+    ["contarget", "target"]
+        .iter()
+        .filter(has_targets)
+        .find(|folder| unsorted(layer, folder).is_some())
+        .copied()
 }
 
 /// The first file in `contarget/` or `target/` itself that belongs in the folder of a base mesh.
 fn unsorted<'a>(layer: &'a Layer, folder: &str) -> Option<&'a FileFacts> {
-    OF_BASE.iter().find_map(|name| layer.file(&format!("{folder}/{name}")))
+    OF_BASE
+        .iter()
+        .find_map(|name| layer.file(&format!("{folder}/{name}")))
 }
 
 impl<'a> View<'a> {
-    /// Of each folder of the checked layer that lacks the folder of a base mesh in it a file that shows it.
+    /// Of each folder of the checked layer that lacks the folder of a base mesh in it a file that
+    /// shows it.
     pub fn unsorted(&self) -> impl Iterator<Item = (&'static str, &'a FileFacts)> {
         let checked = self.layers.checked;
-        ["contarget", "target"].into_iter().filter_map(move |folder| Some((folder, unsorted(checked, folder)?)))
+        ["contarget", "target"]
+            .into_iter()
+            .filter_map(move |folder| Some((folder, unsorted(checked, folder)?)))
     }
 
     /// Whether a target lies in such a folder: what its folder is called says nothing.
     pub fn is_unsorted(&self, file: &FileFacts) -> bool {
-        self.unsorted().any(|(folder, _)| file.rel.starts_with(&format!("{folder}/")))
+        self.unsorted()
+            .any(|(folder, _)| file.rel.starts_with(&format!("{folder}/")))
     }
 
-    /// The folders of the checked layer whose name differs in its capitals from the one that is looked for.
+    /// The folders of the checked layer whose name differs in its capitals from the one that is
+    /// looked for.
     pub fn misnamed_folders(&self) -> Vec<MisnamedFolder> {
         let layout = Layout::of(OWN);
         misnamed_folders(self.layers.checked, layout, |rel| {
@@ -66,7 +91,12 @@ impl<'a> View<'a> {
 
     /// The base mesh that a name means but for its capitals.
     fn base_in_other_case(&self, name: &str) -> Option<&'a str> {
-        let is_other = |base: &&super::Base<'a>| base.name != name && base.name.eq_ignore_ascii_case(name);
-        self.bases.iter().filter(is_other).find(|base| has_base(self.layers, base.name)).map(|base| base.name)
+        let is_other =
+            |base: &&super::Base<'a>| base.name != name && base.name.eq_ignore_ascii_case(name);
+        self.bases
+            .iter()
+            .filter(is_other)
+            .find(|base| has_base(self.layers, base.name))
+            .map(|base| base.name)
     }
 }

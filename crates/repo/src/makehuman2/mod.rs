@@ -1,5 +1,5 @@
-//! The data of `MakeHuman` 2, connected as it does: contarget over target, the user's sliders merged on top, names of
-//! files in macros, sliders, skeletons, materials and `base.json`.
+//! The data of `MakeHuman` 2, connected as it does: contarget over target, the user's sliders
+//! merged on top, names of files in macros, sliders, skeletons, materials and `base.json`.
 
 mod base;
 mod foreign;

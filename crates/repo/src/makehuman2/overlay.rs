@@ -26,7 +26,11 @@ pub struct Overlaid<'a, T> {
 
 impl<'a, T> Candidate<'a, T> {
     /// Looks at the file `rel` of `layer`; `model` picks the content of the right kind.
-    pub(super) fn find(layer: Option<&'a Layer>, rel: &str, model: impl Fn(&'a Content) -> Option<&'a T>) -> Self {
+    pub(super) fn find(
+        layer: Option<&'a Layer>,
+        rel: &str,
+        model: impl Fn(&'a Content) -> Option<&'a T>,
+    ) -> Self {
         let Some(file) = layer.and_then(|layer| layer.file(rel)) else {
             return Self::Absent;
         };
@@ -38,7 +42,11 @@ impl<'a, T> Candidate<'a, T> {
 
     /// File and model, if accepted.
     pub fn accepted(&self) -> Option<(&'a FileFacts, &'a T)> {
-        if let Self::Accepted(file, model) = self { Some((file, model)) } else { None }
+        if let Self::Accepted(file, model) = self {
+            Some((file, model))
+        } else {
+            None
+        }
     }
 
     /// The file, accepted or not.

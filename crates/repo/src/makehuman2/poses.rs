@@ -1,11 +1,12 @@
-//! Poses and expressions with the units that they are made of (`docs/loaders/makehuman2/poses.md#pose-units`,
-//! `docs/loaders/makehuman2/poses.md#mhpose`).
+//! Poses and expressions with the units that they are made of
+//! (`docs/loaders/makehuman2/poses.md#pose-units`, `docs/loaders/makehuman2/poses.md#mhpose`).
 
 use super::OWN;
 use crate::{BodyPose, FileFacts, Layers, PoseUnitsFile};
 use mhlint_discover::{Kind, listed_in};
 
-/// Names of units in expressions of older versions, and the unit that takes their place. Four of the tongue's have none.
+/// Names of units in expressions of older versions, and the unit that takes their place. Four of
+/// the tongue's have none.
 const OLD: [(&str, &str); 26] = [
     ("ChinLeft", "ChinRotate"),
     ("ChinRight", "ChinRotate"),
@@ -37,12 +38,18 @@ const OLD: [(&str, &str); 26] = [
 
 /// Where the units of a folder of poses are.
 fn units_name(category: &str) -> &'static str {
-    if category == "expressions" { "face-poses.json" } else { "body-poses.json" }
+    if category == "expressions" {
+        "face-poses.json"
+    } else {
+        "body-poses.json"
+    }
 }
 
 /// The unit of today that an expression's unit of an older version becomes.
 fn renewed(unit: &str) -> Option<&'static str> {
-    OLD.iter().find(|(old, _)| *old == unit).map(|(_, new)| *new)
+    OLD.iter()
+        .find(|(old, _)| *old == unit)
+        .map(|(_, new)| *new)
 }
 
 /// The units of a base, first those of poses.
@@ -57,7 +64,13 @@ pub(super) fn units<'a>(layers: Layers<'a>, base: &str) -> [PoseUnitsFile<'a>; 2
         let units = file
             .filter(|file| !file.json.falsy && !file.is_misshapen())
             .and_then(|file| Some((file, file.pose_units()?)));
-        PoseUnitsFile { category, is_there: is_there(&rel), rel, units, frames: None }
+        PoseUnitsFile {
+            category,
+            is_there: is_there(&rel),
+            rel,
+            units,
+            frames: None,
+        }
     })
 }
 
@@ -68,8 +81,17 @@ pub(super) fn poses<'a>(files: impl Iterator<Item = &'a FileFacts>) -> Vec<BodyP
         let category = listed_in(&file.rel)?;
         let is_expression = category == "expressions";
         // Poses are younger than the new names.
-        let renewed = if is_expression { renewed } else { |_: &str| None };
-        Some(BodyPose { file, pose: file.pose()?, is_expression, renewed })
+        let renewed = if is_expression {
+            renewed
+        } else {
+            |_: &str| None
+        };
+        Some(BodyPose {
+            file,
+            pose: file.pose()?,
+            is_expression,
+            renewed,
+        })
     };
     listed.filter_map(pose).collect()
 }

@@ -19,8 +19,16 @@ pub fn has_shaders(layer: &Layer) -> bool {
 
 /// Whether it is the program's and has lost all base meshes. Nobody else has macros in `target/`.
 pub fn lacks_bases(layer: &Layer) -> bool {
-    let has_macros = || layer.below("target").any(|file| file.kind == Kind::MacroJson);
+    let has_macros = || {
+        layer
+            .below("target")
+            .any(|file| file.kind == Kind::MacroJson)
+    };
     // One that is called otherwise has a finding of its own.
-    let is_base = |rel: &String| rel.split('/').next().is_some_and(|top| top.eq_ignore_ascii_case("base"));
+    let is_base = |rel: &String| {
+        rel.split('/')
+            .next()
+            .is_some_and(|top| top.eq_ignore_ascii_case("base"))
+    };
     !layer.files.keys().any(is_base) && (holds_program(layer) || has_macros())
 }

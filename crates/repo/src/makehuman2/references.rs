@@ -19,22 +19,41 @@ pub(super) fn collect<'a>(base: &Base<'a>) -> Vec<Reference<'a>> {
 }
 
 fn macro_references<'a>(base: &Base<'a>, out: &mut Vec<Reference<'a>>) {
-    let Some((from, file)) = base.macro_file() else { return };
+    let Some((from, file)) = base.macro_file() else {
+        return;
+    };
     // The last definition with a `folder`: it is in use for those behind it that have none.
     let mut owner = None;
     for macrodef in &file.macrodefs {
-        owner = if macrodef.folder.is_some() { Some(macrodef.index) } else { owner };
+        owner = if macrodef.folder.is_some() {
+            Some(macrodef.index)
+        } else {
+            owner
+        };
         let folder = macrodef.effective_folder.as_deref();
         for link in &macrodef.links {
             // An empty name is a finding of its own, not a missing file.
-            let Some(text) = link.target.as_deref().filter(|text| !text.is_empty()) else { continue };
-            let name =
-                folder.map_or_else(|| text.to_owned(), |folder| format!("{}/{}", shortened(folder), shortened(text)));
+            let Some(text) = link.target.as_deref().filter(|text| !text.is_empty()) else {
+                continue;
+            };
+            let name = folder.map_or_else(
+                || text.to_owned(),
+                |folder| format!("{}/{}", shortened(folder), shortened(text)),
+            );
             let (rel, resolution) = resolve_macro_target(base, &name);
             // Behind a folder the beginning of the name would be hidden.
-            let resolution = if is_absolute(text) { Resolution::Absolute } else { resolution };
-            let folder_at_fault = folder.filter(|folder| is_fault_of_folder(folder, text, &resolution));
-            let folder_at = Place::pointer(["macrodef", &owner.unwrap_or(macrodef.index).to_string(), "folder"]);
+            let resolution = if is_absolute(text) {
+                Resolution::Absolute
+            } else {
+                resolution
+            };
+            let folder_at_fault =
+                folder.filter(|folder| is_fault_of_folder(folder, text, &resolution));
+            let folder_at = Place::pointer([
+                "macrodef",
+                &owner.unwrap_or(macrodef.index).to_string(),
+                "folder",
+            ]);
             out.push(Reference {
                 kind: ReferenceKind::MacroTarget,
                 base: base.name,
@@ -50,11 +69,17 @@ fn macro_references<'a>(base: &Base<'a>, out: &mut Vec<Reference<'a>>) {
     }
 }
 
-/// A suffix too much is a finding of its own; what else is wrong with such a name is not hidden by it.
+/// A suffix too much is a finding of its own; what else is wrong with such a name is not hidden by
+/// it.
 fn resolve_macro_target<'a>(base: &Base<'a>, name: &str) -> (String, Resolution<'a>) {
     let (rel, resolution) = resolve_target(base, base.targets, name);
     let stem = without_suffix(name);
-    if stem.len() == name.len() || !matches!(resolution, Resolution::Missing | Resolution::Backslash(None)) {
+    if stem.len() == name.len()
+        || !matches!(
+            resolution,
+            Resolution::Missing | Resolution::Backslash(None)
+        )
+    {
         return (rel, resolution);
     }
     match resolve_target(base, base.targets, stem) {
@@ -63,16 +88,23 @@ fn resolve_macro_target<'a>(base: &Base<'a>, name: &str) -> (String, Resolution<
     }
 }
 
-/// Whether the folder alone makes the whole name absolute, or brings the backslash, the way out or the other
-/// capitals into it.
+/// Whether the folder alone makes the whole name absolute, or brings the backslash, the way out or
+/// the other capitals into it.
 fn is_fault_of_folder(folder: &str, text: &str, resolution: &Resolution<'_>) -> bool {
     match resolution {
         Resolution::Absolute => !is_absolute(text),
         Resolution::Backslash(_) => !text.contains('\\'),
         Resolution::Escapes => folder.contains("..") && !text.contains(".."),
         Resolution::CaseOnly(file) => {
-            let found = file.rel.strip_suffix(".target").and_then(|stem| stem.strip_suffix(text));
-            found.is_some_and(|found| !found.trim_end_matches('/').ends_with(folder.trim_matches('/')))
+            let found = file
+                .rel
+                .strip_suffix(".target")
+                .and_then(|stem| stem.strip_suffix(text));
+            found.is_some_and(|found| {
+                !found
+                    .trim_end_matches('/')
+                    .ends_with(folder.trim_matches('/'))
+            })
         }
         _ => false,
     }
@@ -110,7 +142,11 @@ fn slider_references<'a>(base: &Base<'a>, bound: &BoundSlider<'a>, out: &mut Vec
     }
 }
 
-fn resolve_target<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &str) -> (String, Resolution<'a>) {
+fn resolve_target<'a>(
+    base: &Base<'a>,
+    folder: Option<TargetFolder<'a>>,
+    name: &str,
+) -> (String, Resolution<'a>) {
     let Some(folder) = folder else {
         return (format!("{name}.target"), Resolution::NeedsSystem);
     };
@@ -119,26 +155,53 @@ fn resolve_target<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &
     if !matches!(found, Resolution::Missing) {
         return (rel, found);
     }
-    // The archive is asked by the name as written (`docs/loaders/makehuman2/targets.md#the-archive`).
-    let archive = folder.archive().filter(|file| file.archive().is_some_and(|archive| archive.member(name).is_some()));
-    let other = || base.other_targets.and_then(|other| other.target(name)).map(Resolution::OtherLayer);
-    (rel, archive.map(Resolution::Found).or_else(other).unwrap_or(found))
+    // The archive is asked by the name as written
+    // (`docs/loaders/makehuman2/targets.md#the-archive`).
+    let archive = folder.archive().filter(|file| {
+        file.archive()
+            .is_some_and(|archive| archive.member(name).is_some())
+    });
+    let other = || {
+        base.other_targets
+            .and_then(|other| other.target(name))
+            .map(Resolution::OtherLayer)
+    };
+    (
+        rel,
+        archive
+            .map(Resolution::Found)
+            .or_else(other)
+            .unwrap_or(found),
+    )
 }
 
-/// A target of the system's slider that is looked for in the user's folder. What a user has there nobody else has.
+/// A target of the system's slider that is looked for in the user's folder. What a user has there
+/// nobody else has.
 fn resolve_marked<'a>(base: &Base<'a>, name: &str) -> (String, Resolution<'a>) {
-    match base.user_targets.filter(|folder| folder.target(name).is_some()) {
+    match base
+        .user_targets
+        .filter(|folder| folder.target(name).is_some())
+    {
         Some(folder) => resolve_target(base, Some(folder), name),
-        None => (format!("target/{}/{name}.target", base.name), Resolution::Missing),
+        None => (
+            format!("target/{}/{name}.target", base.name),
+            Resolution::Missing,
+        ),
     }
 }
 
-fn resolve_icon<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &str) -> (String, Resolution<'a>) {
+fn resolve_icon<'a>(
+    base: &Base<'a>,
+    folder: Option<TargetFolder<'a>>,
+    name: &str,
+) -> (String, Resolution<'a>) {
     let Some(folder) = folder else {
         return (format!("icons/{name}"), Resolution::NeedsSystem);
     };
     let rel = format!("{}/icons/{name}", folder.rel());
-    let other = base.other_targets.and_then(|other| other.layer.file(&format!("{}/icons/{name}", other.rel())));
+    let other = base
+        .other_targets
+        .and_then(|other| other.layer.file(&format!("{}/icons/{name}", other.rel())));
     match (resolve(&[folder.layer], name, &rel), other) {
         (Resolution::Missing, Some(file)) => (rel, Resolution::OtherLayer(file)),
         (found, _) => (rel, found),
@@ -146,7 +209,8 @@ fn resolve_icon<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &st
 }
 
 impl<'a> Base<'a> {
-    /// What a target would be found by this name, which is written without suffix, in the folder in use.
+    /// What a target would be found by this name, which is written without suffix, in the folder in
+    /// use.
     pub fn target_named(&self, name: &str) -> Resolution<'a> {
         resolve_target(self, self.targets, name).1
     }

@@ -1,5 +1,5 @@
-//! Skeletons with their weights, and what `base.json` names. All are looked for as a path below the data root, user
-//! before system.
+//! Skeletons with their weights, and what `base.json` names. All are looked for as a path below the
+//! data root, user before system.
 
 use crate::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, Rig};
 use mhlint_diag::Place;
@@ -17,12 +17,20 @@ pub(super) fn named_by_settings<'a>(
     (from, settings): (&'a FileFacts, &'a BaseJson),
 ) -> Vec<Reference<'a>> {
     let named = [
-        (ReferenceKind::PoseSkeleton, "pose-skeleton", "rigs", settings.pose_skeleton.as_deref()),
+        (
+            ReferenceKind::PoseSkeleton,
+            "pose-skeleton",
+            "rigs",
+            settings.pose_skeleton.as_deref(),
+        ),
         (ReferenceKind::Model, "mhm", "base", settings.mhm.as_deref()),
     ];
     let name = |(kind, member, folder, text): (_, &'static str, &str, Option<&'a str>)| {
         let (text, place) = (text?, Place::pointer([member]));
-        Some(Reference { owner: member, ..reference(layers, kind, base, from, place, text, folder) })
+        Some(Reference {
+            owner: member,
+            ..reference(layers, kind, base, from, place, text, folder)
+        })
     };
     named.into_iter().filter_map(name).collect()
 }
@@ -34,12 +42,19 @@ pub(super) fn rigs<'a>(
     named: &[Reference<'a>],
     skeletons: impl Iterator<Item = &'a FileFacts>,
 ) -> Vec<Rig<'a>> {
-    let pose = named.iter().find(|reference| reference.kind == ReferenceKind::PoseSkeleton);
+    let pose = named
+        .iter()
+        .find(|reference| reference.kind == ReferenceKind::PoseSkeleton);
     let pose = pose.and_then(Reference::found);
     let rig = |file: &'a FileFacts| {
         let is_default = pose.is_some_and(|pose| std::ptr::eq(pose, file));
         let is_found = is_default || file.rel.split('/').count() <= SCANNED_PARTS;
-        Rig { file, weights: weights(base, layers, file), is_default, is_found }
+        Rig {
+            file,
+            weights: weights(base, layers, file),
+            is_default,
+            is_found,
+        }
     };
     skeletons.map(rig).collect()
 }
@@ -47,15 +62,32 @@ pub(super) fn rigs<'a>(
 /// Weights are searched as `rigs/<base>/<weights_file>`, never beside the skeleton.
 fn weights<'a>(base: &'a str, layers: Layers<'a>, from: &'a FileFacts) -> Option<Reference<'a>> {
     // Anything but a text is rejected by the schema; what it would lead to is not known.
-    let skeleton = from.skeleton().filter(|skeleton| !skeleton.weights_file_misshapen)?;
+    let skeleton = from
+        .skeleton()
+        .filter(|skeleton| !skeleton.weights_file_misshapen)?;
     let text = skeleton.weights_file.as_deref().unwrap_or(DEFAULT_WEIGHTS);
-    let place = skeleton.weights_file.as_ref().map_or(Place::File, |_| Place::pointer(["weights_file"]));
-    Some(reference(layers, ReferenceKind::WeightsFile, base, from, place, text, "rigs"))
+    let place = skeleton
+        .weights_file
+        .as_ref()
+        .map_or(Place::File, |_| Place::pointer(["weights_file"]));
+    Some(reference(
+        layers,
+        ReferenceKind::WeightsFile,
+        base,
+        from,
+        place,
+        text,
+        "rigs",
+    ))
 }
 
 /// What a skeleton of a base has to call weights.
 pub(super) fn name_of<'f>(base: &str, file: &'f FileFacts) -> &'f str {
-    let below = |rel: &'f str| rel.strip_prefix("rigs/")?.strip_prefix(base)?.strip_prefix('/');
+    let below = |rel: &'f str| {
+        rel.strip_prefix("rigs/")?
+            .strip_prefix(base)?
+            .strip_prefix('/')
+    };
     below(&file.rel).unwrap_or(&file.rel)
 }
 
@@ -70,9 +102,20 @@ fn reference<'a>(
     folder: &str,
 ) -> Reference<'a> {
     let all: Vec<&Layer> = layers.strongest_first().collect();
-    let found = Reference::to(&all, kind, base, from, place, text, format!("{folder}/{base}/{text}"));
+    let found = Reference::to(
+        &all,
+        kind,
+        base,
+        from,
+        place,
+        text,
+        format!("{folder}/{base}/{text}"),
+    );
     match found.resolution {
-        Resolution::Missing if layers.system.is_none() => Reference { resolution: Resolution::NeedsSystem, ..found },
+        Resolution::Missing if layers.system.is_none() => Reference {
+            resolution: Resolution::NeedsSystem,
+            ..found
+        },
         _ => found,
     }
 }

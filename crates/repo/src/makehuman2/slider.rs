@@ -19,17 +19,25 @@ pub struct BoundSlider<'a> {
 }
 
 impl BoundSlider<'_> {
-    /// Whether this has two targets whose endings `target-opposites` does not cover: only one side is used.
+    /// Whether this has two targets whose endings `target-opposites` does not cover: only one side
+    /// is used.
     pub fn is_undeclared_pair(&self) -> bool {
         matches!(self.pattern, Pattern::Single(_)) && self.slider.decr.is_some()
     }
 
     /// Whether this would be registered under `pattern` if its pair of endings were declared.
     pub fn would_register(&self, pattern: &str) -> bool {
-        let (Some(incr), Some(decr)) = (&self.slider.incr, &self.slider.decr) else { return false };
-        let own = if self.slider.user { pattern.strip_prefix("custom/") } else { Some(pattern) };
+        let (Some(incr), Some(decr)) = (&self.slider.incr, &self.slider.decr) else {
+            return false;
+        };
+        let own = if self.slider.user {
+            pattern.strip_prefix("custom/")
+        } else {
+            Some(pattern)
+        };
         let parts = own.and_then(|pattern| pattern.split_once('|'));
-        self.is_undeclared_pair() && parts.is_some_and(|(path, suffix)| path == decr && ends_with(incr, suffix))
+        self.is_undeclared_pair()
+            && parts.is_some_and(|(path, suffix)| path == decr && ends_with(incr, suffix))
     }
 }
 
@@ -68,8 +76,11 @@ impl Pattern {
             return Self::None;
         };
         let prefix = if slider.user { "custom/" } else { "" };
-        let pair =
-            slider.decr.as_ref().and_then(|decr| opposites.covering(decr, incr).map(|i| format!("{prefix}{decr}|{i}")));
+        let pair = slider.decr.as_ref().and_then(|decr| {
+            opposites
+                .covering(decr, incr)
+                .map(|i| format!("{prefix}{decr}|{i}"))
+        });
         pair.map_or_else(|| Self::Single(format!("{prefix}{incr}")), Self::Pair)
     }
 
@@ -83,26 +94,36 @@ impl Pattern {
     }
 }
 
-/// `target-opposites` of `base.json`, by the ending of `decr`: place in the file and the ending of `incr`.
+/// `target-opposites` of `base.json`, by the ending of `decr`: place in the file and the ending of
+/// `incr`.
 pub struct Opposites<'o>(Grouped<&'o str, (usize, &'o str)>);
 
 impl<'o> Opposites<'o> {
     /// For pairs in file order.
     pub fn of(pairs: &'o [(String, String)]) -> Self {
         let pairs = pairs.iter().enumerate();
-        Self(grouped(pairs.map(|(place, (decr, incr))| (decr.as_str(), (place, incr.as_str())))))
+        Self(grouped(pairs.map(|(place, (decr, incr))| {
+            (decr.as_str(), (place, incr.as_str()))
+        })))
     }
 
     /// The ending of `incr` in the first pair that both paths end in.
     fn covering(&self, decr: &str, incr: &str) -> Option<&'o str> {
-        let endings = decr.match_indices('-').filter_map(|(dash, _)| self.0.get(decr.get(dash + 1..)?));
-        endings.flatten().filter(|(_, ending)| ends_with(incr, ending)).min().map(|(_, ending)| *ending)
+        let endings = decr
+            .match_indices('-')
+            .filter_map(|(dash, _)| self.0.get(decr.get(dash + 1..)?));
+        endings
+            .flatten()
+            .filter(|(_, ending)| ends_with(incr, ending))
+            .min()
+            .map(|(_, ending)| *ending)
     }
 }
 
 /// Whether a path ends in `-suffix`.
 fn ends_with(path: &str, suffix: &str) -> bool {
-    path.strip_suffix(suffix).is_some_and(|rest| rest.ends_with('-'))
+    path.strip_suffix(suffix)
+        .is_some_and(|rest| rest.ends_with('-'))
 }
 
 #[cfg(test)]
@@ -110,15 +131,32 @@ mod tests {
     use super::*;
 
     fn pattern(incr: Option<&str>, decr: Option<&str>, user: bool) -> Pattern {
-        let slider = Slider { incr: incr.map(str::to_owned), decr: decr.map(str::to_owned), user, ..Slider::default() };
-        Pattern::of(&slider, &Opposites::of(&[("decr".to_owned(), "incr".to_owned())]))
+        let slider = Slider {
+            incr: incr.map(str::to_owned),
+            decr: decr.map(str::to_owned),
+            user,
+            ..Slider::default()
+        };
+        Pattern::of(
+            &slider,
+            &Opposites::of(&[("decr".to_owned(), "incr".to_owned())]),
+        )
     }
 
     #[test]
     fn pairs_need_a_declared_opposite() {
-        assert_eq!(pattern(Some("a/b-incr"), Some("a/b-decr"), false), Pattern::Pair("a/b-decr|incr".to_owned()));
-        assert_eq!(pattern(Some("a/b-up"), Some("a/b-down"), false), Pattern::Single("a/b-up".to_owned()));
+        assert_eq!(
+            pattern(Some("a/b-incr"), Some("a/b-decr"), false),
+            Pattern::Pair("a/b-decr|incr".to_owned())
+        );
+        assert_eq!(
+            pattern(Some("a/b-up"), Some("a/b-down"), false),
+            Pattern::Single("a/b-up".to_owned())
+        );
         assert_eq!(pattern(None, Some("a/b-decr"), false), Pattern::None);
-        assert_eq!(pattern(Some("f/x"), None, true), Pattern::Single("custom/f/x".to_owned()));
+        assert_eq!(
+            pattern(Some("f/x"), None, true),
+            Pattern::Single("custom/f/x".to_owned())
+        );
     }
 }

@@ -1,4 +1,5 @@
-//! Materials as MakeHuman 2 has them (`docs/loaders/makehuman2/materials.md#alternative-materials`).
+//! Materials as MakeHuman 2 has them
+//! (`docs/loaders/makehuman2/materials.md#alternative-materials`).
 
 use super::OWN;
 use crate::surface::Picture;
@@ -20,9 +21,16 @@ pub(super) fn surface<'a>(
     let mut pictures: Vec<(&'static str, Picture<'a>)> = Vec::new();
     for (texture, reference) in material.textures.iter().zip(references) {
         let picture = picture(reference);
-        match pictures.iter_mut().find(|(keyword, _)| *keyword == texture.keyword) {
+        match pictures
+            .iter_mut()
+            .find(|(keyword, _)| *keyword == texture.keyword)
+        {
             // The last one that is found wins.
-            Some((_, other)) if picture.file.is_some() || picture.is_open || other.file.is_none() => *other = picture,
+            Some((_, other))
+                if picture.file.is_some() || picture.is_open || other.file.is_none() =>
+            {
+                *other = picture
+            }
             Some(_) => {}
             None => pictures.push((texture.keyword, picture)),
         }
@@ -46,7 +54,12 @@ fn picture<'a>(reference: &Reference<'a>) -> Picture<'a> {
         reference.resolution,
         Resolution::NeedsSystem | Resolution::Moved | Resolution::Escapes | Resolution::Absolute
     );
-    Picture { text: reference.text, place: reference.place.clone(), file: reference.found(), is_open }
+    Picture {
+        text: reference.text,
+        place: reference.place.clone(),
+        file: reference.found(),
+        is_open,
+    }
 }
 
 /// It is looked for by its name without folders, in one folder of the user and of the system.
@@ -54,13 +67,22 @@ fn litsphere<'a>(layers: Layers<'a>, material: &'a Material) -> Option<Picture<'
     let word = material.parameter("litsphereTexture")?.words.get(1)?;
     let name = word.text.rsplit('/').next().unwrap_or_default();
     let rel = format!("shaders/litspheres/{name}");
-    let file = layers.strongest_first().chain(layers.beside).find_map(|layer| layer.file(&rel));
+    let file = layers
+        .strongest_first()
+        .chain(layers.beside)
+        .find_map(|layer| layer.file(&rel));
     // A system without shaders is not the program's whole one.
     let has_shaders = |system: &crate::Layer| system.below("shaders").next().is_some();
     let system = layers.system.filter(|_| !layers.is_one_root());
     let is_known = system.is_some_and(|system| name != SHIPPED || has_shaders(system));
     // That a pack has it where its importer ignores it is a fault of the pack.
-    let is_ignored = || layers.checked.pack.as_ref().is_some_and(|pack| pack.ignores(&format!("litspheres/{name}")));
+    let is_ignored = || {
+        layers
+            .checked
+            .pack
+            .as_ref()
+            .is_some_and(|pack| pack.ignores(&format!("litspheres/{name}")))
+    };
     Some(Picture {
         text: &word.text,
         place: Place::Span(word.span.clone()),

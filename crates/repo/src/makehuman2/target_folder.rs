@@ -23,22 +23,31 @@ impl<'a> TargetFolder<'a> {
 
     /// The target `name` (path without suffix).
     pub fn target(&self, name: &str) -> Option<&'a FileFacts> {
-        self.layer.file(&format!("{}/{}/{name}.target", self.folder, self.base))
+        self.layer
+            .file(&format!("{}/{}/{name}.target", self.folder, self.base))
     }
 
     /// `compressedtargets.npz` of the folder.
     pub fn archive(&self) -> Option<&'a FileFacts> {
-        self.layer.file(&format!("{}/{}/compressedtargets.npz", self.folder, self.base))
+        self.layer.file(&format!(
+            "{}/{}/compressedtargets.npz",
+            self.folder, self.base
+        ))
     }
 
     /// All targets in the folder.
     pub fn targets(&self) -> impl Iterator<Item = &'a FileFacts> + use<'a> {
-        self.layer.below(&self.rel()).filter(|file| file.kind_in(OWN) == Kind::Target)
+        self.layer
+            .below(&self.rel())
+            .filter(|file| file.kind_in(OWN) == Kind::Target)
     }
 
     /// Name of a target of this folder as files refer to it: path without suffix.
     pub fn name_of<'f>(&self, file: &'f FileFacts) -> Option<&'f str> {
-        file.rel.strip_prefix(&self.rel())?.strip_prefix('/')?.strip_suffix(".target")
+        file.rel
+            .strip_prefix(&self.rel())?
+            .strip_prefix('/')?
+            .strip_suffix(".target")
     }
 
     /// Whether anything is in it.
@@ -49,6 +58,10 @@ impl<'a> TargetFolder<'a> {
 
 /// The folder that the targets of a base are loaded from: the first two parts of their paths.
 pub(super) fn of(file: &FileFacts) -> &str {
-    let end = file.rel.match_indices('/').nth(1).map_or(file.rel.len(), |(at, _)| at);
+    let end = file
+        .rel
+        .match_indices('/')
+        .nth(1)
+        .map_or(file.rel.len(), |(at, _)| at);
     file.rel.get(..end).unwrap_or(&file.rel)
 }

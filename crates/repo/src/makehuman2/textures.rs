@@ -6,14 +6,16 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{OWN, surfaces};
 use crate::path::{is_absolute, resolve};
 use crate::{
-    FileFacts, Layer, Layers, PictureFolders, Reference, ReferenceKind, Resolution, Surface, Wearer, Worn, parent,
+    FileFacts, Layer, Layers, PictureFolders, Reference, ReferenceKind, Resolution, Surface,
+    Wearer, Worn, parent,
 };
 use mhlint_diag::Place;
 use mhlint_discover::{Kind, material_of};
 use mhlint_formats::mhmat::Texture;
 use mhlint_source::normalized;
 
-/// The pictures of all materials that the application opens, by base mesh, and what becomes of the materials.
+/// The pictures of all materials that the application opens, by base mesh, and what becomes of the
+/// materials.
 pub(super) fn read<'a>(
     layers: Layers<'a>,
     worn: &[Worn<'a>],
@@ -21,27 +23,59 @@ pub(super) fn read<'a>(
 ) -> (BTreeMap<&'a str, Vec<Reference<'a>>>, Vec<Surface<'a>>) {
     let mut by_base: BTreeMap<&str, Vec<Reference<'_>>> = BTreeMap::new();
     let mut surfaces = Vec::new();
-    let assets: Vec<_> = layers.strongest_first().map(|layer| Assets::of(layer, worn)).collect();
-    let chosen = of_models.iter().filter(|one| one.kind == ReferenceKind::ModelMaterial);
-    let chosen: BTreeSet<&str> = chosen.filter_map(Reference::found).map(|file| file.path.as_str()).collect();
+    let assets: Vec<_> = layers
+        .strongest_first()
+        .map(|layer| Assets::of(layer, worn))
+        .collect();
+    let chosen = of_models
+        .iter()
+        .filter(|one| one.kind == ReferenceKind::ModelMaterial);
+    let chosen: BTreeSet<&str> = chosen
+        .filter_map(Reference::found)
+        .map(|file| file.path.as_str())
+        .collect();
     for layer in layers.strongest_first() {
         for file in layer.files.values().filter(|file| is_material(file)) {
-            let search = file.base_in(OWN).and_then(|base| Search::of(layers, layer, file, base));
-            let is_opened = |search: &Search<'_>| chosen.contains(file.path.as_str()) || search.is_opened(&assets);
-            let Some(search) = search.filter(is_opened) else { continue };
-            let Some(material) = file.material() else { continue };
-            let references: Vec<_> = material.textures.iter().map(|texture| search.reference(texture)).collect();
-            surfaces.push(surfaces::surface(layers, file, material, search.wearer(&assets), &references));
-            by_base.entry(search.base).or_default().extend(in_use(references));
+            let search = file
+                .base_in(OWN)
+                .and_then(|base| Search::of(layers, layer, file, base));
+            let is_opened = |search: &Search<'_>| {
+                chosen.contains(file.path.as_str()) || search.is_opened(&assets)
+            };
+            let Some(search) = search.filter(is_opened) else {
+                continue;
+            };
+            let Some(material) = file.material() else {
+                continue;
+            };
+            let references: Vec<_> = material
+                .textures
+                .iter()
+                .map(|texture| search.reference(texture))
+                .collect();
+            surfaces.push(surfaces::surface(
+                layers,
+                file,
+                material,
+                search.wearer(&assets),
+                &references,
+            ));
+            by_base
+                .entry(search.base)
+                .or_default()
+                .extend(in_use(references));
         }
     }
     (by_base, surfaces)
 }
 
-/// The last line of a keyword with a picture wins: what stands above it counts for nothing. A name that leads out of
-/// the data is another matter: where a file is there, the application takes it.
+/// The last line of a keyword with a picture wins: what stands above it counts for nothing. A name
+/// that leads out of the data is another matter: where a file is there, the application takes it.
 fn in_use(all: Vec<Reference<'_>>) -> impl Iterator<Item = Reference<'_>> {
-    let meant = all.iter().enumerate().filter(|(_, one)| one.meant().is_some());
+    let meant = all
+        .iter()
+        .enumerate()
+        .filter(|(_, one)| one.meant().is_some());
     let last: BTreeMap<&str, usize> = meant.map(|(line, one)| (one.owner, line)).collect();
     all.into_iter().enumerate().filter_map(move |(line, one)| {
         let is_taken = matches!(one.resolution, Resolution::Found(_) | Resolution::Escapes);
@@ -66,33 +100,64 @@ struct Assets<'a> {
 
 impl<'a> Assets<'a> {
     fn of(layer: &'a Layer, worn: &[Worn<'a>]) -> Self {
-        let is_here = |worn: &&Worn<'_>| layer.file(&worn.file.rel).is_some_and(|own| std::ptr::eq(own, worn.file));
-        let folders: BTreeSet<&str> = worn.iter().filter(is_here).map(|worn| parent(&worn.file.rel)).collect();
-        let bare = folders.iter().filter(|asset| !layer.below(asset).any(is_material));
+        let is_here = |worn: &&Worn<'_>| {
+            layer
+                .file(&worn.file.rel)
+                .is_some_and(|own| std::ptr::eq(own, worn.file))
+        };
+        let folders: BTreeSet<&str> = worn
+            .iter()
+            .filter(is_here)
+            .map(|worn| parent(&worn.file.rel))
+            .collect();
+        let bare = folders
+            .iter()
+            .filter(|asset| !layer.below(asset).any(is_material));
         // A topology wears the skin.
         let has_own = |worn: &&Worn<'a>| is_here(worn) && !worn.is_topology();
-        let references = worn.iter().filter(has_own).flat_map(|worn| worn.references.iter().flatten());
+        let references = worn
+            .iter()
+            .filter(has_own)
+            .flat_map(|worn| worn.references.iter().flatten());
         let materials = references.filter(|one| one.kind == ReferenceKind::AssetMaterial);
-        let named = materials.filter_map(Reference::found).map(|file| file.rel.as_str()).collect();
-        Self { layer, with_bare: bare.map(|asset| parent(asset)).collect(), folders, named }
+        let named = materials
+            .filter_map(Reference::found)
+            .map(|file| file.rel.as_str())
+            .collect();
+        Self {
+            layer,
+            with_bare: bare.map(|asset| parent(asset)).collect(),
+            folders,
+            named,
+        }
     }
 }
 
-/// Whether system data that is not at hand could have a part of the base. Without an answer nobody has the base.
+/// Whether system data that is not at hand could have a part of the base. Without an answer nobody
+/// has the base.
 pub(super) fn is_open(layers: Layers<'_>, base: &str) -> Option<bool> {
     let folder = format!("base/{base}");
     let has = |layer: &Layer, name: &str| layer.file(&format!("{folder}/{name}")).is_some();
     let has_mesh = |layer: &Layer| has(layer, "base.obj") || has(layer, "base.mhbin");
     // One of both alone may lie over the base of a system.
-    if layers.strongest_first().any(|layer| has(layer, "base.json") && has_mesh(layer)) {
+    if layers
+        .strongest_first()
+        .any(|layer| has(layer, "base.json") && has_mesh(layer))
+    {
         return Some(false);
     }
     if layers.system.is_none() || layers.is_one_root() {
         return Some(true);
     }
-    let is_there = layers.strongest_first().any(|layer| layer.below(&folder).next().is_some());
+    let is_there = layers
+        .strongest_first()
+        .any(|layer| layer.below(&folder).next().is_some());
     // A loose asset may be for a base of somebody else.
-    if is_there { Some(false) } else { layers.checked.is_loose.then_some(true) }
+    if is_there {
+        Some(false)
+    } else {
+        layers.checked.is_loose.then_some(true)
+    }
 }
 
 /// A material with all that is asked for its pictures.
@@ -109,15 +174,27 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn of(layers: Layers<'a>, layer: &'a Layer, file: &'a FileFacts, base: &'a str) -> Option<Self> {
+    fn of(
+        layers: Layers<'a>,
+        layer: &'a Layer,
+        file: &'a FileFacts,
+        base: &'a str,
+    ) -> Option<Self> {
         let folders = folders(file, base)?;
         let is_open = is_open(layers, base)?;
         let shared = layers.system.into_iter().chain(layers.user).collect();
-        Some(Self { file, base, layer, folders, shared, is_open })
+        Some(Self {
+            file,
+            base,
+            layer,
+            folders,
+            shared,
+            is_open,
+        })
     }
 
-    /// What is worn has the materials below its folder. If there are none it has those of the folder `materials` beside
-    /// it, eyes those of the system and of the user.
+    /// What is worn has the materials below its folder. If there are none it has those of the
+    /// folder `materials` beside it, eyes those of the system and of the user.
     fn is_opened(&self, assets: &[Assets<'_>]) -> bool {
         let sort = self.folders.sort;
         let is_eye = sort == "eyes";
@@ -125,12 +202,18 @@ impl<'a> Search<'a> {
             let is_own = std::ptr::eq(assets.layer, self.layer);
             is_own && self.is_below(&assets.folders) || (is_own || is_eye) && self.is_beside(assets)
         };
-        sort == "skins" || is_eye && self.is_open || self.is_named(assets) || assets.iter().any(offers)
+        sort == "skins"
+            || is_eye && self.is_open
+            || self.is_named(assets)
+            || assets.iter().any(offers)
     }
 
     fn is_named(&self, assets: &[Assets<'_>]) -> bool {
         let is_own = |assets: &&Assets<'_>| std::ptr::eq(assets.layer, self.layer);
-        assets.iter().filter(is_own).any(|assets| assets.named.contains(self.file.rel.as_str()))
+        assets
+            .iter()
+            .filter(is_own)
+            .any(|assets| assets.named.contains(self.file.rel.as_str()))
     }
 
     fn wearer(&self, assets: &[Assets<'_>]) -> Wearer {
@@ -143,12 +226,15 @@ impl<'a> Search<'a> {
 
     fn is_below(&self, folders: &BTreeSet<&str>) -> bool {
         let above = std::iter::successors(Some(parent(&self.file.rel)), |path| Some(parent(path)));
-        above.take_while(|path| !path.is_empty()).any(|folder| folders.contains(folder))
+        above
+            .take_while(|path| !path.is_empty())
+            .any(|folder| folders.contains(folder))
     }
 
     fn is_beside(&self, assets: &Assets<'_>) -> bool {
         let all = &self.folders.all;
-        self.file.rel.starts_with(&format!("{all}/materials/")) && assets.with_bare.contains(all.as_str())
+        self.file.rel.starts_with(&format!("{all}/materials/"))
+            && assets.with_bare.contains(all.as_str())
     }
 
     fn reference(&self, texture: &'a Texture) -> Reference<'a> {
@@ -166,7 +252,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// As the application finds it. A name with `\` may miss places, on any system, that it had with `/`.
+    /// As the application finds it. A name with `\` may miss places, on any system, that it had
+    /// with `/`.
     fn find(&self, word: &str) -> (String, Resolution<'a>) {
         let (rel, resolution) = self.nearest(word);
         if !matches!(resolution, Resolution::Backslash(None)) {
@@ -194,25 +281,50 @@ impl<'a> Search<'a> {
         }
         // Outside of the data there may be anything: what comes behind may never be reached.
         let escape = tried.pop_if(|(_, resolution)| matches!(resolution, Resolution::Escapes));
-        let nearest = || tried.into_iter().min_by_key(|(_, resolution)| resolution.distance());
-        let (rel, resolution) = escape.or_else(nearest).unwrap_or((String::new(), Resolution::Missing));
+        let nearest = || {
+            tried
+                .into_iter()
+                .min_by_key(|(_, resolution)| resolution.distance())
+        };
+        let (rel, resolution) = escape
+            .or_else(nearest)
+            .unwrap_or((String::new(), Resolution::Missing));
         let resolution = resolution.in_pack(&[self.layer], self.file, word);
         // A name without a folder is that of a picture beside the loose asset.
         let is_own = self.layer.is_loose && !word.contains('/');
         let is_open = self.is_open && !is_own && matches!(resolution, Resolution::Missing);
-        (rel, if is_open { Resolution::NeedsSystem } else { resolution })
+        (
+            rel,
+            if is_open {
+                Resolution::NeedsSystem
+            } else {
+                resolution
+            },
+        )
     }
 
     /// Where the picture is looked for, in order, and what of the name is left there.
     fn places<'w>(&self, word: &'w str) -> Vec<(&'a Layer, String, &'w str)> {
-        let PictureFolders { own, above, sort, all } = &self.folders;
+        let PictureFolders {
+            own,
+            above,
+            sort,
+            all,
+        } = &self.folders;
         // What begins with a slash is not put behind the folder.
-        let below = word.split_once('/').map(|(_, below)| below).filter(|below| !is_absolute(below));
+        let below = word
+            .split_once('/')
+            .map(|(_, below)| below)
+            .filter(|below| !is_absolute(below));
         let mut places = vec![(self.layer, format!("{own}/{word}"), word)];
         places.extend(above.map(|above| (self.layer, format!("{above}/{word}"), word)));
         places.extend(below.map(|below| (self.layer, format!("{own}/{below}"), below)));
         let shared = below.filter(|_| word.starts_with(sort)).unwrap_or(word);
-        places.extend(self.shared.iter().map(|layer| (*layer, format!("{all}/{shared}"), shared)));
+        places.extend(
+            self.shared
+                .iter()
+                .map(|layer| (*layer, format!("{all}/{shared}"), shared)),
+        );
         places
     }
 }
@@ -221,5 +333,10 @@ impl<'a> Search<'a> {
 pub(crate) fn folders<'a>(material: &'a FileFacts, base: &str) -> Option<PictureFolders<'a>> {
     let (own, sort) = (parent(&material.rel), material_of(&material.rel)?.folder);
     let above = own.ends_with("materials").then(|| parent(own));
-    Some(PictureFolders { own, above, sort, all: format!("{sort}/{base}") })
+    Some(PictureFolders {
+        own,
+        above,
+        sort,
+        all: format!("{sort}/{base}"),
+    })
 }

@@ -10,7 +10,8 @@ use crate::{FileFacts, Layers, ReferenceKind, References, parent};
 /// How targets are used, of all bases.
 #[derive(Debug, Default)]
 pub(super) struct Usage<'a> {
-    /// How a file is used, by printed path; a macro outweighs a slider because it is applied at start.
+    /// How a file is used, by printed path; a macro outweighs a slider because it is applied at
+    /// start.
     users: BTreeMap<&'a str, ReferenceKind>,
     /// Unused targets by base.
     unused: BTreeMap<&'a str, Vec<&'a FileFacts>>,
@@ -20,11 +21,16 @@ pub(super) struct Usage<'a> {
 
 impl<'a> Usage<'a> {
     pub(super) fn of(layers: Layers<'a>, bases: &[Base<'a>], references: &References<'a>) -> Self {
-        let mut usage = Self { users: users(references), ..Self::default() };
+        let mut usage = Self {
+            users: users(references),
+            ..Self::default()
+        };
         usage.add_links(layers);
         for base in bases {
             let unused = usage.unused_of(base);
-            usage.unused_paths.extend(unused.iter().map(|file| file.path.as_str()));
+            usage
+                .unused_paths
+                .extend(unused.iter().map(|file| file.path.as_str()));
             usage.unused.insert(base.name, unused);
         }
         usage
@@ -42,15 +48,20 @@ impl<'a> Usage<'a> {
 
     /// The unused targets of a base.
     pub(super) fn unused(&self, base: &Base<'_>) -> &[&'a FileFacts] {
-        self.unused.get(base.name).map(Vec::as_slice).unwrap_or_default()
+        self.unused
+            .get(base.name)
+            .map(Vec::as_slice)
+            .unwrap_or_default()
     }
 
     /// Who uses a file through a link uses the file, and the other way round.
     fn add_links(&mut self, layers: Layers<'a>) {
-        let linked = |link: &'a FileFacts| Some([link, layers.checked.file(link.link_to.as_deref()?)?]);
+        let linked =
+            |link: &'a FileFacts| Some([link, layers.checked.file(link.link_to.as_deref()?)?]);
         for pair in layers.checked.files.values().filter_map(linked) {
             if let Some(kind) = pair.iter().filter_map(|file| self.of_file(file)).min() {
-                self.users.extend(pair.map(|file| (file.path.as_str(), kind)));
+                self.users
+                    .extend(pair.map(|file| (file.path.as_str(), kind)));
             }
         }
     }
@@ -66,28 +77,54 @@ impl<'a> Usage<'a> {
 
     fn targets(&self, base: &Base<'a>, folder: TargetFolder<'a>) -> Vec<&'a FileFacts> {
         let is_used = |file: &&FileFacts| self.of_file(file).is_some();
-        let used_folders: BTreeSet<&str> = folder.targets().filter(is_used).map(|file| parent(&file.rel)).collect();
-        // A base may do without macro.json. Then a folder of which nothing is used may wait for one.
+        let used_folders: BTreeSet<&str> = folder
+            .targets()
+            .filter(is_used)
+            .map(|file| parent(&file.rel))
+            .collect();
+        // A base may do without macro.json. Then a folder of which nothing is used may wait for
+        // one.
         let has_macros = base.macro_file().is_some();
         let is_checked = |file: &&FileFacts| has_macros || used_folders.contains(parent(&file.rel));
-        // What a slider uses that is reported for itself is not known, or known under a misspelt key.
+        // What a slider uses that is reported for itself is not known, or known under a misspelt
+        // key.
         let is_explained = |file: &&FileFacts| {
-            let Some(name) = folder.name_of(file) else { return false };
+            let Some(name) = folder.name_of(file) else {
+                return false;
+            };
             base.means_target(name) || base.has_unreadable_sliders() && !base.keeps_for_macros(name)
         };
-        folder.targets().filter(|file| !is_used(file)).filter(is_checked).filter(|file| !is_explained(file)).collect()
+        folder
+            .targets()
+            .filter(|file| !is_used(file))
+            .filter(is_checked)
+            .filter(|file| !is_explained(file))
+            .collect()
     }
 
     fn user_targets(&self, base: &Base<'a>) -> Vec<&'a FileFacts> {
-        let Some(folder) = base.user_targets else { return Vec::new() };
-        let is_deep = |file: &&FileFacts| folder.name_of(file).is_some_and(|name| name.matches('/').count() > 1);
-        folder.targets().filter(is_deep).filter(|file| self.of_file(file).is_none()).collect()
+        let Some(folder) = base.user_targets else {
+            return Vec::new();
+        };
+        let is_deep = |file: &&FileFacts| {
+            folder
+                .name_of(file)
+                .is_some_and(|name| name.matches('/').count() > 1)
+        };
+        folder
+            .targets()
+            .filter(is_deep)
+            .filter(|file| self.of_file(file).is_none())
+            .collect()
     }
 }
 
 fn users<'a>(references: &References<'a>) -> BTreeMap<&'a str, ReferenceKind> {
     let mut users = BTreeMap::new();
-    for reference in references.iter().filter(|reference| reference.kind.is_target()) {
+    for reference in references
+        .iter()
+        .filter(|reference| reference.kind.is_target())
+    {
         if let Some(file) = reference.meant() {
             let known = users.entry(file.path.as_str()).or_insert(reference.kind);
             *known = reference.kind.min(*known);
@@ -98,10 +135,15 @@ fn users<'a>(references: &References<'a>) -> BTreeMap<&'a str, ReferenceKind> {
 
 /// Whether sliders and macros that are meant for the folder are there and could be read.
 fn can_tell(base: &Base<'_>, folder: TargetFolder<'_>) -> bool {
-    let own_sliders = folder.layer.file(&format!("{}/modelling.json", folder.rel()));
+    let own_sliders = folder
+        .layer
+        .file(&format!("{}/modelling.json", folder.rel()));
     let sliders_in_use = base.modelling.winner().map(|(file, _)| file);
-    let broken = base.modelling.contarget.is_refused() || base.macros.contarget.is_refused() || base.macros.is_broken();
-    !broken && matches!((own_sliders, sliders_in_use), (Some(own), Some(used)) if std::ptr::eq(own, used))
+    let broken = base.modelling.contarget.is_refused()
+        || base.macros.contarget.is_refused()
+        || base.macros.is_broken();
+    !broken
+        && matches!((own_sliders, sliders_in_use), (Some(own), Some(used)) if std::ptr::eq(own, used))
 }
 
 impl Base<'_> {

@@ -7,9 +7,13 @@ use super::base::base_names;
 use super::known::KnownNames;
 use super::references::collect;
 use super::usage::Usage;
-use super::{Base, Library, OWN, SavedModel, models, poses, target_folder, textures, weights, worn};
+use super::{
+    Base, Library, OWN, SavedModel, models, poses, target_folder, textures, weights, worn,
+};
 use crate::extent::implausible;
-use crate::{Body, Doubt, FileFacts, Landmarks, Layers, Reference, References, Surface, Target, Worn, parent};
+use crate::{
+    Body, Doubt, FileFacts, Landmarks, Layers, Reference, References, Surface, Target, Worn, parent,
+};
 use mhlint_diag::grouped;
 use mhlint_discover::{Kind, listed_in};
 use mhlint_formats::base_json::BaseJson;
@@ -44,32 +48,54 @@ pub struct View<'a> {
 impl<'a> View<'a> {
     /// Connects layers.
     pub fn connect(layers: Layers<'a>) -> Self {
-        let bases: Vec<Base<'a>> = base_names(layers).into_iter().map(|name| Base::resolve(name, layers)).collect();
+        let bases: Vec<Base<'a>> = base_names(layers)
+            .into_iter()
+            .map(|name| Base::resolve(name, layers))
+            .collect();
         let worn = worn(layers, None);
         let library = Library::of(layers, &bases.iter().map(|base| base.name).collect());
-        let (mut all_models, mut wearers, mut named) = (BTreeMap::new(), BTreeMap::new(), Vec::new());
+        let (mut all_models, mut wearers, mut named) =
+            (BTreeMap::new(), BTreeMap::new(), Vec::new());
         for base in &bases {
             let own = models::models(layers, base);
             let is_open = textures::is_open(layers, base.name).unwrap_or(true);
             let references = models::references(layers, base, &own, &library, is_open);
-            wearers.extend(models::wearers(base.name, &own, &library, of_body(&worn, base.name), &references));
+            wearers.extend(models::wearers(
+                base.name,
+                &own,
+                &library,
+                of_body(&worn, base.name),
+                &references,
+            ));
             named.extend(references);
             all_models.insert(base.name, own);
         }
         let (mut textures, surfaces) = textures::read(layers, &worn, &named);
-        let of_base = |base| collect(base).into_iter().chain(textures.remove(base.name).unwrap_or_default());
+        let of_base = |base| {
+            collect(base)
+                .into_iter()
+                .chain(textures.remove(base.name).unwrap_or_default())
+        };
         let mut references: Vec<Reference<'a>> = bases.iter().flat_map(of_base).collect();
         references.extend(named);
         // Assets for a base that no layer has.
         references.extend(textures.into_values().flatten());
-        references.extend(worn.iter().flat_map(|worn| worn.references.iter().flatten()).cloned());
+        references.extend(
+            worn.iter()
+                .flat_map(|worn| worn.references.iter().flatten())
+                .cloned(),
+        );
         let references = References::new(references);
         let usage = Usage::of(layers, &bases, &references);
         Self {
             layers,
             bases,
             references,
-            worn_by_path: worn.iter().enumerate().map(|(at, worn)| (worn.file.path.as_str(), at)).collect(),
+            worn_by_path: worn
+                .iter()
+                .enumerate()
+                .map(|(at, worn)| (worn.file.path.as_str(), at))
+                .collect(),
             worn,
             surfaces,
             library,
@@ -82,7 +108,10 @@ impl<'a> View<'a> {
 
     /// The base of a name.
     pub fn base(&self, name: &str) -> Option<&Base<'a>> {
-        let at = self.bases.binary_search_by(|base| base.name.cmp(name)).ok()?;
+        let at = self
+            .bases
+            .binary_search_by(|base| base.name.cmp(name))
+            .ok()?;
         self.bases.get(at)
     }
 
@@ -91,39 +120,53 @@ impl<'a> View<'a> {
         self.references.of_base(base.name).iter()
     }
 
-    /// Targets that the application reads for the base and that nothing uses: those of the folder in use, and user
-    /// targets too deep to become sliders.
+    /// Targets that the application reads for the base and that nothing uses: those of the folder
+    /// in use, and user targets too deep to become sliders.
     pub fn unused(&self, base: &Base<'_>) -> &[&'a FileFacts] {
         self.usage.unused(base)
     }
 
     /// Whether the base that a mesh belongs to shows the group.
     pub(crate) fn draws(&self, mesh: &FileFacts, group: &str) -> bool {
-        let base = self.bases.iter().find(|base| Some(base.name) == mesh.base_in(OWN));
-        base.and_then(Base::settings).is_none_or(|(_, settings)| settings.shows(group))
+        let base = self
+            .bases
+            .iter()
+            .find(|base| Some(base.name) == mesh.base_in(OWN));
+        base.and_then(Base::settings)
+            .is_none_or(|(_, settings)| settings.shows(group))
     }
 
     /// Where on its body the vertices of a mesh are, if it is the mesh of a base.
     pub fn landmarks<'m>(&'m self, mesh: &FileFacts) -> Option<Landmarks<'m>> {
         let base = mesh.base_in(OWN).and_then(|name| self.base(name))?;
-        base.mesh.filter(|(file, _)| std::ptr::eq(*file, mesh)).and_then(|_| base.landmarks())
+        base.mesh
+            .filter(|(file, _)| std::ptr::eq(*file, mesh))
+            .and_then(|_| base.landmarks())
     }
 
     /// Whether a path lies in the target folder of a user, whose JSON `MakeHuman` 2 writes itself.
     pub(crate) fn is_generated(&self, rel: &str) -> bool {
         let layers = self.layers;
-        let user = layers.user.is_some_and(|user| std::ptr::eq(user, layers.checked));
+        let user = layers
+            .user
+            .is_some_and(|user| std::ptr::eq(user, layers.checked));
         user && !layers.is_one_root() && rel.starts_with("target/")
     }
 
-    /// Whether another file is read as the base mesh in place of what is at a path of the checked layer: an OBJ behind an
-    /// archive, or an archive that is no file, which counts as none.
+    /// Whether another file is read as the base mesh in place of what is at a path of the checked
+    /// layer: an OBJ behind an archive, or an archive that is no file, which counts as none.
     pub(crate) fn is_replaced(&self, rel: &str) -> bool {
         let checked = self.layers.checked;
-        let exists = |name: &str| self.layers.first_existing(&format!("{}/{name}", parent(rel))).is_some();
+        let exists = |name: &str| {
+            self.layers
+                .first_existing(&format!("{}/{name}", parent(rel)))
+                .is_some()
+        };
         match checked.kind_at(rel, OWN) {
             Kind::BaseMesh => exists("base.mhbin"),
-            Kind::MeshArchive => checked.file(rel).is_none() && (exists("base.mhbin") || exists("base.obj")),
+            Kind::MeshArchive => {
+                checked.file(rel).is_none() && (exists("base.mhbin") || exists("base.obj"))
+            }
             _ => false,
         }
     }
@@ -131,14 +174,20 @@ impl<'a> View<'a> {
     /// Whether the file is the `macro.json` of a base without a macro slider.
     pub(crate) fn does_without(&self, file: &FileFacts) -> bool {
         let base = file.base_in(OWN).and_then(|name| self.base(name));
-        let has_none = |base: &Base<'_>| !base.sliders.iter().any(|slider| slider.slider.is_macro());
+        let has_none =
+            |base: &Base<'_>| !base.sliders.iter().any(|slider| slider.slider.is_macro());
         file.kind_in(OWN) == Kind::MacroJson && base.is_none_or(has_none)
     }
 
     /// The targets of a base in the checked layer.
-    pub fn own_targets<'v>(&'v self, base: &Base<'_>) -> impl Iterator<Item = &'a FileFacts> + use<'v, 'a> {
+    pub fn own_targets<'v>(
+        &'v self,
+        base: &Base<'_>,
+    ) -> impl Iterator<Item = &'a FileFacts> + use<'v, 'a> {
         let folders = ["contarget", "target"].map(|folder| format!("{folder}/{}", base.name));
-        let files = folders.into_iter().flat_map(|folder| self.layers.checked.below(&folder).collect::<Vec<_>>());
+        let files = folders
+            .into_iter()
+            .flat_map(|folder| self.layers.checked.below(&folder).collect::<Vec<_>>());
         files.filter(|file| file.kind_in(OWN) == Kind::Target)
     }
 
@@ -150,7 +199,11 @@ impl<'a> View<'a> {
         let body = |name: &'v str, files: Vec<&'v FileFacts>| {
             let of = |kind| files.iter().copied().filter(move |file| file.kind == kind);
             let base = self.base(name);
-            let mut body = Body::new(name, view, of(Kind::Target).map(|file| self.target(file)).collect());
+            let mut body = Body::new(
+                name,
+                view,
+                of(Kind::Target).map(|file| self.target(file)).collect(),
+            );
             if let Some(base) = base {
                 fill(&mut body, base);
             }
@@ -159,9 +212,13 @@ impl<'a> View<'a> {
             body.add_worn_weights(others.chain(of(Kind::AssetWeights)));
             body.is_open = base.is_none_or(|base| self.is_open(base));
             body.poses = poses::poses(of(Kind::Pose));
-            body.pose_units = base.map(|base| poses::units(self.layers, base.name).into()).unwrap_or_default();
+            body.pose_units = base
+                .map(|base| poses::units(self.layers, base.name).into())
+                .unwrap_or_default();
             let listed = of(Kind::Motion).filter(|file| listed_in(&file.rel) == Some("poses"));
-            body.motions = listed.filter_map(|file| Some((file, file.motion()?))).collect();
+            body.motions = listed
+                .filter_map(|file| Some((file, file.motion()?)))
+                .collect();
             body
         };
         let mut bodies: Vec<Body<'v>> = Vec::new();
@@ -179,30 +236,45 @@ impl<'a> View<'a> {
 
     /// The characters of a base, of all layers.
     pub fn models_of(&self, base: &Base<'_>) -> &[SavedModel<'a>] {
-        self.models.get(base.name).map(Vec::as_slice).unwrap_or_default()
+        self.models
+            .get(base.name)
+            .map(Vec::as_slice)
+            .unwrap_or_default()
     }
 
-    /// The characters that wear the asset which the file at a printed path is, or is part of; the one that is loaded at
-    /// start comes first.
+    /// The characters that wear the asset which the file at a printed path is, or is part of; the
+    /// one that is loaded at start comes first.
     pub fn wearers(&self, path: &str) -> &[SavedModel<'a>] {
-        self.wearers.get(path).map(Vec::as_slice).unwrap_or_default()
+        self.wearers
+            .get(path)
+            .map(Vec::as_slice)
+            .unwrap_or_default()
     }
 
     /// The labels by which the assets of a category are chosen: the user's, or else the system's.
     pub fn filter(&self, category: &str, base: &str) -> Option<&'a SelectionFilter> {
         let rel = format!("{category}/{base}/selection_filter.json");
-        let mut files = self.layers.strongest_first().filter_map(|layer| layer.file(&rel));
+        let mut files = self
+            .layers
+            .strongest_first()
+            .filter_map(|layer| layer.file(&rel));
         files.find_map(|file| file.filter().filter(|_| !file.json.falsy))
     }
 
     /// The files that an asset names, if it could be read.
     pub fn worn_references(&self, file: &FileFacts) -> Option<&[Reference<'a>]> {
-        self.worn.get(*self.worn_by_path.get(file.path.as_str())?)?.references.as_deref()
+        self.worn
+            .get(*self.worn_by_path.get(file.path.as_str())?)?
+            .references
+            .as_deref()
     }
 
     /// Assets of a base that are listed and could not be read.
     pub fn worn_unread(&self, base: &str) -> impl Iterator<Item = &'a FileFacts> {
-        of_body(&self.worn, base).iter().filter(|worn| worn.references.is_none()).map(|worn| worn.file)
+        of_body(&self.worn, base)
+            .iter()
+            .filter(|worn| worn.references.is_none())
+            .map(|worn| worn.file)
     }
 
     /// Whether system data that is not at hand could have what a base lacks.
@@ -218,7 +290,10 @@ impl<'a> View<'a> {
             folder,
             used_as: self.usage.of_file(file),
             is_unused: self.usage.is_unused(file),
-            packed_in: self.layers.checked.file(&format!("{folder}/compressedtargets.npz")),
+            packed_in: self
+                .layers
+                .checked
+                .file(&format!("{folder}/compressedtargets.npz")),
         }
     }
 }
@@ -226,7 +301,13 @@ impl<'a> View<'a> {
 fn is_of_body(file: &FileFacts) -> bool {
     matches!(
         file.kind,
-        Kind::Target | Kind::Weights | Kind::AssetWeights | Kind::Motion | Kind::Pose | Kind::Clothes | Kind::Packed
+        Kind::Target
+            | Kind::Weights
+            | Kind::AssetWeights
+            | Kind::Motion
+            | Kind::Pose
+            | Kind::Clothes
+            | Kind::Packed
     )
 }
 
@@ -243,12 +324,21 @@ fn fill<'v>(body: &mut Body<'v>, base: &'v Base<'_>) {
     body.obj = base.obj();
     let settings = base.settings().map(|(_, settings)| settings);
     body.visible_groups = settings.and_then(|settings| settings.shown.as_ref());
-    let random = |settings: &'v BaseJson| settings.random.as_ref().map(|random| random.nonsym.as_slice());
+    let random = |settings: &'v BaseJson| {
+        settings
+            .random
+            .as_ref()
+            .map(|random| random.nonsym.as_slice())
+    };
     body.one_sided_endings = settings.map(|settings| random(settings).unwrap_or_default());
     body.macros = base.macro_file();
     body.has_too_many_macros = base.has_too_many_macros();
     body.rigs = &base.rigs;
     let is_foreign = base.foreign_mesh.is_some();
-    body.doubt = if is_foreign { Some(Doubt::Foreign) } else { implausible(body).map(|_| Doubt::Misplaced) };
+    body.doubt = if is_foreign {
+        Some(Doubt::Foreign)
+    } else {
+        implausible(body).map(|_| Doubt::Misplaced)
+    };
     body.weights = weights::weights(base);
 }

@@ -1,4 +1,5 @@
-//! Materials as MPFB reads them, with the pictures that they name (`docs/loaders/mpfb/materials.md#textures`).
+//! Materials as MPFB reads them, with the pictures that they name
+//! (`docs/loaders/mpfb/materials.md#textures`).
 
 use std::collections::BTreeSet;
 
@@ -40,12 +41,16 @@ pub struct Set<'a> {
 impl<'a> Look<'a> {
     /// The last line of a keyword that has a value, in whatever capitals.
     pub fn last_of(&self, word: &str) -> Option<&Set<'a>> {
-        self.lines.iter().rfind(|set| set.key.name.eq_ignore_ascii_case(word) && !set.value.is_empty())
+        self.lines
+            .iter()
+            .rfind(|set| set.key.name.eq_ignore_ascii_case(word) && !set.value.is_empty())
     }
 
     /// Whether a word is a keyword, also in another spelling.
     pub fn reads(&self, word: &str) -> bool {
-        self.lines.iter().any(|set| *set.statement.key.text == *word)
+        self.lines
+            .iter()
+            .any(|set| *set.statement.key.text == *word)
     }
 
     /// The picture of a keyword.
@@ -56,9 +61,14 @@ impl<'a> Look<'a> {
 
 /// The materials of a layer.
 pub(super) fn looks<'a>(layer: &'a Layer, worn: &[Worn<'a>]) -> Vec<Look<'a>> {
-    let named = worn.iter().filter_map(|worn| worn.reference(ReferenceKind::AssetMaterial)?.meant());
+    let named = worn
+        .iter()
+        .filter_map(|worn| worn.reference(ReferenceKind::AssetMaterial)?.meant());
     let named: BTreeSet<&str> = named.map(|file| file.path.as_str()).collect();
-    let files = layer.files.values().filter(|file| file.kind_in(OWN) == Kind::Material);
+    let files = layer
+        .files
+        .values()
+        .filter(|file| file.kind_in(OWN) == Kind::Material);
     // What is not UTF-8 stops the reader, and has a finding of its own.
     let files = files.filter(|file| file.encoding.invalid_utf8_at.is_none());
     let look = |file: &'a FileFacts| {
@@ -72,17 +82,37 @@ pub(super) fn looks<'a>(layer: &'a Layer, worn: &[Worn<'a>]) -> Vec<Look<'a>> {
     files.filter_map(look).collect()
 }
 
-fn look<'a>(layer: &'a Layer, file: &'a FileFacts, material: &'a Material, wearer: Wearer) -> Option<Look<'a>> {
+fn look<'a>(
+    layer: &'a Layer,
+    file: &'a FileFacts,
+    material: &'a Material,
+    wearer: Wearer,
+) -> Option<Look<'a>> {
     let base = file.base_in(OWN)?;
     let lines: Vec<Set<'a>> = material.statements.iter().filter_map(set).collect();
-    let mut look = Look { file, material, wearer, lines, pictures: Vec::new() };
+    let mut look = Look {
+        file,
+        material,
+        wearer,
+        lines,
+        pictures: Vec::new(),
+    };
     let is_last = |(at, set): &(usize, &Set<'a>)| {
         let mut behind = look.lines.iter().skip(at + 1);
         let is_used = set.key.is_picture() && !set.value.is_empty();
         is_used && !behind.any(|other| other.key == set.key && !other.value.is_empty())
     };
-    let used: Vec<&Set<'a>> = look.lines.iter().enumerate().filter(is_last).map(|(_, set)| set).collect();
-    look.pictures = used.into_iter().map(|set| picture(layer, file, base, wearer, set)).collect();
+    let used: Vec<&Set<'a>> = look
+        .lines
+        .iter()
+        .enumerate()
+        .filter(is_last)
+        .map(|(_, set)| set)
+        .collect();
+    look.pictures = used
+        .into_iter()
+        .map(|set| picture(layer, file, base, wearer, set))
+        .collect();
     Some(look)
 }
 
@@ -90,21 +120,51 @@ fn set(statement: &Statement) -> Option<Set<'_>> {
     let key = key(&statement.key.text).filter(|_| !statement.is_indented)?;
     let value = match key.reads {
         // The correction replaces the word wherever it stands in the line.
-        Reads::File if *key.name != *statement.key.text => statement.value.text.replace(&*statement.key.text, key.name),
+        Reads::File if *key.name != *statement.key.text => {
+            statement.value.text.replace(&*statement.key.text, key.name)
+        }
         _ => statement.value.text.to_string(),
     };
-    Some(Set { key, statement, value })
+    Some(Set {
+        key,
+        statement,
+        value,
+    })
 }
 
-fn picture<'a>(layer: &'a Layer, file: &'a FileFacts, base: &'a str, wearer: Wearer, set: &Set<'a>) -> Reference<'a> {
-    let kind = if wearer == Wearer::Skin { ReferenceKind::SkinTexture } else { ReferenceKind::Texture };
+fn picture<'a>(
+    layer: &'a Layer,
+    file: &'a FileFacts,
+    base: &'a str,
+    wearer: Wearer,
+    set: &Set<'a>,
+) -> Reference<'a> {
+    let kind = if wearer == Wearer::Skin {
+        ReferenceKind::SkinTexture
+    } else {
+        ReferenceKind::Texture
+    };
     let name = set.value.replace('\\', "/");
     let rel = format!("{}/{name}", parent(&file.rel));
     // A drive letter is a folder of that name.
-    let text = if name.get(1..2) == Some(":") { "" } else { name.as_str() };
+    let text = if name.get(1..2) == Some(":") {
+        ""
+    } else {
+        name.as_str()
+    };
     let resolution = resolve(&[layer], text, &rel).in_pack(&[layer], file, &name);
     let rel = normalized(&rel).unwrap_or(rel);
     let place = Place::Span(set.statement.value.span.clone());
     let (text, owner) = (&*set.statement.value.text, set.key.name);
-    Reference { kind, base, from: file, place, text, owner, folder_at_fault: None, rel, resolution }
+    Reference {
+        kind,
+        base,
+        from: file,
+        place,
+        text,
+        owner,
+        folder_at_fault: None,
+        rel,
+        resolution,
+    }
 }

@@ -1,5 +1,5 @@
-//! Which targets MPFB composes the names of: five loops over the names in `macro.json`, hard-coded in the program
-//! (`docs/loaders/mpfb/macros.md#the-five-loops`).
+//! Which targets MPFB composes the names of: five loops over the names in `macro.json`, hard-coded
+//! in the program (`docs/loaders/mpfb/macros.md#the-five-loops`).
 
 use mhlint_formats::macro_parts::{MacroParts, RACES, Setting};
 
@@ -15,7 +15,8 @@ const FIRMNESS: usize = 7;
 
 /// A target is applied with a weight above this, as in `eval/mpfb/loops.rs`, which knows no files.
 const CUT_OFF: f64 = 0.01;
-/// Most combinations of shares in one loop, every part counted with both its names. Those of MPFB come to 3072.
+/// Most combinations of shares in one loop, every part counted with both its names. Those of MPFB
+/// come to 3072.
 const MOST_COMBINATIONS: usize = 1 << 16;
 /// Most bytes of the names of all targets of a loop. Those of MPFB come to a fiftieth.
 const MOST_BYTES: usize = 1 << 24;
@@ -29,7 +30,8 @@ pub struct Loop {
     pub prefix: &'static str,
     /// Whose names are put together.
     pub axes: &'static [Axis],
-    /// The axes in the order in which they run, outermost first: so the shape keys of a character follow each other.
+    /// The axes in the order in which they run, outermost first: so the shape keys of a character
+    /// follow each other.
     pub order: &'static [usize],
     /// Names with one of these in them are skipped.
     left_out: &'static [&'static str],
@@ -74,7 +76,14 @@ pub static LOOPS: [Loop; 5] = [
     Loop {
         title: "breast",
         prefix: "breast/",
-        axes: &[Only(GENDER, "female"), Of(AGE), Of(MUSCLE), Of(WEIGHT), Of(CUP_SIZE), Of(FIRMNESS)],
+        axes: &[
+            Only(GENDER, "female"),
+            Of(AGE),
+            Of(MUSCLE),
+            Of(WEIGHT),
+            Of(CUP_SIZE),
+            Of(FIRMNESS),
+        ],
         order: &[0, 1, 2, 3, 4, 5],
         left_out: &["averagecup-averagefirmness", "-baby-", "_baby_"],
     },
@@ -90,33 +99,51 @@ pub static LOOPS: [Loop; 5] = [
 impl Loop {
     /// Whether it needs a share of a setting.
     pub fn needs(&self, place: usize) -> bool {
-        self.axes.iter().any(|axis| matches!(axis, Of(own) | Only(own, _) if *own == place))
+        self.axes
+            .iter()
+            .any(|axis| matches!(axis, Of(own) | Only(own, _) if *own == place))
     }
 
-    /// Path below `targets/` of the target for a combination of names, without suffix; `None` for one that is skipped.
+    /// Path below `targets/` of the target for a combination of names, without suffix; `None` for
+    /// one that is skipped.
     pub fn target(&self, names: &[&str]) -> Option<String> {
-        // Only the loop over races regards the gender `universal`: its names are those of the next loop.
-        let is_universal = self.axes.iter().zip(names).any(|(axis, name)| *axis == Of(GENDER) && *name == "universal");
+        // Only the loop over races regards the gender `universal`: its names are those of the next
+        // loop.
+        let is_universal = self
+            .axes
+            .iter()
+            .zip(names)
+            .any(|(axis, name)| *axis == Of(GENDER) && *name == "universal");
         let path = format!("{}{}", self.prefix, names.join("-"));
         let is_skipped = self.left_out.iter().any(|part| path.contains(part));
         (!is_skipped && (!is_universal || !self.axes.contains(&Race))).then_some(path)
     }
 
-    /// What its names are put together from: for each axis the names, with the largest share that a slider gives them.
+    /// What its names are put together from: for each axis the names, with the largest share that a
+    /// slider gives them.
     pub fn names<'p>(&self, file: &'p MacroParts) -> Vec<Vec<Name<'p>>> {
         self.axes.iter().map(|axis| axis.names(file)).collect()
     }
 
     fn combinations(&self, file: &MacroParts) -> usize {
-        let parts = |axis: &Axis| axis.setting(file).map_or(RACES.len(), |own| 2 * own.parts.len());
+        let parts = |axis: &Axis| {
+            axis.setting(file)
+                .map_or(RACES.len(), |own| 2 * own.parts.len())
+        };
         self.axes.iter().map(parts).fold(1, usize::saturating_mul)
     }
 
     /// Bytes of the longest name of each setting.
     fn longest(&self, file: &MacroParts) -> usize {
         let settings = self.axes.iter().filter_map(|axis| axis.setting(file));
-        let longest =
-            |own: &Setting| own.parts.iter().flat_map(|part| [&part.low, &part.high]).flatten().map(String::len).max();
+        let longest = |own: &Setting| {
+            own.parts
+                .iter()
+                .flat_map(|part| [&part.low, &part.high])
+                .flatten()
+                .map(String::len)
+                .max()
+        };
         settings.filter_map(longest).sum()
     }
 }
@@ -131,7 +158,9 @@ pub struct Name<'p> {
 
 impl Axis {
     fn setting<'p>(&self, file: &'p MacroParts) -> Option<&'p Setting> {
-        let (Of(place) | Only(place, _)) = self else { return None };
+        let (Of(place) | Only(place, _)) = self else {
+            return None;
+        };
         file.settings.iter().find(|own| own.place == *place)
     }
 
@@ -143,7 +172,9 @@ impl Axis {
                 let mut names = Of(*place).names(file);
                 names.retain(|name| name.text == *only);
                 // The share itself does not count.
-                names.iter_mut().for_each(|name| name.most = if name.most > 0.0 { 1.0 } else { 0.0 });
+                names
+                    .iter_mut()
+                    .for_each(|name| name.most = if name.most > 0.0 { 1.0 } else { 0.0 });
                 names
             }
         }
@@ -161,7 +192,9 @@ pub fn names(setting: &Setting) -> Vec<Name<'_>> {
         let low = 1.0 - (part.lowest.max(0.0) - part.lowest) / length;
         let high = (part.highest.min(1.0) - part.lowest) / length;
         for (text, share) in [(&part.low, low), (&part.high, high)] {
-            let Some(text) = text.as_deref() else { continue };
+            let Some(text) = text.as_deref() else {
+                continue;
+            };
             let most = if is_reached { share } else { 0.0 };
             match names.iter_mut().find(|known| known.text == text) {
                 Some(known) => known.most = known.most.max(most),
@@ -192,11 +225,21 @@ mod tests {
 
     fn part(lowest: f64, highest: f64, low: &str, high: &str) -> Part {
         let name = |text: &str| Some(text.to_owned()).filter(|text| !text.is_empty());
-        Part { index: 0, lowest, highest, low: name(low), high: name(high) }
+        Part {
+            index: 0,
+            lowest,
+            highest,
+            low: name(low),
+            high: name(high),
+        }
     }
 
     fn setting(parts: Vec<Part>) -> Setting {
-        Setting { place: AGE, parts, is_whole: true }
+        Setting {
+            place: AGE,
+            parts,
+            is_whole: true,
+        }
     }
 
     #[test]
@@ -208,11 +251,21 @@ mod tests {
             part(0.6, 0.4, "turned", ""),
             part(f64::NEG_INFINITY, 1.0, "endless", ""),
         ]);
-        let found: Vec<(&str, f64)> = names(&setting).iter().map(|name| (name.text, name.most)).collect();
+        let found: Vec<(&str, f64)> = names(&setting)
+            .iter()
+            .map(|name| (name.text, name.most))
+            .collect();
         let baby = 1.0 - 1.0 / 1.5;
         assert_eq!(
             found,
-            [("baby", baby), ("child", 1.0), ("old", 0.5), ("ghost", 0.0), ("turned", 0.0), ("endless", 0.0)]
+            [
+                ("baby", baby),
+                ("child", 1.0),
+                ("old", 0.5),
+                ("ghost", 0.0),
+                ("turned", 0.0),
+                ("endless", 0.0)
+            ]
         );
         assert!(!is_reachable(&[names(&setting)[3]]) && is_reachable(&[names(&setting)[0]]));
     }
@@ -220,11 +273,29 @@ mod tests {
     #[test]
     fn what_the_loops_skip_is_never_asked_for() {
         let target = |number: usize, names: &[&str]| LOOPS[number].target(names);
-        assert_eq!(target(0, &["asian", "female", "young"]).as_deref(), Some("macrodetails/asian-female-young"));
+        assert_eq!(
+            target(0, &["asian", "female", "young"]).as_deref(),
+            Some("macrodetails/asian-female-young")
+        );
         assert_eq!(target(0, &["asian", "universal", "young"]), None);
-        assert_eq!(target(3, &["female", "baby", "a", "b", "mincup", "x"]), None);
-        assert_eq!(target(3, &["female", "young", "a", "b", "averagecup", "averagefirmness"]), None);
-        assert!(target(3, &["female", "young", "a", "b", "averagecup", "maxfirmness"]).is_some());
+        assert_eq!(
+            target(3, &["female", "baby", "a", "b", "mincup", "x"]),
+            None
+        );
+        assert_eq!(
+            target(
+                3,
+                &["female", "young", "a", "b", "averagecup", "averagefirmness"]
+            ),
+            None
+        );
+        assert!(
+            target(
+                3,
+                &["female", "young", "a", "b", "averagecup", "maxfirmness"]
+            )
+            .is_some()
+        );
         assert_eq!(target(4, &["male", "baby", "a", "b", "ideal"]), None);
         assert!(target(1, &["male", "baby", "a", "b"]).is_some());
     }
@@ -233,7 +304,13 @@ mod tests {
     fn loops_are_bounded() {
         let parts = |count: usize| vec![part(0.0, 1.0, "a", "b"); count];
         let file = |count: usize| MacroParts {
-            settings: (0..8).map(|place| Setting { place, parts: parts(count), is_whole: true }).collect(),
+            settings: (0..8)
+                .map(|place| Setting {
+                    place,
+                    parts: parts(count),
+                    is_whole: true,
+                })
+                .collect(),
             ..MacroParts::default()
         };
         assert!(!are_too_many(&file(2)) && are_too_many(&file(40)));

@@ -1,5 +1,5 @@
-//! A base mesh of MPFB whose vertices lie elsewhere than its tables say: nothing that is measured on it means anything
-//! (`docs/loaders/mpfb/base-mesh.md#the-mesh`).
+//! A base mesh of MPFB whose vertices lie elsewhere than its tables say: nothing that is measured
+//! on it means anything (`docs/loaders/mpfb/base-mesh.md#the-mesh`).
 
 use crate::cubes::{Strays, strays};
 use mhlint_formats::mesh_metadata::{MirrorRow, MirrorTable, VertexGroup, VertexGroups};
@@ -12,15 +12,18 @@ pub enum Misplaced {
     Lying(&'static str),
     /// It has another unit; its height in units of the file.
     OtherSize(f32),
-    /// Left and right are exchanged: vertices that are on the other side than the mirror table says, of so many.
+    /// Left and right are exchanged: vertices that are on the other side than the mirror table
+    /// says, of so many.
     Mirrored(usize, usize),
     /// Vertices have other numbers: those that are not where the mirror table has them, of so many.
     Order(usize, usize),
-    /// The same shown by the cubes of joints, which have other vertices than in the table of groups.
+    /// The same shown by the cubes of joints, which have other vertices than in the table of
+    /// groups.
     Cubes(Strays),
 }
 
-/// Vertices of the one base mesh that there is. Of any other mesh nobody knows how large it should be.
+/// Vertices of the one base mesh that there is. Of any other mesh nobody knows how large it should
+/// be.
 const VERTICES: usize = 19_158;
 /// Its height along y, in units of the file (dm).
 pub const HEIGHT: f32 = 16.9;
@@ -28,11 +31,13 @@ pub const HEIGHT: f32 = 16.9;
 const OTHER_UNIT: f32 = 3.0;
 /// Nearer to the middle than this a vertex has no side, mesh units.
 pub const MIDDLE: f32 = 1e-3;
-/// Counterparts are farther from where they mirror each other only where numbers are wrong, mesh units.
+/// Counterparts are farther from where they mirror each other only where numbers are wrong, mesh
+/// units.
 const APART: f32 = 0.5;
 /// More vertices no cube of a joint has.
 const LARGEST_CUBE: i64 = 64;
-/// Where one vertex of so many is not where it should be, all numbers are in doubt; fewer are faults of the table.
+/// Where one vertex of so many is not where it should be, all numbers are in doubt; fewer are
+/// faults of the table.
 const MANY: usize = 4;
 
 impl Misplaced {
@@ -42,26 +47,41 @@ impl Misplaced {
     }
 
     /// What is wrong with a mesh of which every line was read.
-    pub(super) fn of(mesh: &Mesh, mirror: Option<&MirrorTable>, groups: Option<&VertexGroups>) -> Option<Self> {
+    pub(super) fn of(
+        mesh: &Mesh,
+        mirror: Option<&MirrorTable>,
+        groups: Option<&VertexGroups>,
+    ) -> Option<Self> {
         if mesh.facts.unreadable_lines > 0 {
             return None;
         }
-        let by_size = (mesh.facts.vertices == VERTICES).then(|| by_size(mesh)).flatten();
+        let by_size = (mesh.facts.vertices == VERTICES)
+            .then(|| by_size(mesh))
+            .flatten();
         let mirror = mirror.filter(|table| table.unreadable.is_none());
         let by_mirror = || mirror.and_then(|table| by_mirror(mesh, table, groups));
-        by_size.or_else(by_mirror).or_else(|| by_cubes(mesh, groups?))
+        by_size
+            .or_else(by_mirror)
+            .or_else(|| by_cubes(mesh, groups?))
     }
 }
 
 /// Whether most cubes of joints have other vertices than the table of groups says.
 fn by_cubes(mesh: &Mesh, groups: &VertexGroups) -> Option<Misplaced> {
     let of_joint = |group: &'_ VertexGroup| match group.ranges.as_slice() {
-        [(first, last)] if last.checked_sub(*first).is_some_and(|more| more < LARGEST_CUBE) => {
+        [(first, last)]
+            if last
+                .checked_sub(*first)
+                .is_some_and(|more| more < LARGEST_CUBE) =>
+        {
             Some((*first..=*last).collect())
         }
         _ => None,
     };
-    let joints = groups.groups.iter().filter_map(|group| Some((group.name.strip_prefix("joint-")?, of_joint(group)?)));
+    let joints = groups
+        .groups
+        .iter()
+        .filter_map(|group| Some((group.name.strip_prefix("joint-")?, of_joint(group)?)));
     strays(mesh, joints).map(Misplaced::Cubes)
 }
 
@@ -92,8 +112,13 @@ fn extent(mesh: &Mesh) -> Option<[f32; 3]> {
 fn by_mirror(mesh: &Mesh, table: &MirrorTable, groups: Option<&VertexGroups>) -> Option<Misplaced> {
     let place = |vertex: u32| mesh.positions.get(vertex as usize).copied();
     let count = |is: &dyn Fn(&MirrorRow) -> bool| table.rows.iter().filter(|row| is(row)).count();
-    let is_sided = |row: &MirrorRow| row.side != b'm' && place(row.from).is_some_and(|[x, ..]| x.abs() > MIDDLE);
-    let (sided, across) = (count(&is_sided), count(&|row| is_sided(row) && is_across(row, place(row.from))));
+    let is_sided = |row: &MirrorRow| {
+        row.side != b'm' && place(row.from).is_some_and(|[x, ..]| x.abs() > MIDDLE)
+    };
+    let (sided, across) = (
+        count(&is_sided),
+        count(&|row| is_sided(row) && is_across(row, place(row.from))),
+    );
     let strays = |row: &MirrorRow| {
         let ([x, y, z], other) = (place(row.from)?, place(row.to)?);
         let apart = [other[0] + x, other[1] - y, other[2] - z];
@@ -104,7 +129,8 @@ fn by_mirror(mesh: &Mesh, table: &MirrorTable, groups: Option<&VertexGroups>) ->
         return Some(Misplaced::Order(strayed, table.rows.len()));
     }
     // Where joints are on their sides the table is at fault.
-    let is_mirrored = across > sided / 2 && groups.is_some_and(|groups| are_joints_across(mesh, groups));
+    let is_mirrored =
+        across > sided / 2 && groups.is_some_and(|groups| are_joints_across(mesh, groups));
     is_mirrored.then_some(Misplaced::Mirrored(across, sided))
 }
 
@@ -120,7 +146,12 @@ fn are_joints_across(mesh: &Mesh, groups: &VertexGroups) -> bool {
         let [x, ..] = mesh.positions.get(usize::try_from(*first).ok()?)?;
         Some(side(&group.name)? * x)
     };
-    let sided: Vec<f32> = groups.groups.iter().filter_map(own_side).filter(|x| x.abs() > MIDDLE).collect();
+    let sided: Vec<f32> = groups
+        .groups
+        .iter()
+        .filter_map(own_side)
+        .filter(|x| x.abs() > MIDDLE)
+        .collect();
     sided.iter().filter(|x| **x < 0.0).count() > sided.len() / 2
 }
 

@@ -1,5 +1,6 @@
-//! The data of MPFB as it sees them (`docs/loaders/mpfb/folders.md#lookups`). Connected so far: the catalogue of
-//! sliders and the macros with their targets, rigs and what is worn with their weights, and what is found by its name.
+//! The data of MPFB as it sees them (`docs/loaders/mpfb/folders.md#lookups`). Connected so far: the
+//! catalogue of sliders and the macros with their targets, rigs and what is worn with their
+//! weights, and what is found by its name.
 
 mod keys;
 mod looks;
@@ -20,6 +21,7 @@ pub use offered::lost_rigs;
 pub use parts::{Parts, Request};
 pub use rigs::{POSE_ENDINGS, RigFile, RigPart, is_listed, rig_of_pose};
 pub use sliders::{
-    LONGEST, LONGEST_SECTION, LONGEST_SECTION_WITH_SLIDERS, UserTarget, ends, identifier, identifiers, is_custom, pair,
+    LONGEST, LONGEST_SECTION, LONGEST_SECTION_WITH_SLIDERS, UserTarget, ends, identifier,
+    identifiers, is_custom, pair,
 };
 pub use view::{Catalog, View};

@@ -16,11 +16,15 @@ const OFFERED: [&str; 10] = [
     "rigs/rigify/rig.human_toes.json",
 ];
 
-/// Offered rigs that were here: their weights are, or a file of the name in other capitals. Which of the others belong to
-/// this version of the add-on nobody knows.
+/// Offered rigs that were here: their weights are, or a file of the name in other capitals. Which
+/// of the others belong to this version of the add-on nobody knows.
 pub fn lost_rigs(system: &Layer) -> impl Iterator<Item = &'static str> {
-    let was_here = move |rel: &str| system.is_there(&weights_of(rel)) || system.file_ignoring_case(rel).is_some();
-    OFFERED.into_iter().filter(move |rel| !system.is_there(rel) && was_here(rel))
+    let was_here = move |rel: &str| {
+        system.is_there(&weights_of(rel)) || system.file_ignoring_case(rel).is_some()
+    };
+    OFFERED
+        .into_iter()
+        .filter(move |rel| !system.is_there(rel) && was_here(rel))
 }
 
 /// Whether these are the weights of such a rig.

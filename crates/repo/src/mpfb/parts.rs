@@ -46,10 +46,21 @@ impl<'a> Parts<'a> {
     pub(super) fn of(layer: &'a Layer, file: &'a FileFacts) -> Option<Self> {
         let settings = file.macro_parts()?;
         let is_too_large = are_too_many(settings);
-        let mut parts = Self { layer, file, settings, requests: Vec::new(), is_too_large, found: BTreeSet::new() };
+        let mut parts = Self {
+            layer,
+            file,
+            settings,
+            requests: Vec::new(),
+            is_too_large,
+            found: BTreeSet::new(),
+        };
         if settings.is_whole() && !is_too_large {
             parts.requests = parts.all_requests();
-            parts.found = parts.requests.iter().filter_map(|own| Some(own.file?.path.as_str())).collect();
+            parts.found = parts
+                .requests
+                .iter()
+                .filter_map(|own| Some(own.file?.path.as_str()))
+                .collect();
         }
         Some(parts)
     }
@@ -59,15 +70,25 @@ impl<'a> Parts<'a> {
         self.found.contains(file.path.as_str())
     }
 
-    /// The word in the name of a target that keeps the loops from asking for it, and the place of the setting that lacks
-    /// this name. `None` for a name that is not like those of a loop, and for a setting without parts.
+    /// The word in the name of a target that keeps the loops from asking for it, and the place of
+    /// the setting that lacks this name. `None` for a name that is not like those of a loop, and
+    /// for a setting without parts.
     pub fn unknown_word<'r>(&self, rel: &'r str) -> Option<(usize, &'r str)> {
-        let name = rel.strip_prefix(self.folder())?.strip_prefix('/')?.strip_suffix(".target.gz")?;
+        let name = rel
+            .strip_prefix(self.folder())?
+            .strip_prefix('/')?
+            .strip_suffix(".target.gz")?;
         LOOPS.iter().find_map(|own| {
             let words: Vec<&str> = name.strip_prefix(own.prefix)?.split('-').collect();
-            let mut unknown = own.axes.iter().zip(&words).filter(|(axis, word)| !self.has_name(axis, word));
+            let mut unknown = own
+                .axes
+                .iter()
+                .zip(&words)
+                .filter(|(axis, word)| !self.has_name(axis, word));
             match (unknown.next(), unknown.next()) {
-                (Some((Axis::Setting(place), word)), None) if words.len() == own.axes.len() => Some((*place, *word)),
+                (Some((Axis::Setting(place), word)), None) if words.len() == own.axes.len() => {
+                    Some((*place, *word))
+                }
                 _ => None,
             }
         })
@@ -79,18 +100,27 @@ impl<'a> Parts<'a> {
             Axis::Race => RACES.contains(&name),
             Axis::Only(_, only) => *only == name,
             Axis::Setting(place) => {
-                let setting = self.settings.settings.iter().find(|setting| setting.place == *place);
+                let setting = self
+                    .settings
+                    .settings
+                    .iter()
+                    .find(|setting| setting.place == *place);
                 let mut parts = setting.iter().flat_map(|setting| &setting.parts).peekable();
                 let is_named = |own: &Option<String>| own.as_deref() == Some(name);
-                parts.peek().is_none() || parts.any(|part| is_named(&part.low) || is_named(&part.high))
+                parts.peek().is_none()
+                    || parts.any(|part| is_named(&part.low) || is_named(&part.high))
             }
         }
     }
 
-    /// Whether a loop misses a target in the folder of this one, which may be the one that it is meant to be.
+    /// Whether a loop misses a target in the folder of this one, which may be the one that it is
+    /// meant to be.
     pub fn may_be_meant(&self, rel: &str) -> bool {
         let folder = crate::parent(rel);
-        let mut missing = self.requests.iter().filter(|request| request.is_reachable && request.file.is_none());
+        let mut missing = self
+            .requests
+            .iter()
+            .filter(|request| request.is_reachable && request.file.is_none());
         missing.any(|request| crate::parent(&request.rel).eq_ignore_ascii_case(folder))
     }
 
@@ -104,14 +134,24 @@ impl<'a> Parts<'a> {
         for (number, own) in LOOPS.iter().enumerate() {
             for names in combinations(&own.names(self.settings)) {
                 let words: Vec<&str> = names.iter().map(|(_, name)| name.text).collect();
-                let Some(target) = own.target(&words) else { continue };
+                let Some(target) = own.target(&words) else {
+                    continue;
+                };
                 let path = format!("{}/{target}.target.gz", self.folder());
                 // Nothing is found outside of the data.
                 let rel = normalized(&path).unwrap_or(path);
-                let is_reachable = is_reachable(&names.iter().map(|(_, name)| *name).collect::<Vec<_>>());
+                let is_reachable =
+                    is_reachable(&names.iter().map(|(_, name)| *name).collect::<Vec<_>>());
                 let names = names.iter().map(|(place, _)| *place).collect();
                 let file = self.layer.file(&rel);
-                requests.push(Request { number, names, target, rel, is_reachable, file });
+                requests.push(Request {
+                    number,
+                    names,
+                    target,
+                    rel,
+                    is_reachable,
+                    file,
+                });
             }
         }
         requests
@@ -119,7 +159,9 @@ impl<'a> Parts<'a> {
 }
 
 /// Every choice of one name from each list, the last list running fastest.
-fn combinations<'n, 'p>(lists: &'n [Vec<Name<'p>>]) -> impl Iterator<Item = Vec<(usize, Name<'p>)>> + use<'n, 'p> {
+fn combinations<'n, 'p>(
+    lists: &'n [Vec<Name<'p>>],
+) -> impl Iterator<Item = Vec<(usize, Name<'p>)>> + use<'n, 'p> {
     let count: usize = lists.iter().map(Vec::len).product();
     (0..count).map(|number| {
         let mut rest = number;

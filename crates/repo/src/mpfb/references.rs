@@ -30,7 +30,14 @@ fn slots<'a>(
     category.slots_in_use().map(|slot| {
         let place = place(section, category, &["opposites", slot.key]);
         let path = format!("{}/{}.target.gz", catalog.folder(&section.name), slot.stem);
-        reference(catalog, ReferenceKind::Slot, category, place, &slot.stem, &path)
+        reference(
+            catalog,
+            ReferenceKind::Slot,
+            category,
+            place,
+            &slot.stem,
+            &path,
+        )
     })
 }
 
@@ -45,10 +52,21 @@ fn names<'a>(
         let stem = format!("{}/{side}{}", catalog.folder(&section.name), category.name);
         let asked = |suffix| {
             let path = format!("{stem}{suffix}");
-            reference(catalog, ReferenceKind::SliderName, category, place.clone(), &category.name, &path)
+            reference(
+                catalog,
+                ReferenceKind::SliderName,
+                category,
+                place.clone(),
+                &category.name,
+                &path,
+            )
         };
         let packed = asked(".target.gz");
-        if packed.found().is_some() { packed } else { Some(asked(".target")).filter(is_found).unwrap_or(packed) }
+        if packed.found().is_some() {
+            packed
+        } else {
+            Some(asked(".target")).filter(is_found).unwrap_or(packed)
+        }
     })
 }
 
@@ -65,12 +83,26 @@ fn reference<'a>(
     path: &str,
 ) -> Reference<'a> {
     let base = catalog.file.base_in(OWN).unwrap_or_default();
-    let found = Reference::to(&[catalog.layer], kind, base, catalog.file, place, text, path.to_owned());
+    let found = Reference::to(
+        &[catalog.layer],
+        kind,
+        base,
+        catalog.file,
+        place,
+        text,
+        path.to_owned(),
+    );
     let rel = normalized(path).unwrap_or_else(|| path.to_owned());
-    Reference { owner: &category.name, rel, ..found }
+    Reference {
+        owner: &category.name,
+        rel,
+        ..found
+    }
 }
 
 fn place(section: &Section, category: &Category, member: &[&str]) -> Place {
     let index = category.index.to_string();
-    Place::Pointer(mhlint_diag::pointer(&[&[section.name.as_str(), "categories", &index], member].concat()))
+    Place::Pointer(mhlint_diag::pointer(
+        &[&[section.name.as_str(), "categories", &index], member].concat(),
+    ))
 }

@@ -1,5 +1,6 @@
 //! Rigs with the weights that MPFB finds for them (`docs/loaders/mpfb/rigs.md#where-rigs-lie`,
-//! `docs/loaders/mpfb/custom-rigs.md#listing-custom-rigs`, `docs/loaders/mpfb/custom-rigs.md#what-differs`).
+//! `docs/loaders/mpfb/custom-rigs.md#listing-custom-rigs`,
+//! `docs/loaders/mpfb/custom-rigs.md#what-differs`).
 
 use super::view::OWN;
 use crate::{FileFacts, Layer, Layers, StoredBones, parent};
@@ -35,7 +36,11 @@ pub enum RigPart {
 }
 
 /// Rigs whose weights stand in for those that others lack.
-const FALLBACKS: [(&str, &str); 3] = [("default_no_toes", "default"), ("human", "human_toes"), ("human_toes", "human")];
+const FALLBACKS: [(&str, &str); 3] = [
+    ("default_no_toes", "default"),
+    ("human", "human_toes"),
+    ("human_toes", "human"),
+];
 
 impl<'a> RigFile<'a> {
     /// What is in it, if it could be read.
@@ -45,15 +50,21 @@ impl<'a> RigFile<'a> {
 
     /// The weights that MPFB loads.
     pub fn weights(&self) -> Option<&'a FileFacts> {
-        self.wanted_weights.iter().find_map(|rel| self.layer.file(rel))
+        self.wanted_weights
+            .iter()
+            .find_map(|rel| self.layer.file(rel))
     }
 }
 
-/// All rigs that MPFB finds: its own in its data, those of users in theirs, and those of assets anywhere.
+/// All rigs that MPFB finds: its own in its data, those of users in theirs, and those of assets
+/// anywhere.
 pub(super) fn all(layers: Layers<'_>) -> Vec<RigFile<'_>> {
     let users = layers.user.into_iter().chain(layers.beside);
     let both = layers.strongest_first().chain(layers.beside);
-    let standard = layers.system.into_iter().flat_map(|layer| of_kind(layer, Kind::Rig));
+    let standard = layers
+        .system
+        .into_iter()
+        .flat_map(|layer| of_kind(layer, Kind::Rig));
     let custom = users
         .flat_map(|layer| of_kind(layer, Kind::CustomRig))
         .filter(|(_, file)| is_listed(file) && says_its_bones(file));
@@ -63,7 +74,10 @@ pub(super) fn all(layers: Layers<'_>) -> Vec<RigFile<'_>> {
 }
 
 fn of_kind(layer: &Layer, kind: Kind) -> impl Iterator<Item = (&Layer, &FileFacts)> {
-    let files = layer.files.values().filter(move |file| file.kind_in(OWN) == kind && file.kind == kind);
+    let files = layer
+        .files
+        .values()
+        .filter(move |file| file.kind_in(OWN) == kind && file.kind == kind);
     files.map(move |file| (layer, file))
 }
 
@@ -75,7 +89,8 @@ pub fn is_listed(file: &FileFacts) -> bool {
 
 /// Whether a file says by which bones it is recognised: others are passed over.
 fn says_its_bones(file: &FileFacts) -> bool {
-    file.rig().is_some_and(|rig| rig.identifying != Identifying::Absent)
+    file.rig()
+        .is_some_and(|rig| rig.identifying != Identifying::Absent)
 }
 
 fn of_file<'a>(layer: &'a Layer, file: &'a FileFacts) -> RigFile<'a> {
@@ -86,25 +101,45 @@ fn of_file<'a>(layer: &'a Layer, file: &'a FileFacts) -> RigFile<'a> {
         _ => RigPart::Asset,
     };
     let name = file.stem().strip_prefix("rig.").unwrap_or(file.stem());
-    let fallbacks = FALLBACKS.iter().filter(|(own, _)| *own == name && part != RigPart::Custom);
+    let fallbacks = FALLBACKS
+        .iter()
+        .filter(|(own, _)| *own == name && part != RigPart::Custom);
     let names = std::iter::once(name).chain(fallbacks.map(|(_, other)| *other));
     let wanted = names.map(|name| format!("{}/weights.{name}.json", parent(&file.rel)));
-    let wanted_weights = if part == RigPart::Asset { Vec::new() } else { wanted.collect() };
-    RigFile { file, layer, part, name, wanted_weights }
+    let wanted_weights = if part == RigPart::Asset {
+        Vec::new()
+    } else {
+        wanted.collect()
+    };
+    RigFile {
+        file,
+        layer,
+        part,
+        name,
+        wanted_weights,
+    }
 }
 
-/// Endings of the folders of poses behind the name of their rig (`docs/loaders/mpfb/poses.md#stored-poses`).
+/// Endings of the folders of poses behind the name of their rig
+/// (`docs/loaders/mpfb/poses.md#stored-poses`).
 pub const POSE_ENDINGS: [&str; 3] = ["_fk", "_ik", "_partial"];
 
 /// The rig of the folder that a pose lies in; `None` where the folder is that of no rig.
 pub fn rig_of_pose(rel: &str) -> Option<&str> {
     let (folders, _) = rel.strip_prefix("poses/")?.rsplit_once('/')?;
     // A folder in a folder is copied by its own name alone.
-    folders.rsplit('/').find_map(|folder| POSE_ENDINGS.iter().find_map(|ending| folder.strip_suffix(ending)))
+    folders.rsplit('/').find_map(|folder| {
+        POSE_ENDINGS
+            .iter()
+            .find_map(|ending| folder.strip_suffix(ending))
+    })
 }
 
 /// The bones of a stored pose with those of the rig that its folder names, if it is at hand.
-pub(super) fn bones_of_pose<'a>(rigs: &[RigFile<'a>], file: &'a FileFacts) -> Option<StoredBones<'a>> {
+pub(super) fn bones_of_pose<'a>(
+    rigs: &[RigFile<'a>],
+    file: &'a FileFacts,
+) -> Option<StoredBones<'a>> {
     let name = rig_of_pose(&file.rel)?;
     let is_meant = |rig: &&RigFile<'_>| match rig.part {
         RigPart::Standard => rig.name == name,
@@ -112,9 +147,20 @@ pub(super) fn bones_of_pose<'a>(rigs: &[RigFile<'a>], file: &'a FileFacts) -> Op
         RigPart::Custom | RigPart::Asset => false,
     };
     let rig = rigs.iter().find(is_meant)?;
-    let definition = rig.definition().filter(|definition| !definition.bones.is_empty())?;
-    let known = definition.bones.iter().map(|bone| bone.name.as_str()).collect();
-    Some(StoredBones { file, named: &file.stored_pose()?.bones, rig: rig.file, known })
+    let definition = rig
+        .definition()
+        .filter(|definition| !definition.bones.is_empty())?;
+    let known = definition
+        .bones
+        .iter()
+        .map(|bone| bone.name.as_str())
+        .collect();
+    Some(StoredBones {
+        file,
+        named: &file.stored_pose()?.bones,
+        rig: rig.file,
+        known,
+    })
 }
 
 #[cfg(test)]
@@ -123,9 +169,24 @@ mod tests {
 
     #[test]
     fn the_folder_names_the_rig() {
-        assert_eq!(rig_of_pose("poses/game_engine_fk/bow.json"), Some("game_engine"));
-        assert_eq!(rig_of_pose("poses/more/default_partial/bow.json"), Some("default"));
-        assert_eq!(rig_of_pose("poses/default_fk/more/bow.json"), Some("default"));
-        assert_eq!([rig_of_pose("poses/bow.json"), rig_of_pose("poses/default_FK/bow.json")], [None, None]);
+        assert_eq!(
+            rig_of_pose("poses/game_engine_fk/bow.json"),
+            Some("game_engine")
+        );
+        assert_eq!(
+            rig_of_pose("poses/more/default_partial/bow.json"),
+            Some("default")
+        );
+        assert_eq!(
+            rig_of_pose("poses/default_fk/more/bow.json"),
+            Some("default")
+        );
+        assert_eq!(
+            [
+                rig_of_pose("poses/bow.json"),
+                rig_of_pose("poses/default_FK/bow.json")
+            ],
+            [None, None]
+        );
     }
 }

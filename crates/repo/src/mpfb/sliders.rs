@@ -1,5 +1,6 @@
 //! What Blender knows sliders by, and the targets of users that become sliders
-//! (`docs/loaders/mpfb/sliders.md#length-and-character-limits`, `docs/loaders/mpfb/sliders.md#names-of-user-targets`).
+//! (`docs/loaders/mpfb/sliders.md#length-and-character-limits`,
+//! `docs/loaders/mpfb/sliders.md#names-of-user-targets`).
 
 use super::view::View;
 use crate::FileFacts;
@@ -41,20 +42,33 @@ const CUSTOM: &str = "custom";
 
 /// What Blender calls a slider.
 pub fn identifier(section: &str, name: &str) -> String {
-    let plain = |letter: char| if letter.is_ascii_alphanumeric() || letter == '_' { letter } else { '_' };
+    let plain = |letter: char| {
+        if letter.is_ascii_alphanumeric() || letter == '_' {
+            letter
+        } else {
+            '_'
+        }
+    };
     format!("{section}_{name}").chars().map(plain).collect()
 }
 
 /// The same for the sliders of a category: one, or one for each side.
 pub fn identifiers(section: &Section, category: &Category) -> Vec<String> {
-    category.sides().iter().map(|side| identifier(&section.name, &format!("{side}{}", category.name))).collect()
+    category
+        .sides()
+        .iter()
+        .map(|side| identifier(&section.name, &format!("{side}{}", category.name)))
+        .collect()
 }
 
-/// What stands before the words of the two ends in a name, and these, with a sign between them; `None` for a name that
-/// ends in no pair.
+/// What stands before the words of the two ends in a name, and these, with a sign between them;
+/// `None` for a name that ends in no pair.
 pub fn ends(name: &str, between: char) -> Option<(&str, &'static str, &'static str)> {
     PAIRS.into_iter().find_map(|(negative, positive)| {
-        let stem = name.strip_suffix(positive)?.strip_suffix(between)?.strip_suffix(negative)?;
+        let stem = name
+            .strip_suffix(positive)?
+            .strip_suffix(between)?
+            .strip_suffix(negative)?;
         Some((stem, negative, positive))
     })
 }
@@ -87,7 +101,11 @@ impl<'a> UserTarget<'a> {
             ["targets", .., parent] => parent,
             _ => return None,
         };
-        Some(Self { file, section: section.to_owned(), name: name.replace(".target", "") })
+        Some(Self {
+            file,
+            section: section.to_owned(),
+            name: name.replace(".target", ""),
+        })
     }
 
     /// What Blender calls the slider.
@@ -97,10 +115,16 @@ impl<'a> UserTarget<'a> {
 }
 
 impl<'a> View<'a> {
-    /// The targets of the checked layer that become sliders without the catalogue. In MPFB's own data nobody puts any.
+    /// The targets of the checked layer that become sliders without the catalogue. In MPFB's own
+    /// data nobody puts any.
     pub fn user_targets(&self) -> impl Iterator<Item = UserTarget<'a>> + use<'a> {
         let is_system = self.layers.checks_system();
-        let files = self.layers.checked.files.values().filter(move |file| !is_system || is_custom(&file.rel));
+        let files = self
+            .layers
+            .checked
+            .files
+            .values()
+            .filter(move |file| !is_system || is_custom(&file.rel));
         files.filter_map(UserTarget::of)
     }
 }
@@ -111,10 +135,19 @@ mod tests {
 
     #[test]
     fn a_slider_is_known_by_section_and_name() {
-        assert_eq!(identifier("nose", "nose-hump-decr-incr"), "nose_nose_hump_decr_incr");
+        assert_eq!(
+            identifier("nose", "nose-hump-decr-incr"),
+            "nose_nose_hump_decr_incr"
+        );
         assert_eq!(identifier("custom", "ü"), "custom__");
-        assert_eq!(pair("nose-hump-decr-incr"), Some(("nose-hump", "decr", "incr")));
+        assert_eq!(
+            pair("nose-hump-decr-incr"),
+            Some(("nose-hump", "decr", "incr"))
+        );
         assert_eq!(pair("x-concave-convex"), Some(("x", "concave", "convex")));
-        assert_eq!((pair("chin-triangle"), pair("decr-incr"), pair("in-outer")), (None, None, None));
+        assert_eq!(
+            (pair("chin-triangle"), pair("decr-incr"), pair("in-outer")),
+            (None, None, None)
+        );
     }
 }

@@ -14,8 +14,8 @@ use super::references::collect;
 use super::rigs::{self, RigFile, RigPart};
 use crate::misnamed_folder::{MisnamedFolder, misnamed_folders, top_in_other_case};
 use crate::{
-    Body, BodyWeights, Doubt, FileFacts, Layer, Layers, Reference, ReferenceKind, References, Rig, Target, WeightsUse,
-    Worn, parent,
+    Body, BodyWeights, Doubt, FileFacts, Layer, Layers, Reference, ReferenceKind, References, Rig,
+    Target, WeightsUse, Worn, parent,
 };
 use mhlint_diag::{Application, Place};
 use mhlint_discover::{Kind, Layout, Refusal};
@@ -40,9 +40,11 @@ pub struct View<'a> {
     pub parts: Option<Parts<'a>>,
     /// The base mesh, if it can be read and its tables are for it.
     pub mesh: Option<(&'a FileFacts, &'a Mesh)>,
-    /// A base mesh with fewer vertices than its tables are for, and both numbers: nothing can be said of its vertices.
+    /// A base mesh with fewer vertices than its tables are for, and both numbers: nothing can be
+    /// said of its vertices.
     pub foreign_mesh: Option<(&'a FileFacts, usize, i64)>,
-    /// Where the vertices of the base mesh lie otherwise than they should: nothing can be measured on it.
+    /// Where the vertices of the base mesh lie otherwise than they should: nothing can be measured
+    /// on it.
     pub misplaced: Option<Misplaced>,
     /// Everything that names a file, and what it leads to.
     pub references: References<'a>,
@@ -82,16 +84,34 @@ pub struct Catalog<'a> {
 impl<'a> View<'a> {
     /// Connects layers.
     pub fn connect(layers: Layers<'a>) -> Self {
-        let file = |kind| layers.system?.files.values().find(|file| file.kind_in(OWN) == kind);
+        let file = |kind| {
+            layers
+                .system?
+                .files
+                .values()
+                .find(|file| file.kind_in(OWN) == kind)
+        };
         let catalog = layers.system.zip(file(Kind::TargetCatalog));
         // Of what is no object at all nothing follows for its targets.
         let catalog = catalog.filter(|(_, file)| !file.is_misshapen());
-        let catalog = catalog.and_then(|(layer, file)| Some(Catalog { layer, file, sliders: file.catalog()? }));
-        let parts = layers.system.zip(file(Kind::MacroParts)).and_then(|(layer, file)| Parts::of(layer, file));
+        let catalog = catalog.and_then(|(layer, file)| {
+            Some(Catalog {
+                layer,
+                file,
+                sliders: file.catalog()?,
+            })
+        });
+        let parts = layers
+            .system
+            .zip(file(Kind::MacroParts))
+            .and_then(|(layer, file)| Parts::of(layer, file));
         let mesh = file(Kind::BaseMesh).and_then(|file| Some((file, file.mesh()?)));
         let needed = vertices_of_tables(file(Kind::MirrorTable), file(Kind::VertexGroups));
-        let foreign_mesh = mesh.zip(needed).filter(|((_, mesh), needed)| lacks_vertices(mesh, *needed));
-        let foreign_mesh = foreign_mesh.map(|((file, mesh), needed)| (file, mesh.facts.vertices, needed));
+        let foreign_mesh = mesh
+            .zip(needed)
+            .filter(|((_, mesh), needed)| lacks_vertices(mesh, *needed));
+        let foreign_mesh =
+            foreign_mesh.map(|((file, mesh), needed)| (file, mesh.facts.vertices, needed));
         let mesh = mesh.filter(|_| foreign_mesh.is_none());
         let groups = file(Kind::VertexGroups).and_then(FileFacts::vertex_groups);
         let mirror = file(Kind::MirrorTable).and_then(FileFacts::mirror_table);
@@ -99,10 +119,17 @@ impl<'a> View<'a> {
         let worn_beside = worn(layers.beside.into_iter());
         let worn = worn(layers.strongest_first());
         let looks = looks(layers.checked, &worn);
-        let references = catalog.as_ref().map(collect).unwrap_or_default().into_iter();
-        let of_worn = worn.iter().flat_map(|worn| worn.references.iter().flatten());
+        let references = catalog
+            .as_ref()
+            .map(collect)
+            .unwrap_or_default()
+            .into_iter();
+        let of_worn = worn
+            .iter()
+            .flat_map(|worn| worn.references.iter().flatten());
         let of_looks = looks.iter().flat_map(|look| &look.pictures);
-        let references = References::new(references.chain(of_worn.chain(of_looks).cloned()).collect());
+        let references =
+            References::new(references.chain(of_worn.chain(of_looks).cloned()).collect());
         let (targets, named) = (NamedTargets::of(layers), NamedFiles::of(layers));
         let rigs = rigs::all(layers);
         let shown = BTreeSet::from(["body".to_owned()]);
@@ -117,7 +144,11 @@ impl<'a> View<'a> {
             references,
             targets,
             named,
-            body_rigs: rigs.iter().filter(|rig| rig.part != RigPart::Asset).map(body_rig).collect(),
+            body_rigs: rigs
+                .iter()
+                .filter(|rig| rig.part != RigPart::Asset)
+                .map(body_rig)
+                .collect(),
             rigs,
             groups,
             looks,
@@ -139,33 +170,54 @@ impl<'a> View<'a> {
         files.filter(move |file| file.kind == kind && file.kind_in(OWN) == kind && !file.failed)
     }
 
-    /// Whether both the system data and the user's folder, where what is named may lie, are at hand.
+    /// Whether both the system data and the user's folder, where what is named may lie, are at
+    /// hand.
     pub fn is_complete(&self) -> bool {
         self.layers.system.is_some() && self.has_user()
     }
 
     /// The targets in the slots of sliders, there or not, in small letters.
     pub fn slot_targets(&self) -> BTreeSet<String> {
-        let sections = self.catalog.iter().flat_map(|catalog| &catalog.sliders.sections);
-        let slots = sections.flat_map(|section| &section.categories).flat_map(Category::slots_in_use);
-        slots.filter(|slot| !slot.stem.is_empty()).map(|slot| slot.stem.to_lowercase()).collect()
+        let sections = self
+            .catalog
+            .iter()
+            .flat_map(|catalog| &catalog.sliders.sections);
+        let slots = sections
+            .flat_map(|section| &section.categories)
+            .flat_map(Category::slots_in_use);
+        slots
+            .filter(|slot| !slot.stem.is_empty())
+            .map(|slot| slot.stem.to_lowercase())
+            .collect()
     }
 
-    /// Whether the user's folder is at hand. What a file in place of one of its folders takes away is told there.
+    /// Whether the user's folder is at hand. What a file in place of one of its folders takes away
+    /// is told there.
     pub fn has_user(&self) -> bool {
-        let holds = |layer: &Layer| !["targets", "custom", "expressions"].iter().any(|name| layer.file(name).is_some());
+        let holds = |layer: &Layer| {
+            !["targets", "custom", "expressions"]
+                .iter()
+                .any(|name| layer.file(name).is_some())
+        };
         self.layers.user.or(self.layers.beside).is_some_and(holds)
     }
 
-    /// The folders that differ in their capitals from those that are listed. Of the data of MPFB these are rigs, poses and UV
-    /// layers: what else is missing there is told by the names of its files.
+    /// The folders that differ in their capitals from those that are listed. Of the data of MPFB
+    /// these are rigs, poses and UV layers: what else is missing there is told by the names of its
+    /// files.
     pub fn misnamed_folders(&self) -> Vec<MisnamedFolder> {
         let layout = Layout::of(OWN);
         let is_own = self.layers.checks_system();
         let is_listed = |right: &str| !is_own || matches!(right, "rigs" | "poses" | "uv_layers");
         // That a zip is refused for its folder of lists is reported of the zip.
-        let refusal = self.layers.checked.pack.as_ref().and_then(|pack| pack.refusal.as_ref());
-        let is_told = |rel: &str| matches!(refusal, Some(Refusal::Capitals(folder)) if is_below(rel, folder));
+        let refusal = self
+            .layers
+            .checked
+            .pack
+            .as_ref()
+            .and_then(|pack| pack.refusal.as_ref());
+        let is_told =
+            |rel: &str| matches!(refusal, Some(Refusal::Capitals(folder)) if is_below(rel, folder));
         let other = |rel| {
             let found = top_in_other_case(layout, rel).filter(|(_, right, _)| is_listed(right));
             found.filter(|_| !is_told(rel))
@@ -181,88 +233,166 @@ impl<'a> View<'a> {
     /// The name of the base mesh, if there is anything for it.
     pub fn body_name(&self) -> Option<&'a str> {
         let of_catalog = self.catalog.and_then(|catalog| catalog.file.base_in(OWN));
-        let of_mesh = self.mesh.and_then(|(file, _)| file.base_in(OWN)).or(of_catalog);
-        // Without the data of MPFB the targets of a user are still for the one base mesh that there is.
-        let of_user = || self.layers.checked.files.values().find_map(|file| file.base_in(OWN));
+        let of_mesh = self
+            .mesh
+            .and_then(|(file, _)| file.base_in(OWN))
+            .or(of_catalog);
+        // Without the data of MPFB the targets of a user are still for the one base mesh that there
+        // is.
+        let of_user = || {
+            self.layers
+                .checked
+                .files
+                .values()
+                .find_map(|file| file.base_in(OWN))
+        };
         of_mesh.or_else(of_user)
     }
 
-    /// Whether a value of a setting leaves a character without any shape: all macro targets need the setting, and no part
-    /// has the value. Without the data of MPFB its parts are taken for those that it brings, from -0.01 to 1.01
+    /// Whether a value of a setting leaves a character without any shape: all macro targets need
+    /// the setting, and no part has the value. Without the data of MPFB its parts are taken for
+    /// those that it brings, from -0.01 to 1.01
     /// (`docs/loaders/mpfb/macros.md#shares-of-a-setting`).
     pub fn leaves_no_shape(&self, setting: &str, value: f64) -> bool {
-        let Some(place) = SETTINGS.iter().position(|known| *known == setting) else { return false };
+        let Some(place) = SETTINGS.iter().position(|known| *known == setting) else {
+            return false;
+        };
         let holds = |(lowest, highest): (f64, f64)| lowest < value && value < highest;
         let settings = self.parts.iter().flat_map(|parts| &parts.settings.settings);
-        let own = settings.filter(|own| own.is_whole).find(|own| own.place == place);
-        let is_covered =
-            own.map_or(holds((-0.01, 1.01)), |own| own.parts.iter().any(|part| holds((part.lowest, part.highest))));
+        let own = settings
+            .filter(|own| own.is_whole)
+            .find(|own| own.place == place);
+        let is_covered = own.map_or(holds((-0.01, 1.01)), |own| {
+            own.parts
+                .iter()
+                .any(|part| holds((part.lowest, part.highest)))
+        });
         LOOPS.iter().all(|own| own.needs(place)) && !is_covered
     }
 
     /// Whether MPFB composes the name of a target out of those of its macro settings.
     pub fn asks_for(&self, file: &FileFacts) -> bool {
-        self.parts.as_ref().is_some_and(|parts| parts.asks_for(file))
+        self.parts
+            .as_ref()
+            .is_some_and(|parts| parts.asks_for(file))
     }
 
     /// The body. Which of its targets nobody uses cannot be told: any can be asked for by its name
     /// (`docs/loaders/mpfb/targets.md#finding-by-name`).
     pub(crate) fn body<'v>(&'v self, view: &'v crate::View<'v>) -> Option<Body<'v>> {
-        let targets = view.files().filter(|file| matches!(file.kind, Kind::Target | Kind::PackedTarget));
-        let mut body = Body::new(self.body_name()?, view, targets.map(|file| self.target(file)).collect());
-        let is_of_part = |file: &&FileFacts| matches!(file.kind, Kind::PartTarget | Kind::PackedPartTarget);
+        let targets = view
+            .files()
+            .filter(|file| matches!(file.kind, Kind::Target | Kind::PackedTarget));
+        let mut body = Body::new(
+            self.body_name()?,
+            view,
+            targets.map(|file| self.target(file)).collect(),
+        );
+        let is_of_part =
+            |file: &&FileFacts| matches!(file.kind, Kind::PartTarget | Kind::PackedPartTarget);
         body.part_targets = view.files().filter(is_of_part).collect();
         body.mesh = self.mesh;
         body.obj = self.mesh;
         let is_renumbered = self.misplaced.is_some_and(Misplaced::is_of_numbers);
         let is_foreign = self.foreign_mesh.is_some() || is_renumbered;
-        body.doubt = if is_foreign { Some(Doubt::Foreign) } else { self.misplaced.map(|_| Doubt::Misplaced) };
+        body.doubt = if is_foreign {
+            Some(Doubt::Foreign)
+        } else {
+            self.misplaced.map(|_| Doubt::Misplaced)
+        };
         body.visible_groups = self.mesh.map(|_| &self.shown);
         body.one_sided_endings = Some(&self.one_sided);
         body.worn = &self.worn;
         body.rigs = &self.body_rigs;
         let weights = view.files().filter(|file| file.kind == Kind::Weights);
         body.weights = weights.map(|file| self.weights(file)).collect();
-        let motions = view.files().filter(|file| file.kind == Kind::Motion && file.rel.starts_with("poses/"));
-        body.imported_motions = motions.filter_map(|file| Some((file, &file.motion()?.imported))).collect();
+        let motions = view
+            .files()
+            .filter(|file| file.kind == Kind::Motion && file.rel.starts_with("poses/"));
+        body.imported_motions = motions
+            .filter_map(|file| Some((file, &file.motion()?.imported)))
+            .collect();
         let poses = view.files().filter(|file| file.kind == Kind::StoredPose);
-        body.stored_poses = poses.filter_map(|file| rigs::bones_of_pose(&self.rigs, file)).collect();
+        body.stored_poses = poses
+            .filter_map(|file| rigs::bones_of_pose(&self.rigs, file))
+            .collect();
         body.add_worn_weights(view.files().filter(|file| file.kind == Kind::AssetWeights));
         Some(body)
     }
 
     /// Weights of a rig, used or not.
     fn weights<'v>(&self, file: &'v FileFacts) -> BodyWeights<'v> {
-        let is_used = self.rigs.iter().filter_map(RigFile::weights).any(|own| own.path == file.path);
-        // Those of a rig that is not found are told there, also of one that is called as the add-on calls its own.
+        let is_used = self
+            .rigs
+            .iter()
+            .filter_map(RigFile::weights)
+            .any(|own| own.path == file.path);
+        // Those of a rig that is not found are told there, also of one that is called as the add-on
+        // calls its own.
         let has_rig = |name: &str| {
             let rigs = ["", "rig."].map(|start| format!("{}/{start}{name}", parent(&file.rel)));
-            rigs.iter().any(|rel| self.layers.checked.file(rel).is_some())
+            rigs.iter()
+                .any(|rel| self.layers.checked.file(rel).is_some())
         };
-        let is_used = is_used || file.file_name().strip_prefix("weights.").is_some_and(has_rig);
+        let is_used = is_used
+            || file
+                .file_name()
+                .strip_prefix("weights.")
+                .is_some_and(has_rig);
         // What lacks its rig is told there, where it is one that is offered.
-        let is_of_lost = || self.layers.system.is_some_and(|system| is_of_lost_rig(system, &file.rel));
+        let is_of_lost = || {
+            self.layers
+                .system
+                .is_some_and(|system| is_of_lost_rig(system, &file.rel))
+        };
         // And a rig that lacks its weights where only their capitals differ.
         let is_misnamed = || {
             let lacking = self.rigs.iter().filter(|rig| rig.weights().is_none());
-            lacking.flat_map(|rig| &rig.wanted_weights).any(|wanted| wanted.eq_ignore_ascii_case(&file.rel))
+            lacking
+                .flat_map(|rig| &rig.wanted_weights)
+                .any(|wanted| wanted.eq_ignore_ascii_case(&file.rel))
         };
         let is_used = is_used || is_of_lost() || is_misnamed();
-        let used = if is_used { WeightsUse::Applied } else { WeightsUse::Unread };
-        BodyWeights { file, name: Some(file.file_name()), used }
+        let used = if is_used {
+            WeightsUse::Applied
+        } else {
+            WeightsUse::Unread
+        };
+        BodyWeights {
+            file,
+            name: Some(file.file_name()),
+            used,
+        }
     }
 
     /// The rigs of the checked layer that could be read.
     pub fn own_rigs(&self) -> impl Iterator<Item = (&RigFile<'a>, &'a Definition)> {
-        let own = self.rigs.iter().filter(|rig| self.layers.is_checked(rig.file) && !rig.file.failed);
+        let own = self
+            .rigs
+            .iter()
+            .filter(|rig| self.layers.is_checked(rig.file) && !rig.file.failed);
         own.filter_map(|rig| Some((rig, rig.definition()?)))
     }
 
     /// What is known of a target of the checked layer.
     pub(crate) fn target<'v>(&self, file: &'v FileFacts) -> Target<'v> {
-        let of_references = self.references.to_file(file).map(|reference| reference.kind).min();
-        let used_as = if self.asks_for(file) { Some(ReferenceKind::MacroTarget) } else { of_references };
-        Target { file, folder: first_folder(&file.rel), used_as, is_unused: false, packed_in: None }
+        let of_references = self
+            .references
+            .to_file(file)
+            .map(|reference| reference.kind)
+            .min();
+        let used_as = if self.asks_for(file) {
+            Some(ReferenceKind::MacroTarget)
+        } else {
+            of_references
+        };
+        Target {
+            file,
+            folder: first_folder(&file.rel),
+            used_as,
+            is_unused: false,
+            packed_in: None,
+        }
     }
 }
 
@@ -270,15 +400,33 @@ impl<'a> View<'a> {
 fn body_rig<'a>(rig: &RigFile<'a>) -> Rig<'a> {
     let to = |file: &'a FileFacts| {
         let kind = ReferenceKind::WeightsFile;
-        Reference::to(&[rig.layer], kind, Layout::USUAL_BASE, rig.file, Place::File, file.file_name(), file.rel.clone())
+        Reference::to(
+            &[rig.layer],
+            kind,
+            Layout::USUAL_BASE,
+            rig.file,
+            Place::File,
+            file.file_name(),
+            file.rel.clone(),
+        )
     };
-    Rig { file: rig.file, weights: rig.weights().map(to), is_default: false, is_found: true }
+    Rig {
+        file: rig.file,
+        weights: rig.weights().map(to),
+        is_default: false,
+        is_found: true,
+    }
 }
 
-/// How many vertices the tables of the base mesh are for; `None` where they disagree, which is told of the tables.
+/// How many vertices the tables of the base mesh are for; `None` where they disagree, which is told
+/// of the tables.
 fn vertices_of_tables(mirror: Option<&FileFacts>, groups: Option<&FileFacts>) -> Option<i64> {
-    let mirror = mirror?.mirror_table().filter(|table| table.unreadable.is_none())?;
-    let groups = groups?.vertex_groups().filter(|groups| groups.stops.all().is_empty())?;
+    let mirror = mirror?
+        .mirror_table()
+        .filter(|table| table.unreadable.is_none())?;
+    let groups = groups?
+        .vertex_groups()
+        .filter(|groups| groups.stops.all().is_empty())?;
     Some(mirror.vertices()).filter(|vertices| *vertices == groups.vertices())
 }
 
@@ -310,15 +458,32 @@ fn worn<'a>(layers: impl Iterator<Item = &'a Layer>) -> Vec<Worn<'a>> {
 
 /// The weights of an asset: those beside it that have its name, whatever it names
 /// (`docs/loaders/mpfb/clothes.md#files-beside-an-asset`).
-fn weights_of<'a>(layer: &'a Layer, asset: &'a FileFacts, base: &'a str) -> impl Iterator<Item = Reference<'a>> {
+fn weights_of<'a>(
+    layer: &'a Layer,
+    asset: &'a FileFacts,
+    base: &'a str,
+) -> impl Iterator<Item = Reference<'a>> {
     let named = format!("{}/{}.", parent(&asset.rel), asset.stem());
-    let from = layer.files.range::<str, _>((Bound::Included(named.as_str()), Bound::Unbounded));
-    let own = from.map(|(_, file)| file).take_while(move |file| file.rel.starts_with(&named));
+    let from = layer
+        .files
+        .range::<str, _>((Bound::Included(named.as_str()), Bound::Unbounded));
+    let own = from
+        .map(|(_, file)| file)
+        .take_while(move |file| file.rel.starts_with(&named));
     let kind = ReferenceKind::AssetWeights;
     let reference = move |file: &'a FileFacts| {
-        Reference::to(&[layer], kind, base, asset, Place::File, file.file_name(), file.rel.clone())
+        Reference::to(
+            &[layer],
+            kind,
+            base,
+            asset,
+            Place::File,
+            file.file_name(),
+            file.rel.clone(),
+        )
     };
-    own.filter(|file| file.kind_in(OWN) == Kind::AssetWeights).map(reference)
+    own.filter(|file| file.kind_in(OWN) == Kind::AssetWeights)
+        .map(reference)
 }
 
 impl<'a> Catalog<'a> {
@@ -330,6 +495,8 @@ impl<'a> Catalog<'a> {
     /// The target of a section by its name, packed or not.
     pub fn target(&self, section: &str, stem: &str) -> Option<&'a FileFacts> {
         let folder = self.folder(section);
-        [".target.gz", ".target"].iter().find_map(|suffix| self.layer.file(&format!("{folder}/{stem}{suffix}")))
+        [".target.gz", ".target"]
+            .iter()
+            .find_map(|suffix| self.layer.file(&format!("{folder}/{stem}{suffix}")))
     }
 }

@@ -1,4 +1,5 @@
-//! One finding as an article: what is wrong, where, what each application does with it, and what to do.
+//! One finding as an article: what is wrong, where, what each application does with it, and what to
+//! do.
 
 use maud::{Markup, html};
 
@@ -17,7 +18,11 @@ const RELATED: usize = 50;
 /// The article.
 pub(super) fn article(finding: &Finding, id: &str, open: bool) -> Markup {
     let level = finding.level.word();
-    let applications: Vec<&str> = finding.breaks.iter().map(|one| one.application.word()).collect();
+    let applications: Vec<&str> = finding
+        .breaks
+        .iter()
+        .map(|one| one.application.word())
+        .collect();
     html! {
         article .finding .(level) #(id) data-level=(level) data-rule=(finding.rule)
             data-path=(phrase::path_of(finding)) data-applications=(applications.join(" ")) {
@@ -58,7 +63,11 @@ fn short_place(location: &Location) -> String {
 /// Path and place, and below it the source lines where there are any.
 fn source(finding: &Finding) -> Markup {
     let path = phrase::path_of(finding);
-    let found = finding.location.excerpt.as_ref().and_then(|excerpt| snippet(excerpt, WIDTH));
+    let found = finding
+        .location
+        .excerpt
+        .as_ref()
+        .and_then(|excerpt| snippet(excerpt, WIDTH));
     let parts = found.as_ref().and_then(|found| {
         let lead = found.text.get(..found.mark.start)?;
         let marked = found.text.get(found.mark.clone())?;

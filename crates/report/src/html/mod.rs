@@ -1,7 +1,7 @@
 //! One page for a browser: readable as it is, sorted, filtered and searched where scripts run.
 //!
-//! Nothing is loaded from anywhere. Every text goes through `maud`, which escapes it, and the page forbids
-//! the browser to run or load anything but the one style and the one script that it holds.
+//! Nothing is loaded from anywhere. Every text goes through `maud`, which escapes it, and the page
+//! forbids the browser to run or load anything but the one style and the one script that it holds.
 
 mod finding;
 
@@ -72,7 +72,8 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
         }
     };
     let page = page.into_string();
-    // The list is made file by file while it is written: a page of many findings is larger than all that was checked.
+    // The list is made file by file while it is written: a page of many findings is larger than all
+    // that was checked.
     let (before, after) = page.split_once(LIST).unwrap_or((&page, ""));
     out.write_all(before.as_bytes())?;
     list(&findings, out)?;
@@ -185,7 +186,12 @@ fn controls(findings: &[&Finding]) -> Markup {
     }
 }
 
-fn choice<'a>(id: &str, label: &str, all: &str, options: impl Iterator<Item = (&'a str, &'a str)>) -> Markup {
+fn choice<'a>(
+    id: &str,
+    label: &str,
+    all: &str,
+    options: impl Iterator<Item = (&'a str, &'a str)>,
+) -> Markup {
     html! {
         div .field {
             label for=(id) { (label) }
@@ -221,7 +227,10 @@ fn files(findings: &[&Finding]) -> Markup {
 fn list(findings: &[&Finding], out: &mut dyn Write) -> io::Result<()> {
     let mut ids = BTreeMap::new();
     // A long list is read by its messages; the gravest stand open.
-    let loud = findings.iter().filter(|finding| finding.level > Level::Info).count();
+    let loud = findings
+        .iter()
+        .filter(|finding| finding.level > Level::Info)
+        .count();
     let opened = |finding: &Finding| match finding.level {
         Level::Error => true,
         Level::Warning => loud <= 50,
@@ -229,9 +238,17 @@ fn list(findings: &[&Finding], out: &mut dyn Write) -> io::Result<()> {
     };
     for (number, file) in by_file(findings).into_iter().enumerate() {
         let head = html! { h2 { code { (path_of(&file)) } " " (chips(&file)) } }.into_string();
-        write!(out, "<section class=\"group\" id=\"file-{}\">{head}", number + 1)?;
+        write!(
+            out,
+            "<section class=\"group\" id=\"file-{}\">{head}",
+            number + 1
+        )?;
         for finding in file {
-            let article = finding::article(finding, &unique(&finding.fingerprint, &mut ids), opened(finding));
+            let article = finding::article(
+                finding,
+                &unique(&finding.fingerprint, &mut ids),
+                opened(finding),
+            );
             out.write_all(article.into_string().as_bytes())?;
         }
         out.write_all(b"</section>")?;
@@ -240,19 +257,29 @@ fn list(findings: &[&Finding], out: &mut dyn Write) -> io::Result<()> {
 }
 
 fn path_of(file: &[&Finding]) -> String {
-    file.first().map_or_else(String::new, |first| phrase::path_of(first))
+    file.first()
+        .map_or_else(String::new, |first| phrase::path_of(first))
 }
 
 /// Two data roots may hold the same asset with the same fault; an id stands once in a page.
 fn unique(fingerprint: &str, ids: &mut BTreeMap<String, usize>) -> String {
     let times = ids.entry(fingerprint.to_owned()).or_default();
     *times += 1;
-    if *times == 1 { format!("f-{fingerprint}") } else { format!("f-{fingerprint}-{times}") }
+    if *times == 1 {
+        format!("f-{fingerprint}")
+    } else {
+        format!("f-{fingerprint}-{times}")
+    }
 }
 
 /// `2 errors, 1 info` as small marks.
 fn chips(findings: &[&Finding]) -> Markup {
-    let number = |level| findings.iter().filter(|finding| finding.level == level).count();
+    let number = |level| {
+        findings
+            .iter()
+            .filter(|finding| finding.level == level)
+            .count()
+    };
     html! {
         span .chips {
             @for (level, number) in LEVELS.map(|(level, _)| (level, number(level))) {
@@ -304,9 +331,17 @@ mod tests {
 
     #[test]
     fn the_policy_names_the_style_and_the_script() {
-        let hash = |text: &str| format!("'sha256-{}'", STANDARD.encode(Sha256::digest(text.as_bytes())));
+        let hash = |text: &str| {
+            format!(
+                "'sha256-{}'",
+                STANDARD.encode(Sha256::digest(text.as_bytes()))
+            )
+        };
         let expected = format!("style-src {}; script-src {}", hash(STYLE), hash(SCRIPT));
-        assert!(POLICY.ends_with(&expected), "POLICY has to end with: {expected}");
+        assert!(
+            POLICY.ends_with(&expected),
+            "POLICY has to end with: {expected}"
+        );
     }
 
     #[test]
@@ -317,6 +352,9 @@ mod tests {
     #[test]
     fn the_same_fingerprint_twice_gives_two_ids() {
         let mut ids = BTreeMap::new();
-        assert_eq!([unique("a", &mut ids), unique("a", &mut ids)], ["f-a", "f-a-2"]);
+        assert_eq!(
+            [unique("a", &mut ids), unique("a", &mut ids)],
+            ["f-a", "f-a-2"]
+        );
     }
 }

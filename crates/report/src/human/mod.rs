@@ -1,7 +1,8 @@
-//! The report for people: findings by file, the gravest files first, infos a line each, then notes, counts and a verdict
-//! in one sentence.
+//! The report for people: findings by file, the gravest files first, infos a line each, then notes,
+//! counts and a verdict in one sentence.
 //!
-//! Long lists are cut with a word on what was left out. Readable at eighty columns and without colour.
+//! Long lists are cut with a word on what was left out. Readable at eighty columns and without
+//! colour.
 
 mod block;
 mod groups;
@@ -36,7 +37,9 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
     }
     writeln!(out, "{}", verdict::sentence(outcome, view))?;
     let errors = verdict::first_errors(outcome);
-    errors.iter().try_for_each(|line| writeln!(out, "{}", hang("  ", line, view.width)))?;
+    errors
+        .iter()
+        .try_for_each(|line| writeln!(out, "{}", hang("  ", line, view.width)))?;
     match super::unchecked_line(outcome) {
         Some(line) => writeln!(out, "{}", hang("", &printable(&line), view.width)),
         None => Ok(()),
@@ -47,7 +50,8 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
 fn write_findings(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
     let picked = pick::pick(&outcome.findings, view.full);
     let is_block = |group: &&Group<'_>| view.full || group.first.level > Level::Info;
-    let (blocks, infos): (Vec<&Group<'_>>, Vec<&Group<'_>>) = picked.shown.iter().partition(is_block);
+    let (blocks, infos): (Vec<&Group<'_>>, Vec<&Group<'_>>) =
+        picked.shown.iter().partition(is_block);
     let blocks: Vec<&Finding> = blocks.iter().map(|group| group.first).collect();
     let mut explained = BTreeSet::new();
     let tallies = tallies(&outcome.findings, view);
@@ -67,7 +71,10 @@ fn write_heading(
     let path = file.first().map_or("", |first| first.path.as_str());
     let words = tallies.get(path).map(tally).unwrap_or_default();
     let paint = Paint { color: view.color };
-    let path = file.first().map(|first| phrase::path_of(first)).unwrap_or_default();
+    let path = file
+        .first()
+        .map(|first| phrase::path_of(first))
+        .unwrap_or_default();
     writeln!(out, "{}{}", paint.bold(&path), paint.dim(&words))
 }
 
@@ -77,8 +84,15 @@ type Tally = BTreeMap<Reverse<Level>, usize>;
 /// What stands below the headings of the files, shown or left out.
 fn tallies<'f>(findings: &'f [Finding], view: &View<'_>) -> BTreeMap<&'f str, Tally> {
     let mut tallies: BTreeMap<&str, Tally> = BTreeMap::new();
-    for finding in findings.iter().filter(|finding| view.full || finding.level > Level::Info) {
-        *tallies.entry(&finding.path).or_default().entry(Reverse(finding.level)).or_default() += 1;
+    for finding in findings
+        .iter()
+        .filter(|finding| view.full || finding.level > Level::Info)
+    {
+        *tallies
+            .entry(&finding.path)
+            .or_default()
+            .entry(Reverse(finding.level))
+            .or_default() += 1;
     }
     tallies
 }
@@ -100,12 +114,22 @@ fn write_file(
     let paint = Paint { color: view.color };
     let mut said = Said::default();
     for finding in file {
-        let effects = finding.breaks.iter().filter(|one| said.effects.insert((one.application, &one.effect)));
+        let effects = finding
+            .breaks
+            .iter()
+            .filter(|one| said.effects.insert((one.application, &one.effect)));
         let effects: Vec<&Break> = effects.collect();
-        let with_help = finding.help.as_deref().is_some_and(|help| said.helps.insert(help));
+        let with_help = finding
+            .help
+            .as_deref()
+            .is_some_and(|help| said.helps.insert(help));
         out.write_all(block::render(finding, &effects, with_help, view).as_bytes())?;
         if explained.insert(finding.rule) && !view.quiet {
-            writeln!(out, "  {}", paint.dim(&format!("more: mhlint explain {}", finding.rule)))?;
+            writeln!(
+                out,
+                "  {}",
+                paint.dim(&format!("more: mhlint explain {}", finding.rule))
+            )?;
         }
         if let Some(more) = picked.more_like(finding) {
             writeln!(out, "  {}", paint.bold(&more))?;
@@ -118,7 +142,8 @@ fn write_file(
     }
 }
 
-/// A line for each info, or for many that say the same. What more there is in a file is said here, unless its findings stand in `blocks`.
+/// A line for each info, or for many that say the same. What more there is in a file is said here,
+/// unless its findings stand in `blocks`.
 fn write_infos(
     infos: &[&Group<'_>],
     blocks: &[&Finding],
@@ -130,9 +155,18 @@ fn write_infos(
         return Ok(());
     }
     let paint = Paint { color: view.color };
-    let hint = if view.quiet { "" } else { " (no visible effect today; `--full` shows consequences and help)" };
+    let hint = if view.quiet {
+        ""
+    } else {
+        " (no visible effect today; `--full` shows consequences and help)"
+    };
     let total = infos.iter().map(|group| group.len()).sum::<usize>() + picked.left(Level::Info);
-    writeln!(out, "{}{}", paint.bold(&count(total, "info")), paint.dim(hint))?;
+    writeln!(
+        out,
+        "{}{}",
+        paint.bold(&count(total, "info")),
+        paint.dim(hint)
+    )?;
     for file in infos.chunk_by(|a, b| a.first.path == b.first.path) {
         for group in file {
             writeln!(out, "  {}", group.line())?;
@@ -141,7 +175,10 @@ fn write_infos(
             }
         }
         let path = file.first().map_or("", |group| group.first.path.as_str());
-        if let Some(more) = picked.more_in(path).filter(|_| !blocks.iter().any(|finding| finding.path == path)) {
+        if let Some(more) = picked
+            .more_in(path)
+            .filter(|_| !blocks.iter().any(|finding| finding.path == path))
+        {
             writeln!(out, "  {}", paint.bold(&more))?;
         }
     }
@@ -153,20 +190,36 @@ fn tally(numbers: &Tally) -> String {
     if numbers.values().sum::<usize>() < 2 {
         return String::new();
     }
-    let parts: Vec<String> = numbers.iter().map(|(Reverse(level), number)| count(*number, level.word())).collect();
+    let parts: Vec<String> = numbers
+        .iter()
+        .map(|(Reverse(level), number)| count(*number, level.word()))
+        .collect();
     format!(": {}", parts.join(", "))
 }
 
 /// Who loads what, where several applications do.
 fn write_matrix(outcome: &Outcome, out: &mut dyn Write) -> io::Result<()> {
-    let Some(matrix) = Matrix::of(outcome) else { return Ok(()) };
-    matrix.lines().iter().try_for_each(|line| writeln!(out, "{line}"))?;
+    let Some(matrix) = Matrix::of(outcome) else {
+        return Ok(());
+    };
+    matrix
+        .lines()
+        .iter()
+        .try_for_each(|line| writeln!(out, "{line}"))?;
     writeln!(out)
 }
 
 fn write_notes(notes: &[Note], view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
     for note in notes {
-        writeln!(out, "{}", hang("note: ", &printable(&super::note(note)), view.width))?;
+        writeln!(
+            out,
+            "{}",
+            hang("note: ", &printable(&super::note(note)), view.width)
+        )?;
     }
-    if notes.is_empty() { Ok(()) } else { writeln!(out) }
+    if notes.is_empty() {
+        Ok(())
+    } else {
+        writeln!(out)
+    }
 }

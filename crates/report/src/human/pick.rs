@@ -20,12 +20,15 @@ pub(super) struct Picked<'a> {
     left_of_level: BTreeMap<Level, usize>,
 }
 
-/// Picks from all findings, which come in the order of the report; with `full` all of them. Those that share a line count
-/// as one.
+/// Picks from all findings, which come in the order of the report; with `full` all of them. Those
+/// that share a line count as one.
 pub(super) fn pick(findings: &[Finding], full: bool) -> Picked<'_> {
     let groups = groups(findings, full);
     if full {
-        return Picked { shown: groups, ..Picked::default() };
+        return Picked {
+            shown: groups,
+            ..Picked::default()
+        };
     }
     let mut by_level: Vec<(usize, Group<'_>)> = groups.into_iter().enumerate().collect();
     by_level.sort_by_key(|(_, group)| std::cmp::Reverse(group.first.level));
@@ -34,8 +37,13 @@ pub(super) fn pick(findings: &[Finding], full: bool) -> Picked<'_> {
     let mut picked = Picked::default();
     let mut shown = Vec::new();
     for (at, group) in by_level {
-        let Finding { rule, path, level, .. } = group.first;
-        let (of_rule, in_file) = (of_rule.entry(rule).or_default(), in_file.entry(path).or_default());
+        let Finding {
+            rule, path, level, ..
+        } = group.first;
+        let (of_rule, in_file) = (
+            of_rule.entry(rule).or_default(),
+            in_file.entry(path).or_default(),
+        );
         if *of_rule >= PER_RULE || *in_file >= PER_FILE {
             *picked.left_of_level.entry(*level).or_default() += group.len();
         }
@@ -62,9 +70,16 @@ impl Picked<'_> {
     /// What to say below a finding that is the last shown of its rule while more were left out.
     pub(super) fn more_like(&self, finding: &Finding) -> Option<String> {
         let left = self.left_of_rule.get(finding.rule)?;
-        let last = self.shown.iter().rfind(|other| other.first.rule == finding.rule)?;
-        std::ptr::eq(last.first, finding)
-            .then(|| format!("and {left} more like it; `--only {} --full` shows all", finding.rule))
+        let last = self
+            .shown
+            .iter()
+            .rfind(|other| other.first.rule == finding.rule)?;
+        std::ptr::eq(last.first, finding).then(|| {
+            format!(
+                "and {left} more like it; `--only {} --full` shows all",
+                finding.rule
+            )
+        })
     }
 
     /// What to say below the last shown finding of a file of which more were left out.
@@ -81,7 +96,9 @@ mod tests {
 
     fn findings(rule: &'static str, level: Level, number: usize) -> Vec<Finding> {
         let info = RuleInfo::new(rule, level, "");
-        (0..number).map(|at| Finding::new(&info, format!("{rule}{at}"), Place::File, "")).collect()
+        (0..number)
+            .map(|at| Finding::new(&info, format!("{rule}{at}"), Place::File, ""))
+            .collect()
     }
 
     #[test]
@@ -89,7 +106,12 @@ mod tests {
         let all = findings("a", Level::Warning, PER_RULE + 3);
         let picked = pick(&all, false);
         assert_eq!(picked.shown.len(), PER_RULE);
-        assert!(picked.more_like(&all[PER_RULE - 1]).unwrap().starts_with("and 3 more like it"));
+        assert!(
+            picked
+                .more_like(&all[PER_RULE - 1])
+                .unwrap()
+                .starts_with("and 3 more like it")
+        );
         assert_eq!(picked.more_like(&all[0]), None);
     }
 

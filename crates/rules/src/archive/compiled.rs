@@ -12,17 +12,36 @@ use mhlint_formats::npz::{ArchiveFault, NpyFault};
 use mhlint_repo::makehuman1::View;
 use mhlint_repo::{FileFacts, Reference, ReferenceKind, Worn};
 
-const TEXT: Case = &[(Makehuman1, Level::Info, "reads the text beside it, with a warning in the log")];
+const TEXT: Case = &[(
+    Makehuman1,
+    Level::Info,
+    "reads the text beside it, with a warning in the log",
+)];
 const NOT_WORN: Case = &[(Makehuman1, Level::Error, "does not put the asset on")];
 
 /// What is wrong of this sort.
-pub(super) fn report(rule: &Rule, sort: Sort, view: &View<'_>, file: &FileFacts, out: &mut Vec<Finding>) {
+pub(super) fn report(
+    rule: &Rule,
+    sort: Sort,
+    view: &View<'_>,
+    file: &FileFacts,
+    out: &mut Vec<Finding>,
+) {
     let text = view.layers.checked.text_of_archive(&file.rel);
     // Beside a text an empty file, or a pointer, has a finding of its own, and that is all.
     let is_blank = file.size == 0 || file.encoding.lfs_pointer;
-    let blank = || (Sort::Malformed, "the archive has nothing in it, and there is no text beside it".to_owned());
-    let found = fault(file).or_else(|| of_numbers(file)).or_else(|| (is_blank && text.is_none()).then(blank));
-    let Some((_, message)) = found.filter(|(own, _)| *own == sort) else { return };
+    let blank = || {
+        (
+            Sort::Malformed,
+            "the archive has nothing in it, and there is no text beside it".to_owned(),
+        )
+    };
+    let found = fault(file)
+        .or_else(|| of_numbers(file))
+        .or_else(|| (is_blank && text.is_none()).then(blank));
+    let Some((_, message)) = found.filter(|(own, _)| *own == sort) else {
+        return;
+    };
     let is_base = file.rel == BASE;
     if !is_base && !is_opened(view, file, text.is_some()) {
         return;
@@ -31,21 +50,29 @@ pub(super) fn report(rule: &Rule, sort: Sort, view: &View<'_>, file: &FileFacts,
     let is_read = is_read(file);
     let (case, help) = match text {
         Some(_) if !is_read => (TEXT, "delete it: the text is read instead"),
-        Some(_) => (if is_base { STOPS } else { NOT_WORN }, "delete it: the text is read instead"),
-        None => (if is_base { STOPS } else { NOT_WORN }, "restore it, or the text that it was made from"),
+        Some(_) => (
+            if is_base { STOPS } else { NOT_WORN },
+            "delete it: the text is read instead",
+        ),
+        None => (
+            if is_base { STOPS } else { NOT_WORN },
+            "restore it, or the text that it was made from",
+        ),
     };
     let case = if sort == Sort::ObjectArray { &[] } else { case };
     out.push(rule.at(file, Place::File, message).case(case).help(help));
 }
 
-/// Whether an asset leads to it. Outside of the libraries that list it nothing puts on what is in an archive, and a zip of
-/// something else beside an asset is nobody's.
+/// Whether an asset leads to it. Outside of the libraries that list it nothing puts on what is in
+/// an archive, and a zip of something else beside an asset is nobody's.
 fn is_opened(view: &View<'_>, file: &FileFacts, has_text: bool) -> bool {
     if file.rel.ends_with(".mhpxy") {
         return archive_library_of(&file.rel).is_some();
     }
     let names = |worn: &Worn<'_>| {
-        let mesh = worn.reference(ReferenceKind::AssetMesh).and_then(Reference::found);
+        let mesh = worn
+            .reference(ReferenceKind::AssetMesh)
+            .and_then(Reference::found);
         mesh.is_some_and(|mesh| std::ptr::eq(mesh, file))
     };
     has_text || file.rel.ends_with(".npz") && view.worn().iter().any(names)
@@ -53,7 +80,11 @@ fn is_opened(view: &View<'_>, file: &FileFacts, has_text: bool) -> bool {
 
 /// The archive of the base mesh.
 const BASE: &str = "3dobjs/base.npz";
-const STOPS: Case = &[(Makehuman1, Level::Error, "stops at start: only the splash picture stays on the screen")];
+const STOPS: Case = &[(
+    Makehuman1,
+    Level::Error,
+    "stops at start: only the splash picture stays on the screen",
+)];
 
 /// Whether the program takes it in place of the text, and fails with it later.
 fn is_read(file: &FileFacts) -> bool {
@@ -77,7 +108,9 @@ fn of_numbers(file: &FileFacts) -> Option<(Sort, String)> {
             let (_, vertex) = proxy.rows.out_of_range.first.first()?;
             format!("a row names vertex {vertex}, which the base mesh does not have")
         }
-        Packed::Mesh(Ok(mesh)) if !mesh.is_sound() => "has no vertex, or a face of one that does not exist".to_owned(),
+        Packed::Mesh(Ok(mesh)) if !mesh.is_sound() => {
+            "has no vertex, or a face of one that does not exist".to_owned()
+        }
         _ => return None,
     };
     Some((Sort::Malformed, message))
@@ -86,15 +119,23 @@ fn of_numbers(file: &FileFacts) -> Option<(Sort, String)> {
 fn fault(file: &FileFacts) -> Option<(Sort, String)> {
     match file.packed()? {
         Packed::Unopened(ArchiveFault::Empty) => None,
-        Packed::Unopened(ArchiveFault::NotZip(reason)) => Some((Sort::Malformed, words::not_zip(reason))),
-        Packed::Other | Packed::Asset(_) => {
-            Some((Sort::Malformed, "has neither the members of something worn nor those of a mesh".to_owned()))
+        Packed::Unopened(ArchiveFault::NotZip(reason)) => {
+            Some((Sort::Malformed, words::not_zip(reason)))
         }
+        Packed::Other | Packed::Asset(_) => Some((
+            Sort::Malformed,
+            "has neither the members of something worn nor those of a mesh".to_owned(),
+        )),
         Packed::Proxy(proxy) => proxy.fault.as_ref().map(|(member, fault)| match fault {
-            Some(fault) => (Sort::of(fault), format!("member `{member}` {}", words::of_member(fault))),
+            Some(fault) => (
+                Sort::of(fault),
+                format!("member `{member}` {}", words::of_member(fault)),
+            ),
             None => (Sort::MissingMember, words::missing(&[member])),
         }),
-        Packed::Mesh(Err(MeshFault::Missing(members))) => Some((Sort::MissingMember, words::missing(members))),
+        Packed::Mesh(Err(MeshFault::Missing(members))) => {
+            Some((Sort::MissingMember, words::missing(members)))
+        }
         Packed::Mesh(Err(fault)) => words::of_mesh(fault).map(|(sort, message, _)| (sort, message)),
         Packed::Mesh(Ok(_)) => None,
     }

@@ -24,7 +24,8 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // MPFB reads no archives.
     if !view.is_mpfb() {
-        view.files().for_each(|file| report(&RULE, Sort::Malformed, view, file, out));
+        view.files()
+            .for_each(|file| report(&RULE, Sort::Malformed, view, file, out));
     }
     pack::report(&RULE, view.layers().checked, out);
 }

@@ -11,12 +11,19 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "refuses the asset with a message: it cannot be put on"),
+        (
+            Makehuman2,
+            "refuses the asset with a message: it cannot be put on",
+        ),
         (Makehuman1, "finds the target no longer, or reads its text"),
     ],
     docs: include_str!("missing_member.md").trim_ascii_end(),
     counts: "members",
-    ..RuleInfo::new("archive-missing-member", Level::Error, "an archive lacks a member")
+    ..RuleInfo::new(
+        "archive-missing-member",
+        Level::Error,
+        "an archive lacks a member",
+    )
 });
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

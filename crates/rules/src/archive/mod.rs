@@ -1,5 +1,5 @@
-//! Rules on binary archives: of targets, of base meshes and of assets. What is wrong with one is found in one place, and
-//! each rule reports its sort of it.
+//! Rules on binary archives: of targets, of base meshes and of assets. What is wrong with one is
+//! found in one place, and each rule reports its sort of it.
 
 mod compiled;
 mod malformed;

@@ -8,15 +8,28 @@ use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman1::View;
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "takes the number from the archive, where it has gone around")],
+    breaks: &[(
+        Makehuman1,
+        "takes the number from the archive, where it has gone around",
+    )],
     docs: include_str!("overflow.md").trim_ascii_end(),
     counts: "targets",
-    ..RuleInfo::new("archive-overflow", Level::Error, "a number of a target does not fit into the archive")
+    ..RuleInfo::new(
+        "archive-overflow",
+        Level::Error,
+        "a number of a target does not fit into the archive",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let known = view.targets.archive.as_ref().filter(|archive| archive.unused.is_none());
-    let Some(archive) = known.filter(|_| view.layers.checks_system()) else { return };
+    let known = view
+        .targets
+        .archive
+        .as_ref()
+        .filter(|archive| archive.unused.is_none());
+    let Some(archive) = known.filter(|_| view.layers.checks_system()) else {
+        return;
+    };
     let of_member = |(name, own): (&String, &mhlint_formats::targets_npz::PackedTarget)| {
         let file = view.layers.checked.file(&format!("{name}.target"))?;
         let facts = file.target()?;
@@ -24,16 +37,33 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         // Other numbers are those of another text.
         (own.content == Some(facts.thousandths)).then_some((file, line, vertex, part))
     };
-    let found: Vec<(&FileFacts, u32, i64, f32)> = archive.content.targets.iter().filter_map(of_member).collect();
-    let Some((file, line, vertex, part)) = found.first() else { return };
+    let found: Vec<(&FileFacts, u32, i64, f32)> = archive
+        .content
+        .targets
+        .iter()
+        .filter_map(of_member)
+        .collect();
+    let Some((file, line, vertex, part)) = found.first() else {
+        return;
+    };
     let more = and_more(found.len(), "target");
     let message = if part.abs() >= PACKED_PART {
-        format!("vertex {vertex} moves by {}, and in `targets.npz` by {}{more}", length(*part), length(around(*part)))
+        format!(
+            "vertex {vertex} moves by {}, and in `targets.npz` by {}{more}",
+            length(*part),
+            length(around(*part))
+        )
     } else {
-        format!("vertex {vertex} is vertex {} in `targets.npz`{more}", vertex.rem_euclid(1 << 16))
+        format!(
+            "vertex {vertex} is vertex {} in `targets.npz`{more}",
+            vertex.rem_euclid(1 << 16)
+        )
     };
-    let finding =
-        RULE.at(file, Place::Line(*line), message).related(archive.file.path.clone(), Place::File, "the archive");
+    let finding = RULE.at(file, Place::Line(*line), message).related(
+        archive.file.path.clone(),
+        Place::File,
+        "the archive",
+    );
     let finding = finding.evidence(Evidence::of_cases(found.iter().map(|(file, ..)| &file.rel)));
     out.push(
         finding

@@ -26,15 +26,31 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
-    let Some(facts) = layer.pack.as_ref().and_then(|pack| pack.faults.as_ref()) else { return };
-    let leads_out = |fault: &MemberFault| matches!(fault, MemberFault::Escapes | MemberFault::LinkLeaves { .. });
-    let bad: Vec<&(String, MemberFault)> = facts.faults.iter().filter(|(_, fault)| leads_out(fault)).collect();
-    let Some((first, fault)) = bad.first() else { return };
+    let Some(facts) = layer.pack.as_ref().and_then(|pack| pack.faults.as_ref()) else {
+        return;
+    };
+    let leads_out = |fault: &MemberFault| {
+        matches!(fault, MemberFault::Escapes | MemberFault::LinkLeaves { .. })
+    };
+    let bad: Vec<&(String, MemberFault)> = facts
+        .faults
+        .iter()
+        .filter(|(_, fault)| leads_out(fault))
+        .collect();
+    let Some((first, fault)) = bad.first() else {
+        return;
+    };
     let more = and_more(bad.len(), "member");
     let message = match fault {
-        MemberFault::LinkLeaves { to } => format!("the link `{first}` leads out of the zip, to `{to}`{more}"),
-        _ => format!("member `{first}` leads out of the folder that the zip is unpacked into{more}"),
+        MemberFault::LinkLeaves { to } => {
+            format!("the link `{first}` leads out of the zip, to `{to}`{more}")
+        }
+        _ => {
+            format!("member `{first}` leads out of the folder that the zip is unpacked into{more}")
+        }
     };
-    let finding = RULE.in_layer(layer, "", message).evidence(Evidence::of_cases(bad.iter().map(|(name, _)| name)));
+    let finding = RULE
+        .in_layer(layer, "", message)
+        .evidence(Evidence::of_cases(bad.iter().map(|(name, _)| name)));
     out.push(finding.help("do not unpack it; pack the folder again without such names and links"));
 }

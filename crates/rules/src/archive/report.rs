@@ -6,11 +6,20 @@ use mhlint_diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place
 use mhlint_formats::npz::{Archive, ArchiveFault, Member, NpyFault};
 use mhlint_repo::{FileFacts, View};
 
-const EMPTY: Case =
-    &[(Makehuman2, Level::Error, "crashes with `EOFError` at every start until the file is deleted by hand")];
+const EMPTY: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes with `EOFError` at every start until the file is deleted by hand",
+)];
 
 /// What is wrong of this sort.
-pub(super) fn report(rule: &Rule, sort: Sort, view: &View<'_>, file: &FileFacts, out: &mut Vec<Finding>) {
+pub(super) fn report(
+    rule: &Rule,
+    sort: Sort,
+    view: &View<'_>,
+    file: &FileFacts,
+    out: &mut Vec<Finding>,
+) {
     if let Some(own) = view.as_makehuman1() {
         packed_targets::report(rule, sort, own, file, out);
         return compiled::report(rule, sort, own, file, out);
@@ -21,9 +30,15 @@ pub(super) fn report(rule: &Rule, sort: Sort, view: &View<'_>, file: &FileFacts,
         out.push(rule.at(file, Place::File, message).case(case).help(help));
     }
     if let Some((_, message, case)) = worn::fault(view, file).filter(is_own) {
-        out.push(rule.at(file, Place::File, message).case(case).help(worn::help(view, file)));
+        out.push(
+            rule.at(file, Place::File, message)
+                .case(case)
+                .help(worn::help(view, file)),
+        );
     }
-    let Some(archive) = file.archive() else { return };
+    let Some(archive) = file.archive() else {
+        return;
+    };
     match &archive.fault {
         None => out.extend(members(rule, sort, file, archive)),
         Some(_) if sort != Sort::Malformed => {}
@@ -41,13 +56,17 @@ fn at(rule: &Rule, file: &FileFacts, message: String) -> Finding {
 }
 
 fn members(rule: &Rule, sort: Sort, file: &FileFacts, archive: &Archive) -> Option<Finding> {
-    let all = archive.members.iter().filter_map(|member| Some((member, member.rows.as_ref().err()?)));
+    let all = archive
+        .members
+        .iter()
+        .filter_map(|member| Some((member, member.rows.as_ref().err()?)));
     let bad: Vec<(&Member, &NpyFault)> = all.filter(|(_, fault)| Sort::of(fault) == sort).collect();
     let (first, fault) = bad.first()?;
     let mut message = format!("member `{}` {}", first.name, words::of_member(fault));
     if bad.len() > 1 {
         message = format!("{message} ({} unusable members)", bad.len());
     }
-    let evidence = Evidence::of_cases(bad.iter().map(|(member, _)| &member.name)).out_of(archive.members.len());
+    let evidence = Evidence::of_cases(bad.iter().map(|(member, _)| &member.name))
+        .out_of(archive.members.len());
     Some(at(rule, file, message).evidence(evidence))
 }

@@ -23,9 +23,16 @@ const NO_HEAD: Case = &[(
     Level::Error,
     "crashes at start with `TypeError` while scanning the assets; the next start has no assets at all",
 )];
-const REFUSED: Case = &[(Makehuman2, Level::Error, "refuses the asset with a message: it cannot be put on")];
-const STOPS: Case =
-    &[(Makehuman2, Level::Error, "crashes when the asset is put on; models that wear it load only in part")];
+const REFUSED: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "refuses the asset with a message: it cannot be put on",
+)];
+const STOPS: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes when the asset is put on; models that wear it load only in part",
+)];
 
 /// What is wrong with an archive that the library scans, and what comes of it.
 pub(super) fn fault(view: &View<'_>, file: &FileFacts) -> Option<(Sort, String, Case)> {
@@ -33,9 +40,12 @@ pub(super) fn fault(view: &View<'_>, file: &FileFacts) -> Option<(Sort, String, 
     match file.packed().filter(|_| is_scanned)? {
         // `file-empty` has it.
         Packed::Unopened(ArchiveFault::Empty) => None,
-        Packed::Unopened(ArchiveFault::NotZip(reason)) => Some((Sort::Malformed, not_zip(reason), NOT_ZIP)),
+        Packed::Unopened(ArchiveFault::NotZip(reason)) => {
+            Some((Sort::Malformed, not_zip(reason), NOT_ZIP))
+        }
         Packed::Other | Packed::Proxy(_) | Packed::Mesh(_) => {
-            let message = "member `asset` is missing: this is not the archive of an asset".to_owned();
+            let message =
+                "member `asset` is missing: this is not the archive of an asset".to_owned();
             Some((Sort::MissingMember, message, NO_ASSET))
         }
         Packed::Asset(asset) => of_asset(asset),
@@ -50,9 +60,17 @@ fn of_asset(asset: &PackedAsset) -> Option<(Sort, String, Case)> {
     });
     let absent: Vec<&str> = absent.collect();
     Some(match asset.faults.first()? {
-        PackedFault::Asset(fault) => (Sort::of(fault), format!("member `asset` {}", of_member(fault)), NO_HEAD),
+        PackedFault::Asset(fault) => (
+            Sort::of(fault),
+            format!("member `asset` {}", of_member(fault)),
+            NO_HEAD,
+        ),
         _ if !absent.is_empty() => (Sort::MissingMember, missing(&absent), REFUSED),
-        PackedFault::Member(name, fault) => (Sort::of(fault), format!("member `{name}` {}", of_member(fault)), STOPS),
+        PackedFault::Member(name, fault) => (
+            Sort::of(fault),
+            format!("member `{name}` {}", of_member(fault)),
+            STOPS,
+        ),
         PackedFault::Mesh(fault) => {
             let (sort, message, _) = of_mesh(fault)?;
             (sort, message, STOPS)

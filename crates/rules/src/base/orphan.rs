@@ -11,11 +11,18 @@ use mhlint_repo::makehuman2::{Base, View};
 pub(super) fn finding(rule: &Rule, view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
     let checked = view.layers.checked;
     let folders = ["contarget", "target"].map(|folder| (folder, format!("{folder}/{}", base.name)));
-    // A loose file lies in no folder of a base: that its base is not known is among what was not checked.
+    // A loose file lies in no folder of a base: that its base is not known is among what was not
+    // checked.
     let is_in = |folder: &&(_, String)| checked.below(&folder.1).any(|file| !file.is_loose);
     let (top, folder) = folders.iter().find(is_in)?;
-    let message = format!("base `{}` does not exist: base.json and the mesh are missing", base.name);
-    let finding = rule.in_layer(checked, folder, message).key("base").level(Level::Warning);
+    let message = format!(
+        "base `{}` does not exist: base.json and the mesh are missing",
+        base.name
+    );
+    let finding = rule
+        .in_layer(checked, folder, message)
+        .key("base")
+        .level(Level::Warning);
     let help = meant(view, checked.below(folder)).map_or_else(
         || "rename the folder to an existing base; if the system data has the base, pass it with `--system`".to_owned(),
         |other| {
@@ -35,9 +42,13 @@ pub(super) fn finding(rule: &Rule, view: &View<'_>, base: &Base<'_>) -> Option<F
 /// The base mesh that the headers of targets name, if they agree and it exists.
 fn meant<'a>(view: &View<'a>, files: impl Iterator<Item = &'a FileFacts>) -> Option<&'a str> {
     let targets = files.filter_map(FileFacts::target);
-    let named: BTreeSet<String> =
-        targets.filter_map(|target| Some(target.basemesh.as_ref()?.1.to_ascii_lowercase())).collect();
+    let named: BTreeSet<String> = targets
+        .filter_map(|target| Some(target.basemesh.as_ref()?.1.to_ascii_lowercase()))
+        .collect();
     let name = named.first().filter(|_| named.len() == 1)?;
-    let other = view.bases.iter().find(|base| base.name.eq_ignore_ascii_case(name))?;
+    let other = view
+        .bases
+        .iter()
+        .find(|base| base.name.eq_ignore_ascii_case(name))?;
     (!view.is_nowhere(other.name)).then_some(other.name)
 }

@@ -13,76 +13,119 @@ use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "ignores names that do not exist: their settings have no effect")],
+    breaks: &[(
+        Makehuman2,
+        "ignores names that do not exist: their settings have no effect",
+    )],
     docs: include_str!("unknown_preset.md").trim_ascii_end(),
-    ..RuleInfo::new("base-unknown-preset", Level::Warning, "a name in `base.json` that does not exist")
+    ..RuleInfo::new(
+        "base-unknown-preset",
+        Level::Warning,
+        "a name in `base.json` that does not exist",
+    )
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, settings)) = base.settings().filter(|_| has_sliders(base)) else { return };
+    let Some((file, settings)) = base.settings().filter(|_| has_sliders(base)) else {
+        return;
+    };
     let names = Names::of(view, base, &cx.suggestions);
     let mut found = Vec::new();
     for (pattern, _) in &settings.presets {
         let at = ["modifier-presets", pattern];
-        found.extend(names.pattern(pattern).map(|unknown| at_key(unknown_name(file, &at, unknown), &at)));
+        found.extend(
+            names
+                .pattern(pattern)
+                .map(|unknown| at_key(unknown_name(file, &at, unknown), &at)),
+        );
     }
     measures(file, &names, settings, &mut found);
     for (index, head) in settings.head_pattern.iter().flatten().enumerate() {
         let at = ["head-pattern", &index.to_string()];
-        found.extend(names.head(head).map(|unknown| unknown_name(file, &at, unknown)));
+        found.extend(
+            names
+                .head(head)
+                .map(|unknown| unknown_name(file, &at, unknown)),
+        );
     }
     if let Some(random) = &settings.random {
         randomizer(file, &names, random, &mut found);
     }
-    let of_sliders = base.modelling.winner().map(|(sliders, _)| sliders.path.clone());
-    found.iter_mut().for_each(|finding| finding.against.extend(of_sliders.clone()));
+    let of_sliders = base
+        .modelling
+        .winner()
+        .map(|(sliders, _)| sliders.path.clone());
+    found
+        .iter_mut()
+        .for_each(|finding| finding.against.extend(of_sliders.clone()));
     out.extend(of_other_base(view, base, settings, found));
 }
 
 fn finding(file: &FileFacts, at: &[&str], message: String, name: &str) -> Finding {
     // Places in a list change with every entry before them.
-    let mut key: Vec<&str> = at.iter().copied().filter(|part| part.parse::<usize>().is_err()).collect();
+    let mut key: Vec<&str> = at
+        .iter()
+        .copied()
+        .filter(|part| part.parse::<usize>().is_err())
+        .collect();
     if key.last() != Some(&name) {
         key.push(name);
     }
-    RULE.at(file, Place::Pointer(pointer(at)), message).key(key.join(" "))
+    RULE.at(file, Place::Pointer(pointer(at)), message)
+        .key(key.join(" "))
 }
 
 /// Marks the key: the value beside it is sound.
 fn at_key(finding: Finding, at: &[&str]) -> Finding {
-    Finding { place: Place::Key(pointer(at)), ..finding }
+    Finding {
+        place: Place::Key(pointer(at)),
+        ..finding
+    }
 }
 
 fn unknown_name(file: &FileFacts, at: &[&str], unknown: Unknown) -> Finding {
-    finding(file, at, unknown.message, &unknown.name).help(unknown.help).parts([&unknown.name])
+    finding(file, at, unknown.message, &unknown.name)
+        .help(unknown.help)
+        .parts([&unknown.name])
 }
 
 fn measures(file: &FileFacts, names: &Names<'_, '_>, settings: &BaseJson, out: &mut Vec<Finding>) {
-    for (purpose, pattern) in settings.measure.iter().filter(|(_, pattern)| pattern != NO_MEASURE) {
+    for (purpose, pattern) in settings
+        .measure
+        .iter()
+        .filter(|(_, pattern)| pattern != NO_MEASURE)
+    {
         let at = ["measure", purpose.as_str()];
         let slider = names.base.slider(pattern).map(|bound| bound.slider);
         out.extend(match (purpose.as_str(), slider) {
             ("size", Some(_)) => {
                 let message = format!("`size` names the slider `{pattern}`, expected `none`");
-                let finding = finding(file, &at, message, pattern).effect("does not show the height");
+                let finding =
+                    finding(file, &at, message, pattern).effect("does not show the height");
                 Some(finding.help("write `\"size\": \"none\"`"))
             }
             ("age", Some(slider)) if slider.display.is_none() => {
                 let message = format!("`age` names `{}`, which has no `display`", slider.key);
                 let effect = "crashes with `AttributeError` when it shows the size information";
                 let finding = finding(file, &at, message, pattern).level(Level::Error);
-                Some(finding.effect(effect).help("use the pattern of the slider that displays the age"))
+                Some(
+                    finding
+                        .effect(effect)
+                        .help("use the pattern of the slider that displays the age"),
+                )
             }
-            ("chest" | "waist" | "hips" | "underbust", Some(slider)) if slider.measure.is_none() => {
+            ("chest" | "waist" | "hips" | "underbust", Some(slider))
+                if slider.measure.is_none() =>
+            {
                 let message = format!("`{purpose}` names `{}`, which has no `measure`", slider.key);
-                let finding =
-                    finding(file, &at, message, pattern).effect("ignores the setting: the measure is not shown");
+                let finding = finding(file, &at, message, pattern)
+                    .effect("ignores the setting: the measure is not shown");
                 Some(finding.help("use the pattern of an entry with `measure`, or `none`"))
             }
             // Not a pattern is what `size` needs; other keys are read by nobody.
-            ("gender" | "age" | "chest" | "waist" | "hips" | "underbust", None) => {
-                names.pattern(pattern).map(|unknown| unknown_name(file, &at, unknown))
-            }
+            ("gender" | "age" | "chest" | "waist" | "hips" | "underbust", None) => names
+                .pattern(pattern)
+                .map(|unknown| unknown_name(file, &at, unknown)),
             _ => None,
         });
     }
@@ -109,23 +152,39 @@ fn randomizer(file: &FileFacts, names: &Names<'_, '_>, random: &Random, out: &mu
             continue;
         }
         for condition in conditions {
-            let Some(unknown) = names.entry(&condition.slider) else { continue };
+            let Some(unknown) = names.entry(&condition.slider) else {
+                continue;
+            };
             let at = ["random", "rules", key, &condition.slider];
-            let finding = unknown_name(file, &at, unknown).effect("always resets the slider of the rule to 0");
+            let finding = unknown_name(file, &at, unknown)
+                .effect("always resets the slider of the rule to 0");
             out.push(at_key(finding, &at));
         }
     }
 }
 
-fn random_group(file: &FileFacts, names: &Names<'_, '_>, group: &str, selected: bool) -> Option<Finding> {
+fn random_group(
+    file: &FileFacts,
+    names: &Names<'_, '_>,
+    group: &str,
+    selected: bool,
+) -> Option<Finding> {
     let at = ["random", "groups", group];
     if group.matches('|').count() < 2 {
-        return names.group(group).map(|unknown| at_key(unknown_name(file, &at, unknown), &at));
+        return names
+            .group(group)
+            .map(|unknown| at_key(unknown_name(file, &at, unknown), &at));
     }
     let message = format!("random group `{group}` has more than two parts");
-    let when = if selected { "at start, because the group is preselected" } else { "when the group is selected" };
+    let when = if selected {
+        "at start, because the group is preselected"
+    } else {
+        "when the group is selected"
+    };
     let effect = format!("crashes with `ValueError` {when}");
-    let finding = finding(file, &at, message, group).level(Level::Error).effect(effect);
+    let finding = finding(file, &at, message, group)
+        .level(Level::Error)
+        .effect(effect);
     Some(at_key(finding, &at).help("write `category` or `category|subcategory`"))
 }
 
@@ -135,9 +194,13 @@ fn nested(file: &FileFacts, group: &str, category: &str, selected: bool) -> Find
     let at = ["random", "groups", group];
     let finding = at_key(finding(file, &at, message, group), &at);
     let finding = if selected {
-        finding.level(Level::Error).effect("crashes with `AttributeError` at start, because both are preselected")
+        finding
+            .level(Level::Error)
+            .effect("crashes with `AttributeError` at start, because both are preselected")
     } else {
-        finding.effect("crashes with `AttributeError` when it makes a random character with both selected")
+        finding.effect(
+            "crashes with `AttributeError` when it makes a random character with both selected",
+        )
     };
     finding.help("keep either the category or its groups")
 }

@@ -12,24 +12,47 @@ use mhlint_repo::{Body, FileFacts};
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "rejects the file with a message"),
-        (Mpfb, "ignores the numbers of these channels: the joints do not turn"),
+        (
+            Mpfb,
+            "ignores the numbers of these channels: the joints do not turn",
+        ),
     ],
     levels: &[(Mpfb, Level::Warning)],
     docs: include_str!("channels.md").trim_ascii_end(),
-    ..RuleInfo::new("bvh-channels", Level::Error, "the channels of a BVH joint do not fit")
+    ..RuleInfo::new(
+        "bvh-channels",
+        Level::Error,
+        "the channels of a BVH joint do not fit",
+    )
 });
 
-const UNUSED: Case = &[(Makehuman2, Level::Warning, "ignores the numbers of these channels: the joints do not turn")];
+const UNUSED: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "ignores the numbers of these channels: the joints do not turn",
+)];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     imported::unknown_channels(&RULE, body, out);
     for (file, motion) in &body.motions {
-        out.extend(motion.fault.as_ref().and_then(|fault| miscounted(file, fault)));
+        out.extend(
+            motion
+                .fault
+                .as_ref()
+                .and_then(|fault| miscounted(file, fault)),
+        );
         out.extend(unknown(file, motion));
     }
 }
 
-const CHANNELS: [&str; 6] = ["Xposition", "Yposition", "Zposition", "Xrotation", "Yrotation", "Zrotation"];
+const CHANNELS: [&str; 6] = [
+    "Xposition",
+    "Yposition",
+    "Zposition",
+    "Xrotation",
+    "Yrotation",
+    "Zrotation",
+];
 
 fn miscounted(file: &FileFacts, fault: &Fault) -> Option<Finding> {
     let (message, help) = match fault.kind {
@@ -37,17 +60,29 @@ fn miscounted(file: &FileFacts, fault: &Fault) -> Option<Finding> {
             "the joint has no channels".to_owned(),
             "export the motion again with rotations for every joint".to_owned(),
         ),
-        FaultKind::ChannelsNotWhole(ref word) => {
-            (format!("`CHANNELS {word}` is not a whole number"), "write the number of channels".to_owned())
-        }
+        FaultKind::ChannelsNotWhole(ref word) => (
+            format!("`CHANNELS {word}` is not a whole number"),
+            "write the number of channels".to_owned(),
+        ),
         FaultKind::Channels(announced, listed) => {
             let message = format!("`CHANNELS {announced}`, but {} listed", are(listed));
-            (message, format!("write `CHANNELS {listed}`, and a number for each channel in every frame"))
+            (
+                message,
+                format!("write `CHANNELS {listed}`, and a number for each channel in every frame"),
+            )
         }
         _ => return None,
     };
-    let case = if matches!(fault.kind, FaultKind::ChannelsNotWhole(_)) { VALUE } else { REJECTED };
-    Some(RULE.at(file, Place::Line(fault.line), message).case(case).help(help))
+    let case = if matches!(fault.kind, FaultKind::ChannelsNotWhole(_)) {
+        VALUE
+    } else {
+        REJECTED
+    };
+    Some(
+        RULE.at(file, Place::Line(fault.line), message)
+            .case(case)
+            .help(help),
+    )
 }
 
 fn are(channels: usize) -> String {
@@ -60,14 +95,28 @@ fn unknown(file: &FileFacts, motion: &Motion) -> Option<Finding> {
     let (line, first) = unknown.first.first().zip(motion.first_unknown.as_deref())?;
     let message = match unknown.count {
         1 => format!("`{first}` is not the name of a channel"),
-        count => format!("{count} of {} channel names are unknown, first `{first}`", motion.channels),
+        count => format!(
+            "{count} of {} channel names are unknown, first `{first}`",
+            motion.channels
+        ),
     };
-    let finding = RULE.at(file, Place::Line(*line), message).case(UNUSED).key("unknown");
+    let finding = RULE
+        .at(file, Place::Line(*line), message)
+        .case(UNUSED)
+        .key("unknown");
     let evidence = unknown.evidence();
-    let meant = CHANNELS.into_iter().find(|known| known.eq_ignore_ascii_case(first));
+    let meant = CHANNELS
+        .into_iter()
+        .find(|known| known.eq_ignore_ascii_case(first));
     let help = match meant {
         Some(known) => format!("write `{known}`, with these capitals"),
-        None => "use the names `Xposition` to `Zposition` and `Xrotation` to `Zrotation`".to_owned(),
+        None => {
+            "use the names `Xposition` to `Zposition` and `Xrotation` to `Zrotation`".to_owned()
+        }
     };
-    Some(finding.help(help).evidence(evidence.out_of(motion.channels)))
+    Some(
+        finding
+            .help(help)
+            .evidence(evidence.out_of(motion.channels)),
+    )
 }

@@ -13,11 +13,18 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "uses only the angles of the last joint of that name"),
+        (
+            Makehuman2,
+            "uses only the angles of the last joint of that name",
+        ),
         (Mpfb, "uses only the angles of the last joint of that name"),
     ],
     docs: include_str!("duplicate_joint.md").trim_ascii_end(),
-    ..RuleInfo::new("bvh-duplicate-joint", Level::Warning, "two joints of a BVH file have the same name")
+    ..RuleInfo::new(
+        "bvh-duplicate-joint",
+        Level::Warning,
+        "two joints of a BVH file have the same name",
+    )
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -31,16 +38,28 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 None => drop(first.insert(&joint.name, joint)),
             }
         }
-        let Some((before, joint)) = again.first() else { continue };
+        let Some((before, joint)) = again.first() else {
+            continue;
+        };
         let message = match again.len() {
             1 => format!("joint `{}` appears twice", joint.name),
-            count => format!("{count} joints have the name of an earlier one, first `{}`", joint.name),
+            count => format!(
+                "{count} joints have the name of an earlier one, first `{}`",
+                joint.name
+            ),
         };
         let evidence = Evidence::of_cases(again.iter().map(|(_, joint)| joint.name.to_string()));
         let finding = RULE.at(file, Place::Span(joint.span.clone()), message);
-        let finding =
-            finding.related(file.path.clone(), Place::Span(before.span.clone()), "the first joint of that name");
+        let finding = finding.related(
+            file.path.clone(),
+            Place::Span(before.span.clone()),
+            "the first joint of that name",
+        );
         let help = "give every joint the name of its bone";
-        out.push(finding.help(help).evidence(evidence.out_of(motion.joints.len())));
+        out.push(
+            finding
+                .help(help)
+                .evidence(evidence.out_of(motion.joints.len())),
+        );
     }
 }

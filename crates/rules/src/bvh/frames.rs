@@ -12,17 +12,38 @@ use mhlint_repo::{Body, FileFacts};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "crashes with `IndexError` when the pose is chosen"),
-        (Makehuman1, "does not show the pose: `RuntimeError` when it reads the file"),
-        (Mpfb, "lists the pose, and rejects the file with a message when it is chosen"),
+        (
+            Makehuman2,
+            "crashes with `IndexError` when the pose is chosen",
+        ),
+        (
+            Makehuman1,
+            "does not show the pose: `RuntimeError` when it reads the file",
+        ),
+        (
+            Mpfb,
+            "lists the pose, and rejects the file with a message when it is chosen",
+        ),
     ],
     docs: include_str!("frames.md").trim_ascii_end(),
-    ..RuleInfo::new("bvh-frames", Level::Error, "the frames of a BVH file do not fit its header")
+    ..RuleInfo::new(
+        "bvh-frames",
+        Level::Error,
+        "the frames of a BVH file do not fit its header",
+    )
 });
 
 const NOT_SHOWN: Case = &[
-    (Makehuman2, Level::Error, "crashes with `IndexError` when the pose is shown or exported"),
-    (Makehuman1, Level::Error, "does not show the pose: `ZeroDivisionError`"),
+    (
+        Makehuman2,
+        Level::Error,
+        "crashes with `IndexError` when the pose is shown or exported",
+    ),
+    (
+        Makehuman1,
+        Level::Error,
+        "does not show the pose: `ZeroDivisionError`",
+    ),
 ];
 
 const FRAMES_IGNORED: Case = &[
@@ -30,15 +51,31 @@ const FRAMES_IGNORED: Case = &[
     (Makehuman1, Level::Warning, "ignores the extra frames"),
 ];
 const NUMBERS_IGNORED: Case = &[
-    (Makehuman2, Level::Warning, "ignores the extra numbers at the end of the line"),
-    (Makehuman1, Level::Warning, "ignores the extra numbers at the end of the line"),
+    (
+        Makehuman2,
+        Level::Warning,
+        "ignores the extra numbers at the end of the line",
+    ),
+    (
+        Makehuman1,
+        Level::Warning,
+        "ignores the extra numbers at the end of the line",
+    ),
 ];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     imported::faults(&RULE, About::Frames, body, out);
     for (file, motion) in &body.motions {
-        let stops = motion.fault.as_ref().and_then(|fault| at_fault(file, motion, fault));
-        out.extend(stops.into_iter().chain(timeless(body, file, motion)).map(|one| of_units(body, file, one)));
+        let stops = motion
+            .fault
+            .as_ref()
+            .and_then(|fault| at_fault(file, motion, fault));
+        out.extend(
+            stops
+                .into_iter()
+                .chain(timeless(body, file, motion))
+                .map(|one| of_units(body, file, one)),
+        );
         out.extend(surplus_frames(file, motion));
         out.extend(surplus_numbers(file, motion));
     }
@@ -47,40 +84,73 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn at_fault(file: &FileFacts, motion: &Motion, fault: &Fault) -> Option<Finding> {
     let (message, case, help) = words(motion, fault)?;
     // What is missing at the end is told where it is announced.
-    let announced = motion.frames.as_ref().filter(|_| matches!(fault.kind, FaultKind::TooFew));
+    let announced = motion
+        .frames
+        .as_ref()
+        .filter(|_| matches!(fault.kind, FaultKind::TooFew));
     let line = announced.map_or(fault.line, |(_, line)| *line);
-    Some(RULE.at(file, Place::Line(line), message).case(case).help(help))
+    Some(
+        RULE.at(file, Place::Line(line), message)
+            .case(case)
+            .help(help),
+    )
 }
 
 /// Message, consequence and help.
 fn words(motion: &Motion, fault: &Fault) -> Option<(String, Case, String)> {
     let again = || "export the motion again, or correct the line".to_owned();
     Some(match &fault.kind {
-        FaultKind::NotWhole(word) => {
-            (format!("`Frames: {word}` is not a whole number"), VALUE, "write the number of frames".to_owned())
-        }
-        FaultKind::NoFrames(0) => ("`Frames: 0`: the motion has no frames".to_owned(), NOT_SHOWN, again()),
+        FaultKind::NotWhole(word) => (
+            format!("`Frames: {word}` is not a whole number"),
+            VALUE,
+            "write the number of frames".to_owned(),
+        ),
+        FaultKind::NoFrames(0) => (
+            "`Frames: 0`: the motion has no frames".to_owned(),
+            NOT_SHOWN,
+            again(),
+        ),
         FaultKind::NoFrames(count) => (format!("`Frames: {count}` is negative"), VALUE, again()),
         FaultKind::TooFew => {
             let ((announced, _), there) = (motion.frames.as_ref()?, motion.frames_there);
             let help = format!("write `Frames: {there}`, or add the missing frames");
-            (format!("`Frames: {announced}`, but the file has {}", counted(there, "frame")), INDEX, help)
+            (
+                format!(
+                    "`Frames: {announced}`, but the file has {}",
+                    counted(there, "frame")
+                ),
+                INDEX,
+                help,
+            )
         }
-        FaultKind::BlankFrame => {
-            ("blank line between the frames".to_owned(), INDEX, "remove the blank line".to_owned())
-        }
+        FaultKind::BlankFrame => (
+            "blank line between the frames".to_owned(),
+            INDEX,
+            "remove the blank line".to_owned(),
+        ),
         FaultKind::ShortFrame(there, needed) => (
-            format!("the frame has {}, but the joints have {needed} channels", counted(there, "number")),
+            format!(
+                "the frame has {}, but the joints have {needed} channels",
+                counted(there, "number")
+            ),
             INDEX,
             again(),
         ),
-        FaultKind::WordInFrame(word) => (format!("`{word}` in a frame is not a number"), VALUE, number(word)),
-        FaultKind::NotANumber(of, word) if fault.kind.is_of_frames() => {
-            (format!("`{word}` of {of} is not a number"), VALUE, number(word))
-        }
-        FaultKind::Missing(of) if fault.kind.is_of_frames() => {
-            (format!("{of} has no value"), INDEX, format!("write a number after {of}"))
-        }
+        FaultKind::WordInFrame(word) => (
+            format!("`{word}` in a frame is not a number"),
+            VALUE,
+            number(word),
+        ),
+        FaultKind::NotANumber(of, word) if fault.kind.is_of_frames() => (
+            format!("`{word}` of {of} is not a number"),
+            VALUE,
+            number(word),
+        ),
+        FaultKind::Missing(of) if fault.kind.is_of_frames() => (
+            format!("{of} has no value"),
+            INDEX,
+            format!("write a number after {of}"),
+        ),
         _ => return None,
     })
 }
@@ -88,7 +158,11 @@ fn words(motion: &Motion, fault: &Fault) -> Option<(String, Case, String)> {
 /// What to write in place of a word.
 fn number(word: &str) -> String {
     match word.split_once(',') {
-        Some((whole, part)) if [whole, part].iter().all(|digits| digits.parse::<i64>().is_ok()) => {
+        Some((whole, part))
+            if [whole, part]
+                .iter()
+                .all(|digits| digits.parse::<i64>().is_ok()) =>
+        {
             format!("write `{whole}.{part}`")
         }
         _ => "replace it with a number, or export the motion again".to_owned(),
@@ -97,23 +171,50 @@ fn number(word: &str) -> String {
 
 /// Of motions without time `MakeHuman` 1 divides by that.
 fn timeless(body: &Body<'_>, file: &FileFacts, motion: &Motion) -> Option<Finding> {
-    let line = motion.timeless.filter(|_| motion.fault.is_none() && body.is_makehuman1())?;
-    let finding = RULE.at(file, Place::Line(line), "`Frame Time: 0`: no time between the frames").case(NOT_SHOWN);
-    Some(finding.key("time").help("write the time of a frame in seconds, such as `Frame Time: 0.041667`"))
+    let line = motion
+        .timeless
+        .filter(|_| motion.fault.is_none() && body.is_makehuman1())?;
+    let finding = RULE
+        .at(
+            file,
+            Place::Line(line),
+            "`Frame Time: 0`: no time between the frames",
+        )
+        .case(NOT_SHOWN);
+    Some(
+        finding
+            .key("time")
+            .help("write the time of a frame in seconds, such as `Frame Time: 0.041667`"),
+    )
 }
 
 fn surplus_frames(file: &FileFacts, motion: &Motion) -> Option<Finding> {
-    let (announced, line) = motion.frames.as_ref().filter(|_| motion.surplus_frames > 0)?;
+    let (announced, line) = motion
+        .frames
+        .as_ref()
+        .filter(|_| motion.surplus_frames > 0)?;
     let there = motion.frames_there;
     let message = format!("`Frames: {announced}`, but the file has {there} frames");
-    let finding = RULE.at(file, Place::Line(*line), message).key("surplus").case(FRAMES_IGNORED);
-    Some(finding.help(format!("write `Frames: {there}`, or remove the extra lines")))
+    let finding = RULE
+        .at(file, Place::Line(*line), message)
+        .key("surplus")
+        .case(FRAMES_IGNORED);
+    Some(finding.help(format!(
+        "write `Frames: {there}`, or remove the extra lines"
+    )))
 }
 
 fn surplus_numbers(file: &FileFacts, motion: &Motion) -> Option<Finding> {
     let line = *motion.surplus_numbers.first.first()?;
-    let message = format!("a frame has more numbers than the joints have channels ({})", motion.channels);
+    let message = format!(
+        "a frame has more numbers than the joints have channels ({})",
+        motion.channels
+    );
     let evidence = motion.surplus_numbers.evidence();
-    let finding = RULE.at(file, Place::Line(line), message).key("numbers").case(NUMBERS_IGNORED).evidence(evidence);
+    let finding = RULE
+        .at(file, Place::Line(line), message)
+        .key("numbers")
+        .case(NUMBERS_IGNORED)
+        .evidence(evidence);
     Some(finding.help("remove them, or add the missing channels to the joints"))
 }

@@ -6,13 +6,22 @@ use super::super::{Check, Rule, RuleCx};
 use super::{checked, place};
 use mhlint_diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
 use mhlint_discover::extension;
-use mhlint_repo::mpfb::{LONGEST, LONGEST_SECTION, LONGEST_SECTION_WITH_SLIDERS, UserTarget, View, identifiers};
+use mhlint_repo::mpfb::{
+    LONGEST, LONGEST_SECTION, LONGEST_SECTION_WITH_SLIDERS, UserTarget, View, identifiers,
+};
 use mhlint_repo::{FileFacts, parent};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
-    breaks: &[(Mpfb, "fails while the add-on is imported: MPFB cannot be enabled")],
+    breaks: &[(
+        Mpfb,
+        "fails while the add-on is imported: MPFB cannot be enabled",
+    )],
     docs: include_str!("breaks_start.md").trim_ascii_end(),
-    ..RuleInfo::new("catalog-breaks-start", Level::Error, "a name that keeps the add-on from starting")
+    ..RuleInfo::new(
+        "catalog-breaks-start",
+        Level::Error,
+        "a name that keeps the add-on from starting",
+    )
 });
 
 /// Letters of the path of an expression, below its folder.
@@ -23,19 +32,35 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut folders: BTreeMap<String, Vec<UserTarget<'_>>> = BTreeMap::new();
     for target in view.user_targets() {
         if refusal(&target.section, LONGEST_SECTION).is_some() {
-            folders.entry(parent(&target.file.rel).to_owned()).or_default().push(target);
+            folders
+                .entry(parent(&target.file.rel).to_owned())
+                .or_default()
+                .push(target);
         } else if target.identifier().chars().count() > LONGEST {
             out.push(too_long(&target));
         }
     }
-    out.extend(folders.iter().filter_map(|(folder, targets)| of_folder(view, folder, targets)));
+    out.extend(
+        folders
+            .iter()
+            .filter_map(|(folder, targets)| of_folder(view, folder, targets)),
+    );
     pictures(view, out);
-    let files = view.layers.checked.below("expressions").filter(|file| extension(&file.rel) == "json");
-    let is_long = |file: &&FileFacts| file.rel.chars().count() > LONGEST_EXPRESSION + "expressions/".len();
+    let files = view
+        .layers
+        .checked
+        .below("expressions")
+        .filter(|file| extension(&file.rel) == "json");
+    let is_long =
+        |file: &&FileFacts| file.rel.chars().count() > LONGEST_EXPRESSION + "expressions/".len();
     out.extend(files.filter(is_long).map(|file| {
         let length = file.rel.chars().count() - "expressions/".len();
-        let message = format!("the path below `expressions` has {length} letters, at most {LONGEST_EXPRESSION} fit");
-        RULE.at(file, Place::File, message).key("length").help("shorten the name of the file or of its folders")
+        let message = format!(
+            "the path below `expressions` has {length} letters, at most {LONGEST_EXPRESSION} fit"
+        );
+        RULE.at(file, Place::File, message)
+            .key("length")
+            .help("shorten the name of the file or of its folders")
     }));
 }
 
@@ -45,7 +70,9 @@ fn refusal(section: &str, longest: usize) -> Option<String> {
     let first = section.chars().next();
     if first.is_none_or(|first| !first.is_ascii_alphanumeric()) {
         let first = first.map_or_else(String::new, |first| first.to_string());
-        return Some(format!("begins with `{first}`, expected a letter from a to z or a digit"));
+        return Some(format!(
+            "begins with `{first}`, expected a letter from a to z or a digit"
+        ));
     }
     (length > longest).then(|| format!("has {length} letters, at most {longest} fit"))
 }
@@ -54,22 +81,39 @@ fn refusal(section: &str, longest: usize) -> Option<String> {
 fn sections(view: &View<'_>, out: &mut Vec<Finding>) {
     let Some(catalog) = checked(view) else { return };
     for section in &catalog.sliders.sections {
-        let longest = if section.categories.is_empty() { LONGEST_SECTION } else { LONGEST_SECTION_WITH_SLIDERS };
+        let longest = if section.categories.is_empty() {
+            LONGEST_SECTION
+        } else {
+            LONGEST_SECTION_WITH_SLIDERS
+        };
         if let Some(why) = refusal(&section.name, longest) {
             let message = format!("section `{}` {why}", section.name);
-            let finding = RULE.at(catalog.file, place(section, None, &[]), message).key(&section.name);
+            let finding = RULE
+                .at(catalog.file, place(section, None, &[]), message)
+                .key(&section.name);
             out.push(finding.help("rename the section and its folder"));
             continue;
         }
         for category in &section.categories {
-            let longest = identifiers(section, category).into_iter().map(|name| name.chars().count()).max();
+            let longest = identifiers(section, category)
+                .into_iter()
+                .map(|name| name.chars().count())
+                .max();
             if let Some(length) = longest.filter(|length| *length > LONGEST) {
                 let message = format!(
                     "`{}` has {length} letters together with its section, at most {LONGEST} fit",
                     category.name
                 );
-                let finding = RULE.at(catalog.file, place(section, Some(category), &["name"]), message);
-                out.push(finding.key(format!("{} {}", section.name, category.name)).help("shorten the name"));
+                let finding = RULE.at(
+                    catalog.file,
+                    place(section, Some(category), &["name"]),
+                    message,
+                );
+                out.push(
+                    finding
+                        .key(format!("{} {}", section.name, category.name))
+                        .help("shorten the name"),
+                );
             }
         }
     }
@@ -78,44 +122,93 @@ fn sections(view: &View<'_>, out: &mut Vec<Finding>) {
 fn too_long(target: &UserTarget<'_>) -> Finding {
     let fits = LONGEST.saturating_sub(target.section.chars().count() + 1);
     let length = target.name.chars().count();
-    let message = format!("the name has {length} letters, at most {fits} fit for a target in `{}`", target.section);
-    RULE.at(target.file, Place::File, message).key("length").help("shorten the name of the file")
+    let message = format!(
+        "the name has {length} letters, at most {fits} fit for a target in `{}`",
+        target.section
+    );
+    RULE.at(target.file, Place::File, message)
+        .key("length")
+        .help("shorten the name of the file")
 }
 
 fn of_folder(view: &View<'_>, folder: &str, targets: &[UserTarget<'_>]) -> Option<Finding> {
     let first = targets.first()?;
     let why = refusal(&first.section, LONGEST_SECTION)?;
-    let message = format!("folder `{}` with targets {why}", view.layers.checked.shown(folder));
-    let finding = RULE.at(first.file, Place::File, message).key(format!("folder {folder}"));
+    let message = format!(
+        "folder `{}` with targets {why}",
+        view.layers.checked.shown(folder)
+    );
+    let finding = RULE
+        .at(first.file, Place::File, message)
+        .key(format!("folder {folder}"));
     let finding = finding.parts_in(targets.iter().map(|one| (one.file.shown(), &one.file.path)));
-    let finding = finding.evidence(Evidence::of_cases(targets.iter().map(|one| one.file.shown())));
+    let finding = finding.evidence(Evidence::of_cases(
+        targets.iter().map(|one| one.file.shown()),
+    ));
     Some(finding.help("rename the folder, or remove it if it was left by another program"))
 }
 
 /// Pictures of one name: of the sliders that MPFB brings, and those beside users' targets.
 fn pictures(view: &View<'_>, out: &mut Vec<Finding>) {
     let mut known: BTreeMap<String, &FileFacts> = BTreeMap::new();
-    let of_system = view.layers.system.into_iter().flat_map(|layer| layer.below("targets/_images"));
-    let shipped = of_system.filter(|file| extension(&file.rel) == "png").map(|file| {
-        let stem = file.stem();
-        (stem.strip_prefix("l-").or_else(|| stem.strip_prefix("r-")).unwrap_or(stem).to_owned(), file)
-    });
+    let of_system = view
+        .layers
+        .system
+        .into_iter()
+        .flat_map(|layer| layer.below("targets/_images"));
+    let shipped = of_system
+        .filter(|file| extension(&file.rel) == "png")
+        .map(|file| {
+            let stem = file.stem();
+            (
+                stem.strip_prefix("l-")
+                    .or_else(|| stem.strip_prefix("r-"))
+                    .unwrap_or(stem)
+                    .to_owned(),
+                file,
+            )
+        });
     let checked = view.layers.checked;
-    let own = view.user_targets().filter(|target| target.file.rel.starts_with("targets/"));
+    let own = view
+        .user_targets()
+        .filter(|target| target.file.rel.starts_with("targets/"));
     let own = own.filter_map(|target| {
-        let beside = |suffix: &str| checked.file(&format!("{}/{}.{suffix}", parent(&target.file.rel), target.name));
-        Some((target.name.clone(), beside("thumb").or_else(|| beside("png"))?))
+        let beside = |suffix: &str| {
+            checked.file(&format!(
+                "{}/{}.{suffix}",
+                parent(&target.file.rel),
+                target.name
+            ))
+        };
+        Some((
+            target.name.clone(),
+            beside("thumb").or_else(|| beside("png"))?,
+        ))
     });
     for (name, file) in shipped.chain(own) {
-        let Some(other) = known.insert(name.clone(), file).filter(|other| !std::ptr::eq(*other, file)) else {
+        let Some(other) = known
+            .insert(name.clone(), file)
+            .filter(|other| !std::ptr::eq(*other, file))
+        else {
             continue;
         };
-        let (told, other) = if view.layers.is_checked(file) { (file, other) } else { (other, file) };
+        let (told, other) = if view.layers.is_checked(file) {
+            (file, other)
+        } else {
+            (other, file)
+        };
         if view.layers.is_checked(told) {
-            let message = format!("is a picture for `{name}`, as {} is", view.layers.named(other));
+            let message = format!(
+                "is a picture for `{name}`, as {} is",
+                view.layers.named(other)
+            );
             let finding = RULE.at(told, Place::File, message).key("picture");
             let finding = finding.related(other.path.clone(), Place::File, "the other picture");
-            out.push(finding.help("remove one of the pictures, or rename one of the targets with its picture"));
+            out.push(
+                finding.help(
+                    "remove one of the pictures, or rename one of the targets with its picture",
+                ),
+            );
         }
     }
 }

@@ -5,13 +5,18 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx, counted, such};
 use super::neighbours::Neighbours;
 use super::{checked, forgotten_ends, sliders};
-use mhlint_diag::{Application::Mpfb, Evidence, Finding, Grouped, Level, Place, RuleInfo, grouped, pointer, steps};
+use mhlint_diag::{
+    Application::Mpfb, Evidence, Finding, Grouped, Level, Place, RuleInfo, grouped, pointer, steps,
+};
 use mhlint_formats::target_catalog::Section;
 use mhlint_repo::mpfb::{Catalog, View};
 use mhlint_repo::{Reference, ReferenceKind, Resolution, parent};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
-    breaks: &[(Mpfb, "fails when the slider moves: the slider jumps back, and only the console shows why")],
+    breaks: &[(
+        Mpfb,
+        "fails when the slider moves: the slider jumps back, and only the console shows why",
+    )],
     docs: include_str!("missing_target.md").trim_ascii_end(),
     ..RuleInfo::new(
         "catalog-missing-target",
@@ -28,21 +33,39 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .filter(|(section, category)| forgotten_ends(&catalog, section, category).is_some())
         .map(|(_, category)| category.name.as_str())
         .collect();
-    let is_told = |one: &&Reference<'_>| one.kind == ReferenceKind::SliderName && forgotten.contains(one.owner);
+    let is_told = |one: &&Reference<'_>| {
+        one.kind == ReferenceKind::SliderName && forgotten.contains(one.owner)
+    };
     // What materials and assets name has rules of its own.
-    let is_lost =
-        |one: &&Reference<'_>| one.kind.is_target() && matches!(one.resolution, Resolution::Missing) && !is_told(one);
+    let is_lost = |one: &&Reference<'_>| {
+        one.kind.is_target() && matches!(one.resolution, Resolution::Missing) && !is_told(one)
+    };
     let missing = view.references.iter().filter(is_lost);
     let by_cause = grouped(missing.map(|reference| (cause(&catalog, reference), reference)));
     let by_cause = many_of_folder(by_cause);
-    out.extend(by_cause.into_iter().filter_map(|(cause, references)| told(&cause, &references, &neighbours)));
-    out.extend(catalog.sliders.sections.iter().filter_map(|section| leftovers(&catalog, section)));
+    out.extend(
+        by_cause
+            .into_iter()
+            .filter_map(|(cause, references)| told(&cause, &references, &neighbours)),
+    );
+    out.extend(
+        catalog
+            .sliders
+            .sections
+            .iter()
+            .filter_map(|section| leftovers(&catalog, section)),
+    );
 }
 
-/// What several references are missing for: a folder with nothing in it, a slider with empty slots, or one file.
+/// What several references are missing for: a folder with nothing in it, a slider with empty slots,
+/// or one file.
 fn cause(catalog: &Catalog<'_>, reference: &Reference<'_>) -> String {
     let folder = parent(&reference.rel);
-    if catalog.layer.below(folder).all(|file| parent(&file.rel) != folder) {
+    if catalog
+        .layer
+        .below(folder)
+        .all(|file| parent(&file.rel) != folder)
+    {
         folder.to_owned()
     } else if reference.text.is_empty() {
         reference.owner.to_owned()
@@ -55,63 +78,121 @@ fn cause(catalog: &Catalog<'_>, reference: &Reference<'_>) -> String {
 const MANY: usize = 4;
 
 /// Many files of one folder are one cause.
-fn many_of_folder<'r, 'a>(by_cause: Grouped<String, &'r Reference<'a>>) -> Grouped<String, &'r Reference<'a>> {
+fn many_of_folder<'r, 'a>(
+    by_cause: Grouped<String, &'r Reference<'a>>,
+) -> Grouped<String, &'r Reference<'a>> {
     let folder = |cause: &str, references: &[&Reference<'_>]| {
         let rel = &references.first()?.rel;
         (cause == rel).then(|| parent(rel).to_owned())
     };
-    let by_folder =
-        grouped(by_cause.iter().filter_map(|(cause, references)| Some((folder(cause, references)?, cause))));
-    let many: BTreeSet<String> =
-        by_folder.iter().filter(|(_, causes)| causes.len() >= MANY).map(|(folder, _)| format!("{folder}/")).collect();
+    let by_folder = grouped(
+        by_cause
+            .iter()
+            .filter_map(|(cause, references)| Some((folder(cause, references)?, cause))),
+    );
+    let many: BTreeSet<String> = by_folder
+        .iter()
+        .filter(|(_, causes)| causes.len() >= MANY)
+        .map(|(folder, _)| format!("{folder}/"))
+        .collect();
     let merged = by_cause.into_iter().flat_map(|(cause, references)| {
-        let folder = folder(&cause, &references).map(|folder| format!("{folder}/")).filter(|one| many.contains(one));
+        let folder = folder(&cause, &references)
+            .map(|folder| format!("{folder}/"))
+            .filter(|one| many.contains(one));
         let cause = folder.unwrap_or(cause);
         references.into_iter().map(move |one| (cause.clone(), one))
     });
     grouped(merged)
 }
 
-fn told(cause: &str, references: &[&Reference<'_>], neighbours: &Neighbours<'_, '_>) -> Option<Finding> {
+fn told(
+    cause: &str,
+    references: &[&Reference<'_>],
+    neighbours: &Neighbours<'_, '_>,
+) -> Option<Finding> {
     let (first, count) = (references.first()?, references.len());
     let owner = first.owner;
     let message = if let Some(folder) = cause.strip_suffix('/') {
         let files: BTreeSet<&str> = references.iter().map(|one| one.rel.as_str()).collect();
-        format!("{} targets of `{folder}` that sliders use do not exist, first `{}`", files.len(), first.text)
+        format!(
+            "{} targets of `{folder}` that sliders use do not exist, first `{}`",
+            files.len(),
+            first.text
+        )
     } else if cause == parent(&first.rel) {
-        format!("`{cause}` contains no targets, but sliders use {} from it", counted(count, "target"))
+        format!(
+            "`{cause}` contains no targets, but sliders use {} from it",
+            counted(count, "target")
+        )
     } else if first.text.is_empty() {
         let slot = slot_of(&first.place);
         let more = such(count, "slots");
         format!("`{slot}` of `{owner}` has no target{more}")
     } else if count > 1 {
-        format!("`{}` does not exist, but sliders use it {count} times", first.rel)
+        format!(
+            "`{}` does not exist, but sliders use it {count} times",
+            first.rel
+        )
     } else {
         format!("`{owner}` uses `{}`, which does not exist", first.rel)
     };
-    let finding = RULE.at(first.from, first.place.clone(), message).key(cause).help(neighbours.help(first));
-    Some(finding.evidence(Evidence::of_cases(references.iter().map(|one| format!("{} {}", one.owner, one.rel)))))
+    let finding = RULE
+        .at(first.from, first.place.clone(), message)
+        .key(cause)
+        .help(neighbours.help(first));
+    Some(
+        finding.evidence(Evidence::of_cases(
+            references
+                .iter()
+                .map(|one| format!("{} {}", one.owner, one.rel)),
+        )),
+    )
 }
 
 /// The key of a slot.
 fn slot_of(place: &Place) -> String {
-    let Place::Pointer(pointer) = place else { return String::new() };
+    let Place::Pointer(pointer) = place else {
+        return String::new();
+    };
     steps(pointer).last().unwrap_or_default()
 }
 
 /// Entries of `targets` that name no file and that no slider asks for.
 fn leftovers(catalog: &Catalog<'_>, section: &Section) -> Option<Finding> {
-    let slots = section.categories.iter().flat_map(|category| category.slots.iter().flatten());
+    let slots = section
+        .categories
+        .iter()
+        .flat_map(|category| category.slots.iter().flatten());
     let asked: BTreeSet<&str> = slots.map(|slot| slot.stem.as_str()).collect();
-    let simple = section.categories.iter().filter(|category| category.slots.is_none());
-    let named: BTreeSet<String> =
-        simple.flat_map(|one| one.sides().iter().map(move |side| format!("{side}{}", one.name))).collect();
-    let is_left =
-        |name: &str| !asked.contains(name) && !named.contains(name) && catalog.target(&section.name, name).is_none();
-    let entries = section.categories.iter().flat_map(|one| one.targets.iter().map(move |(at, name)| (one, at, name)));
+    let simple = section
+        .categories
+        .iter()
+        .filter(|category| category.slots.is_none());
+    let named: BTreeSet<String> = simple
+        .flat_map(|one| {
+            one.sides()
+                .iter()
+                .map(move |side| format!("{side}{}", one.name))
+        })
+        .collect();
+    let is_left = |name: &str| {
+        !asked.contains(name)
+            && !named.contains(name)
+            && catalog.target(&section.name, name).is_none()
+    };
+    let entries = section
+        .categories
+        .iter()
+        .flat_map(|one| one.targets.iter().map(move |(at, name)| (one, at, name)));
     let left: Vec<_> = entries.filter(|(_, _, name)| is_left(name)).collect();
     let (category, at, name) = left.first()?;
-    let place = [section.name.as_str(), "categories", &category.index.to_string(), "targets", &at.to_string()];
+    let place = [
+        section.name.as_str(),
+        "categories",
+        &category.index.to_string(),
+        "targets",
+        &at.to_string(),
+    ];
     let message = match left.len() {
         1 => format!("`targets` lists `{name}`, which does not exist and is not used by a slider"),
         many => format!(
@@ -119,12 +200,19 @@ fn leftovers(catalog: &Catalog<'_>, section: &Section) -> Option<Finding> {
             section.name
         ),
     };
-    let finding =
-        RULE.at(catalog.file, Place::Pointer(pointer(&place)), message).key(format!("{} targets", section.name));
-    let finding = finding.level(Level::Info).effect("ignores the entry: it finds targets by slots and names");
+    let finding = RULE
+        .at(catalog.file, Place::Pointer(pointer(&place)), message)
+        .key(format!("{} targets", section.name));
+    let finding = finding
+        .level(Level::Info)
+        .effect("ignores the entry: it finds targets by slots and names");
     Some(
         finding
-            .help(if left.len() == 1 { "remove the entry" } else { "remove the entries" })
+            .help(if left.len() == 1 {
+                "remove the entry"
+            } else {
+                "remove the entries"
+            })
             .evidence(Evidence::of_cases(left.iter().map(|(.., name)| name))),
     )
 }

@@ -9,7 +9,8 @@ use mhlint_repo::{FileFacts, Reference, ReferenceKind, parent};
 /// Files that a missing one may be meant to be.
 pub(super) struct Neighbours<'v, 'a> {
     catalog: &'v Catalog<'a>,
-    /// Paths of the targets that a slider asks for. They are not meant: the other end of a slider has nearly the same name.
+    /// Paths of the targets that a slider asks for. They are not meant: the other end of a slider
+    /// has nearly the same name.
     used: BTreeSet<&'a str>,
     /// The targets by their names.
     by_name: BTreeMap<&'a str, &'a FileFacts>,
@@ -18,23 +19,45 @@ pub(super) struct Neighbours<'v, 'a> {
 
 impl<'v, 'a> Neighbours<'v, 'a> {
     pub(super) fn of(view: &View<'a>, catalog: &'v Catalog<'a>) -> Self {
-        let used = view.references.iter().filter_map(Reference::found).map(|file| file.path.as_str()).collect();
-        let targets = catalog.layer.below("targets").filter(|file| !is_custom(&file.rel));
+        let used = view
+            .references
+            .iter()
+            .filter_map(Reference::found)
+            .map(|file| file.path.as_str())
+            .collect();
+        let targets = catalog
+            .layer
+            .below("targets")
+            .filter(|file| !is_custom(&file.rel));
         let by_name = targets.map(|file| (stem(file.file_name()), file)).collect();
-        Self { catalog, used, by_name, suggestions: Suggestions::default() }
+        Self {
+            catalog,
+            used,
+            by_name,
+            suggestions: Suggestions::default(),
+        }
     }
 
     /// What to do about a missing one.
     pub(super) fn help(&self, reference: &Reference<'_>) -> String {
         let text = reference.text;
-        let plain = reference.rel.strip_suffix(".gz").and_then(|plain| self.catalog.layer.file(plain));
-        let stem = text.strip_suffix(".gz").unwrap_or(text).strip_suffix(".target");
+        let plain = reference
+            .rel
+            .strip_suffix(".gz")
+            .and_then(|plain| self.catalog.layer.file(plain));
+        let stem = text
+            .strip_suffix(".gz")
+            .unwrap_or(text)
+            .strip_suffix(".target");
         if text.is_empty() {
             "name the target of each end that the slider has".to_owned()
         } else if let Some(stem) = stem {
             format!("remove the suffix: write `{stem}`")
         } else if let Some(plain) = plain.filter(|_| reference.kind == ReferenceKind::Slot) {
-            format!("pack `{}` with gzip: a slider with `opposites` loads only `.target.gz`", plain.file_name())
+            format!(
+                "pack `{}` with gzip: a slider with `opposites` loads only `.target.gz`",
+                plain.file_name()
+            )
         } else if let Some(other) = self.elsewhere(reference) {
             format!(
                 "move it from `{}` to `{}`, or copy it if something else uses it",
@@ -51,21 +74,31 @@ impl<'v, 'a> Neighbours<'v, 'a> {
     /// Path of the target that a missing one is likely to be, as `help` says.
     pub(super) fn meant(&self, reference: &Reference<'_>) -> Option<String> {
         let folder = parent(&reference.rel);
-        let near = || self.nearest(reference).map(|near| format!("{folder}/{near}.target.gz"));
-        self.elsewhere(reference).map(|file| file.rel.clone()).or_else(near)
+        let near = || {
+            self.nearest(reference)
+                .map(|near| format!("{folder}/{near}.target.gz"))
+        };
+        self.elsewhere(reference)
+            .map(|file| file.rel.clone())
+            .or_else(near)
     }
 
     /// The target of this name in another section.
     fn elsewhere(&self, reference: &Reference<'_>) -> Option<&'a FileFacts> {
-        self.by_name.get(stem(reference.rel.rsplit('/').next()?)).copied()
+        self.by_name
+            .get(stem(reference.rel.rsplit('/').next()?))
+            .copied()
     }
 
     /// The target beside it that is most like it.
     fn nearest(&self, reference: &Reference<'_>) -> Option<&'a str> {
         let files = self.catalog.layer.below(parent(&reference.rel));
-        let free = files.filter(|file| !self.used.contains(file.path.as_str())).map(FileFacts::file_name);
+        let free = files
+            .filter(|file| !self.used.contains(file.path.as_str()))
+            .map(FileFacts::file_name);
         let free = free.filter(|name| stem(name) != *name);
-        self.suggestions.nearest(stem(reference.rel.rsplit('/').next()?), free.map(stem))
+        self.suggestions
+            .nearest(stem(reference.rel.rsplit('/').next()?), free.map(stem))
     }
 }
 

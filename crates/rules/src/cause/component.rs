@@ -1,4 +1,5 @@
-//! Components of `macro.json` with faults of their own: what is made of their values follows from them.
+//! Components of `macro.json` with faults of their own: what is made of their values follows from
+//! them.
 
 use super::schema::is_sound;
 use mhlint_diag::pointer;
@@ -21,7 +22,12 @@ pub(crate) fn is_even(component: &Component) -> bool {
 
 /// Whether a step is `NaN` or infinite and `json-syntax` says so.
 pub(crate) fn has_special_step(file: &FileFacts, component: &Component) -> bool {
-    !file.json.specials.is_empty() && component.steps.iter().flatten().any(|step| !step.is_finite())
+    !file.json.specials.is_empty()
+        && component
+            .steps
+            .iter()
+            .flatten()
+            .any(|step| !step.is_finite())
 }
 
 /// Whether the steps of a component are as they must be, so that no other rule speaks of them.
@@ -36,7 +42,9 @@ pub(crate) fn has_sound_steps(component: &Component) -> bool {
 
 /// Patterns of sliders that a component names, whatever else is wrong with it.
 pub(crate) fn named_patterns(component: &Component) -> Vec<String> {
-    let Some(own) = &component.pattern else { return Vec::new() };
+    let Some(own) = &component.pattern else {
+        return Vec::new();
+    };
     match (&component.steps, &component.sum) {
         (None, Some(sum)) => sum.iter().map(|end| format!("{own}{end}")).collect(),
         _ => vec![own.clone()],
@@ -45,7 +53,9 @@ pub(crate) fn named_patterns(component: &Component) -> Vec<String> {
 
 /// Patterns under which a component reads sliders. A third entry of `sum` is the last that is read.
 pub(crate) fn patterns(component: &Component) -> Vec<String> {
-    let Some(pattern) = &component.pattern else { return Vec::new() };
+    let Some(pattern) = &component.pattern else {
+        return Vec::new();
+    };
     match (&component.steps, &component.sum) {
         (Some(_), _) => vec![pattern.clone()],
         (None, Some(sum)) => {

@@ -7,11 +7,14 @@ use mhlint_repo::{FileFacts, View, parent};
 
 /// Whether two assets and all that they name have the same content.
 pub(crate) fn is_copy(view: &makehuman2::View<'_>, one: &Asset<'_>, other: &Asset<'_>) -> bool {
-    let is_same =
-        |one: &FileFacts, other: &FileFacts| one.content_hash.is_some() && one.content_hash == other.content_hash;
+    let is_same = |one: &FileFacts, other: &FileFacts| {
+        one.content_hash.is_some() && one.content_hash == other.content_hash
+    };
     let parts = |asset: &Asset<'_>| -> Vec<_> {
         let named = view.worn_references(asset.file).into_iter().flatten();
-        named.map(|reference| (reference.kind, reference.meant())).collect()
+        named
+            .map(|reference| (reference.kind, reference.meant()))
+            .collect()
     };
     let pairs = || parts(one).into_iter().zip(parts(other));
     is_same(one.file, other.file)
@@ -21,16 +24,25 @@ pub(crate) fn is_copy(view: &makehuman2::View<'_>, one: &Asset<'_>, other: &Asse
         })
 }
 
-/// Folders of assets that are known by the same, each with the number of its clash: a folder was copied.
+/// Folders of assets that are known by the same, each with the number of its clash: a folder was
+/// copied.
 pub(crate) struct CopiedFolders<'a>(BTreeMap<&'a str, usize>);
 
 impl<'a> CopiedFolders<'a> {
     pub(crate) fn of(view: &'a View<'_>) -> Self {
-        let View::Makehuman2(view) = view else { return Self(BTreeMap::new()) };
-        let clashes = view.library.bases().into_iter().flat_map(|base| view.library.clashes(base));
-        let folders = (0..)
-            .zip(clashes)
-            .flat_map(|(number, clash)| clash.into_iter().map(move |asset| (parent(asset.file.rel.as_str()), number)));
+        let View::Makehuman2(view) = view else {
+            return Self(BTreeMap::new());
+        };
+        let clashes = view
+            .library
+            .bases()
+            .into_iter()
+            .flat_map(|base| view.library.clashes(base));
+        let folders = (0..).zip(clashes).flat_map(|(number, clash)| {
+            clash
+                .into_iter()
+                .map(move |asset| (parent(asset.file.rel.as_str()), number))
+        });
         Self(folders.collect())
     }
 
@@ -38,7 +50,9 @@ impl<'a> CopiedFolders<'a> {
     pub(crate) fn hold(&self, files: &[&FileFacts]) -> bool {
         let number = |file: &FileFacts| {
             let above = std::iter::successors(Some(parent(&file.rel)), |path| Some(parent(path)));
-            above.take_while(|path| !path.is_empty()).find_map(|folder| self.0.get(folder).copied())
+            above
+                .take_while(|path| !path.is_empty())
+                .find_map(|folder| self.0.get(folder).copied())
         };
         let mut numbers = files.iter().map(|file| number(file));
         let first = numbers.next().flatten();

@@ -13,8 +13,15 @@ pub(crate) struct Groups<'a> {
 /// Those of a rig of MPFB that has bones.
 pub(crate) fn of(file: &FileFacts) -> Option<Groups<'_>> {
     let rig = file.rig().filter(|rig| !rig.bones.is_empty())?;
-    let bones = rig.bones.iter().map(|bone| Taker { name: &bone.name, parent: bone.parent.as_deref(), deforms: true });
-    Some(Groups { rig, takers: Takers::new(bones, rig.extra_bones.iter().map(String::as_str)) })
+    let bones = rig.bones.iter().map(|bone| Taker {
+        name: &bone.name,
+        parent: bone.parent.as_deref(),
+        deforms: true,
+    });
+    Some(Groups {
+        rig,
+        takers: Takers::new(bones, rig.extra_bones.iter().map(String::as_str)),
+    })
 }
 
 impl<'a> Groups<'a> {

@@ -1,4 +1,5 @@
-//! What other rules keep quiet for, because a finding already names the cause; and what a damaged file leads to.
+//! What other rules keep quiet for, because a finding already names the cause; and what a damaged
+//! file leads to.
 //!
 //! Predicates are named after facts, not after rules. What only one rule asks stands in its file.
 

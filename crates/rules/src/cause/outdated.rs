@@ -1,5 +1,6 @@
-//! Files in a format of an older version, which `library-old-format` reports by the folder: everything else that is wrong
-//! with them follows from that (`docs/loaders/versions.md#formats-that-are-gone`).
+//! Files in a format of an older version, which `library-old-format` reports by the folder:
+//! everything else that is wrong with them follows from that
+//! (`docs/loaders/versions.md#formats-that-are-gone`).
 
 use std::collections::BTreeMap;
 
@@ -18,7 +19,9 @@ pub(crate) fn outdated(view: &View<'_>, file: &FileFacts) -> Option<Outdated> {
             let named = file.target().and_then(|facts| facts.basemesh.as_ref());
             named.is_none_or(|(_, named)| file.base_in(view.application()) != Some(named))
         }
-        Kind::Json | Kind::CustomRig => matches!(file.rel.split('/').next(), Some("rigs" | "vertexgroups")),
+        Kind::Json | Kind::CustomRig => {
+            matches!(file.rel.split('/').next(), Some("rigs" | "vertexgroups"))
+        }
         _ => false,
     };
     is_own.then_some(found)
@@ -32,11 +35,13 @@ pub(crate) fn is_outdated(file: &FileFacts) -> bool {
 /// Takes away what follows from an old format.
 pub fn drop_outdated(view: &View<'_>, findings: &mut Vec<Finding>) {
     let files = view.layers().checked.files.values();
-    let old: BTreeMap<&str, Outdated> =
-        files.filter_map(|file| Some((file.path.as_str(), outdated(view, file)?))).collect();
+    let old: BTreeMap<&str, Outdated> = files
+        .filter_map(|file| Some((file.path.as_str(), outdated(view, file)?)))
+        .collect();
     if !old.is_empty() {
         let follows = |finding: &Finding| {
-            old.get(finding.path.as_str()).is_some_and(|outdated| follows_from(*outdated, finding.rule))
+            old.get(finding.path.as_str())
+                .is_some_and(|outdated| follows_from(*outdated, finding.rule))
         };
         findings.retain(|finding| !follows(finding));
     }
@@ -57,9 +62,12 @@ fn follows_from(outdated: Outdated, rule: &str) -> bool {
     if matches!(outdated, Outdated::Target(_)) {
         return OF_SHAPE.contains(&rule);
     }
-    // That it can be read at all, what it does to others, and how it came here do not depend on its format.
-    let is_apart =
-        ["archive-", "pack-", "scene-", "config-", "baseline-"].iter().any(|family| rule.starts_with(family));
-    let is_of_file = rule.starts_with("file-") && !matches!(rule, "file-empty" | "file-unreferenced");
+    // That it can be read at all, what it does to others, and how it came here do not depend on its
+    // format.
+    let is_apart = ["archive-", "pack-", "scene-", "config-", "baseline-"]
+        .iter()
+        .any(|family| rule.starts_with(family));
+    let is_of_file =
+        rule.starts_with("file-") && !matches!(rule, "file-empty" | "file-unreferenced");
     !(is_apart || is_of_file || matches!(rule, "library-old-format" | "library-scan-crash"))
 }

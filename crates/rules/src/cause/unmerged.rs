@@ -1,4 +1,5 @@
-//! Files with both sides of a merge in them, which `file-merge-conflict` reports: what single lines do follows from that.
+//! Files with both sides of a merge in them, which `file-merge-conflict` reports: what single lines
+//! do follows from that.
 
 use std::collections::BTreeMap;
 
@@ -6,7 +7,8 @@ use mhlint_diag::{Break, Finding};
 
 const CAUSE: &str = "file-merge-conflict";
 
-/// What is found where a line is no line of the format, or is there twice. What else is wrong with a file stays.
+/// What is found where a line is no line of the format, or is there twice. What else is wrong with
+/// a file stays.
 const OF_LINES: [&str; 19] = [
     "proxy-keyword-after-verts",
     "proxy-keyword-spelling",
@@ -29,17 +31,29 @@ const OF_LINES: [&str; 19] = [
     "bvh-frames",
 ];
 
-/// Takes away what follows from a merge conflict in the same file, and gives the conflict the worst of its consequences.
+/// Takes away what follows from a merge conflict in the same file, and gives the conflict the worst
+/// of its consequences.
 pub fn drop_unmerged(findings: &mut Vec<Finding>) {
-    let mut worst: BTreeMap<String, Vec<Break>> =
-        findings.iter().filter(|one| one.rule == CAUSE).map(|one| (one.path.clone(), one.breaks.clone())).collect();
+    let mut worst: BTreeMap<String, Vec<Break>> = findings
+        .iter()
+        .filter(|one| one.rule == CAUSE)
+        .map(|one| (one.path.clone(), one.breaks.clone()))
+        .collect();
     if worst.is_empty() {
         return;
     }
     findings.retain(|one| {
-        let Some(breaks) = worst.get_mut(&one.path).filter(|_| OF_LINES.contains(&one.rule)) else { return true };
+        let Some(breaks) = worst
+            .get_mut(&one.path)
+            .filter(|_| OF_LINES.contains(&one.rule))
+        else {
+            return true;
+        };
         for own in &mut *breaks {
-            let same = one.breaks.iter().find(|other| other.application == own.application);
+            let same = one
+                .breaks
+                .iter()
+                .find(|other| other.application == own.application);
             if let Some(other) = same.filter(|other| other.level >= own.level) {
                 *own = other.clone();
             }
@@ -48,7 +62,11 @@ pub fn drop_unmerged(findings: &mut Vec<Finding>) {
     });
     for one in findings.iter_mut().filter(|one| one.rule == CAUSE) {
         if let Some(breaks) = worst.remove(&one.path) {
-            one.level = breaks.iter().map(|one| one.level).max().unwrap_or(one.level);
+            one.level = breaks
+                .iter()
+                .map(|one| one.level)
+                .max()
+                .unwrap_or(one.level);
             one.breaks = breaks;
         }
     }

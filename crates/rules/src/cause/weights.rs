@@ -4,8 +4,8 @@ use mhlint_formats::mhw::Weights;
 
 /// Whether entries cannot be used, so that what is missing or off beside them may be their doing.
 ///
-/// Such entries have findings of their own: malformed, out of range, not finite, or against the schema. What else is
-/// wrong in the file (its metadata, say) does not matter.
+/// Such entries have findings of their own: malformed, out of range, not finite, or against the
+/// schema. What else is wrong in the file (its metadata, say) does not matter.
 pub(crate) fn has_unusable_entries(weights: &Weights) -> bool {
     unusable_entries(weights).is_none_or(|count| count > 0)
 }

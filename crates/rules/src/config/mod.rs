@@ -26,16 +26,28 @@ const FIX_FIRST: &str = "fix the errors first: they may hide what is not found";
 /// A finding of `rule` on an ignore.
 fn on(rule: &Rule, ignore: &IgnoreUse, message: String) -> Finding {
     let covers = ignore.covers.as_deref().unwrap_or_default();
-    let finding = Finding::new(&rule.info, ignore.path.clone(), ignore.place.clone(), message);
+    let finding = Finding::new(
+        &rule.info,
+        ignore.path.clone(),
+        ignore.place.clone(),
+        message,
+    );
     finding.key(format!("{} {covers}", ignore.rule).trim_end())
 }
 
 /// What an ignore is called.
 fn called(ignore: &IgnoreUse) -> &'static str {
-    if ignore.covers.is_some() { "`[[ignore]]`" } else { "ignore comment" }
+    if ignore.covers.is_some() {
+        "`[[ignore]]`"
+    } else {
+        "ignore comment"
+    }
 }
 
 /// ` in PATH` for an ignore that names its files.
 fn where_of(ignore: &IgnoreUse) -> String {
-    ignore.covers.as_ref().map_or_else(|| " in this file".to_owned(), |covers| format!(" in `{covers}`"))
+    ignore.covers.as_ref().map_or_else(
+        || " in this file".to_owned(),
+        |covers| format!(" in `{covers}`"),
+    )
 }

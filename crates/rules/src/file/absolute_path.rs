@@ -16,12 +16,18 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     ],
     docs: include_str!("absolute_path.md").trim_ascii_end(),
     counts: "references",
-    ..RuleInfo::new("file-absolute-path", Level::Error, "a reference with an absolute path or a drive letter")
+    ..RuleInfo::new(
+        "file-absolute-path",
+        Level::Error,
+        "a reference with an absolute path or a drive letter",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_absolute = |resolution| matches!(resolution, Resolution::Absolute);
-    for cause in causes(view, |reference| is_absolute(reference.resolution).then(String::new)) {
+    for cause in causes(view, |reference| {
+        is_absolute(reference.resolution).then(String::new)
+    }) {
         let finding = cause.finding(&RULE, |text| match text {
             "" => "`folder` is empty, which makes every name in it an absolute path".to_owned(),
             text => format!("`{text}` is an absolute path"),

@@ -20,7 +20,11 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         (Mpfb, "rejects the file, or loses its first line"),
     ],
     docs: include_str!("byte_order_mark.md").trim_ascii_end(),
-    ..RuleInfo::new("file-byte-order-mark", Level::Error, "a byte order mark at the beginning of a text file")
+    ..RuleInfo::new(
+        "file-byte-order-mark",
+        Level::Error,
+        "a byte order mark at the beginning of a text file",
+    )
 });
 
 /// Fields of a line that a target's reader takes for data.
@@ -29,12 +33,15 @@ const ROW_FIELDS: usize = 4;
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let encoding = &file.encoding;
     // Behind a mark alone there is nothing to lose: the file is empty.
-    let is_marked = encoding.byte_order_mark && encoding.invalid_utf8_at.is_none() && !encoding.blank;
+    let is_marked =
+        encoding.byte_order_mark && encoding.invalid_utf8_at.is_none() && !encoding.blank;
     if !is_marked || !Format::of(file.kind).is_text() || is_override(file) || is_unmet(view, file) {
         return;
     }
     let damage = damage(view, file);
-    let Some(loss) = consequence(view, &file.rel, damage) else { return };
+    let Some(loss) = consequence(view, &file.rel, damage) else {
+        return;
+    };
     let message = format!("`{}` begins with a byte order mark", file.file_name());
     let fix = Fix::new(RULE.info.fix, "remove the byte order mark");
     let finding = RULE
@@ -42,32 +49,65 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         .fix(fix.step(&file.path, Change::Rewrite(Rewrite::DropByteOrderMark)))
         .help("save the file as UTF-8 without a byte order mark");
     let finding = loss.of(view, finding).case(first_keyword(file));
-    out.push(if damage == Damage::MarkedRow { weigh(&view.target(file), finding) } else { finding });
+    out.push(if damage == Damage::MarkedRow {
+        weigh(&view.target(file), finding)
+    } else {
+        finding
+    });
 }
 
-const NO_NAME: Case =
-    &[(Makehuman2, Level::Error, "does not recognise `name`: lists the asset without a name, and models lose it")];
+const NO_NAME: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "does not recognise `name`: lists the asset without a name, and models lose it",
+)];
 const NO_UUID: Case = &[
     (
         Makehuman2,
         Level::Error,
         "does not recognise `uuid`: crashes with `IndexError` when a model saved with the asset is loaded",
     ),
-    (Makehuman1, Level::Error, "does not recognise `uuid`: saved models do not find the asset"),
+    (
+        Makehuman1,
+        Level::Error,
+        "does not recognise `uuid`: saved models do not find the asset",
+    ),
 ];
 const NO_MESH: Case = &[
-    (Makehuman2, Level::Error, "does not recognise `obj_file`: crashes with `AttributeError` when the asset is put on"),
-    (Makehuman1, Level::Error, "does not recognise `obj_file`: does not put the asset on"),
+    (
+        Makehuman2,
+        Level::Error,
+        "does not recognise `obj_file`: crashes with `AttributeError` when the asset is put on",
+    ),
+    (
+        Makehuman1,
+        Level::Error,
+        "does not recognise `obj_file`: does not put the asset on",
+    ),
 ];
 const NO_ROWS: Case = &[
-    (Makehuman2, Level::Error, "does not recognise `verts`: crashes with `IndexError` when the asset is put on"),
-    (Makehuman1, Level::Error, "does not recognise `verts`: does not put the asset on"),
+    (
+        Makehuman2,
+        Level::Error,
+        "does not recognise `verts`: crashes with `IndexError` when the asset is put on",
+    ),
+    (
+        Makehuman1,
+        Level::Error,
+        "does not recognise `verts`: does not put the asset on",
+    ),
 ];
 
 /// What becomes of an asset without its first line, where that is more than to ignore it.
 fn first_keyword(file: &FileFacts) -> Case {
     let is_asset = file.kind == Kind::Clothes;
-    match file.encoding.marked_words.first().map(AsRef::as_ref).filter(|_| is_asset) {
+    match file
+        .encoding
+        .marked_words
+        .first()
+        .map(AsRef::as_ref)
+        .filter(|_| is_asset)
+    {
         Some("name") => NO_NAME,
         Some("uuid") => NO_UUID,
         Some("obj_file") => NO_MESH,
@@ -83,7 +123,9 @@ fn damage(view: &View<'_>, file: &FileFacts) -> Damage {
         Kind::Target if words.len() == ROW_FIELDS => Damage::MarkedRow,
         _ if words.first().is_none_or(|word| word.starts_with('#')) => Damage::MarkedComment,
         // Nobody reads these lines.
-        Kind::Model if view.is_mpfb() && words.first().is_some_and(|word| word == "version") => Damage::MarkedComment,
+        Kind::Model if view.is_mpfb() && words.first().is_some_and(|word| word == "version") => {
+            Damage::MarkedComment
+        }
         Kind::Material if words.first().is_some_and(|word| word == "//") => Damage::MarkedComment,
         Kind::BaseMesh | Kind::AssetMesh if !words.first().is_some_and(|word| is_of_mesh(word)) => {
             Damage::MarkedComment

@@ -6,7 +6,8 @@ use super::super::cause::differing;
 use super::super::{Check, Rule, RuleCx};
 use super::named::{Cause, causes, differs_in_form, written};
 use super::spelling::{
-    as_on_disk, differs_in_extension, folder_on_disk, found, plain, respelled, without_common_folders,
+    as_on_disk, differs_in_extension, folder_on_disk, found, plain, respelled,
+    without_common_folders,
 };
 use super::{fixed_names, folders};
 use mhlint_diag::{
@@ -19,19 +20,36 @@ use mhlint_repo::{Reference, ReferenceKind, Resolution, View};
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     fix: FixKind::Unsafe,
     breaks: &[
-        (Makehuman2, "finds the file on Windows and macOS, but not on Linux"),
-        (Makehuman1, "finds the file on Windows and macOS, but not on Linux"),
-        (Mpfb, "finds the file on Windows and macOS, but not on Linux"),
+        (
+            Makehuman2,
+            "finds the file on Windows and macOS, but not on Linux",
+        ),
+        (
+            Makehuman1,
+            "finds the file on Windows and macOS, but not on Linux",
+        ),
+        (
+            Mpfb,
+            "finds the file on Windows and macOS, but not on Linux",
+        ),
     ],
     docs: include_str!("case_mismatch.md").trim_ascii_end(),
-    ..RuleInfo::new("file-case-mismatch", Level::Error, "a reference that differs from its file only in case")
+    ..RuleInfo::new(
+        "file-case-mismatch",
+        Level::Error,
+        "a reference that differs from its file only in case",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     fixed_names::findings(&RULE, view, out);
     let mut told = BTreeSet::new();
-    for cause in causes(view, |reference| found(reference).map(|found| differing(&plain(&reference.rel), found).0)) {
-        let Some(first) = cause.references.first() else { continue };
+    for cause in causes(view, |reference| {
+        found(reference).map(|found| differing(&plain(&reference.rel), found).0)
+    }) {
+        let Some(first) = cause.references.first() else {
+            continue;
+        };
         let Some(target) = found(first) else { continue };
         // A skin that is not listed for its extension is reported as such.
         if first.kind == ReferenceKind::Skin
@@ -42,18 +60,27 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let written = plain(&first.rel);
         let (name, on_disk) = differing(&written, target);
-        let holder = view.layers().strongest_first().find(|layer| layer.file(target).is_some());
+        let holder = view
+            .layers()
+            .strongest_first()
+            .find(|layer| layer.file(target).is_some());
         let in_form = differs_in_form(first);
         told.insert(on_disk.clone());
         let finding = cause.finding(&RULE, |_| {
             if in_form {
-                return format!("`{name}` differs from the name on disk only in Unicode normalisation");
+                return format!(
+                    "`{name}` differs from the name on disk only in Unicode normalisation"
+                );
             }
             let (name, on_disk) = without_common_folders(&name, &on_disk);
             format!("`{name}` is named `{on_disk}` on disk")
         });
         let Some(finding) = finding else { continue };
-        let systems = if in_form { "on Linux and Windows" } else { "on Linux" };
+        let systems = if in_form {
+            "on Linux and Windows"
+        } else {
+            "on Linux"
+        };
         let mut finding = cause.unfound(view, finding, systems);
         if matches!(first.resolution, Resolution::Backslash(_)) && folder_on_disk(first).is_none() {
             // The folder in front is at fault for its backslashes only.
@@ -64,20 +91,25 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let what = if on_disk == target { "file" } else { "folder" };
         if in_form {
-            let help = format!("name the {what} without accents here and on disk, or copy its name from the disk");
+            let help = format!(
+                "name the {what} without accents here and on disk, or copy its name from the disk"
+            );
             out.push(finding.help(help));
             continue;
         }
         let meant = meant(first, &name, &on_disk);
         if differs_in_extension(&written, target) {
             let right = written.rsplit('/').next().unwrap_or_default();
-            out.push(finding.help(format!("rename the file to `{right}`: extensions are case-sensitive")));
+            out.push(finding.help(format!(
+                "rename the file to `{right}`: extensions are case-sensitive"
+            )));
             continue;
         }
         let alike = holder.map(|layer| layer.alike(target)).unwrap_or_default();
         if let Some(others) = others(alike, target) {
-            let help =
-                format!("write the name of one of these files, and remove what is not used: `{target}`, {others}");
+            let help = format!(
+                "write the name of one of these files, and remove what is not used: `{target}`, {others}"
+            );
             out.push(finding.help(help));
             continue;
         }
@@ -88,7 +120,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         }
         let fix = fix(view, &cause, &format!("write `{meant}`"));
-        out.push(finding.fix(fix).help(format!("write `{meant}`, or rename the {what}")));
+        out.push(
+            finding
+                .fix(fix)
+                .help(format!("write `{meant}`, or rename the {what}")),
+        );
     }
     out.extend(folders::findings(&RULE, view, &told));
 }
@@ -123,21 +159,34 @@ fn meant(first: &Reference<'_>, name: &str, on_disk: &str) -> String {
     }
 }
 
-/// Writes the folder that is at fault, or all names; nothing if one of them is known elsewhere as it is.
+/// Writes the folder that is at fault, or all names; nothing if one of them is known elsewhere as
+/// it is.
 fn fix(view: &View<'_>, cause: &Cause<'_, '_>, title: &str) -> Fix {
     let fix = Fix::new(RULE.info.fix, title);
-    let folders: Option<BTreeMap<_, _>> = cause.references.iter().map(|reference| folder_on_disk(reference)).collect();
+    let folders: Option<BTreeMap<_, _>> = cause
+        .references
+        .iter()
+        .map(|reference| folder_on_disk(reference))
+        .collect();
     if let (Some(folders), Some(first)) = (folders, cause.references.first()) {
-        return folders
-            .into_iter()
-            .fold(fix, |fix, (pointer, text)| fix.step(&first.from.path, Change::Value { pointer, text: Some(text) }));
+        return folders.into_iter().fold(fix, |fix, (pointer, text)| {
+            fix.step(
+                &first.from.path,
+                Change::Value {
+                    pointer,
+                    text: Some(text),
+                },
+            )
+        });
     }
     let names = cause.references.iter().map(|reference| {
         let text = as_on_disk(reference).filter(|_| !view.is_known_by(reference))?;
         Some((*reference, text))
     });
     let names: Vec<_> = names.collect::<Option<_>>().unwrap_or_default();
-    names.into_iter().fold(fix, |fix, (reference, text)| written(fix, reference, Some(text)))
+    names.into_iter().fold(fix, |fix, (reference, text)| {
+        written(fix, reference, Some(text))
+    })
 }
 
 #[cfg(test)]
@@ -149,7 +198,14 @@ mod tests {
         let alike: Vec<String> = (0..1000).map(|number| format!("a{number}")).collect();
         assert_eq!(others(&alike[..1], "a0"), None);
         assert_eq!(others(&alike[..3], "a1").unwrap(), "`a0`, `a2`");
-        assert_eq!(others(&alike[..6], "a5").unwrap(), "`a0`, `a1`, `a2`, `a3`, `a4`");
-        assert!(others(&alike, "a3").unwrap().ends_with("`a5`, and 994 more"));
+        assert_eq!(
+            others(&alike[..6], "a5").unwrap(),
+            "`a0`, `a1`, `a2`, `a3`, `a4`"
+        );
+        assert!(
+            others(&alike, "a3")
+                .unwrap()
+                .ends_with("`a5`, and 994 more")
+        );
     }
 }

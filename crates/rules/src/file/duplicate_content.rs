@@ -10,15 +10,30 @@ use mhlint_discover::Kind;
 use mhlint_repo::{FileFacts, ReferenceKind, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "loads the same content more than once"), (Mpfb, "loads the same content more than once")],
+    breaks: &[
+        (Makehuman2, "loads the same content more than once"),
+        (Mpfb, "loads the same content more than once"),
+    ],
     docs: include_str!("duplicate_content.md").trim_ascii_end(),
     counts: "files",
-    ..RuleInfo::new("file-duplicate-content", Level::Info, "several files with the same content")
+    ..RuleInfo::new(
+        "file-duplicate-content",
+        Level::Info,
+        "several files with the same content",
+    )
 });
 
 const ONE_END: Case = &[
-    (Makehuman2, Level::Warning, "moves the slider to the same shape in both directions"),
-    (Mpfb, Level::Warning, "moves the slider to the same shape in both directions"),
+    (
+        Makehuman2,
+        Level::Warning,
+        "moves the slider to the same shape in both directions",
+    ),
+    (
+        Mpfb,
+        Level::Warning,
+        "moves the slider to the same shape in both directions",
+    ),
 ];
 
 /// Smaller files (a dot of an icon, a target of a few rows) are equal by chance.
@@ -27,17 +42,30 @@ const SMALLEST: u64 = 200;
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     // Through a link it is the same file, not another one.
-    let is_link = |file: &FileFacts| file.link_to.as_deref().is_some_and(|real| layer.file(real).is_some());
-    // Where names are composed, or found by themselves, each must be there: only sliders could share a target.
+    let is_link = |file: &FileFacts| {
+        file.link_to
+            .as_deref()
+            .is_some_and(|real| layer.file(real).is_some())
+    };
+    // Where names are composed, or found by themselves, each must be there: only sliders could
+    // share a target.
     let is_needed = |file: &FileFacts| {
         let is_target = matches!(file.kind, Kind::Target | Kind::PackedTarget);
-        view.is_mpfb() && is_target && (view.composes_name_of(file) || view.references().to_file(file).next().is_none())
+        view.is_mpfb()
+            && is_target
+            && (view.composes_name_of(file) || view.references().to_file(file).next().is_none())
     };
-    let files = view.files().filter(|file| !is_link(file) && !is_needed(file));
-    let twins = grouped(files.filter_map(|file| Some(((category(file), class(file)?, file.content_hash?), file))));
+    let files = view
+        .files()
+        .filter(|file| !is_link(file) && !is_needed(file));
+    let twins = grouped(
+        files.filter_map(|file| Some(((category(file), class(file)?, file.content_hash?), file))),
+    );
     let (copied, ends) = (CopiedFolders::of(view), view.slider_ends());
     for ((_, class, _), files) in twins {
-        let [first, others @ ..] = files.as_slice() else { continue };
+        let [first, others @ ..] = files.as_slice() else {
+            continue;
+        };
         // A folder that was copied as a whole is one mistake: `library-identity-clash`.
         if others.is_empty() || copied.hold(&files) {
             continue;
@@ -45,18 +73,35 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let message = if let [other] = others {
             format!("has the same {class} as `{}`", other.shown())
         } else {
-            let names: Vec<String> = files.iter().take(EXAMPLES).map(|file| format!("`{}`", file.shown())).collect();
+            let names: Vec<String> = files
+                .iter()
+                .take(EXAMPLES)
+                .map(|file| format!("`{}`", file.shown()))
+                .collect();
             let more = files.len() - names.len();
-            let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-            format!("{} files have the same {class}: {}{more}", files.len(), names.join(", "))
+            let more = if more > 0 {
+                format!(" and {more} more")
+            } else {
+                String::new()
+            };
+            format!(
+                "{} files have the same {class}: {}{more}",
+                files.len(),
+                names.join(", ")
+            )
         };
-        let mut finding = RULE.at(first, Place::File, message).help(advice(view, first, others));
+        let mut finding = RULE
+            .at(first, Place::File, message)
+            .help(advice(view, first, others));
         for other in others {
             finding = finding.related(other.path.clone(), Place::File, "the same content");
         }
         let is_there = |end: &FileFacts| files.iter().any(|file| file.path == end.path);
-        let finding =
-            if ends.iter().any(|pair| pair.iter().all(|end| is_there(end))) { finding.case(ONE_END) } else { finding };
+        let finding = if ends.iter().any(|pair| pair.iter().all(|end| is_there(end))) {
+            finding.case(ONE_END)
+        } else {
+            finding
+        };
         let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
         let finding = finding.between(files.iter().map(|file| &file.path));
         out.push(finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown()))));
@@ -68,7 +113,10 @@ fn class(file: &FileFacts) -> Option<&'static str> {
     let extension = file.rel.rsplit('.').next().unwrap_or_default();
     match file.kind {
         _ if file.size < SMALLEST || file.encoding.lfs_pointer => None,
-        Kind::Target | Kind::PackedTarget => file.target().filter(|facts| facts.moving > 0).map(|_| "displacements"),
+        Kind::Target | Kind::PackedTarget => file
+            .target()
+            .filter(|facts| facts.moving > 0)
+            .map(|_| "displacements"),
         Kind::BaseMesh | Kind::AssetMesh => Some("mesh"),
         // Every asset has its own thumb, named after it.
         Kind::Image if extension == "thumb" => None,
@@ -80,7 +128,8 @@ fn class(file: &FileFacts) -> Option<&'static str> {
 /// Folder and base mesh: within it one file can stand for another.
 fn category(file: &FileFacts) -> (&str, &str) {
     let (folder, _) = file.rel.split_once('/').unwrap_or_default();
-    file.base().map_or((file.rel.as_str(), ""), |base| (folder, base))
+    file.base()
+        .map_or((file.rel.as_str(), ""), |base| (folder, base))
 }
 
 fn is_of_slider(kind: ReferenceKind) -> bool {
@@ -89,7 +138,11 @@ fn is_of_slider(kind: ReferenceKind) -> bool {
 }
 
 fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
-    let references = || others.iter().flat_map(|other| view.references().to_file(other));
+    let references = || {
+        others
+            .iter()
+            .flat_map(|other| view.references().to_file(other))
+    };
     let mut found = references().filter(|reference| reference.found().is_some());
     match (found.next(), found.count()) {
         // With another target the slider would have another name in saved models.

@@ -20,12 +20,20 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         (Mpfb, "loads nothing from it"),
     ],
     docs: include_str!("empty.md").trim_ascii_end(),
-    ..RuleInfo::new("file-empty", Level::Warning, "an empty file that needs content")
+    ..RuleInfo::new(
+        "file-empty",
+        Level::Warning,
+        "an empty file that needs content",
+    )
 });
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let is_of_program = view.layers().checks_system() && view.references().to_file(file).next().is_none();
-    let Some(what) = emptiness(file, is_of_program).or_else(|| counts_as_missing(view, file)) else { return };
+    let is_of_program =
+        view.layers().checks_system() && view.references().to_file(file).next().is_none();
+    let Some(what) = emptiness(file, is_of_program).or_else(|| counts_as_missing(view, file))
+    else {
+        return;
+    };
     if is_override(file) || is_target_of_macros(view, file) || is_unmet(view, file) {
         return;
     }
@@ -34,20 +42,29 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         kind if Format::of(kind).is_json() => Damage::Refused,
         _ => Damage::Empty,
     };
-    let Some(loss) = consequence(view, &file.rel, damage) else { return };
+    let Some(loss) = consequence(view, &file.rel, damage) else {
+        return;
+    };
     let message = format!("`{}` is empty{what}", file.file_name());
     let help = match file.kind {
         Kind::TargetArchive => "delete it; MakeHuman 2 rebuilds it from the targets",
         Kind::BaseJson | Kind::BaseMesh => "restore the content",
         Kind::MeshArchive => "delete the archive, or rebuild it with compile_meshes.py",
-        Kind::Packed | Kind::PackedBaseMesh if view.layers().checked.text_of_archive(&file.rel).is_some() => {
+        Kind::Packed | Kind::PackedBaseMesh
+            if view.layers().checked.text_of_archive(&file.rel).is_some() =>
+        {
             "delete the archive: it is built again from the text beside it"
         }
         Kind::Packed => "get the asset again from its source",
-        kind if Format::of(kind).is_json() => "restore the content from a backup or the original download",
+        kind if Format::of(kind).is_json() => {
+            "restore the content from a backup or the original download"
+        }
         _ => "restore the content; if the file is not needed, remove it with all references to it",
     };
-    out.push(loss.of(view, RULE.at(file, Place::File, message)).help(help));
+    out.push(
+        loss.of(view, RULE.at(file, Place::File, message))
+            .help(help),
+    );
 }
 
 /// An empty value counts as no file, too. In a generated modelling.json it is usual.
@@ -61,32 +78,57 @@ fn counts_as_missing(view: &View<'_>, file: &FileFacts) -> Option<&'static str> 
     (cause::counts_as_missing(file) && !usual).then_some(what)
 }
 
-/// `macro-empty-target` knows these better. Where names are composed an empty one is deliberate: each has to be there.
+/// `macro-empty-target` knows these better. Where names are composed an empty one is deliberate:
+/// each has to be there.
 fn is_target_of_macros(view: &View<'_>, file: &FileFacts) -> bool {
     let is_macro = |reference: &Reference<'_>| reference.kind == ReferenceKind::MacroTarget;
     view.composes_name_of(file)
         || is_neutral(file)
-        || view.references().to_file(file).any(|reference| is_macro(reference) && reference.found().is_some())
+        || view
+            .references()
+            .to_file(file)
+            .any(|reference| is_macro(reference) && reference.found().is_some())
 }
 
-/// Whether it is the shape of the middle of every macro setting by its name, and has comments: it moves nothing on purpose,
-/// wherever it lies.
+/// Whether it is the shape of the middle of every macro setting by its name, and has comments: it
+/// moves nothing on purpose, wherever it lies.
 fn is_neutral(file: &FileFacts) -> bool {
     let name = file.file_name();
-    let Some(stem) = [".target", ".target.gz"].into_iter().find_map(|suffix| name.strip_suffix(suffix)) else {
+    let Some(stem) = [".target", ".target.gz"]
+        .into_iter()
+        .find_map(|suffix| name.strip_suffix(suffix))
+    else {
         return false;
     };
     let is_average = |word: &&str| AVERAGES.contains(word);
     file.size > 0
         && stem.split('-').filter(is_average).count() > 1
-        && stem.split('-').all(|word| AVERAGES.contains(&word) || WHOLE.contains(&word))
+        && stem
+            .split('-')
+            .all(|word| AVERAGES.contains(&word) || WHOLE.contains(&word))
 }
 
 /// Words of the names of macro targets that stand for the middle of a setting.
-const AVERAGES: [&str; 5] = ["averagemuscle", "averageweight", "averageheight", "averagecup", "averagefirmness"];
+const AVERAGES: [&str; 5] = [
+    "averagemuscle",
+    "averageweight",
+    "averageheight",
+    "averagecup",
+    "averagefirmness",
+];
 /// Those that stand for whom a target is.
-const WHOLE: [&str; 10] =
-    ["universal", "male", "female", "baby", "child", "young", "old", "african", "asian", "caucasian"];
+const WHOLE: [&str; 10] = [
+    "universal",
+    "male",
+    "female",
+    "baby",
+    "child",
+    "young",
+    "old",
+    "african",
+    "asian",
+    "caucasian",
+];
 
 /// Whether a packed target can be unpacked and has only comments, or nothing.
 fn has_no_line(file: &FileFacts) -> bool {
@@ -94,12 +136,15 @@ fn has_no_line(file: &FileFacts) -> bool {
     file.gzip_fault.is_none() && !file.failed && file.target().is_some_and(is_empty)
 }
 
-/// `is_of_program`: a target that the program brings and no slider has. Those of its macro settings may have no row.
+/// `is_of_program`: a target that the program brings and no slider has. Those of its macro settings
+/// may have no row.
 fn emptiness(file: &FileFacts, is_of_program: bool) -> Option<&'static str> {
     let encoding = &file.encoding;
     match file.kind {
         _ if file.size == 0 => Some(" (0 bytes)"),
-        Kind::PackedTarget if has_no_line(file) && !is_of_program => Some(" (unpacked, it has no row)"),
+        Kind::PackedTarget if has_no_line(file) && !is_of_program => {
+            Some(" (unpacked, it has no row)")
+        }
         kind if !Format::of(kind).is_text() => None,
         _ if encoding.blank && encoding.byte_order_mark => Some(" (only a byte order mark)"),
         _ if encoding.blank => Some(" (only whitespace)"),

@@ -12,7 +12,10 @@ use mhlint_repo::{FileFacts, View};
 use mhlint_source::GzipFault;
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "never reads packed targets"), (Mpfb, "fails with an exception when it unpacks the target")],
+    breaks: &[
+        (Makehuman2, "never reads packed targets"),
+        (Mpfb, "fails with an exception when it unpacks the target"),
+    ],
     docs: include_str!("gzip_corrupt.md").trim_ascii_end(),
     ..RuleInfo::new(
         "file-gzip-corrupt",
@@ -25,7 +28,10 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let message = match &file.gzip_fault {
         Some(GzipFault::Corrupt(reason)) => format!("cannot be unpacked: {}", plain(reason)),
         Some(GzipFault::TrailingGarbage { bytes }) => {
-            format!("{} of other data after the end of the packed data", size(*bytes as u64))
+            format!(
+                "{} of other data after the end of the packed data",
+                size(*bytes as u64)
+            )
         }
         Some(GzipFault::Bomb { .. }) | None => return,
     };

@@ -14,7 +14,10 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "cannot open it, and may crash at start"),
         (Makehuman1, "cannot store anything in it"),
-        (Mpfb, "finds nothing in it, or fails with an exception when it lists the folder"),
+        (
+            Mpfb,
+            "finds nothing in it, or fails with an exception when it lists the folder",
+        ),
     ],
     docs: include_str!("in_place_of_folder.md").trim_ascii_end(),
     ..RuleInfo::new(
@@ -32,22 +35,40 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = RULE.in_layer(layer, rel, message).help(help);
         consequence(view, rel, Damage::Closed).map(|loss| loss.of(view, finding))
     };
-    let all = || view.layers().strongest_first().flat_map(|layer| layer.files.values());
+    let all = || {
+        view.layers()
+            .strongest_first()
+            .flat_map(|layer| layer.files.values())
+    };
     let is_base = |name: &str| all().any(|file| file.base_in(view.application()) == Some(name));
-    for file in view.files().filter(|file| file.unreadable.is_none() && !file.failed) {
+    for file in view
+        .files()
+        .filter(|file| file.unreadable.is_none() && !file.failed)
+    {
         if (view.layout().is_folder)(&file.rel, &is_base) {
-            out.extend(finding(&file.rel, "file", "folder", "remove or rename the file"));
+            out.extend(finding(
+                &file.rel,
+                "file",
+                "folder",
+                "remove or rename the file",
+            ));
         }
     }
     // What looks like a target and is a folder, MPFB passes over.
-    let is_listed = |kind: Kind| view.is_mpfb() && matches!(kind, Kind::Target | Kind::PackedTarget);
+    let is_listed =
+        |kind: Kind| view.is_mpfb() && matches!(kind, Kind::Target | Kind::PackedTarget);
     // The lists of MakeHuman 1 pass over folders, whatever they are called.
     let is_opened = |folder: &str| {
         let kind = view.kind_at(folder);
         !view.is_makehuman1() && (is_file(kind) && !is_listed(kind) || is_archive(view, folder))
     };
     for folder in layer.folders.iter().filter(|folder| is_opened(folder)) {
-        out.extend(finding(folder, "folder", "file", "rename the folder, or replace it with the file"));
+        out.extend(finding(
+            folder,
+            "folder",
+            "file",
+            "rename the folder, or replace it with the file",
+        ));
     }
 }
 

@@ -31,23 +31,40 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     let loss = |file: &FileFacts| consequence(view, &file.rel, Damage::Pointer);
     let with_loss = |file: &FileFacts| loss(file).map(|loss| loss.level);
-    let files: Vec<&FileFacts> = view.files().filter(|file| file.encoding.lfs_pointer).collect();
-    let files: Vec<&FileFacts> = files.into_iter().filter(|file| with_loss(file).is_some()).collect();
-    let (Some(first), Some(worst)) = (files.first(), files.iter().filter_map(|file| with_loss(file)).max()) else {
+    let files: Vec<&FileFacts> = view
+        .files()
+        .filter(|file| file.encoding.lfs_pointer)
+        .collect();
+    let files: Vec<&FileFacts> = files
+        .into_iter()
+        .filter(|file| with_loss(file).is_some())
+        .collect();
+    let (Some(first), Some(worst)) = (
+        files.first(),
+        files.iter().filter_map(|file| with_loss(file)).max(),
+    ) else {
         return;
     };
     let mut folders: BTreeMap<&str, usize> = BTreeMap::new();
-    files.iter().for_each(|file| *folders.entry(parent(&file.rel)).or_default() += 1);
+    files
+        .iter()
+        .for_each(|file| *folders.entry(parent(&file.rel)).or_default() += 1);
     let above = common(folders.keys().copied());
     let finding = match files.as_slice() {
-        [file] => RULE.in_layer(layer, &file.rel, format!("`{}` is a Git LFS pointer", file.file_name())),
+        [file] => RULE.in_layer(
+            layer,
+            &file.rel,
+            format!("`{}` is a Git LFS pointer", file.file_name()),
+        ),
         _ if above.is_empty() => RULE.at(first, Place::File, message(&files, &folders)),
         _ => RULE.in_layer(layer, above, message(&files, &folders)),
     };
     // One file alone, or those of the worst kind, may have more to say.
     let mut worst_files = files.iter().filter(|file| with_loss(file) == Some(worst));
     let own = worst_files.find_map(|file| loss(file)?.effect);
-    let counts = folders.iter().map(|(folder, count)| format!("{}: {count}", layer.shown(folder)));
+    let counts = folders
+        .iter()
+        .map(|(folder, count)| format!("{}: {count}", layer.shown(folder)));
     let mut evidence = Evidence::of_unnamed(counts);
     evidence.count = files.len() as u64;
     out.push(
@@ -87,12 +104,25 @@ fn effect(files: &[&FileFacts]) -> String {
     let concerned = [
         (has(&|kind| kind == Kind::Target), "targets move nothing"),
         (has(&|kind| Format::of(kind).is_json()), "JSON is rejected"),
-        (has(&|kind| matches!(kind, Kind::BaseMesh | Kind::AssetMesh)), "meshes have no vertices"),
-        (has(&|kind| matches!(kind, Kind::Image | Kind::TargetIcon)), "pictures are not shown"),
+        (
+            has(&|kind| matches!(kind, Kind::BaseMesh | Kind::AssetMesh)),
+            "meshes have no vertices",
+        ),
+        (
+            has(&|kind| matches!(kind, Kind::Image | Kind::TargetIcon)),
+            "pictures are not shown",
+        ),
     ];
-    let seen: Vec<&str> = concerned.iter().filter(|(is_here, _)| *is_here).map(|(_, what)| *what).collect();
+    let seen: Vec<&str> = concerned
+        .iter()
+        .filter(|(is_here, _)| *is_here)
+        .map(|(_, what)| *what)
+        .collect();
     match seen.as_slice() {
         [] => "reads the pointer instead of the content".to_owned(),
-        seen => format!("reads the pointer instead of the content: {}", seen.join(", ")),
+        seen => format!(
+            "reads the pointer instead of the content: {}",
+            seen.join(", ")
+        ),
     }
 }

@@ -10,27 +10,41 @@ use mhlint_source::{WalkFault, WalkFaultKind};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "lists the same files over and over, or fails to open the link"),
+        (
+            Makehuman2,
+            "lists the same files over and over, or fails to open the link",
+        ),
         (Makehuman1, "passes over the link"),
         (Mpfb, "passes over the link"),
     ],
     levels: &[(Makehuman1, Level::Info)],
     docs: include_str!("link_loop.md").trim_ascii_end(),
-    ..RuleInfo::new("file-link-loop", Level::Error, "a symbolic link that leads back to itself or a folder above it")
+    ..RuleInfo::new(
+        "file-link-loop",
+        Level::Error,
+        "a symbolic link that leads back to itself or a folder above it",
+    )
 });
 
 /// Targets are looked for without following links to folders.
-const NOT_FOLLOWED: Case =
-    &[(Makehuman2, Level::Info, "ignores it: links to folders are not followed in target folders")];
+const NOT_FOLLOWED: Case = &[(
+    Makehuman2,
+    Level::Info,
+    "ignores it: links to folders are not followed in target folders",
+)];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     let is_loop = |path: &str| {
-        let same = |fault: &&WalkFault| fault.path == path && matches!(fault.kind, WalkFaultKind::LinkLoop { .. });
+        let same = |fault: &&WalkFault| {
+            fault.path == path && matches!(fault.kind, WalkFaultKind::LinkLoop { .. })
+        };
         layer.walk_faults.iter().any(|fault| same(&fault))
     };
     for fault in &layer.walk_faults {
-        let WalkFaultKind::LinkLoop { back_to } = &fault.kind else { continue };
+        let WalkFaultKind::LinkLoop { back_to } = &fault.kind else {
+            continue;
+        };
         // Links that point to each other are one circle, told at one of them.
         if *back_to != fault.path && is_loop(back_to) {
             continue;
@@ -40,9 +54,17 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         } else {
             format!("the link leads back to `{back_to}`")
         };
-        let finding = RULE.in_layer(layer, &fault.path, message).help("remove the link");
+        let finding = RULE
+            .in_layer(layer, &fault.path, message)
+            .help("remove the link");
         let leads_up = back_to.is_empty() || fault.path.starts_with(&format!("{back_to}/"));
-        let is_in_targets = ["target/", "contarget/"].iter().any(|folder| fault.path.starts_with(folder));
-        out.push(if leads_up && is_in_targets { finding.case(NOT_FOLLOWED) } else { finding });
+        let is_in_targets = ["target/", "contarget/"]
+            .iter()
+            .any(|folder| fault.path.starts_with(folder));
+        out.push(if leads_up && is_in_targets {
+            finding.case(NOT_FOLLOWED)
+        } else {
+            finding
+        });
     }
 }

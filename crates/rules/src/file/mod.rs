@@ -1,4 +1,5 @@
-//! Rules on any file, whatever is in it: whether it can be read at all, its name, its links, its twins.
+//! Rules on any file, whatever is in it: whether it can be read at all, its name, its links, its
+//! twins.
 
 mod absolute_path;
 mod backslash_path;

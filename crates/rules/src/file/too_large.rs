@@ -15,17 +15,33 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
             default: 8.0,
             docs: "largest JSON, skeleton or weights file in MB (1,000,000 bytes)",
         },
-        OptionInfo { name: "target", default: 4.0, docs: "largest target in MB; all 19158 vertices of hm08 need 0.6" },
-        OptionInfo { name: "mesh", default: 32.0, docs: "largest mesh (.obj, base.mhbin) in MB; hm08 has 2" },
+        OptionInfo {
+            name: "target",
+            default: 4.0,
+            docs: "largest target in MB; all 19158 vertices of hm08 need 0.6",
+        },
+        OptionInfo {
+            name: "mesh",
+            default: 32.0,
+            docs: "largest mesh (.obj, base.mhbin) in MB; hm08 has 2",
+        },
         OptionInfo {
             name: "picture",
             default: 32.0,
             docs: "largest picture in MB; 4096 by 4096 pixels need up to 64 unpacked",
         },
-        OptionInfo { name: "other", default: 256.0, docs: "largest file of any other kind in MB" },
+        OptionInfo {
+            name: "other",
+            default: 256.0,
+            docs: "largest file of any other kind in MB",
+        },
     ],
     docs: include_str!("too_large.md").trim_ascii_end(),
-    ..RuleInfo::new("file-too-large", Level::Warning, "a file that is unusually large for its kind")
+    ..RuleInfo::new(
+        "file-too-large",
+        Level::Warning,
+        "a file that is unusually large for its kind",
+    )
 });
 
 /// Bytes in a MB.
@@ -39,14 +55,25 @@ fn run(_: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) 
         return;
     }
     let message = if unread {
-        format!("{} too large to check: {:.1} MB", Format::of(file.kind).title, size / MB)
+        format!(
+            "{} too large to check: {:.1} MB",
+            Format::of(file.kind).title,
+            size / MB
+        )
     } else {
-        format!("unusually large {}: {} MB, more than {limit} MB", Format::of(file.kind).title, above(size / MB, limit))
+        format!(
+            "unusually large {}: {} MB, more than {limit} MB",
+            Format::of(file.kind).title,
+            above(size / MB, limit)
+        )
     };
     let help = if unread {
         "make it smaller: mhlint reads no file of more than 512 MiB".to_owned()
     } else {
-        format!("make it smaller, or raise the option `{}` of this rule", option(file))
+        format!(
+            "make it smaller, or raise the option `{}` of this rule",
+            option(file)
+        )
     };
     out.push(RULE.at(file, Place::File, message).help(help));
 }

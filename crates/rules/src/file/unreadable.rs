@@ -11,12 +11,22 @@ use mhlint_source::{ReadFault, WalkFaultKind};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "cannot open it either, so its content is missing or the program crashes at start"),
-        (Makehuman1, "cannot open it either: the asset, or with a dead link its whole library, is missing"),
+        (
+            Makehuman2,
+            "cannot open it either, so its content is missing or the program crashes at start",
+        ),
+        (
+            Makehuman1,
+            "cannot open it either: the asset, or with a dead link its whole library, is missing",
+        ),
         (Mpfb, "cannot open it either, and fails where it needs it"),
     ],
     docs: include_str!("unreadable.md").trim_ascii_end(),
-    ..RuleInfo::new("file-unreadable", Level::Error, "a file or folder that cannot be opened or read")
+    ..RuleInfo::new(
+        "file-unreadable",
+        Level::Error,
+        "a file or folder that cannot be opened or read",
+    )
 });
 
 /// What is said of a file on which a reader of ours panicked.
@@ -25,7 +35,10 @@ const FAILED: &str = "cannot be read: mhlint failed on this file; please report 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     let finding = |rel: &str, damage: Damage, message: String| {
-        let is_lock = rel.rsplit('/').next().is_some_and(|name| name.starts_with(".#"));
+        let is_lock = rel
+            .rsplit('/')
+            .next()
+            .is_some_and(|name| name.starts_with(".#"));
         let help = if is_lock {
             "delete it: an editor has left it behind"
         } else {
@@ -37,20 +50,41 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for fault in &layer.walk_faults {
         match &fault.kind {
             WalkFaultKind::Unreadable { reason } => {
-                out.extend(finding(&fault.path, Damage::Closed, format!("cannot be read: {reason}")));
+                out.extend(finding(
+                    &fault.path,
+                    Damage::Closed,
+                    format!("cannot be read: {reason}"),
+                ));
             }
             WalkFaultKind::DeadLink { to } if view.looks_at(view.kind_at(&fault.path)) => {
-                let is_named = view.references().iter().any(|reference| reference.rel == fault.path);
-                let damage = if is_named { Damage::Closed } else { Damage::Dangling };
-                out.extend(finding(&fault.path, damage, format!("cannot be read: broken link to `{to}`")));
+                let is_named = view
+                    .references()
+                    .iter()
+                    .any(|reference| reference.rel == fault.path);
+                let damage = if is_named {
+                    Damage::Closed
+                } else {
+                    Damage::Dangling
+                };
+                out.extend(finding(
+                    &fault.path,
+                    damage,
+                    format!("cannot be read: broken link to `{to}`"),
+                ));
             }
-            WalkFaultKind::DeadLink { .. } | WalkFaultKind::LinkLoop { .. } | WalkFaultKind::LinkLeavesRoot => {}
+            WalkFaultKind::DeadLink { .. }
+            | WalkFaultKind::LinkLoop { .. }
+            | WalkFaultKind::LinkLeavesRoot => {}
         }
     }
     for file in view.files() {
         match &file.unreadable {
             Some(ReadFault::Unreadable(reason)) => {
-                out.extend(finding(&file.rel, Damage::Closed, format!("cannot be read: {reason}")));
+                out.extend(finding(
+                    &file.rel,
+                    Damage::Closed,
+                    format!("cannot be read: {reason}"),
+                ));
             }
             _ if file.failed => out.extend(finding(&file.rel, Damage::Closed, FAILED.to_owned())),
             _ => {}

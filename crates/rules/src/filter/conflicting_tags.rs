@@ -19,8 +19,15 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut filters: BTreeMap<&str, Option<&SelectionFilter>> = BTreeMap::new();
-    for asset in view.library.of_base(base.name).iter().filter(|asset| view.layers.is_checked(asset.file)) {
-        let filter = *filters.entry(asset.category).or_insert_with(|| view.filter(asset.category, base.name));
+    for asset in view
+        .library
+        .of_base(base.name)
+        .iter()
+        .filter(|asset| view.layers.is_checked(asset.file))
+    {
+        let filter = *filters
+            .entry(asset.category)
+            .or_insert_with(|| view.filter(asset.category, base.name));
         out.extend(filter.and_then(|filter| finding(asset, filter)));
     }
 }
@@ -30,16 +37,23 @@ fn labels<'a>(asset: &'a Asset<'_>, filter: &SelectionFilter) -> Vec<(String, &'
     // What leads nowhere has a finding of its own: `filter-dead-entry`.
     let is_dead = |tag: &str| {
         let target = filter.translate.get(&tag.trim().to_lowercase());
-        target.and_then(|led| led.to.as_deref()).is_some_and(|target| filter.is_dead(target))
+        target
+            .and_then(|led| led.to.as_deref())
+            .is_some_and(|target| filter.is_dead(target))
     };
-    let tags =
-        asset.tags.iter().filter(|tag| !is_dead(tag)).filter_map(|tag| Some((filter.path_of(tag)?, tag.as_str())));
+    let tags = asset
+        .tags
+        .iter()
+        .filter(|tag| !is_dead(tag))
+        .filter_map(|tag| Some((filter.path_of(tag)?, tag.as_str())));
     let guessed = filter
         .guessed(&asset.name)
         .filter(|path| !filter.is_dead(path))
         .map(|path| (path.to_owned(), asset.name.as_str()));
     let is_chosen_by = |path: &str| path.contains(':') && filter.paths.contains(root(path));
-    tags.chain(guessed).filter(|(path, _)| is_chosen_by(path)).collect()
+    tags.chain(guessed)
+        .filter(|(path, _)| is_chosen_by(path))
+        .collect()
 }
 
 fn finding(asset: &Asset<'_>, filter: &SelectionFilter) -> Option<Finding> {
@@ -48,7 +62,9 @@ fn finding(asset: &Asset<'_>, filter: &SelectionFilter) -> Option<Finding> {
     labels.dedup_by(|one, other| one.0 == other.0);
     // Sorted, a label comes right before those below it; the first that is not below excludes both.
     let excludes = |one: &str, other: &str| {
-        let is_below = other.strip_prefix(one).is_some_and(|rest| rest.starts_with(':'));
+        let is_below = other
+            .strip_prefix(one)
+            .is_some_and(|rest| rest.starts_with(':'));
         root(one) == root(other) && !is_below
     };
     let mut deepest: Option<&(String, &str)> = None;
@@ -65,8 +81,14 @@ fn finding(asset: &Asset<'_>, filter: &SelectionFilter) -> Option<Finding> {
         given if given == path => format!("`{path}`"),
         given => format!("`{path}` (from `{given}`)"),
     };
-    let message = format!("{} and {} exclude each other", label(one, first), label(other, second));
-    let finding = RULE.at(asset.file, Place::File, message).key(format!("{one} {other}"));
+    let message = format!(
+        "{} and {} exclude each other",
+        label(one, first),
+        label(other, second)
+    );
+    let finding = RULE
+        .at(asset.file, Place::File, message)
+        .key(format!("{one} {other}"));
     let finding = finding.evidence(Evidence::of_cases(labels.iter().map(|(path, _)| path)));
     Some(finding.help(
         "use tags that lead to one label, or write `null` for one of them under `Translate` in selection_filter.json",

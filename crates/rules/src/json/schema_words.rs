@@ -9,8 +9,8 @@ pub(super) fn sentence(fault: &SchemaFault) -> String {
     format!("{} {}", subject(&fault.pointer), predicate(fault))
 }
 
-/// What a value has none of, where that is the fault: part of the key of a finding, which baselines hold. So these
-/// words stay as they are, whatever a message says.
+/// What a value has none of, where that is the fault: part of the key of a finding, which baselines
+/// hold. So these words stay as they are, whatever a message says.
 pub(super) fn lack(fault: &SchemaFault) -> Option<String> {
     match &fault.fault {
         Misfit::Missing { key, and_more } => {
@@ -31,15 +31,31 @@ pub(super) fn lack(fault: &SchemaFault) -> Option<String> {
 fn predicate(fault: &SchemaFault) -> String {
     let is = fault.found().map(found).unwrap_or_default();
     let says = match &fault.fault {
-        Misfit::Missing { key, and_more: true } => format!("is empty, expected at least `{key}`"),
-        Misfit::Missing { key, and_more: false } => format!("has no `{key}`"),
+        Misfit::Missing {
+            key,
+            and_more: true,
+        } => format!("is empty, expected at least `{key}`"),
+        Misfit::Missing {
+            key,
+            and_more: false,
+        } => format!("has no `{key}`"),
         Misfit::Type { wanted, .. } => {
-            format!("is {is}, expected {}", either(&wanted.iter().copied().map(shape).collect::<Vec<_>>()))
+            format!(
+                "is {is}, expected {}",
+                either(&wanted.iter().copied().map(shape).collect::<Vec<_>>())
+            )
         }
-        Misfit::Pattern { form, .. } => format!("is {is}, expected {}", form.as_deref().unwrap_or("another form")),
+        Misfit::Pattern { form, .. } => format!(
+            "is {is}, expected {}",
+            form.as_deref().unwrap_or("another form")
+        ),
         Misfit::Enum { allowed, .. } => format!("is {is}, expected {}", either(allowed)),
         Misfit::Length { found: 0, bound } => format!("has no elements, expected {}", limit(bound)),
-        Misfit::Length { found, bound } => format!("has {}, expected {}", counted(found, "element"), limit(bound)),
+        Misfit::Length { found, bound } => format!(
+            "has {}, expected {}",
+            counted(found, "element"),
+            limit(bound)
+        ),
         Misfit::Range { bound, .. } => format!("is {is}, expected {}", limit(bound)),
         Misfit::Other(text) => format!("does not match its format: {text}"),
     };
@@ -92,7 +108,9 @@ fn subject(pointer: &str) -> String {
     let mut names: Vec<String> = Vec::new();
     for step in steps(pointer) {
         match names.last_mut() {
-            Some(name) if step.bytes().all(|byte| byte.is_ascii_digit()) => *name = format!("{name}[{step}]"),
+            Some(name) if step.bytes().all(|byte| byte.is_ascii_digit()) => {
+                *name = format!("{name}[{step}]")
+            }
             _ => names.push(step),
         }
     }
@@ -127,7 +145,11 @@ mod tests {
                 "`measure[1]` of `Age` is the number 2.5, expected a whole number",
             ),
             ("macro", "[1]", "the file is a list, expected an object"),
-            ("modelling", r#"{"Age": {"rsym": 1}}"#, "`rsym` of `Age` is the number 1, expected a string or null"),
+            (
+                "modelling",
+                r#"{"Age": {"rsym": 1}}"#,
+                "`rsym` of `Age` is the number 1, expected a string or null",
+            ),
             (
                 "base",
                 r#"{"modifier-presets": {"a/b": "much"}}"#,
@@ -148,11 +170,23 @@ mod tests {
     #[test]
     fn what_is_missing_is_named() {
         let text = r#"{"components": {}, "macrodef": [{"comp": [], "targets": [{"name": "a"}]}]}"#;
-        assert_eq!(said("macro", text), "`targets[0]` of `macrodef[0]` has no `t`");
-        assert_eq!(said("macro", r#"{"macrodef": [{"comp": []}]}"#), "the file has no `components`");
+        assert_eq!(
+            said("macro", text),
+            "`targets[0]` of `macrodef[0]` has no `t`"
+        );
+        assert_eq!(
+            said("macro", r#"{"macrodef": [{"comp": []}]}"#),
+            "the file has no `components`"
+        );
         let empty = r#"{"components": {"a": {}}, "macrodef": []}"#;
-        assert_eq!(said("macro", empty), "`a` of `components` is empty, expected at least `pattern`");
+        assert_eq!(
+            said("macro", empty),
+            "`a` of `components` is empty, expected at least `pattern`"
+        );
         let short = r#"{"joint-ranges": {"a": []}}"#;
-        assert!(said("geometry", short).contains("`a` of `joint-ranges` has no elements, expected at least 3"));
+        assert!(
+            said("geometry", short)
+                .contains("`a` of `joint-ranges` has no elements, expected at least 3")
+        );
     }
 }

@@ -15,8 +15,14 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "treats the file as missing, or crashes at start if it is an asset"),
-        (Makehuman1, "does not put on the asset that uses these weights"),
+        (
+            Makehuman2,
+            "treats the file as missing, or crashes at start if it is an asset",
+        ),
+        (
+            Makehuman1,
+            "does not put on the asset that uses these weights",
+        ),
         (Mpfb, "fails with an exception where it reads the file"),
     ],
     docs: include_str!("syntax.md").trim_ascii_end(),
@@ -28,12 +34,20 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         return;
     }
     match &*file.content {
-        Content::Broken(JsonFault::Syntax(fault)) if fault.kind != SyntaxKind::TooDeep && !is_stray(view, file) => {
+        Content::Broken(JsonFault::Syntax(fault))
+            if fault.kind != SyntaxKind::TooDeep && !is_stray(view, file) =>
+        {
             let finding = RULE
-                .at(file, Place::Span(fault.span.clone()), format!("not valid JSON: {fault}"))
+                .at(
+                    file,
+                    Place::Span(fault.span.clone()),
+                    format!("not valid JSON: {fault}"),
+                )
                 .parts([format!("{} {}", sort(&fault.kind), fault.within)])
                 .help(help(fault));
-            out.extend(consequence(view, &file.rel, Damage::Syntax).map(|loss| loss.of(view, finding)));
+            out.extend(
+                consequence(view, &file.rel, Damage::Syntax).map(|loss| loss.of(view, finding)),
+            );
         }
         _ if !is_stray(view, file) => out.extend(special_numbers(view, file)),
         _ => {}
@@ -54,14 +68,17 @@ fn sort(kind: &SyntaxKind) -> &'static str {
     }
 }
 
-/// Whether no loader looks for a JSON of this name where it lies: `file-unreferenced` speaks, or `file-case-mismatch`.
+/// Whether no loader looks for a JSON of this name where it lies: `file-unreferenced` speaks, or
+/// `file-case-mismatch`.
 fn is_stray(view: &View<'_>, file: &FileFacts) -> bool {
-    matches!(file.kind, Kind::Json | Kind::ConfigJson | Kind::Pose) && !(view.layout().opens)(&file.rel)
+    matches!(file.kind, Kind::Json | Kind::ConfigJson | Kind::Pose)
+        && !(view.layout().opens)(&file.rel)
 }
 
 /// Quotes that word processors and chat programs make of straight ones.
 const TYPOGRAPHIC: [char; 10] = [
-    '\u{201c}', '\u{201d}', '\u{201e}', '\u{201f}', '\u{2018}', '\u{2019}', '\u{201a}', '\u{ab}', '\u{bb}', '\u{2033}',
+    '\u{201c}', '\u{201d}', '\u{201e}', '\u{201f}', '\u{2018}', '\u{2019}', '\u{201a}', '\u{ab}',
+    '\u{bb}', '\u{2033}',
 ];
 
 fn help(fault: &SyntaxFault) -> &'static str {
@@ -71,12 +88,18 @@ fn help(fault: &SyntaxFault) -> &'static str {
         SyntaxKind::Conflict => {
             "keep one version or combine both, and remove the lines `<<<<<<<`, `=======` and `>>>>>>>`"
         }
-        SyntaxKind::CutText => "restore the file, which seems to be cut off, or close the string and all brackets",
+        SyntaxKind::CutText => {
+            "restore the file, which seems to be cut off, or close the string and all brackets"
+        }
         SyntaxKind::BadString("does not end on its line") => {
             "close the string with `\"`; write a line break in it as `\\n`"
         }
-        SyntaxKind::BadString(_) => "write control characters and backslashes as escapes: `\\n`, `\\t`, `\\\\`",
-        SyntaxKind::UnexpectedEnd(_) => "restore the file if it is cut off, or close the open bracket",
+        SyntaxKind::BadString(_) => {
+            "write control characters and backslashes as escapes: `\\n`, `\\t`, `\\\\`"
+        }
+        SyntaxKind::UnexpectedEnd(_) => {
+            "restore the file if it is cut off, or close the open bracket"
+        }
         SyntaxKind::TrailingText => "remove what follows, or the bracket that closes too early",
         SyntaxKind::Expected { found, .. } if fault.span.start == 0 && found.starts_with('<') => {
             "download the file itself: this is a web page"

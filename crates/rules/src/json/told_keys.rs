@@ -24,13 +24,22 @@ pub(super) struct Told<'f> {
 
 impl<'f> Told<'f> {
     pub(super) fn of(view: &View<'_>, file: &'f FileFacts) -> Self {
-        let (sliders, lacking, kindless) = (told_sliders(view, file), lacking(file), kindless(file));
-        Self { file, sliders, lacking, are_bones: has_bones_at_top(file), kindless, lost: lost_components(file) }
+        let (sliders, lacking, kindless) =
+            (told_sliders(view, file), lacking(file), kindless(file));
+        Self {
+            file,
+            sliders,
+            lacking,
+            are_bones: has_bones_at_top(file),
+            kindless,
+            lost: lost_components(file),
+        }
     }
 
     /// Whether one of them names this key.
     pub(super) fn has(&self, unknown: &UnknownKey) -> bool {
-        let is_lost = self.lost.contains(unknown.key.as_str()) && nested(self.file, unknown).is_some();
+        let is_lost =
+            self.lost.contains(unknown.key.as_str()) && nested(self.file, unknown).is_some();
         self.are_bones || is_lost || lacks(&self.lacking, unknown) || is_told(self, unknown)
     }
 }
@@ -41,7 +50,9 @@ fn told_sliders<'f>(view: &View<'_>, file: &'f FileFacts) -> BTreeSet<(String, &
     match &*file.content {
         Content::Modelling(model) if !view.is_generated(&file.rel) => {
             let sliders = model.sliders.iter();
-            sliders.filter_map(|slider| Some((pointer(&[&slider.key]), slider.misspelt_effect()?.0))).collect()
+            sliders
+                .filter_map(|slider| Some((pointer(&[&slider.key]), slider.misspelt_effect()?.0)))
+                .collect()
         }
         _ => BTreeSet::new(),
     }
@@ -49,9 +60,16 @@ fn told_sliders<'f>(view: &View<'_>, file: &'f FileFacts) -> BTreeSet<(String, &
 
 /// Pointers of the components with neither `steps` nor `sum`.
 fn kindless(file: &FileFacts) -> BTreeSet<String> {
-    let Content::Macro(macros) = &*file.content else { return BTreeSet::new() };
+    let Content::Macro(macros) = &*file.content else {
+        return BTreeSet::new();
+    };
     let kindless = |component: &&Component| component.steps.is_none() && component.sum.is_none();
-    macros.components.iter().filter(kindless).map(|component| pointer(&["components", &component.name])).collect()
+    macros
+        .components
+        .iter()
+        .filter(kindless)
+        .map(|component| pointer(&["components", &component.name]))
+        .collect()
 }
 
 /// Whether the bones of a weights file stand where `weights` is missing, which is said.
@@ -62,30 +80,53 @@ fn has_bones_at_top(file: &FileFacts) -> bool {
 
 /// Pointers of objects and the keys that the schema wants in them.
 fn lacking(file: &FileFacts) -> BTreeSet<(&str, &str)> {
-    file.schema.faults.iter().filter_map(|fault| Some((fault.pointer.as_str(), fault.missing()?))).collect()
+    file.schema
+        .faults
+        .iter()
+        .filter_map(|fault| Some((fault.pointer.as_str(), fault.missing()?)))
+        .collect()
 }
 
 /// Whether the finding on the key that the schema misses names this one.
 fn lacks(lacking: &BTreeSet<(&str, &str)>, unknown: &UnknownKey) -> bool {
-    let owner = unknown.pointer.rsplit_once('/').map_or("", |(owner, _)| owner);
-    lacking.range((owner, "")..).take_while(|(other, _)| *other == owner).any(|(_, key)| stands_for(unknown, key))
+    let owner = unknown
+        .pointer
+        .rsplit_once('/')
+        .map_or("", |(owner, _)| owner);
+    lacking
+        .range((owner, "")..)
+        .take_while(|(other, _)| *other == owner)
+        .any(|(_, key)| stands_for(unknown, key))
 }
 
 /// Whether the finding of another rule on the key that is missing instead names this one.
-fn is_told(Told { file, sliders, kindless, .. }: &Told<'_>, unknown: &UnknownKey) -> bool {
-    let Some(nearest) = unknown.nearest.as_deref() else { return false };
+fn is_told(
+    Told {
+        file,
+        sliders,
+        kindless,
+        ..
+    }: &Told<'_>,
+    unknown: &UnknownKey,
+) -> bool {
+    let Some(nearest) = unknown.nearest.as_deref() else {
+        return false;
+    };
     let (owner, _) = unknown.pointer.rsplit_once('/').unwrap_or_default();
     match &*file.content {
         Content::Skeleton(skeleton) if owner.is_empty() => match nearest {
             "bones" => skeleton.bones_section == Section::Absent,
             "joints" => skeleton.joints_section == Section::Absent,
             "planes" => {
-                let names_one = |bone: &Bone| matches!(bone.rotation_plane, RotationPlane::Named(_));
+                let names_one =
+                    |bone: &Bone| matches!(bone.rotation_plane, RotationPlane::Named(_));
                 skeleton.planes.is_empty() && skeleton.bones.iter().any(names_one)
             }
             _ => false,
         },
-        Content::BaseJson(settings) if owner.is_empty() => nearest == "visible groups" && !settings.has_visible_groups,
+        Content::BaseJson(settings) if owner.is_empty() => {
+            nearest == "visible groups" && !settings.has_visible_groups
+        }
         Content::Pose(pose) if owner.is_empty() => nearest == "unit_poses" && !pose.has_units,
         Content::Macro(_) if matches!(nearest, "steps" | "sum") => kindless.contains(owner),
         Content::Modelling(_) => sliders.contains(&(owner.to_owned(), &unknown.key)),
@@ -93,16 +134,27 @@ fn is_told(Told { file, sliders, kindless, .. }: &Told<'_>, unknown: &UnknownKey
     }
 }
 
-/// Components that some `comp` names and that are not defined where they should be: `macro-unknown-component` says where
-/// one of them lies inside another one.
+/// Components that some `comp` names and that are not defined where they should be:
+/// `macro-unknown-component` says where one of them lies inside another one.
 fn lost_components(file: &FileFacts) -> BTreeSet<&str> {
-    let Content::Macro(macros) = &*file.content else { return BTreeSet::new() };
-    let defined: BTreeSet<&str> = macros.components.iter().map(|component| component.name.as_str()).collect();
-    let named = macros.macrodefs.iter().flat_map(|macrodef| &macrodef.components).map(String::as_str);
+    let Content::Macro(macros) = &*file.content else {
+        return BTreeSet::new();
+    };
+    let defined: BTreeSet<&str> = macros
+        .components
+        .iter()
+        .map(|component| component.name.as_str())
+        .collect();
+    let named = macros
+        .macrodefs
+        .iter()
+        .flat_map(|macrodef| &macrodef.components)
+        .map(String::as_str);
     named.filter(|name| !defined.contains(name)).collect()
 }
 
-/// What an object with an unknown key for a name is, where it may have slipped inside its neighbour.
+/// What an object with an unknown key for a name is, where it may have slipped inside its
+/// neighbour.
 pub(super) fn nested(file: &FileFacts, unknown: &UnknownKey) -> Option<&'static str> {
     match (file.kind, unknown.object.as_deref()) {
         _ if unknown.nearest.is_some() || !unknown.is_object => None,

@@ -21,10 +21,14 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Content::Broken(JsonFault::Syntax(fault)) = &*file.content else { return };
+    let Content::Broken(JsonFault::Syntax(fault)) = &*file.content else {
+        return;
+    };
     if fault.kind == SyntaxKind::TooDeep {
         let finding = RULE.at(file, Place::Span(fault.span.clone()), fault.to_string());
         let finding = finding.help("replace the file; no format needs more than ten levels");
-        out.extend(consequence(view, &file.rel, Damage::TooDeep).map(|loss| loss.of(view, finding)));
+        out.extend(
+            consequence(view, &file.rel, Damage::TooDeep).map(|loss| loss.of(view, finding)),
+        );
     }
 }

@@ -9,28 +9,47 @@ use mhlint_repo::View;
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman1, "does not search the folder: its assets are not listed"),
-        (Mpfb, "does not search the folder: its assets are not listed"),
+        (
+            Makehuman1,
+            "does not search the folder: its assets are not listed",
+        ),
+        (
+            Mpfb,
+            "does not search the folder: its assets are not listed",
+        ),
     ],
     docs: include_str!("linked_folder.md").trim_ascii_end(),
     of_library: true,
-    ..RuleInfo::new("library-linked-folder", Level::Error, "a folder of assets that is a link")
+    ..RuleInfo::new(
+        "library-linked-folder",
+        Level::Error,
+        "a folder of assets that is a link",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     for folder in &layer.linked_folders {
-        let assets: Vec<&str> =
-            layer.below(folder).filter(|file| view.lists(file)).map(|file| file.rel.as_str()).collect();
+        let assets: Vec<&str> = layer
+            .below(folder)
+            .filter(|file| view.lists(file))
+            .map(|file| file.rel.as_str())
+            .collect();
         if assets.is_empty() {
             continue;
         }
         let message = format!("the folder is a link: {} not listed", are(assets.len()));
-        let finding = RULE.in_layer(layer, folder, message).evidence(Evidence::of_cases(assets));
+        let finding = RULE
+            .in_layer(layer, folder, message)
+            .evidence(Evidence::of_cases(assets));
         out.push(finding.help("copy the folder here, or make links to its files"));
     }
 }
 
 fn are(count: usize) -> String {
-    format!("{} in it {}", counted(count, "asset"), if count == 1 { "is" } else { "are" })
+    format!(
+        "{} in it {}",
+        counted(count, "asset"),
+        if count == 1 { "is" } else { "are" }
+    )
 }

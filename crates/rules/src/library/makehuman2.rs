@@ -9,8 +9,9 @@ use mhlint_discover::extension;
 use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::View;
 
-/// What lies in a folder that is no category but looks like one: by its name, or because it is sorted by base mesh and has
-/// assets that are nowhere else. A name with other capitals has a finding of its own.
+/// What lies in a folder that is no category but looks like one: by its name, or because it is
+/// sorted by base mesh and has assets that are nowhere else. A name with other capitals has a
+/// finding of its own.
 pub(super) fn unread(
     rule: &Rule,
     view: &View<'_>,
@@ -19,13 +20,23 @@ pub(super) fn unread(
     bases: &BTreeSet<&str>,
 ) -> Option<Finding> {
     let (first, near) = (files.first()?, nearest(folder, CATEGORIES));
-    let has_base = |file: &&FileFacts| file.rel.split('/').nth(1).is_some_and(|base| bases.contains(base));
+    let has_base = |file: &&FileFacts| {
+        file.rel
+            .split('/')
+            .nth(1)
+            .is_some_and(|base| bases.contains(base))
+    };
     // Beside the libraries of a pack it may wait there on purpose.
-    let is_at_top =
-        |file: &&FileFacts| is_directly_in(file) && !view.layers.checked.is_pack_of(Application::Makehuman2);
+    let is_at_top = |file: &&FileFacts| {
+        is_directly_in(file) && !view.layers.checked.is_pack_of(Application::Makehuman2)
+    };
     let known = view.library.bases();
     let is_meant = near.is_some() || files.iter().any(|file| is_lost(view, &known, file));
-    let holds_skeleton = || view.references.iter().any(|one| renamed_rigs(view.layers.checked, one) == Some(folder));
+    let holds_skeleton = || {
+        view.references
+            .iter()
+            .any(|one| renamed_rigs(view.layers.checked, one) == Some(folder))
+    };
     if near.is_some_and(|near| near.eq_ignore_ascii_case(folder))
         || near == Some("rigs") && holds_skeleton()
         || !is_meant
@@ -33,16 +44,31 @@ pub(super) fn unread(
     {
         return None;
     }
-    let message = format!("folder `{folder}` is not read ({})", counted(files.len(), "asset"));
+    let message = format!(
+        "folder `{folder}` is not read ({})",
+        counted(files.len(), "asset")
+    );
     let is_of_asset = near.is_none() && files.iter().all(is_at_top);
     let parts = files.iter().map(|file| (file.shown(), &file.path));
-    let finding = rule.at(first, Place::File, message).key(format!("folder {folder}")).parts_in(parts);
+    let finding = rule
+        .at(first, Place::File, message)
+        .key(format!("folder {folder}"))
+        .parts_in(parts);
     let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
-    let base = bases.first().filter(|_| bases.len() == 1).copied().unwrap_or("<base>");
+    let base = bases
+        .first()
+        .filter(|_| bases.len() == 1)
+        .copied()
+        .unwrap_or("<base>");
     if is_of_asset {
-        return Some(finding.help(format!("move the folder to that of its kind, such as `clothes/{base}`")));
+        return Some(finding.help(format!(
+            "move the folder to that of its kind, such as `clothes/{base}`"
+        )));
     }
-    Some(finding.help(did_you_mean(near, "rename it to the kind of its assets, such as `clothes`, `hair` or `eyes`")))
+    Some(finding.help(did_you_mean(
+        near,
+        "rename it to the kind of its assets, such as `clothes`, `hair` or `eyes`",
+    )))
 }
 
 /// Whether a file lies in a folder at the top, as an asset in its own.
@@ -52,8 +78,14 @@ fn is_directly_in(file: &FileFacts) -> bool {
 
 /// Whether a worn asset is listed nowhere under its name.
 fn is_lost(view: &View<'_>, bases: &BTreeSet<&str>, file: &FileFacts) -> bool {
-    let name = file.clothes().and_then(|clothes| clothes.scanned.name.as_ref());
-    let base = file.rel.split('/').nth(1).filter(|base| bases.contains(base));
+    let name = file
+        .clothes()
+        .and_then(|clothes| clothes.scanned.name.as_ref());
+    let base = file
+        .rel
+        .split('/')
+        .nth(1)
+        .filter(|base| bases.contains(base));
     let is_listed = |base: &&str, name: &str| view.library.named(base, name).next().is_some();
     name.is_some_and(|name| match base {
         Some(base) => !is_listed(&base, &name.text),
@@ -72,27 +104,50 @@ const OF_OTHERS: [(&str, &str, &str); 4] = [
 /// What lies where `MakeHuman` 1 or MPFB would look for it, in data that are not theirs as well.
 pub(super) fn in_folders_of_others(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
-    let is_shared = layer.layouts.iter().any(|layout| layout.application != Application::Makehuman2);
+    let is_shared = layer
+        .layouts
+        .iter()
+        .any(|layout| layout.application != Application::Makehuman2);
     if is_shared || layer.is_loose || layer.pack.is_some() {
         return;
     }
-    let at_top = layer.files.values().filter(|file| !file.rel.contains('/') && extension(&file.rel) == "target");
+    let at_top = layer
+        .files
+        .values()
+        .filter(|file| !file.rel.contains('/') && extension(&file.rel) == "target");
     for file in at_top.filter(|file| !file.is_loose) {
         let message = format!("`{}` lies in no folder of targets", file.rel);
         let finding = rule.at(file, Place::File, message).key("top");
-        out.push(finding.help("move it to a folder below `target/<base>`, if it is made for one of its base meshes"));
+        out.push(finding.help(
+            "move it to a folder below `target/<base>`, if it is made for one of its base meshes",
+        ));
     }
     for (folder, suffix, right) in OF_OTHERS {
-        let files = layer.below(folder).filter(|file| extension(&file.rel) == suffix && !file.is_loose);
+        let files = layer
+            .below(folder)
+            .filter(|file| extension(&file.rel) == suffix && !file.is_loose);
         let files: Vec<&FileFacts> = files.collect();
         let Some(first) = files.first() else { continue };
-        let what = if suffix == "target" { "target" } else { "asset" };
-        let message = format!("{} in `{folder}`, where MakeHuman 2 does not look for any", counted(files.len(), what));
-        let finding = rule.at(first, Place::File, message).key(format!("folder {folder} {suffix}"));
+        let what = if suffix == "target" {
+            "target"
+        } else {
+            "asset"
+        };
+        let message = format!(
+            "{} in `{folder}`, where MakeHuman 2 does not look for any",
+            counted(files.len(), what)
+        );
+        let finding = rule
+            .at(first, Place::File, message)
+            .key(format!("folder {folder} {suffix}"));
         let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
         let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
         // With the lists of sliders it is the whole folder.
-        let has_sliders = || layer.below(folder).any(|file| file.file_name() == "modelling.json");
+        let has_sliders = || {
+            layer
+                .below(folder)
+                .any(|file| file.file_name() == "modelling.json")
+        };
         let help = if folder == TARGETS_OF_OTHERS && !layer.has_folder("target") && has_sliders() {
             "rename the folder to `target`".to_owned()
         } else {

@@ -52,17 +52,27 @@ const SUFFIXES: [&str; 6] = ["mhclo", "proxy", "mhskel", "mhpose", "bvh", "mhm"]
 /// The suffix of an asset, in small letters, if the name has one.
 fn suffix(rel: &str) -> Option<&'static str> {
     let own = extension(rel);
-    SUFFIXES.into_iter().find(|suffix| suffix.eq_ignore_ascii_case(own))
+    SUFFIXES
+        .into_iter()
+        .find(|suffix| suffix.eq_ignore_ascii_case(own))
 }
 
-/// What is wrong with a file, or with several of a folder in the same way: then it is one finding, with a message of its
-/// own.
-fn of_folder(layer: &Layer, folder: &str, files: &[&FileFacts], one: Finding, message: String) -> Finding {
+/// What is wrong with a file, or with several of a folder in the same way: then it is one finding,
+/// with a message of its own.
+fn of_folder(
+    layer: &Layer,
+    folder: &str,
+    files: &[&FileFacts],
+    one: Finding,
+    message: String,
+) -> Finding {
     if files.len() < 2 {
         return one;
     }
     let key = format!("{} {folder}", one.subject.key);
-    let many = Finding { message, ..one }.key(key).asset(layer.display(folder));
+    let many = Finding { message, ..one }
+        .key(key)
+        .asset(layer.display(folder));
     let many = many.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
     many.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())))
 }
@@ -72,7 +82,8 @@ fn is_exported(file: &FileFacts) -> bool {
     file.is_loose && file.folder().split('/').any(|part| part == "exports")
 }
 
-/// How many assets lack a picture, with the first of them. Loose files have no folder of a library, and may lie in several.
+/// How many assets lack a picture, with the first of them. Loose files have no folder of a library,
+/// and may lie in several.
 fn unpictured(count: &str, library: &str, first: &FileFacts, name: &str) -> String {
     if first.is_loose {
         return format!("{count} have no picture, first `{}`", first.shown());
@@ -80,23 +91,41 @@ fn unpictured(count: &str, library: &str, first: &FileFacts, name: &str) -> Stri
     format!("{count} in `{library}` have no picture, first `{name}`")
 }
 
-const ASIDE: Case =
-    &[(Makehuman2, Level::Info, LISTS_NONE), (Makehuman1, Level::Info, LISTS_NONE), (Mpfb, Level::Info, LISTS_NONE)];
+const ASIDE: Case = &[
+    (Makehuman2, Level::Info, LISTS_NONE),
+    (Makehuman1, Level::Info, LISTS_NONE),
+    (Mpfb, Level::Info, LISTS_NONE),
+];
 const LISTS_NONE: &str = "does not list what is there";
 
 /// What lies beside the libraries of a pack, in folders that are not read.
 fn aside(rule: &Rule, files: &[&FileFacts]) -> Option<Finding> {
-    let mut folders: Vec<String> = files.iter().map(|file| format!("`{}`", top(file))).collect();
+    let mut folders: Vec<String> = files
+        .iter()
+        .map(|file| format!("`{}`", top(file)))
+        .collect();
     folders.dedup();
-    let word = if folders.len() > 1 { "folders" } else { "folder" };
-    let message =
-        format!("{} in {word} {}, beside those that are read", counted(files.len(), "asset"), enumerated(&folders));
-    let finding = rule.at(files.first()?, Place::File, message).key("aside").case(ASIDE);
+    let word = if folders.len() > 1 {
+        "folders"
+    } else {
+        "folder"
+    };
+    let message = format!(
+        "{} in {word} {}, beside those that are read",
+        counted(files.len(), "asset"),
+        enumerated(&folders)
+    );
+    let finding = rule
+        .at(files.first()?, Place::File, message)
+        .key("aside")
+        .case(ASIDE);
     let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
     let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
     let are_targets = files.iter().all(|file| extension(&file.rel) == "target");
     let example = if are_targets { "custom" } else { "clothes" };
-    let help = format!("move them to the folder of their kind, such as `{example}`, if they belong to the pack");
+    let help = format!(
+        "move them to the folder of their kind, such as `{example}`, if they belong to the pack"
+    );
     Some(finding.help(help))
 }
 
@@ -105,17 +134,27 @@ struct Contents<'f>(BTreeSet<(&'f str, u64)>);
 
 impl<'f> Contents<'f> {
     fn of(files: impl Iterator<Item = &'f FileFacts>) -> Self {
-        Self(files.filter_map(|file| Some((file.file_name(), file.content_hash?))).collect())
+        Self(
+            files
+                .filter_map(|file| Some((file.file_name(), file.content_hash?)))
+                .collect(),
+        )
     }
 
     fn has(&self, file: &FileFacts) -> bool {
-        file.content_hash.is_some_and(|hash| self.0.contains(&(file.file_name(), hash)))
+        file.content_hash
+            .is_some_and(|hash| self.0.contains(&(file.file_name(), hash)))
     }
 }
 
-/// By what files are sorted that have something in common: the copy, with a longer or a hidden name, comes last.
+/// By what files are sorted that have something in common: the copy, with a longer or a hidden
+/// name, comes last.
 fn as_copy(file: &FileFacts) -> (bool, usize, &str) {
-    (file.file_name().starts_with('.'), file.shown().len(), file.shown())
+    (
+        file.file_name().starts_with('.'),
+        file.shown().len(),
+        file.shown(),
+    )
 }
 
 /// The first folder of a path.

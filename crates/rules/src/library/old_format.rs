@@ -1,4 +1,5 @@
-//! Assets in a format of an older version: each folder is one finding, whatever else follows from it.
+//! Assets in a format of an older version: each folder is one finding, whatever else follows from
+//! it.
 
 use super::super::cause::outdated::outdated;
 use super::super::{Check, Rule, RuleCx, counted, either};
@@ -20,7 +21,11 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     docs: include_str!("old_format.md").trim_ascii_end(),
     counts: "files",
     of_pieces: true,
-    ..RuleInfo::new("library-old-format", Level::Error, "assets in a format of an older version")
+    ..RuleInfo::new(
+        "library-old-format",
+        Level::Error,
+        "assets in a format of an older version",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -28,7 +33,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // The program of that time reads what it wrote.
     let reads_old = view.is_makehuman1() && view.version().is_some_and(is_1_0);
     let old = layer.files.values().filter_map(|file| {
-        let found = outdated(view, file).filter(|found| !(reads_old && found.versions().contains(&"1.0")))?;
+        let found = outdated(view, file)
+            .filter(|found| !(reads_old && found.versions().contains(&"1.0")))?;
         let (top, _) = file.rel.split_once('/').unwrap_or_default();
         // Where loose files belong is only supposed.
         let top = if file.is_loose { file.folder() } else { top };
@@ -43,9 +49,18 @@ fn is_1_0(version: Version) -> bool {
     version.is_before("1.1") && !version.is_before("1.0")
 }
 
-fn finding(view: &View<'_>, top: &str, sort: Sort, files: &[(&FileFacts, Outdated)]) -> Option<Finding> {
+fn finding(
+    view: &View<'_>,
+    top: &str,
+    sort: Sort,
+    files: &[(&FileFacts, Outdated)],
+) -> Option<Finding> {
     let (first, _) = files.first()?;
-    let mut versions: Vec<&str> = files.iter().flat_map(|(_, found)| found.versions()).copied().collect();
+    let mut versions: Vec<&str> = files
+        .iter()
+        .flat_map(|(_, found)| found.versions())
+        .copied()
+        .collect();
     // `1.0` comes last.
     versions.sort_by_key(|version| (version.starts_with('1'), *version));
     versions.dedup();
@@ -61,17 +76,38 @@ fn finding(view: &View<'_>, top: &str, sort: Sort, files: &[(&FileFacts, Outdate
             } else {
                 counted(count, words.noun)
             };
-            let place = if folder.is_empty() { String::new() } else { format!(" in `{folder}`") };
+            let place = if folder.is_empty() {
+                String::new()
+            } else {
+                format!(" in `{folder}`")
+            };
             format!("{of_all}{place} {} of {versions}", words.several)
         }
     };
     let layer = view.layers().checked;
-    let asset = if first.is_loose { top.to_owned() } else { layer.display(top) };
-    let place = first.target().and_then(|facts| Some(Place::Line(facts.basemesh.as_ref()?.0))).unwrap_or(Place::File);
-    let finding = RULE.at(first, place, message).key(sort.key()).case(words.case).help(words.help);
-    let finding = if files.len() > 1 || !first.is_loose { finding.asset(asset) } else { finding };
+    let asset = if first.is_loose {
+        top.to_owned()
+    } else {
+        layer.display(top)
+    };
+    let place = first
+        .target()
+        .and_then(|facts| Some(Place::Line(facts.basemesh.as_ref()?.0)))
+        .unwrap_or(Place::File);
+    let finding = RULE
+        .at(first, place, message)
+        .key(sort.key())
+        .case(words.case)
+        .help(words.help);
+    let finding = if files.len() > 1 || !first.is_loose {
+        finding.asset(asset)
+    } else {
+        finding
+    };
     let finding = finding.parts_in(files.iter().map(|(file, _)| (file.shown(), &file.path)));
-    Some(finding.evidence(Evidence::of_cases(files.iter().map(|(file, _)| file.shown()))))
+    Some(finding.evidence(Evidence::of_cases(
+        files.iter().map(|(file, _)| file.shown()),
+    )))
 }
 
 /// The folder that all of them lie in or below.
@@ -90,6 +126,13 @@ fn common_folder<'f>(files: &[(&'f FileFacts, Outdated)]) -> &'f str {
 /// How many files of the same suffix lie there.
 fn alike(view: &View<'_>, first: &FileFacts, folder: &str) -> usize {
     let own = extension(&first.rel);
-    let files = view.layers().checked.files.values().filter(|file| extension(&file.rel) == own);
-    files.filter(|file| mhlint_source::is_below(file.shown(), folder)).count()
+    let files = view
+        .layers()
+        .checked
+        .files
+        .values()
+        .filter(|file| extension(&file.rel) == own);
+    files
+        .filter(|file| mhlint_source::is_below(file.shown(), folder))
+        .count()
 }

@@ -1,5 +1,5 @@
-//! The lists of MPFB: what is in them, and by which label (`docs/loaders/mpfb/libraries.md#sections`,
-//! `docs/loaders/mpfb/libraries.md#labels`).
+//! The lists of MPFB: what is in them, and by which label
+//! (`docs/loaders/mpfb/libraries.md#sections`, `docs/loaders/mpfb/libraries.md#labels`).
 
 use std::collections::BTreeSet;
 
@@ -48,8 +48,16 @@ pub(super) fn label(file: &FileFacts) -> String {
 
 /// What is listed of a layer; links to folders are not followed.
 pub(super) fn listed(layer: &Layer) -> impl Iterator<Item = (&'static str, &FileFacts)> {
-    let is_linked = |file: &FileFacts| layer.linked_folders.iter().any(|folder| is_below(&file.rel, folder));
-    let files = layer.files.values().filter(move |file| !is_linked(file) && !file.is_loose);
+    let is_linked = |file: &FileFacts| {
+        layer
+            .linked_folders
+            .iter()
+            .any(|folder| is_below(&file.rel, folder))
+    };
+    let files = layer
+        .files
+        .values()
+        .filter(move |file| !is_linked(file) && !file.is_loose);
     files.filter_map(|file| Some((shelf(file)?, file)))
 }
 
@@ -60,25 +68,49 @@ pub(crate) fn same_labels(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) 
     let labelled = listed(view.layers.checked).map(|(folder, file)| ((folder, label(file)), file));
     for ((folder, label), mut files) in grouped(labelled) {
         files.sort_by_key(|file| as_copy(file));
-        let [first, .., last] = files.as_slice() else { continue };
-        let more = if files.len() > 2 { format!(" and {} more", files.len() - 2) } else { String::new() };
-        let message = format!("has the label `{label}` in the list of `{folder}`, like `{}`{more}", first.rel);
-        let finding = rule.at(last, Place::File, message).key(format!("{folder} {label}"));
+        let [first, .., last] = files.as_slice() else {
+            continue;
+        };
+        let more = if files.len() > 2 {
+            format!(" and {} more", files.len() - 2)
+        } else {
+            String::new()
+        };
+        let message = format!(
+            "has the label `{label}` in the list of `{folder}`, like `{}`{more}",
+            first.rel
+        );
+        let finding = rule
+            .at(last, Place::File, message)
+            .key(format!("{folder} {label}"));
         let finding = finding.related(first.path.clone(), Place::File, "the other asset");
         let finding = finding.between(files.iter().map(|file| file.path.as_str()));
-        let is_copy = |file: &&&FileFacts| (file.size, file.content_hash) == (first.size, first.content_hash);
+        let is_copy =
+            |file: &&&FileFacts| (file.size, file.content_hash) == (first.size, first.content_hash);
         let are_copies = files.iter().all(|file| is_copy(&file));
-        let finding = finding.help("rename one of the files: capitals and `_` for a space make no difference");
-        out.push(if are_copies { finding.case(COPY) } else { finding });
+        let finding = finding
+            .help("rename one of the files: capitals and `_` for a space make no difference");
+        out.push(if are_copies {
+            finding.case(COPY)
+        } else {
+            finding
+        });
     }
 }
 
 /// Assets of the system that one of the user hides.
 pub(crate) fn hidden(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
-    let Some(system) = view.layers.system.filter(|_| !view.layers.checks_system()) else { return };
+    let Some(system) = view.layers.system.filter(|_| !view.layers.checks_system()) else {
+        return;
+    };
     let shipped = grouped(listed(system).map(|(folder, file)| ((folder, label(file)), file)));
     for (folder, file) in listed(view.layers.checked) {
-        let Some(other) = shipped.get(&(folder, label(file))).and_then(|files| files.first()) else { continue };
+        let Some(other) = shipped
+            .get(&(folder, label(file)))
+            .and_then(|files| files.first())
+        else {
+            continue;
+        };
         let message = format!("replaces the system's `{}` in the list", other.rel);
         let finding = rule.at(file, Place::File, message).key(&file.rel);
         let finding = finding.related(other.path.clone(), Place::File, "the replaced asset");
@@ -88,10 +120,14 @@ pub(crate) fn hidden(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 
 /// Assets with one uuid.
 pub(super) fn same_uuids(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
-    let own = view.worn_anywhere().filter(|worn| view.layers.is_checked(worn.file));
+    let own = view
+        .worn_anywhere()
+        .filter(|worn| view.layers.is_checked(worn.file));
     for (uuid, mut assets) in grouped(own.filter_map(|worn| Some((uuid(worn)?, worn.file)))) {
         assets.sort_by_key(|file| as_copy(file));
-        let [first, .., last] = assets.as_slice() else { continue };
+        let [first, .., last] = assets.as_slice() else {
+            continue;
+        };
         // Of copies with one label one is listed, which is reported for the label.
         let of_copy = |file: &FileFacts| (file.size, file.content_hash, label(file));
         if assets.iter().all(|file| of_copy(file) == of_copy(first)) {
@@ -111,7 +147,12 @@ pub(super) fn same_uuids(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
 
 /// Assets with the suffix of the list, in capitals.
 pub(super) fn in_capitals(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
-    let files = view.layers.checked.files.values().filter(|file| !file.is_loose);
+    let files = view
+        .layers
+        .checked
+        .files
+        .values()
+        .filter(|file| !file.is_loose);
     let shelved = files.filter_map(|file| Some((file, shelf_around(file)?.1)));
     let in_capitals = shelved.filter(|(file, suffix)| mpfb::is_in_capitals(file, suffix));
     out.extend(in_capitals.map(|(file, suffix)| mpfb::capitals(rule, file, suffix)));
@@ -120,8 +161,12 @@ pub(super) fn in_capitals(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) 
 /// Topologies in the list of worn assets, and the other way around.
 pub(super) fn of_other_kind(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
-    let files = layer.files.values().filter(|file| !file.is_loose && !is_outdated(file));
-    let shelved = files.filter_map(|file| Some(((shelf_around(file)?, extension(&file.rel)), file)));
+    let files = layer
+        .files
+        .values()
+        .filter(|file| !file.is_loose && !is_outdated(file));
+    let shelved =
+        files.filter_map(|file| Some(((shelf_around(file)?, extension(&file.rel)), file)));
     for (((folder, suffix), own), files) in grouped(shelved) {
         let help = match (own, suffix) {
             ("proxy", "mhclo") => {
@@ -134,7 +179,10 @@ pub(super) fn of_other_kind(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>
         };
         let Some(first) = files.first() else { continue };
         let message = format!("a `.{own}` in `{folder}` is not listed");
-        let finding = rule.at(first, Place::File, message).key("suffix").help(help);
+        let finding = rule
+            .at(first, Place::File, message)
+            .key("suffix")
+            .help(help);
         let message = format!("{} `.{own}` in `{folder}` are not listed", files.len());
         out.push(of_folder(layer, folder, &files, finding, message));
     }
@@ -149,7 +197,10 @@ pub(super) fn without_pictures(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
         if is_outdated(file) {
             return false;
         }
-        let stem = file.rel.rsplit_once('.').map_or(&*file.rel, |(stem, _)| stem);
+        let stem = file
+            .rel
+            .rsplit_once('.')
+            .map_or(&*file.rel, |(stem, _)| stem);
         // Of one label one has a picture.
         seen.insert((*folder, label(file))) && layer.file(&format!("{stem}.thumb")).is_none()
     });
@@ -158,7 +209,11 @@ pub(super) fn without_pictures(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
         let message = match files.len() {
             1 => format!("`{}` has no picture", first.file_name()),
             count => {
-                format!("{} in `{folder}` have no picture, first `{}`", counted(count, "asset"), first.file_name())
+                format!(
+                    "{} in `{folder}` have no picture, first `{}`",
+                    counted(count, "asset"),
+                    first.file_name()
+                )
             }
         };
         let finding = rule.at(first, Place::File, message).key(folder);

@@ -16,17 +16,25 @@ pub(crate) static RULE: Rule = Check::LibrariesOfAll(run, of_makehuman1, |view, 
     mpfb::in_capitals(&RULE, view, out);
     let layer = view.layers.checked;
     let files = layer.files.values().filter(|file| !file.is_loose);
-    let lost = files.filter(|file| double(layer, file).is_some_and(|suffix| shelves::lists(file, suffix)));
+    let lost =
+        files.filter(|file| double(layer, file).is_some_and(|suffix| shelves::lists(file, suffix)));
     out.extend(lost.map(doubled));
 })
 .rule(RuleInfo {
     breaks: &[
         (Makehuman2, "does not list what is in deeper folders"),
         (Makehuman1, UNREAD),
-        (Mpfb, "takes suffixes as they are written, and does not find it"),
+        (
+            Mpfb,
+            "takes suffixes as they are written, and does not find it",
+        ),
     ],
     docs: include_str!("too_deep.md").trim_ascii_end(),
-    ..RuleInfo::new("library-too-deep", Level::Error, "an asset that the list does not find")
+    ..RuleInfo::new(
+        "library-too-deep",
+        Level::Error,
+        "an asset that the list does not find",
+    )
 });
 
 const UNREAD: &str = "does not list it";
@@ -37,7 +45,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut deep = Vec::new();
     for file in layer.files.values().filter(|file| !is_outdated(file)) {
         let parts: Vec<&str> = file.rel.split('/').collect();
-        let [category, base, .., name] = parts.as_slice() else { continue };
+        let [category, base, .., name] = parts.as_slice() else {
+            continue;
+        };
         let is_for = |suffix: &str| in_place_of(suffix).contains(category);
         let is_skin = *category == "skins" && extension(name) == "mhmat";
         let own = suffix(name).filter(|suffix| is_for(suffix));
@@ -55,25 +65,41 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 let folder = parts.get(..3).map(|top| top.join("/")).unwrap_or_default();
                 deep.push(((folder, *category, *base), file));
             }
-            None if parts.len() <= 4 && double(layer, file).is_some_and(is_for) => out.push(doubled(file)),
+            None if parts.len() <= 4 && double(layer, file).is_some_and(is_for) => {
+                out.push(doubled(file))
+            }
             _ => {}
         }
     }
     // What was moved with its folder is one mistake.
-    out.extend(grouped(deep).into_iter().filter_map(|((folder, category, base), files)| {
-        let mut beside = layer.below(&folder).filter(|file| parent(&file.rel) == folder);
-        let is_of_asset = beside.any(|file| suffix(&file.rel).is_some());
-        let finding = too_deep(&folder, &format!("{category}/{base}"), &files)?;
-        let finding = if is_of_asset { finding.help(help_in_asset(&folder)) } else { finding };
-        Some(finding.asset(layer.display(&folder)))
-    }));
+    out.extend(
+        grouped(deep)
+            .into_iter()
+            .filter_map(|((folder, category, base), files)| {
+                let mut beside = layer
+                    .below(&folder)
+                    .filter(|file| parent(&file.rel) == folder);
+                let is_of_asset = beside.any(|file| suffix(&file.rel).is_some());
+                let finding = too_deep(&folder, &format!("{category}/{base}"), &files)?;
+                let finding = if is_of_asset {
+                    finding.help(help_in_asset(&folder))
+                } else {
+                    finding
+                };
+                Some(finding.asset(layer.display(&folder)))
+            }),
+    );
 }
 
 fn of_makehuman1(view: &makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
-    let of_library =
-        |file: &FileFacts, suffix: &str| file.rel.split('/').next().and_then(library_extension) == Some(suffix);
-    let lost = layer.files.values().filter(|file| double(layer, file).is_some_and(|suffix| of_library(file, suffix)));
+    let of_library = |file: &FileFacts, suffix: &str| {
+        file.rel.split('/').next().and_then(library_extension) == Some(suffix)
+    };
+    let lost = layer
+        .files
+        .values()
+        .filter(|file| double(layer, file).is_some_and(|suffix| of_library(file, suffix)));
     out.extend(lost.map(doubled));
     custom_targets::targets_in_capitals(&RULE, view, out);
     custom_targets::packed_targets(&RULE, view, out);
@@ -82,7 +108,9 @@ fn of_makehuman1(view: &makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Find
 
 /// In the folder of another asset it is mostly an older version, or belongs there by mistake.
 fn help_in_asset(folder: &str) -> String {
-    format!("move it to a folder of its own beside `{folder}`, or keep an older version outside of the data")
+    format!(
+        "move it to a folder of its own beside `{folder}`, or keep an older version outside of the data"
+    )
 }
 
 /// What macOS leaves beside each file of an archive.
@@ -91,15 +119,24 @@ fn is_note(name: &str) -> bool {
 }
 
 fn capitals(file: &FileFacts, suffix: &str) -> Finding {
-    let message = format!("`{}` must end in `.{suffix}`: capitals matter", file.file_name());
-    RULE.at(file, Place::File, message).key("suffix").case(UNLISTED).help(format!("rename it to end in `.{suffix}`"))
+    let message = format!(
+        "`{}` must end in `.{suffix}`: capitals matter",
+        file.file_name()
+    );
+    RULE.at(file, Place::File, message)
+        .key("suffix")
+        .case(UNLISTED)
+        .help(format!("rename it to end in `.{suffix}`"))
 }
 
 fn doubled(file: &FileFacts) -> Finding {
     let name = file.file_name();
     let (right, last) = name.rsplit_once('.').unwrap_or((name, ""));
     let message = format!("`{name}` ends in `.{last}`, which keeps it out of the list");
-    RULE.at(file, Place::File, message).key("suffix").case(UNLISTED).help(format!("rename it to `{right}`"))
+    RULE.at(file, Place::File, message)
+        .key("suffix")
+        .case(UNLISTED)
+        .help(format!("rename it to `{right}`"))
 }
 
 fn too_deep(folder: &str, right: &str, files: &[&FileFacts]) -> Option<Finding> {
@@ -107,23 +144,36 @@ fn too_deep(folder: &str, right: &str, files: &[&FileFacts]) -> Option<Finding> 
     let message = match files.len() {
         1 => {
             let depth = first.rel.split('/').count().saturating_sub(3);
-            format!("`{}` lies {depth} folders below `{right}`, expected 1 at most", first.file_name())
+            format!(
+                "`{}` lies {depth} folders below `{right}`, expected 1 at most",
+                first.file_name()
+            )
         }
-        count => format!("{count} assets lie too deep in `{folder}`, first `{}`", first.file_name()),
+        count => format!(
+            "{count} assets lie too deep in `{folder}`, first `{}`",
+            first.file_name()
+        ),
     };
     let parts = files.iter().map(|file| (file.shown(), &file.path));
-    let finding = RULE.at(first, Place::File, message).key("deep").parts_in(parts);
+    let finding = RULE
+        .at(first, Place::File, message)
+        .key("deep")
+        .parts_in(parts);
     let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
     Some(finding.help(format!("move what is in `{folder}` to `{right}`")))
 }
 
-/// The suffix of an asset in front of another one, where there is no asset of that name: then it would be a copy.
+/// The suffix of an asset in front of another one, where there is no asset of that name: then it
+/// would be a copy.
 fn double(layer: &Layer, file: &FileFacts) -> Option<&'static str> {
     let (right, last) = file.rel.rsplit_once('.')?;
-    let suffix = SUFFIXES.into_iter().find(|suffix| *suffix == extension(right))?;
+    let suffix = SUFFIXES
+        .into_iter()
+        .find(|suffix| *suffix == extension(right))?;
     let is_text = matches!(last, "txt" | "text" | "json" | "html");
     // Beside the asset of a folder of its own it is an older version, or a note.
-    let is_own = |other: &FileFacts| parent(&other.rel) == parent(right) && extension(&other.rel) == suffix;
+    let is_own =
+        |other: &FileFacts| parent(&other.rel) == parent(right) && extension(&other.rel) == suffix;
     let is_worn = matches!(suffix, "mhclo" | "proxy");
     let has_asset = || right.matches('/').count() > 1 && layer.below(parent(right)).any(is_own);
     (is_text && layer.file(right).is_none() && !(is_worn && has_asset())).then_some(suffix)
@@ -131,5 +181,7 @@ fn double(layer: &Layer, file: &FileFacts) -> Option<&'static str> {
 
 /// Whether something names the file, such as `base.json` a skeleton.
 fn is_used_elsewhere(view: &View<'_>, file: &FileFacts) -> bool {
-    view.references.to_file(file).any(|reference| reference.found().is_some())
+    view.references
+        .to_file(file)
+        .any(|reference| reference.found().is_some())
 }

@@ -11,14 +11,23 @@ use mhlint_formats::picture::PictureFault;
 use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows an empty picture in the list"), (Makehuman1, "shows an empty picture in the list")],
+    breaks: &[
+        (Makehuman2, "shows an empty picture in the list"),
+        (Makehuman1, "shows an empty picture in the list"),
+    ],
     docs: include_str!("unreadable_thumbnail.md").trim_ascii_end(),
-    ..RuleInfo::new("library-unreadable-thumbnail", Level::Warning, "a picture of an asset that is not one")
+    ..RuleInfo::new(
+        "library-unreadable-thumbnail",
+        Level::Warning,
+        "a picture of an asset that is not one",
+    )
 });
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_thumb = extension(&file.rel) == "thumb" && file.size > 0 && !file.encoding.lfs_pointer;
-    let Some(picture) = file.picture().filter(|_| is_thumb && is_shown(view, file)) else { return };
+    let Some(picture) = file.picture().filter(|_| is_thumb && is_shown(view, file)) else {
+        return;
+    };
     let what = match picture.fault {
         Some(PictureFault::NotAPicture) => "is not a picture",
         Some(PictureFault::Header) => "has a damaged header",
@@ -30,10 +39,17 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     out.push(finding.help("save a PNG under this name, or remove the file"));
 }
 
-/// Whether a list shows it: MakeHuman 2 beside what it lists, MakeHuman 1 in a library, or in place of all that is missing.
+/// Whether a list shows it: MakeHuman 2 beside what it lists, MakeHuman 1 in a library, or in place
+/// of all that is missing.
 fn is_shown(view: &View<'_>, file: &FileFacts) -> bool {
     if view.is_makehuman1() {
-        return !file.rel.contains('/') || file.rel.split('/').next().and_then(library_extension).is_some();
+        return !file.rel.contains('/')
+            || file
+                .rel
+                .split('/')
+                .next()
+                .and_then(library_extension)
+                .is_some();
     }
     let stem = file.rel.strip_suffix("thumb").unwrap_or(&file.rel);
     let layer = view.layers().checked;

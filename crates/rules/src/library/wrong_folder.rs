@@ -29,10 +29,18 @@ pub(crate) static RULE: Rule = Check::LibrariesOfAll(
     },
 )
 .rule(RuleInfo {
-    breaks: &[(Makehuman2, "does not list it"), (Makehuman1, "does not list it"), (Mpfb, "does not find it")],
+    breaks: &[
+        (Makehuman2, "does not list it"),
+        (Makehuman1, "does not list it"),
+        (Mpfb, "does not find it"),
+    ],
     docs: include_str!("wrong_folder.md").trim_ascii_end(),
     of_library: true,
-    ..RuleInfo::new("library-wrong-folder", Level::Error, "an asset in a folder where its kind is not looked for")
+    ..RuleInfo::new(
+        "library-wrong-folder",
+        Level::Error,
+        "an asset in a folder where its kind is not looked for",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -41,40 +49,70 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_no_base = |file: &FileFacts| is_of_no_base(view.layers, &bases, file);
     let mut unknown: BTreeMap<&str, Vec<&FileFacts>> = BTreeMap::new();
     let mut of_other_kind: BTreeMap<(&str, &'static str), Vec<&FileFacts>> = BTreeMap::new();
-    for file in layer.files.values().filter(|file| !file.is_loose && !is_outdated(file)) {
+    for file in layer
+        .files
+        .values()
+        .filter(|file| !file.is_loose && !is_outdated(file))
+    {
         match *file.rel.split('/').collect::<Vec<_>>() {
             [category, FILTER] if CATEGORIES.contains(&category) => {
                 out.push(filter(file, category, &bases));
             }
-            ["skins", name] if extension(name) == "mhmat" => out.push(without_base(file, "skins", name, &bases)),
+            ["skins", name] if extension(name) == "mhmat" => {
+                out.push(without_base(file, "skins", name, &bases))
+            }
             ["skins", folder, name] if extension(name) == "mhmat" && is_no_base(file) => {
-                out.push(without_base(file, "skins", &format!("{folder}/{name}"), &bases));
+                out.push(without_base(
+                    file,
+                    "skins",
+                    &format!("{folder}/{name}"),
+                    &bases,
+                ));
             }
             _ => {}
         }
-        let Some(suffix) = suffix(&file.rel).filter(|suffix| extension(&file.rel) == *suffix) else { continue };
+        let Some(suffix) = suffix(&file.rel).filter(|suffix| extension(&file.rel) == *suffix)
+        else {
+            continue;
+        };
         let parts: Vec<&str> = file.rel.split('/').collect();
         let Some(category) = parts.first().filter(|first| CATEGORIES.contains(first)) else {
-            // The name of any other folder is its owner's business, unless it is nearly one of these.
-            unknown.entry(parts.first().copied().unwrap_or_default()).or_default().push(file);
+            // The name of any other folder is its owner's business, unless it is nearly one of
+            // these.
+            unknown
+                .entry(parts.first().copied().unwrap_or_default())
+                .or_default()
+                .push(file);
             continue;
         };
         let right = in_place_of(suffix);
         match parts.as_slice() {
-            _ if !right.contains(category) => of_other_kind.entry((category, suffix)).or_default().push(file),
+            _ if !right.contains(category) => of_other_kind
+                .entry((category, suffix))
+                .or_default()
+                .push(file),
             [_, name] => out.push(without_base(file, category, name, &bases)),
             [_, folder, name] if is_no_base(file) => {
-                out.push(without_base(file, category, &format!("{folder}/{name}"), &bases));
+                out.push(without_base(
+                    file,
+                    category,
+                    &format!("{folder}/{name}"),
+                    &bases,
+                ));
             }
             _ => {}
         }
     }
     out.extend(
-        of_other_kind.iter().filter_map(|((category, suffix), files)| misplaced(layer, files, suffix, category)),
+        of_other_kind
+            .iter()
+            .filter_map(|((category, suffix), files)| misplaced(layer, files, suffix, category)),
     );
     makehuman2::in_folders_of_others(&RULE, view, out);
     out.extend(
-        unknown.into_iter().filter_map(|(folder, files)| makehuman2::unread(&RULE, view, folder, &files, &bases)),
+        unknown
+            .into_iter()
+            .filter_map(|(folder, files)| makehuman2::unread(&RULE, view, folder, &files, &bases)),
     );
 }
 
@@ -88,7 +126,10 @@ fn filter(file: &FileFacts, category: &str, bases: &BTreeSet<&str>) -> Finding {
 
 fn misplaced(layer: &Layer, files: &[&FileFacts], suffix: &str, category: &str) -> Option<Finding> {
     let first = files.first()?;
-    let shown: Vec<String> = in_place_of(suffix).iter().map(|folder| format!("`{folder}`")).collect();
+    let shown: Vec<String> = in_place_of(suffix)
+        .iter()
+        .map(|folder| format!("`{folder}`"))
+        .collect();
     let shown = match shown.as_slice() {
         [first, second, _, ..] => format!("{first}, {second} or another folder of its kind"),
         _ => shown.join(" or "),
@@ -103,12 +144,19 @@ fn misplaced(layer: &Layer, files: &[&FileFacts], suffix: &str, category: &str) 
         _ => format!("move it to {shown}"),
     };
     let finding = RULE.at(first, Place::File, message).key("kind").help(help);
-    let message = format!("{} `.{suffix}` in `{category}` are not listed, expected in {shown}", files.len());
+    let message = format!(
+        "{} `.{suffix}` in `{category}` are not listed, expected in {shown}",
+        files.len()
+    );
     Some(of_folder(layer, category, files, finding, message))
 }
 
 fn without_base(file: &FileFacts, category: &str, below: &str, bases: &BTreeSet<&str>) -> Finding {
-    let base = bases.first().filter(|_| bases.len() == 1).copied().unwrap_or("<base>");
+    let base = bases
+        .first()
+        .filter(|_| bases.len() == 1)
+        .copied()
+        .unwrap_or("<base>");
     let message = format!("`{}` is not in the folder of a base mesh", file.rel);
     let finding = RULE.at(file, Place::File, message).key("base");
     let help = match below.split_once('/') {

@@ -19,7 +19,12 @@ pub(super) enum Kind {
 }
 
 /// The message on absent combinations of one kind, if there are any, of `total` ones.
-pub(super) fn message(absence: &Absence, total: usize, survey: &Survey<'_>, kind: Kind) -> Option<String> {
+pub(super) fn message(
+    absence: &Absence,
+    total: usize,
+    survey: &Survey<'_>,
+    kind: Kind,
+) -> Option<String> {
     let count = absence.count;
     let (first, size) = absence.patterns.first()?;
     let shown = shown(absence);
@@ -33,22 +38,35 @@ pub(super) fn message(absence: &Absence, total: usize, survey: &Survey<'_>, kind
             format!("{count} of {total} combinations are missing: {shown}")
         }
         (Kind::System, 1, 1) => {
-            format!("`{first}` is not listed, which is harmless: it is neutral, or all its siblings are `null`")
+            format!(
+                "`{first}` is not listed, which is harmless: it is neutral, or all its siblings are `null`"
+            )
         }
-        (Kind::System, ..) => format!("{count} of {total} combinations are left out systematically: {shown}"),
-        (Kind::Sparse, ..) => format!("{count} of {total} combinations are missing, more than are listed: {shown}"),
+        (Kind::System, ..) => {
+            format!("{count} of {total} combinations are left out systematically: {shown}")
+        }
+        (Kind::Sparse, ..) => {
+            format!("{count} of {total} combinations are missing, more than are listed: {shown}")
+        }
     })
 }
 
 /// The first patterns with their sizes.
 fn shown(absence: &Absence) -> String {
-    let shown = absence.patterns.iter().take(SHOWN).map(|(text, size)| match size {
-        1 => format!("`{text}`"),
-        size => format!("`{text}` ({size})"),
-    });
+    let shown = absence
+        .patterns
+        .iter()
+        .take(SHOWN)
+        .map(|(text, size)| match size {
+            1 => format!("`{text}`"),
+            size => format!("`{text}` ({size})"),
+        });
     let shown = shown.collect::<Vec<_>>().join(", ");
     if absence.patterns.len() <= SHOWN {
         return shown;
     }
-    format!("{shown} and {}", counted(absence.patterns.len() - SHOWN, "more pattern"))
+    format!(
+        "{shown} and {}",
+        counted(absence.patterns.len() - SHOWN, "more pattern")
+    )
 }

@@ -8,7 +8,10 @@ use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "applies the target of a different value to this combination")],
+    breaks: &[(
+        Makehuman2,
+        "applies the target of a different value to this combination",
+    )],
     docs: include_str!("alias_suspect.md").trim_ascii_end(),
     counts: "combinations",
     ..RuleInfo::new(
@@ -19,7 +22,9 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, _)) = base.macro_file() else { return };
+    let Some((file, _)) = base.macro_file() else {
+        return;
+    };
     let free = unreferenced(view, base, &cx.suggestions);
     if free.is_empty() {
         return;
@@ -36,11 +41,13 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
 /// One file written to many entries.
 fn crowd(file: &FileFacts, first: &Suspect<'_>, others: &[&Suspect<'_>]) -> Finding {
     let (text, name) = (first.link.reference.text, &first.link.link.name);
-    let names = || std::iter::once(name).chain(others.iter().map(|suspect| &suspect.link.link.name));
+    let names =
+        || std::iter::once(name).chain(others.iter().map(|suspect| &suspect.link.link.name));
     let count = names().count();
     let more = others.len();
-    let message =
-        format!("{count} combinations use `{text}`, which is named after other values: `{name}` and {more} more");
+    let message = format!(
+        "{count} combinations use `{text}`, which is named after other values: `{name}` and {more} more"
+    );
     RULE.at(file, first.link.place(), message)
         .key(format!("all {text}"))
         .confidence(Confidence::Medium)
@@ -52,11 +59,19 @@ fn crowd(file: &FileFacts, first: &Suspect<'_>, others: &[&Suspect<'_>]) -> Find
 fn single(file: &FileFacts, suspect: &Suspect<'_>) -> Finding {
     let (spelt, meant) = suspect.values;
     let name = &suspect.link.link.name;
-    let message = format!("`{name}` uses `{}`: `{spelt}` instead of `{meant}`", suspect.link.reference.text);
-    let finding = RULE.at(file, suspect.link.place(), message).key(name).confidence(Confidence::Medium);
-    finding.help(format!("did you mean `{}`?", suspect.better.stem())).related(
-        &suspect.better.path,
-        Place::File,
-        "unused file that fits better",
-    )
+    let message = format!(
+        "`{name}` uses `{}`: `{spelt}` instead of `{meant}`",
+        suspect.link.reference.text
+    );
+    let finding = RULE
+        .at(file, suspect.link.place(), message)
+        .key(name)
+        .confidence(Confidence::Medium);
+    finding
+        .help(format!("did you mean `{}`?", suspect.better.stem()))
+        .related(
+            &suspect.better.path,
+            Place::File,
+            "unused file that fits better",
+        )
 }

@@ -1,9 +1,12 @@
-//! Absent combinations of a cross product: which of them are a system and which a hole, and how to say it shortly.
+//! Absent combinations of a cross product: which of them are a system and which a hole, and how to
+//! say it shortly.
 //!
-//! Pure functions over a grid of cells (mixed radix, the last component runs fastest). An absent cell is part of a *system* if
-//! * one of its values is absent everywhere, and leaves out more than one combination (or is neutral): the macro is not meant for it;
-//! * or it has neutral values, and no listed cell with the same neutral values moves anything (none listed, or two and more, all null,
-//!   and something listed around the neutral state).
+//! Pure functions over a grid of cells (mixed radix, the last component runs fastest). An absent
+//! cell is part of a *system* if
+//! * one of its values is absent everywhere, and leaves out more than one combination (or is
+//!   neutral): the macro is not meant for it;
+//! * or it has neutral values, and no listed cell with the same neutral values moves anything (none
+//!   listed, or two and more, all null, and something listed around the neutral state).
 //!
 //! Neither holds where a cell of the slice in question is *wanted*: files wait for it.
 //!
@@ -33,18 +36,32 @@ impl Pattern {
     /// How many combinations it stands for.
     pub(super) fn count(&self, sizes: &[usize]) -> usize {
         let widths = self.values.iter().zip(sizes);
-        widths.map(|(values, size)| if values.is_empty() { *size } else { values.len() }).product()
+        widths
+            .map(|(values, size)| {
+                if values.is_empty() {
+                    *size
+                } else {
+                    values.len()
+                }
+            })
+            .product()
     }
 }
 
 /// Whether a grid is small enough to be walked.
 pub(crate) fn is_walkable(sizes: &[usize]) -> bool {
-    sizes.iter().try_fold(1_usize, |cells, size| cells.checked_mul(size + 1)).is_some_and(|cells| cells <= LIMIT)
+    sizes
+        .iter()
+        .try_fold(1_usize, |cells, size| cells.checked_mul(size + 1))
+        .is_some_and(|cells| cells <= LIMIT)
 }
 
 /// Place of a combination in the grid.
 pub(crate) fn index(sizes: &[usize], combination: &[usize]) -> usize {
-    sizes.iter().zip(combination).fold(0, |index, (size, value)| index * size + value)
+    sizes
+        .iter()
+        .zip(combination)
+        .fold(0, |index, (size, value)| index * size + value)
 }
 
 /// The combination at a place of the grid.
@@ -57,14 +74,21 @@ pub(super) fn digits(sizes: &[usize], mut index: usize) -> Vec<usize> {
     digits
 }
 
-/// For each cell whether it belongs to a system of absent ones. `neutral` tells the neutral values of each component,
-/// `wanted` the cells that a file waits for.
-pub(super) fn systematic(sizes: &[usize], cells: &[Cell], neutral: &[Vec<bool>], wanted: &[bool]) -> Vec<bool> {
+/// For each cell whether it belongs to a system of absent ones. `neutral` tells the neutral values
+/// of each component, `wanted` the cells that a file waits for.
+pub(super) fn systematic(
+    sizes: &[usize],
+    cells: &[Cell],
+    neutral: &[Vec<bool>],
+    wanted: &[bool],
+) -> Vec<bool> {
     let cube = Cube::new(sizes);
     let listed = cube.counts(|cell| cells.get(cell) != Some(&Cell::Absent));
     let moving = cube.counts(|cell| cells.get(cell) == Some(&Cell::Target));
     let waiting = cube.counts(|cell| wanted.get(cell) == Some(&true));
-    let is_neutral = |axis: usize, value: usize| neutral.get(axis).and_then(|values| values.get(value)) == Some(&true);
+    let is_neutral = |axis: usize, value: usize| {
+        neutral.get(axis).and_then(|values| values.get(value)) == Some(&true)
+    };
     let slice = |counts: &[u32], place: usize| counts.get(place).copied().unwrap_or(0);
     let whole = cube.len - 1;
     let width = |axis: usize| cells.len() / sizes.get(axis).copied().unwrap_or(1).max(1);
@@ -76,7 +100,9 @@ pub(super) fn systematic(sizes: &[usize], cells: &[Cell], neutral: &[Vec<bool>],
                 let is_meant = slice(&listed, place) > 0 || slice(&waiting, place) > 0;
                 !is_meant && (width(axis) > 1 || is_neutral(axis, value))
             };
-            (0..sizes.get(axis).copied().unwrap_or(0)).map(is_absent).collect()
+            (0..sizes.get(axis).copied().unwrap_or(0))
+                .map(is_absent)
+                .collect()
         })
         .collect();
     let mut result = vec![false; cells.len()];
@@ -88,7 +114,11 @@ pub(super) fn systematic(sizes: &[usize], cells: &[Cell], neutral: &[Vec<bool>],
             // The neutral values fixed and the others free, and the other way round.
             let (mut state, mut around) = (whole, whole);
             for (axis, value) in digits.iter().enumerate() {
-                let part = if is_neutral(axis, *value) { &mut state } else { &mut around };
+                let part = if is_neutral(axis, *value) {
+                    &mut state
+                } else {
+                    &mut around
+                };
                 *part = cube.narrowed(*part, axis, *value);
             }
             let nulls = slice(&listed, state);
@@ -114,7 +144,8 @@ fn advance(sizes: &[usize], digits: &mut [usize]) {
     }
 }
 
-/// Few patterns that together stand for exactly the member cells: largest first, those that others make superfluous left out.
+/// Few patterns that together stand for exactly the member cells: largest first, those that others
+/// make superfluous left out.
 pub(crate) fn cover(sizes: &[usize], member: &[bool]) -> Vec<Pattern> {
     let cube = Cube::new(sizes);
     let counts = cube.counts(|cell| member.get(cell) == Some(&true));
@@ -130,14 +161,21 @@ pub(crate) fn cover(sizes: &[usize], member: &[bool]) -> Vec<Pattern> {
         }
     }
     for at in (0..chosen.len()).rev() {
-        let cells = chosen.get(at).map(|fixed| cube.cells(fixed)).unwrap_or_default();
-        if cells.iter().all(|cell| times.get(*cell).is_some_and(|times| *times > 1)) {
+        let cells = chosen
+            .get(at)
+            .map(|fixed| cube.cells(fixed))
+            .unwrap_or_default();
+        if cells
+            .iter()
+            .all(|cell| times.get(*cell).is_some_and(|times| *times > 1))
+        {
             add(&mut times, &cells, -1);
             chosen.remove(at);
         }
     }
-    let single =
-        |fixed: Vec<Option<usize>>| Pattern { values: fixed.into_iter().map(|v| v.into_iter().collect()).collect() };
+    let single = |fixed: Vec<Option<usize>>| Pattern {
+        values: fixed.into_iter().map(|v| v.into_iter().collect()).collect(),
+    };
     join(chosen.into_iter().map(single).collect(), sizes)
 }
 
@@ -209,7 +247,11 @@ impl<'a> Cube<'a> {
             *stride = len;
             len *= size + 1;
         }
-        Self { sizes, strides, len }
+        Self {
+            sizes,
+            strides,
+            len,
+        }
     }
 
     /// The slice at a place, in which a component is free, with that one fixed.
@@ -224,12 +266,22 @@ impl<'a> Cube<'a> {
     }
 
     fn fixed(&self, index: usize) -> Vec<Option<usize>> {
-        let digits = self.sizes.iter().zip(&self.strides).map(|(size, stride)| (index / stride % (size + 1), *size));
-        digits.map(|(digit, size)| (digit < size).then_some(digit)).collect()
+        let digits = self
+            .sizes
+            .iter()
+            .zip(&self.strides)
+            .map(|(size, stride)| (index / stride % (size + 1), *size));
+        digits
+            .map(|(digit, size)| (digit < size).then_some(digit))
+            .collect()
     }
 
     fn size(&self, fixed: &[Option<usize>]) -> usize {
-        fixed.iter().zip(self.sizes).map(|(value, size)| if value.is_some() { 1 } else { *size }).product()
+        fixed
+            .iter()
+            .zip(self.sizes)
+            .map(|(value, size)| if value.is_some() { 1 } else { *size })
+            .product()
     }
 
     /// Cells of a slice.
@@ -237,7 +289,10 @@ impl<'a> Cube<'a> {
         let mut cells = vec![0];
         for (value, size) in fixed.iter().zip(self.sizes) {
             let range = value.map_or(0..*size, |value| value..value + 1);
-            cells = cells.iter().flat_map(|cell| range.clone().map(move |value| cell * size + value)).collect();
+            cells = cells
+                .iter()
+                .flat_map(|cell| range.clone().map(move |value| cell * size + value))
+                .collect();
         }
         cells
     }
@@ -248,7 +303,11 @@ impl<'a> Cube<'a> {
         let total: usize = self.sizes.iter().product();
         let mut digits = vec![0; self.sizes.len()];
         for cell in 0..total {
-            let place: usize = digits.iter().zip(&self.strides).map(|(digit, stride)| digit * stride).sum();
+            let place: usize = digits
+                .iter()
+                .zip(&self.strides)
+                .map(|(digit, stride)| digit * stride)
+                .sum();
             if let Some(count) = counts.get_mut(place).filter(|_| holds(cell)) {
                 *count = 1;
             }
@@ -256,7 +315,9 @@ impl<'a> Cube<'a> {
         }
         for (size, stride) in self.sizes.iter().zip(&self.strides) {
             for all in (0..self.len).filter(|index| index / stride % (size + 1) == *size) {
-                let sum = (1..=*size).filter_map(|back| counts.get(all - back * stride)).sum();
+                let sum = (1..=*size)
+                    .filter_map(|back| counts.get(all - back * stride))
+                    .sum();
                 if let Some(count) = counts.get_mut(all) {
                     *count = sum;
                 }
@@ -267,22 +328,36 @@ impl<'a> Cube<'a> {
 
     /// Slices whose cells are all counted and that cannot be widened.
     fn maximal(&self, counts: &[u32]) -> Vec<Vec<Option<usize>>> {
-        let is_full = |place: usize, size: usize| counts.get(place).is_some_and(|count| *count as usize == size);
+        let is_full = |place: usize, size: usize| {
+            counts
+                .get(place)
+                .is_some_and(|count| *count as usize == size)
+        };
         let is_maximal = |place: usize| {
             if counts.get(place).is_none_or(|count| *count == 0) {
                 return false;
             }
             let axes = || self.sizes.iter().zip(&self.strides);
             let digit = |size: &usize, stride: &usize| place / stride % (size + 1);
-            let cells: usize =
-                axes().map(|(size, stride)| if digit(size, stride) < *size { 1 } else { *size }).product();
+            let cells: usize = axes()
+                .map(|(size, stride)| {
+                    if digit(size, stride) < *size {
+                        1
+                    } else {
+                        *size
+                    }
+                })
+                .product();
             let is_wider = |(size, stride): (&usize, &usize)| {
                 let digit = digit(size, stride);
                 digit < *size && is_full(place + (size - digit) * stride, cells * size)
             };
             is_full(place, cells) && !axes().any(is_wider)
         };
-        (0..self.len).filter(|place| is_maximal(*place)).map(|place| self.fixed(place)).collect()
+        (0..self.len)
+            .filter(|place| is_maximal(*place))
+            .map(|place| self.fixed(place))
+            .collect()
     }
 }
 
@@ -295,13 +370,29 @@ mod tests {
     fn texts(patterns: &[Pattern]) -> Vec<String> {
         let axis = |values: &Vec<usize>| match values.as_slice() {
             [] => "*".to_owned(),
-            values => values.iter().map(ToString::to_string).collect::<Vec<_>>().join("|"),
+            values => values
+                .iter()
+                .map(ToString::to_string)
+                .collect::<Vec<_>>()
+                .join("|"),
         };
-        patterns.iter().map(|pattern| pattern.values.iter().map(axis).collect::<Vec<_>>().join("-")).collect()
+        patterns
+            .iter()
+            .map(|pattern| {
+                pattern
+                    .values
+                    .iter()
+                    .map(axis)
+                    .collect::<Vec<_>>()
+                    .join("-")
+            })
+            .collect()
     }
 
     fn members(sizes: &[usize], test: impl Fn(&[usize]) -> bool) -> Vec<bool> {
-        (0..sizes.iter().product()).map(|cell| test(&digits(sizes, cell))).collect()
+        (0..sizes.iter().product())
+            .map(|cell| test(&digits(sizes, cell)))
+            .collect()
     }
 
     #[test]
@@ -316,7 +407,9 @@ mod tests {
     #[test]
     fn neighbours_become_value_sets() {
         let sizes = [2, 4, 3];
-        let absent = members(&sizes, |at| at[0] == 1 && (at[1] == 1 || at[1] == 2) && at[2] == 0);
+        let absent = members(&sizes, |at| {
+            at[0] == 1 && (at[1] == 1 || at[1] == 2) && at[2] == 0
+        });
         assert_eq!(texts(&cover(&sizes, &absent)), ["1-1|2-0"]);
         assert_eq!(texts(&cover(&sizes, &members(&sizes, |_| true))), ["*-*-*"]);
     }
@@ -324,7 +417,11 @@ mod tests {
     #[test]
     fn single_cells_are_holes_and_neutral_products_are_not() {
         let sizes = [2, 3, 3];
-        let neutral = [vec![false, false], vec![false, true, false], vec![false, true, false]];
+        let neutral = [
+            vec![false, false],
+            vec![false, true, false],
+            vec![false, true, false],
+        ];
         let cells: Vec<Cell> = members(&sizes, |at| (at[1], at[2]) == (1, 1) || at == [0, 2, 1])
             .into_iter()
             .map(|absent| if absent { Cell::Absent } else { Cell::Target })
@@ -337,22 +434,46 @@ mod tests {
     fn a_value_without_any_entry_is_a_system_unless_it_is_a_single_cell() {
         let absent = |sizes: &[usize]| -> Vec<Cell> {
             let cells = members(sizes, |at| at[0] == 0).into_iter();
-            cells.map(|absent| if absent { Cell::Absent } else { Cell::Target }).collect()
+            cells
+                .map(|absent| if absent { Cell::Absent } else { Cell::Target })
+                .collect()
         };
-        assert_eq!(systematic(&[2], &absent(&[2]), &[vec![false; 2]], &[]), [false, false]);
         assert_eq!(
-            systematic(&[2, 2], &absent(&[2, 2]), &[vec![false; 2], vec![false; 2]], &[]),
+            systematic(&[2], &absent(&[2]), &[vec![false; 2]], &[]),
+            [false, false]
+        );
+        assert_eq!(
+            systematic(
+                &[2, 2],
+                &absent(&[2, 2]),
+                &[vec![false; 2], vec![false; 2]],
+                &[]
+            ),
             [true, true, false, false]
         );
         let waiting = [false, true, false, false];
-        let found = systematic(&[2, 2], &absent(&[2, 2]), &[vec![false; 2], vec![false; 2]], &waiting);
+        let found = systematic(
+            &[2, 2],
+            &absent(&[2, 2]),
+            &[vec![false; 2], vec![false; 2]],
+            &waiting,
+        );
         assert_eq!(found, [false; 4]);
     }
 
     #[test]
     fn two_null_siblings_make_it_harmless_and_one_does_not() {
         let neutral = [vec![false; 3], vec![true, false]];
-        let cell = |second| [Cell::Absent, Cell::Target, second, Cell::Target, Cell::Null, Cell::Target];
+        let cell = |second| {
+            [
+                Cell::Absent,
+                Cell::Target,
+                second,
+                Cell::Target,
+                Cell::Null,
+                Cell::Target,
+            ]
+        };
         assert!(systematic(&[3, 2], &cell(Cell::Null), &neutral, &[])[0]);
         assert!(!systematic(&[3, 2], &cell(Cell::Target), &neutral, &[])[0]);
         assert!(!systematic(&[2, 2], &cell(Cell::Null)[..4], &neutral, &[])[0]);

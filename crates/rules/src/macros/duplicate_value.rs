@@ -16,15 +16,26 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = base.macro_file() else {
+        return;
+    };
     for component in sound_components(file, macros) {
         let mut seen = BTreeSet::new();
-        let repeated = component.values.iter().enumerate().find(|(_, value)| !seen.insert(*value));
-        let Some((at, value)) = repeated else { continue };
+        let repeated = component
+            .values
+            .iter()
+            .enumerate()
+            .find(|(_, value)| !seen.insert(*value));
+        let Some((at, value)) = repeated else {
+            continue;
+        };
         let name = &component.name;
         let message = format!("component `{name}` has the value `{value}` twice");
         let place = Place::pointer(["components", name, "values", &at.to_string()]);
-        let finding = RULE.at(file, place, message).key(name).help("give each value its own name");
+        let finding = RULE
+            .at(file, place, message)
+            .key(name)
+            .help("give each value its own name");
         out.push(weigh(finding, macros, component));
     }
 }

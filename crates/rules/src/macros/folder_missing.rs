@@ -18,7 +18,9 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = base.macro_file() else {
+        return;
+    };
     let all = links(view, base);
     for macrodef in &macros.macrodefs {
         let own = own_links(&all, macrodef);
@@ -32,7 +34,9 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
                 let message = match base.targets {
                     Some(targets) if holds_files(targets, folder) => {
                         let count = own.len();
-                        format!("folder `{folder}` has none of the targets of this macrodef ({count} combinations)")
+                        format!(
+                            "folder `{folder}` has none of the targets of this macrodef ({count} combinations)"
+                        )
                     }
                     _ => format!("folder `{folder}` is missing or empty"),
                 };
@@ -44,9 +48,13 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
             }
             (Some(_), _) => continue,
             (None, Some(folder)) => {
-                let message = format!("the macrodef has no `folder`, so `{folder}` of the previous one is used");
+                let message = format!(
+                    "the macrodef has no `folder`, so `{folder}` of the previous one is used"
+                );
                 let effect = "looks for the targets there and crashes with `AttributeError` as soon as the sliders reach a missing one";
-                let finding = RULE.at(file, Place::pointer(["macrodef", &index]), message).effect(effect);
+                let finding = RULE
+                    .at(file, Place::pointer(["macrodef", &index]), message)
+                    .effect(effect);
                 if own.iter().all(|link| link.found().is_some()) {
                     let effect = "finds the targets, because they are in the folder of the previous macrodef";
                     finding.level(Level::Info).effect(effect)
@@ -55,12 +63,23 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
                 }
             }
             (None, None) => RULE
-                .at(file, Place::pointer(["macrodef", &index]), "the first macrodef has no `folder`")
+                .at(
+                    file,
+                    Place::pointer(["macrodef", &index]),
+                    "the first macrodef has no `folder`",
+                )
                 .effect("crashes at start with `UnboundLocalError`"),
         };
-        let help = finding.help.clone().unwrap_or_else(|| "add `folder` with the folder of its targets".to_owned());
+        let help = finding
+            .help
+            .clone()
+            .unwrap_or_else(|| "add `folder` with the folder of its targets".to_owned());
         let folder = macrodef.folder.as_deref().unwrap_or("none");
-        out.push(finding.help(help).key(format!("{} {folder}", macrodef.components.join("-"))));
+        out.push(
+            finding
+                .help(help)
+                .key(format!("{} {folder}", macrodef.components.join("-"))),
+        );
     }
 }
 
@@ -71,17 +90,38 @@ fn folder_of_files(base: &Base<'_>, own: &[MacroLink<'_>]) -> Option<String> {
     let mut folders = targets
         .targets()
         .filter(|file| file.stem() == first)
-        .filter_map(|file| targets.name_of(file)?.rsplit_once('/').map(|(folder, _)| folder.to_owned()));
-    let holds_all =
-        |folder: &String| own.iter().all(|link| targets.target(&format!("{folder}/{}", link.reference.text)).is_some());
-    folders.find(holds_all).map(|folder| format!("write `{folder}`: its targets are there"))
+        .filter_map(|file| {
+            targets
+                .name_of(file)?
+                .rsplit_once('/')
+                .map(|(folder, _)| folder.to_owned())
+        });
+    let holds_all = |folder: &String| {
+        own.iter().all(|link| {
+            targets
+                .target(&format!("{folder}/{}", link.reference.text))
+                .is_some()
+        })
+    };
+    folders
+        .find(holds_all)
+        .map(|folder| format!("write `{folder}`: its targets are there"))
 }
 
 fn nearest_folder(base: &Base<'_>, folder: &str, cx: &RuleCx<'_>) -> String {
-    let rel = base.targets.map(|targets| format!("{}/", targets.rel())).unwrap_or_default();
-    let folders = base.targets.map(|targets| targets.layer.folders.as_slice()).unwrap_or_default();
+    let rel = base
+        .targets
+        .map(|targets| format!("{}/", targets.rel()))
+        .unwrap_or_default();
+    let folders = base
+        .targets
+        .map(|targets| targets.layer.folders.as_slice())
+        .unwrap_or_default();
     did_you_mean(
-        cx.suggestions.nearest(folder, folders.iter().filter_map(|other| other.strip_prefix(&rel))),
+        cx.suggestions.nearest(
+            folder,
+            folders.iter().filter_map(|other| other.strip_prefix(&rel)),
+        ),
         format!("create `{rel}{folder}` with the targets, or correct the name"),
     )
 }

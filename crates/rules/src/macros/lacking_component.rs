@@ -25,30 +25,61 @@ pub(super) fn finding(
     );
     let help = match meant {
         Some(meant) => format!("change `comp` to `[\"{}\"]`", meant.join("\", \"")),
-        None => "list one component in `comp` for each part of the names, in the same order".to_owned(),
+        None => {
+            "list one component in `comp` for each part of the names, in the same order".to_owned()
+        }
     };
     let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]);
-    let finding = rule.at(file, place, message).key(format!("{}/length", macrodef.components.join("-"))).help(help);
+    let finding = rule
+        .at(file, place, message)
+        .key(format!("{}/length", macrodef.components.join("-")))
+        .help(help);
     let effect = "never applies the macrodef: its components generate none of the listed names";
-    Some(finding.effect(effect).evidence(Evidence::of_cases(names()).out_of(macrodef.links.len())))
+    Some(
+        finding
+            .effect(effect)
+            .evidence(Evidence::of_cases(names()).out_of(macrodef.links.len())),
+    )
 }
 
-/// How many parts the names have, and the components that their parts are values of, where that is clear.
-fn lacking<'a>(macros: &'a MacroFile, listing: &Listing<'_>) -> Option<(usize, Option<Vec<&'a str>>)> {
-    let Slip::Parts(parts) = &listing.strangers.first()?.slip else { return None };
+/// How many parts the names have, and the components that their parts are values of, where that is
+/// clear.
+fn lacking<'a>(
+    macros: &'a MacroFile,
+    listing: &Listing<'_>,
+) -> Option<(usize, Option<Vec<&'a str>>)> {
+    let Slip::Parts(parts) = &listing.strangers.first()?.slip else {
+        return None;
+    };
     let is_like_it = |slip: &Slip| matches!(slip, Slip::Parts(other) if other == parts);
-    let are_all = listing.found.is_empty() && listing.strangers.iter().all(|stranger| is_like_it(&stranger.slip));
+    let are_all = listing.found.is_empty()
+        && listing
+            .strangers
+            .iter()
+            .all(|stranger| is_like_it(&stranger.slip));
     if !are_all || *parts == 0 || listing.strangers.len() < 2 {
         return None;
     }
-    let meant = (0..*parts).map(|part| component_of(macros, listing, part)).collect();
+    let meant = (0..*parts)
+        .map(|part| component_of(macros, listing, part))
+        .collect();
     Some((*parts, meant))
 }
 
 /// The only component that has the parts at one place of all names as values.
 fn component_of<'a>(macros: &'a MacroFile, listing: &Listing<'_>, part: usize) -> Option<&'a str> {
-    let tokens = || listing.strangers.iter().filter_map(|stranger| stranger.link.name.split('-').nth(part));
-    let has_all = |component: &&Component| tokens().all(|token| component.values.iter().any(|value| value == token));
+    let tokens = || {
+        listing
+            .strangers
+            .iter()
+            .filter_map(|stranger| stranger.link.name.split('-').nth(part))
+    };
+    let has_all = |component: &&Component| {
+        tokens().all(|token| component.values.iter().any(|value| value == token))
+    };
     let mut fitting = macros.components.iter().filter(has_all);
-    fitting.next().filter(|_| fitting.next().is_none()).map(|component| component.name.as_str())
+    fitting
+        .next()
+        .filter(|_| fitting.next().is_none())
+        .map(|component| component.name.as_str())
 }

@@ -6,8 +6,12 @@ use mhlint_repo::makehuman2::{Base, TargetFolder};
 
 /// Whether the folder is the reason that targets of a definition are missing.
 pub(super) fn is_lost(base: &Base<'_>, macrodef: &Macrodef, all: &[MacroLink<'_>]) -> bool {
-    let (Some(folder), Some(_)) = (&macrodef.effective_folder, &macrodef.folder) else { return true };
-    let Some(targets) = base.targets else { return false };
+    let (Some(folder), Some(_)) = (&macrodef.effective_folder, &macrodef.folder) else {
+        return true;
+    };
+    let Some(targets) = base.targets else {
+        return false;
+    };
     let own = own_links(all, macrodef);
     // A single name that is missing may be a slip of its own; all of several are not.
     own.iter().all(MacroLink::is_missing) && (own.len() > 1 || !holds_files(targets, folder))
@@ -15,5 +19,9 @@ pub(super) fn is_lost(base: &Base<'_>, macrodef: &Macrodef, all: &[MacroLink<'_>
 
 /// Whether there is any file in the folder of a definition.
 pub(super) fn holds_files(targets: TargetFolder<'_>, folder: &str) -> bool {
-    targets.layer.below(&format!("{}/{}", targets.rel(), folder.trim_matches('/'))).next().is_some()
+    targets
+        .layer
+        .below(&format!("{}/{}", targets.rel(), folder.trim_matches('/')))
+        .next()
+        .is_some()
 }

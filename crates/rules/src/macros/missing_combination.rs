@@ -25,10 +25,14 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = base.macro_file() else {
+        return;
+    };
     let free = unreferenced(view, base, &cx.suggestions);
     for macrodef in &macros.macrodefs {
-        let Some(survey) = survey(base, macrodef, &free, &cx.suggestions) else { continue };
+        let Some(survey) = survey(base, macrodef, &free, &cx.suggestions) else {
+            continue;
+        };
         let Some([system, holes]) = &survey.absent else {
             out.extend(uncounted(file, macrodef, &survey));
             continue;
@@ -54,13 +58,16 @@ fn finding(
     let total = survey.space.size()?;
     let count = absence.count;
     let message = message(absence, total, survey, kind)?;
-    let evidence = Evidence::of_groups(absence.patterns.iter().map(|(text, _)| text), count as u64).out_of(total);
+    let evidence = Evidence::of_groups(absence.patterns.iter().map(|(text, _)| text), count as u64)
+        .out_of(total);
     let word = match kind {
         Kind::Hole => "holes",
         Kind::Sparse => "sparse",
         Kind::System => "system",
     };
-    let finding = RULE.at(file, place(macrodef), message).key(format!("{}/{word}", macrodef.components.join("-")));
+    let finding = RULE
+        .at(file, place(macrodef), message)
+        .key(format!("{}/{word}", macrodef.components.join("-")));
     let finding = finding.parts(&absence.names);
     let finding = if kind == Kind::Hole {
         with_files(finding, survey)
@@ -93,8 +100,14 @@ fn uncounted(file: &FileFacts, macrodef: &Macrodef, survey: &Survey<'_>) -> Opti
         None => format!("all combinations but {listed} are not listed"),
     };
     let message = format!("{absent}; there are too many to check");
-    let finding = RULE.at(file, place(macrodef), message).key(format!("{}/uncounted", macrodef.components.join("-")));
-    Some(finding.level(Level::Info).help("split the macrodef into several with fewer components each"))
+    let finding = RULE
+        .at(file, place(macrodef), message)
+        .key(format!("{}/uncounted", macrodef.components.join("-")));
+    Some(
+        finding
+            .level(Level::Info)
+            .help("split the macrodef into several with fewer components each"),
+    )
 }
 
 fn place(macrodef: &Macrodef) -> Place {

@@ -19,7 +19,9 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, _)) = base.macro_file() else { return };
+    let Some((file, _)) = base.macro_file() else {
+        return;
+    };
     let all = links(view, base);
     let spoken_of: BTreeSet<usize> = all
         .chunk_by(|one, next| one.macrodef.index == next.macrodef.index)
@@ -27,17 +29,30 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
         .filter(|first| super::lost_folder::is_lost(base, first.macrodef, &all))
         .map(|first| first.macrodef.index)
         .collect();
-    let missing = all.iter().filter(|link| link.is_missing() && !has_suffix(link.reference.text));
+    let missing = all
+        .iter()
+        .filter(|link| link.is_missing() && !has_suffix(link.reference.text));
     let missing = missing.filter(|link| !spoken_of.contains(&link.macrodef.index));
     let by_file = grouped(missing.map(|link| (link.reference.rel.as_str(), *link)));
     // A file that the combination of its own name uses is not meant.
-    let own: BTreeSet<&str> = all.iter().filter_map(own_file).map(|file| file.path.as_str()).collect();
+    let own: BTreeSet<&str> = all
+        .iter()
+        .filter_map(own_file)
+        .map(|file| file.path.as_str())
+        .collect();
     let moved = Moved::of(base);
     for (rel, links) in by_file {
         let Some(first) = links.first() else { continue };
-        let more = if links.len() > 1 { format!(" ({} combinations use it)", links.len()) } else { String::new() };
+        let more = if links.len() > 1 {
+            format!(" ({} combinations use it)", links.len())
+        } else {
+            String::new()
+        };
         let help = help(view, base, first, (&own, &moved), cx);
-        let finding = RULE.at(file, first.place(), format!("`{rel}` does not exist{more}")).key(rel).help(help);
+        let finding = RULE
+            .at(file, first.place(), format!("`{rel}` does not exist{more}"))
+            .key(rel)
+            .help(help);
         out.push(finding.evidence(Evidence::of_cases(links.iter().map(|link| &link.link.name))));
     }
 }
@@ -50,8 +65,15 @@ fn help(
     cx: &RuleCx<'_>,
 ) -> String {
     let packed = format!("{}.gz", link.reference.rel);
-    if let Some(packed) = view.layers.strongest_first().find_map(|layer| layer.file(&packed)) {
-        return format!("unpack `{}`; MakeHuman 2 does not read packed targets", packed.file_name());
+    if let Some(packed) = view
+        .layers
+        .strongest_first()
+        .find_map(|layer| layer.file(&packed))
+    {
+        return format!(
+            "unpack `{}`; MakeHuman 2 does not read packed targets",
+            packed.file_name()
+        );
     }
     let near = nearest_file(base, link.reference, &cx.suggestions);
     match near.filter(|near| !own.contains(near.path.as_str())) {
@@ -69,7 +91,10 @@ impl<'s> Moved<'s> {
     fn of(base: &Base<'s>) -> Self {
         let mut files = BTreeMap::new();
         for file in base.targets.into_iter().flat_map(|folder| folder.targets()) {
-            files.entry(file.stem()).and_modify(|only| *only = None).or_insert(Some(file.rel.as_str()));
+            files
+                .entry(file.stem())
+                .and_modify(|only| *only = None)
+                .or_insert(Some(file.rel.as_str()));
         }
         Self(files)
     }
@@ -78,7 +103,10 @@ impl<'s> Moved<'s> {
     fn help(&self, link: &MacroLink<'_>) -> Option<String> {
         let stem = link.reference.text.rsplit('/').next()?;
         let from = self.0.get(stem).copied().flatten()?;
-        Some(format!("move `{from}` to `{}`, or copy it if something else uses it", link.reference.rel))
+        Some(format!(
+            "move `{from}` to `{}`, or copy it if something else uses it",
+            link.reference.rel
+        ))
     }
 }
 

@@ -19,13 +19,22 @@ pub(super) struct MisspeltValue<'a> {
 
 impl MisspeltValue<'_> {
     pub(super) fn written(&self) -> &str {
-        self.component.values.get(self.value).map_or("", String::as_str)
+        self.component
+            .values
+            .get(self.value)
+            .map_or("", String::as_str)
     }
 
     /// Whether a name is wrong for this reason.
     pub(super) fn explains(&self, space: &Space<'_>, slip: &Slip) -> bool {
-        let Slip::Value { axis, token } = slip else { return false };
-        *token == self.token && space.axes.get(*axis).is_some_and(|axis| axis.name == self.component.name)
+        let Slip::Value { axis, token } = slip else {
+            return false;
+        };
+        *token == self.token
+            && space
+                .axes
+                .get(*axis)
+                .is_some_and(|axis| axis.name == self.component.name)
     }
 }
 
@@ -44,51 +53,96 @@ pub(super) fn misspelt_values<'a>(
 ) -> Vec<MisspeltValue<'a>> {
     let mut usages: BTreeMap<&str, Usage<'a>> = BTreeMap::new();
     for macrodef in &macros.macrodefs {
-        let Some(space) = sound_space(file, macros, macrodef) else { continue };
+        let Some(space) = sound_space(file, macros, macrodef) else {
+            continue;
+        };
         let listing = Listing::of(&space, macrodef, suggestions);
         for (axis, component) in space.axes.iter().enumerate() {
             let usage = usages.entry(&component.name).or_default();
-            usage.used.extend(listing.found.keys().filter_map(|combination| combination.get(axis)));
+            usage.used.extend(
+                listing
+                    .found
+                    .keys()
+                    .filter_map(|combination| combination.get(axis)),
+            );
             for stranger in &listing.strangers {
                 if let Slip::Value { axis: at, token } = &stranger.slip
                     && *at == axis
                 {
-                    usage.strange.entry(token.clone()).or_default().push((macrodef, stranger.link));
+                    usage
+                        .strange
+                        .entry(token.clone())
+                        .or_default()
+                        .push((macrodef, stranger.link));
                 }
             }
         }
     }
-    let of_component =
-        |component: &'a Component| Some(of_component(component, usages.get(component.name.as_str())?, suggestions));
-    macros.components.iter().filter_map(of_component).flatten().collect()
+    let of_component = |component: &'a Component| {
+        Some(of_component(
+            component,
+            usages.get(component.name.as_str())?,
+            suggestions,
+        ))
+    };
+    macros
+        .components
+        .iter()
+        .filter_map(of_component)
+        .flatten()
+        .collect()
 }
 
-fn of_component<'a>(component: &'a Component, usage: &Usage<'a>, suggestions: &Suggestions) -> Vec<MisspeltValue<'a>> {
+fn of_component<'a>(
+    component: &'a Component,
+    usage: &Usage<'a>,
+    suggestions: &Suggestions,
+) -> Vec<MisspeltValue<'a>> {
     let values = component.values.iter().enumerate();
-    let unused: Vec<&str> =
-        values.filter(|(at, _)| !usage.used.contains(at)).map(|(_, value)| value.as_str()).collect();
+    let unused: Vec<&str> = values
+        .filter(|(at, _)| !usage.used.contains(at))
+        .map(|(_, value)| value.as_str())
+        .collect();
     let only = usage.strange.len() == 1 && unused.len() == 1;
     let strange = usage.strange.iter().filter(|(_, names)| names.len() > 1);
     let misspelt = strange.filter_map(|(token, names)| {
         let near = suggestions.nearest(token, unused.iter().copied());
         let meant = near.or_else(|| unused.first().copied().filter(|_| only))?;
         let value = component.values.iter().position(|value| value == meant)?;
-        Some(MisspeltValue { component, value, token: token.clone(), names: names.clone() })
+        Some(MisspeltValue {
+            component,
+            value,
+            token: token.clone(),
+            names: names.clone(),
+        })
     });
     misspelt.collect()
 }
 
-/// Where no name is right because all have values of another component in one place: that place, and the component.
-pub(super) fn other_component<'a>(macros: &'a MacroFile, listing: &Listing<'_>) -> Option<(usize, &'a Component)> {
+/// Where no name is right because all have values of another component in one place: that place,
+/// and the component.
+pub(super) fn other_component<'a>(
+    macros: &'a MacroFile,
+    listing: &Listing<'_>,
+) -> Option<(usize, &'a Component)> {
     let mut tokens: BTreeSet<(usize, &str)> = BTreeSet::new();
     for stranger in &listing.strangers {
-        let Slip::Value { axis, token } = &stranger.slip else { return None };
+        let Slip::Value { axis, token } = &stranger.slip else {
+            return None;
+        };
         tokens.insert((*axis, token));
     }
     let (axis, _) = *tokens.first()?;
-    if !listing.found.is_empty() || tokens.len() < 2 || tokens.iter().any(|(other, _)| *other != axis) {
+    if !listing.found.is_empty()
+        || tokens.len() < 2
+        || tokens.iter().any(|(other, _)| *other != axis)
+    {
         return None;
     }
-    let has_all = |other: &&Component| tokens.iter().all(|(_, token)| other.values.iter().any(|value| value == token));
+    let has_all = |other: &&Component| {
+        tokens
+            .iter()
+            .all(|(_, token)| other.values.iter().any(|value| value == token))
+    };
     Some((axis, macros.components.iter().find(has_all)?))
 }

@@ -15,15 +15,32 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = base.macro_file() else {
+        return;
+    };
     for macrodef in &macros.macrodefs {
         let mut seen = BTreeSet::new();
-        let repeated = macrodef.components.iter().enumerate().find(|(_, name)| !seen.insert(*name));
+        let repeated = macrodef
+            .components
+            .iter()
+            .enumerate()
+            .find(|(_, name)| !seen.insert(*name));
         let Some((at, name)) = repeated else { continue };
-        let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp", &at.to_string()]);
-        let finding = RULE.at(file, place, format!("component `{name}` occurs more than once in `comp`"));
+        let place = Place::pointer([
+            "macrodef",
+            &macrodef.index.to_string(),
+            "comp",
+            &at.to_string(),
+        ]);
+        let finding = RULE.at(
+            file,
+            place,
+            format!("component `{name}` occurs more than once in `comp`"),
+        );
         out.push(
-            finding.key(macrodef.components.join("-")).help("remove the repetition, or name the intended component"),
+            finding
+                .key(macrodef.components.join("-"))
+                .help("remove the repetition, or name the intended component"),
         );
     }
 }

@@ -12,9 +12,20 @@ impl Spelled {
     pub(super) fn of(space: &Space<'_>, name: &str) -> Self {
         let words = values_of(name);
         let of_axis = |values: &Vec<String>| -> Vec<usize> {
-            values.iter().enumerate().filter(|(_, value)| words.contains(value.as_str())).map(|(at, _)| at).collect()
+            values
+                .iter()
+                .enumerate()
+                .filter(|(_, value)| words.contains(value.as_str()))
+                .map(|(at, _)| at)
+                .collect()
         };
-        Self(space.axes.iter().map(|axis| of_axis(&axis.values)).collect())
+        Self(
+            space
+                .axes
+                .iter()
+                .map(|axis| of_axis(&axis.values))
+                .collect(),
+        )
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -22,16 +33,26 @@ impl Spelled {
     }
 
     pub(super) fn fits(&self, combination: &[usize]) -> bool {
-        self.0.iter().zip(combination).all(|(values, value)| values.is_empty() || values.contains(value))
+        self.0
+            .iter()
+            .zip(combination)
+            .all(|(values, value)| values.is_empty() || values.contains(value))
     }
 
     /// All combinations that fit.
     pub(super) fn combinations(&self, sizes: &[usize]) -> Vec<Combination> {
         let mut all: Vec<Combination> = vec![Vec::new()];
         for (values, size) in self.0.iter().zip(sizes) {
-            let choice: Vec<usize> = if values.is_empty() { (0..*size).collect() } else { values.clone() };
+            let choice: Vec<usize> = if values.is_empty() {
+                (0..*size).collect()
+            } else {
+                values.clone()
+            };
             let longer = |head: &Combination| -> Vec<Combination> {
-                choice.iter().map(|value| head.iter().copied().chain([*value]).collect()).collect()
+                choice
+                    .iter()
+                    .map(|value| head.iter().copied().chain([*value]).collect())
+                    .collect()
             };
             all = all.iter().flat_map(longer).collect();
         }
@@ -40,10 +61,11 @@ impl Spelled {
 
     /// The only combination that fits both, where the first leaves something open the second.
     pub(super) fn completed(&self, other: &Self) -> Option<Combination> {
-        let of_axis = |(own, other): (&Vec<usize>, &Vec<usize>)| match (own.as_slice(), other.as_slice()) {
-            ([one], _) | ([], [one]) => Some(*one),
-            _ => None,
-        };
+        let of_axis =
+            |(own, other): (&Vec<usize>, &Vec<usize>)| match (own.as_slice(), other.as_slice()) {
+                ([one], _) | ([], [one]) => Some(*one),
+                _ => None,
+            };
         self.0.iter().zip(&other.0).map(of_axis).collect()
     }
 }

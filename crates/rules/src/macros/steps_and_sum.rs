@@ -8,37 +8,67 @@ use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `KeyError` without either; ignores `sum` if it has both")],
+    breaks: &[(
+        Makehuman2,
+        "crashes with `KeyError` without either; ignores `sum` if it has both",
+    )],
     docs: include_str!("steps_and_sum.md").trim_ascii_end(),
-    ..RuleInfo::new("macro-steps-and-sum", Level::Error, "a component has both `steps` and `sum`, or neither")
+    ..RuleInfo::new(
+        "macro-steps-and-sum",
+        Level::Error,
+        "a component has both `steps` and `sum`, or neither",
+    )
 });
 
 /// What a key of the component was meant to be, if it is nearly one of the two.
 fn misspelt(file: &FileFacts, component: &str) -> Option<String> {
     let own = pointer(&["components", component]);
-    let is_own = |key: &&UnknownKey| key.pointer.rsplit_once('/').is_some_and(|(owner, _)| owner == own);
-    let meant = |key: &UnknownKey| key.nearest.clone().filter(|near| near == "steps" || near == "sum");
+    let is_own = |key: &&UnknownKey| {
+        key.pointer
+            .rsplit_once('/')
+            .is_some_and(|(owner, _)| owner == own)
+    };
+    let meant = |key: &UnknownKey| {
+        key.nearest
+            .clone()
+            .filter(|near| near == "steps" || near == "sum")
+    };
     let mut keys = file.schema.unknown.iter().filter(is_own);
-    keys.find_map(|key| Some(format!("did you mean `{}` instead of `{}`?", meant(key)?, key.key)))
+    keys.find_map(|key| {
+        Some(format!(
+            "did you mean `{}` instead of `{}`?",
+            meant(key)?,
+            key.key
+        ))
+    })
 }
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = base.macro_file() else {
+        return;
+    };
     for component in sound_components(file, macros) {
         let name = &component.name;
         let finding = match (&component.steps, &component.sum) {
             (Some(_), Some(_)) => {
                 let dead = !unknown_patterns(base, component).is_empty();
                 let (level, effect) = if dead {
-                    (Level::Error, "ignores `sum`, finds no slider for `pattern` and never applies the macrodefs")
+                    (
+                        Level::Error,
+                        "ignores `sum`, finds no slider for `pattern` and never applies the macrodefs",
+                    )
                 } else {
                     (Level::Warning, "ignores `sum`")
                 };
                 let place = Place::key(["components", name, "sum"]);
-                RULE.at(file, place, format!("component `{name}` has both `steps` and `sum`"))
-                    .level(level)
-                    .effect(effect)
-                    .help("remove `sum` if the slider is plain, or `steps` if it is a triangle")
+                RULE.at(
+                    file,
+                    place,
+                    format!("component `{name}` has both `steps` and `sum`"),
+                )
+                .level(level)
+                .effect(effect)
+                .help("remove `sum` if the slider is plain, or `steps` if it is a triangle")
             }
             (None, None) => {
                 let place = Place::key(["components", name]);

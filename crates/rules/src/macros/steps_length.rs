@@ -6,15 +6,26 @@ use mhlint_diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `IndexError` when the slider reaches a step without a value")],
+    breaks: &[(
+        Makehuman2,
+        "crashes with `IndexError` when the slider reaches a step without a value",
+    )],
     docs: include_str!("steps_length.md").trim_ascii_end(),
-    ..RuleInfo::new("macro-steps-length", Level::Error, "`steps` and `values` of a component differ in length")
+    ..RuleInfo::new(
+        "macro-steps-length",
+        Level::Error,
+        "`steps` and `values` of a component differ in length",
+    )
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = base.macro_file() else {
+        return;
+    };
     for component in sound_components(file, macros) {
-        let Some(steps) = &component.steps else { continue };
+        let Some(steps) = &component.steps else {
+            continue;
+        };
         let values = component.values.len();
         if steps.len() == values {
             continue;
@@ -27,7 +38,11 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             finding.help("add a value for every step, or remove the surplus steps")
         } else {
             let effect = surplus_effect(steps.len());
-            let level = if is_dead(steps) { Level::Error } else { Level::Warning };
+            let level = if is_dead(steps) {
+                Level::Error
+            } else {
+                Level::Warning
+            };
             let finding = finding.level(level).effect(effect);
             finding.help(
                 "add a step for every value, or remove the last values and their combinations, which are never used",
@@ -40,7 +55,9 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// What becomes of values beyond the last step. Two steps are needed for an interval.
 fn surplus_effect(steps: usize) -> &'static str {
     match steps {
-        0 | 1 => "silently drops the component: with fewer than two steps, nothing of its macrodefs applies",
+        0 | 1 => {
+            "silently drops the component: with fewer than two steps, nothing of its macrodefs applies"
+        }
         _ => "never uses the values without a step, nor their targets",
     }
 }

@@ -18,20 +18,37 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = base.macro_file() else {
+        return;
+    };
     for component in sound_components(file, macros).filter(|c| !has_special_step(file, c)) {
-        let Some(steps) = &component.steps else { continue };
+        let Some(steps) = &component.steps else {
+            continue;
+        };
         // A step too many or too few, or one out of order, is the cause; the ends follow from it.
         if steps.len() != component.values.len() || !is_increasing(steps) {
             continue;
         }
         // To fix one end and break the other is another fault.
-        let Some((end, fault, effect)) = fault(steps, &component.values) else { continue };
-        let slider = component.pattern.as_deref().map(|pattern| format!(" (slider `{pattern}`)")).unwrap_or_default();
+        let Some((end, fault, effect)) = fault(steps, &component.values) else {
+            continue;
+        };
+        let slider = component
+            .pattern
+            .as_deref()
+            .map(|pattern| format!(" (slider `{pattern}`)"))
+            .unwrap_or_default();
         let message = format!("`steps` of `{}`{slider} {end} {fault}", component.name);
         let place = Place::pointer(["components", &component.name, "steps"]);
-        let finding = RULE.at(file, place, message).key(format!("{} {end}", component.name)).help(help(steps));
-        let finding = if is_dead(steps) { finding.level(Level::Error) } else { finding };
+        let finding = RULE
+            .at(file, place, message)
+            .key(format!("{} {end}", component.name))
+            .help(help(steps));
+        let finding = if is_dead(steps) {
+            finding.level(Level::Error)
+        } else {
+            finding
+        };
         out.push(weigh(finding.effect(effect), macros, component));
     }
 }
@@ -45,10 +62,18 @@ fn fault(steps: &[f64], values: &[String]) -> Option<(&'static str, String, Stri
     const NO_INTERVAL: &str = "drops the component and never applies its macrodefs";
     const TOO_EARLY: &str = "never applies the first value with its full weight";
     let ([first, .., last] | [first @ last]) = steps else {
-        return Some(("are", "empty; at least two steps are needed".to_owned(), NO_INTERVAL.to_owned()));
+        return Some((
+            "are",
+            "empty; at least two steps are needed".to_owned(),
+            NO_INTERVAL.to_owned(),
+        ));
     };
     if steps.len() == 1 {
-        return Some(("hold", format!("only {last}; at least two steps are needed"), NO_INTERVAL.to_owned()));
+        return Some((
+            "hold",
+            format!("only {last}; at least two steps are needed"),
+            NO_INTERVAL.to_owned(),
+        ));
     }
     if is_dead(steps) {
         let effect = "drops the macrodef unless the slider is at exactly 0";
@@ -59,9 +84,17 @@ fn fault(steps: &[f64], values: &[String]) -> Option<(&'static str, String, Stri
         Some(("end", format!("at {last} instead of 1"), effect.to_owned()))
     } else if first.partial_cmp(&0.0) == Some(Ordering::Greater) {
         let effect = "applies the first value with more than its full weight when the slider is below the first step";
-        Some(("begin", format!("at {first} instead of 0"), effect.to_owned()))
+        Some((
+            "begin",
+            format!("at {first} instead of 0"),
+            effect.to_owned(),
+        ))
     } else if first.partial_cmp(&0.0) == Some(Ordering::Less) {
-        Some(("begin", format!("at {first} instead of 0"), TOO_EARLY.to_owned()))
+        Some((
+            "begin",
+            format!("at {first} instead of 0"),
+            TOO_EARLY.to_owned(),
+        ))
     } else if last.total_cmp(&1.0).is_gt() {
         Some((
             "end",
@@ -94,7 +127,12 @@ fn out_of_reach(steps: &[f64], values: &[String]) -> String {
         _ => None,
     });
     let (some, none): (Vec<_>, Vec<_>) = beyond.partition(|(_, share)| *share > 0.0);
-    let some = some.iter().map(|(value, share)| format!("`{value}` reaches at most {} of its weight", percent(*share)));
+    let some = some.iter().map(|(value, share)| {
+        format!(
+            "`{value}` reaches at most {} of its weight",
+            percent(*share)
+        )
+    });
     let names: Vec<String> = none.iter().map(|(value, _)| format!("`{value}`")).collect();
     let verb = if names.len() == 1 { "gets" } else { "get" };
     let none = (!names.is_empty()).then(|| format!("{} {verb} none", enumerated(&names)));

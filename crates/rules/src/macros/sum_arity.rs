@@ -25,25 +25,39 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 const CORNERS: usize = 3;
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = base.macro_file() else {
+        return;
+    };
     for component in sound_components(file, macros) {
-        let (None, Some(sum)) = (&component.steps, &component.sum) else { continue };
+        let (None, Some(sum)) = (&component.steps, &component.sum) else {
+            continue;
+        };
         let (values, ends) = (component.values.len(), sum.len());
-        // Two values of two corners work, but for the weight of the third corner: `numeric-weights-sum` says how much.
+        // Two values of two corners work, but for the weight of the third corner:
+        // `numeric-weights-sum` says how much.
         if values == ends && (CORNERS - 1..=CORNERS).contains(&ends) {
             continue;
         }
         let name = &component.name;
-        let (all, of_sum) = (counted(values, "value"), if ends == 1 { "entry" } else { "entries" });
-        let message =
-            format!("component `{name}` has {all} and {ends} {of_sum} in `sum`, but a triangle has 3 corners");
-        let mut finding = RULE.at(file, Place::pointer(["components", name, "sum"]), message).key(name);
+        let (all, of_sum) = (
+            counted(values, "value"),
+            if ends == 1 { "entry" } else { "entries" },
+        );
+        let message = format!(
+            "component `{name}` has {all} and {ends} {of_sum} in `sum`, but a triangle has 3 corners"
+        );
+        let mut finding = RULE
+            .at(file, Place::pointer(["components", name, "sum"]), message)
+            .key(name);
         finding =
             finding.help("give `values` and `sum` three entries each, in the order of `barycentric` of the slider");
         if values > ends {
-            finding = finding.effect("crashes with `IndexError` at the first value without an entry");
+            finding =
+                finding.effect("crashes with `IndexError` at the first value without an entry");
         } else if has_fourth(base, component, sum) {
-            finding = finding.effect("crashes with `TypeError` at the fourth value: a triangle has three weights");
+            finding = finding.effect(
+                "crashes with `TypeError` at the fourth value: a triangle has three weights",
+            );
         } else {
             let effect = "never reads surplus entries, or corners without a value";
             finding = finding.level(Level::Warning).effect(effect);

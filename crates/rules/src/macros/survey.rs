@@ -1,6 +1,7 @@
 //! What a macro definition leaves unlisted, and the unused files that were made for it.
 //!
-//! `macro-missing-combination` reports it; `macro-unreferenced-target` is silent about the files named there.
+//! `macro-missing-combination` reports it; `macro-unreferenced-target` is silent about the files
+//! named there.
 
 use std::collections::BTreeSet;
 
@@ -43,27 +44,59 @@ pub(super) fn survey<'s>(
     base.modelling.winner()?;
     let space = sound_space(file, macros, macrodef)?;
     // A dead definition has no corners, whatever it lists.
-    if space.axes.iter().any(|axis| !unknown_patterns(base, axis).is_empty()) {
+    if space
+        .axes
+        .iter()
+        .any(|axis| !unknown_patterns(base, axis).is_empty())
+    {
         return None;
     }
-    if macrodef.links.iter().any(|link| space.spellings(&link.name) > 1) {
+    if macrodef
+        .links
+        .iter()
+        .any(|link| space.spellings(&link.name) > 1)
+    {
         return None; // Which combinations are listed is open: `macro-ambiguous-value`.
     }
     let mut listing = Listing::of(&space, macrodef, suggestions);
     // One table holds all names: what another definition lists is found for this one too.
-    let elsewhere = macros.macrodefs.iter().filter(|other| other.index != macrodef.index);
-    listing.claimed.extend(elsewhere.flat_map(|other| &other.links).filter_map(|link| space.parse(&link.name)));
-    // Entries that the schema rejects, or with names that nobody understands, stand for combinations.
-    let faulty = file.schema.inside(&format!("/macrodef/{}/targets", macrodef.index)).count();
-    let lost = listing.strangers.iter().filter(|stranger| stranger.intended.is_none()).count();
+    let elsewhere = macros
+        .macrodefs
+        .iter()
+        .filter(|other| other.index != macrodef.index);
+    listing.claimed.extend(
+        elsewhere
+            .flat_map(|other| &other.links)
+            .filter_map(|link| space.parse(&link.name)),
+    );
+    // Entries that the schema rejects, or with names that nobody understands, stand for
+    // combinations.
+    let faulty = file
+        .schema
+        .inside(&format!("/macrodef/{}/targets", macrodef.index))
+        .count();
+    let lost = listing
+        .strangers
+        .iter()
+        .filter(|stranger| stranger.intended.is_none())
+        .count();
     let listed = listing.found.len();
     if lost > listed || faulty > listed {
         return None;
     }
     if !is_walkable(&space.sizes()) {
-        return Some(Survey { space, listed, absent: None, files: Vec::new() });
+        return Some(Survey {
+            space,
+            listed,
+            absent: None,
+            files: Vec::new(),
+        });
     }
-    let free: Vec<&FileFacts> = free.iter().copied().filter(|file| is_in_folder(base, macrodef, file)).collect();
+    let free: Vec<&FileFacts> = free
+        .iter()
+        .copied()
+        .filter(|file| is_in_folder(base, macrodef, file))
+        .collect();
     let (wanted, mut files) = wanted(&space, &listing, &free);
     let [system, mut holes] = absences(base, &space, &listing, &wanted);
     if holes.count <= faulty + lost {
@@ -72,12 +105,21 @@ pub(super) fn survey<'s>(
     if macrodef.links.is_empty() && !files.is_empty() {
         files = free; // Nothing is listed, so that all files of the folder wait for one and the same reason.
     }
-    Some(Survey { space, listed, absent: Some([system, holes]), files })
+    Some(Survey {
+        space,
+        listed,
+        absent: Some([system, holes]),
+        files,
+    })
 }
 
-/// The absent cells that unused files were made for, and those files. A file that fits a listed combination is none of
-/// them: that entry should name it.
-fn wanted<'s>(space: &Space<'_>, listing: &Listing<'_>, free: &[&'s FileFacts]) -> (Vec<bool>, Vec<&'s FileFacts>) {
+/// The absent cells that unused files were made for, and those files. A file that fits a listed
+/// combination is none of them: that entry should name it.
+fn wanted<'s>(
+    space: &Space<'_>,
+    listing: &Listing<'_>,
+    free: &[&'s FileFacts],
+) -> (Vec<bool>, Vec<&'s FileFacts>) {
     let sizes = space.sizes();
     let total: usize = sizes.iter().product();
     let mut cells = vec![false; total];
@@ -85,9 +127,19 @@ fn wanted<'s>(space: &Space<'_>, listing: &Listing<'_>, free: &[&'s FileFacts]) 
     if total.saturating_mul(free.len()) > COMPARED {
         return (cells, files);
     }
-    let used: BTreeSet<(usize, usize)> = listing.found.keys().flat_map(|c| c.iter().copied().enumerate()).collect();
+    let used: BTreeSet<(usize, usize)> = listing
+        .found
+        .keys()
+        .flat_map(|c| c.iter().copied().enumerate())
+        .collect();
     // Where a file leaves a component open, the values that the definition knows are likelier.
-    let strange = |c: &Combination| c.iter().copied().enumerate().filter(|value| !used.contains(value)).count();
+    let strange = |c: &Combination| {
+        c.iter()
+            .copied()
+            .enumerate()
+            .filter(|value| !used.contains(value))
+            .count()
+    };
     for file in free {
         let spelled = Spelled::of(space, file.stem());
         let taken = || listing.found.keys().chain(&listing.claimed);
@@ -96,7 +148,10 @@ fn wanted<'s>(space: &Space<'_>, listing: &Listing<'_>, free: &[&'s FileFacts]) 
         }
         let fitting = spelled.combinations(&sizes);
         let least = fitting.iter().map(strange).min();
-        for combination in fitting.iter().filter(|combination| Some(strange(combination)) == least) {
+        for combination in fitting
+            .iter()
+            .filter(|combination| Some(strange(combination)) == least)
+        {
             if let Some(cell) = cells.get_mut(index(&sizes, combination)) {
                 *cell = true;
             }

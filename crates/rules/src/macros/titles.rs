@@ -4,7 +4,11 @@ use mhlint_formats::macro_json::Macrodef;
 
 /// A combination: its name, or that it is empty.
 pub(super) fn combination(name: &str) -> String {
-    if name.is_empty() { "the empty name".to_owned() } else { format!("`{name}`") }
+    if name.is_empty() {
+        "the empty name".to_owned()
+    } else {
+        format!("`{name}`")
+    }
 }
 
 /// A definition: its components, or its place where it has none.

@@ -23,9 +23,13 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 const SMALLEST_WEIGHT: f64 = 0.01;
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = base.macro_file() else {
+        return;
+    };
     for macrodef in &macros.macrodefs {
-        let Some(space) = Space::of(macros, macrodef) else { continue };
+        let Some(space) = Space::of(macros, macrodef) else {
+            continue;
+        };
         let active: f64 = space.axes.iter().map(|axis| active_values(axis)).product();
         if 1.0 / active > SMALLEST_WEIGHT {
             continue;
@@ -37,12 +41,15 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             1.0 / active
         );
         let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]);
-        let finding = RULE.at(file, place, message).key(macrodef.components.join("-"));
+        let finding = RULE
+            .at(file, place, message)
+            .key(macrodef.components.join("-"));
         out.push(finding.help("split the macrodef into several with fewer components each"));
     }
 }
 
-/// How many values of a component are active at once where most are: two between steps, three in a triangle.
+/// How many values of a component are active at once where most are: two between steps, three in a
+/// triangle.
 fn active_values(component: &Component) -> f64 {
     let slots = if component.steps.is_some() { 2 } else { 3 };
     component.values.len().clamp(1, slots) as f64

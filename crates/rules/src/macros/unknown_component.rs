@@ -18,7 +18,9 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = base.macro_file() else {
+        return;
+    };
     // Without any component `components` is no object, or missing, and the schema says so.
     if macros.components.is_empty() && !file.schema.faults.is_empty() {
         return;
@@ -27,26 +29,57 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.extend(without_components(file, macros));
         return;
     }
-    let known: BTreeSet<&str> = macros.components.iter().map(|component| component.name.as_str()).collect();
+    let known: BTreeSet<&str> = macros
+        .components
+        .iter()
+        .map(|component| component.name.as_str())
+        .collect();
     let unknown = grouped(macros.macrodefs.iter().flat_map(|macrodef| {
-        let strangers = macrodef.components.iter().enumerate().filter(|(_, name)| !known.contains(name.as_str()));
+        let strangers = macrodef
+            .components
+            .iter()
+            .enumerate()
+            .filter(|(_, name)| !known.contains(name.as_str()));
         strangers.map(|(at, name)| (name.as_str(), place(macrodef, at)))
     }));
-    let used: BTreeSet<&str> =
-        macros.macrodefs.iter().flat_map(|macrodef| &macrodef.components).map(String::as_str).collect();
+    let used: BTreeSet<&str> = macros
+        .macrodefs
+        .iter()
+        .flat_map(|macrodef| &macrodef.components)
+        .map(String::as_str)
+        .collect();
     for (name, places) in unknown {
         let help = did_you_mean(
-            cx.suggestions
-                .nearest(name, known.iter().copied().filter(|other| !used.contains(other) || places.len() == 1)),
+            cx.suggestions.nearest(
+                name,
+                known
+                    .iter()
+                    .copied()
+                    .filter(|other| !used.contains(other) || places.len() == 1),
+            ),
             "define the component, or remove it from `comp` and from the names",
         );
-        let more = if places.len() > 1 { format!(" ({} macrodefs name it)", places.len()) } else { String::new() };
-        let Some((first, others)) = places.split_first() else { continue };
-        let mut finding = RULE.at(file, first.clone(), format!("component `{name}` is not defined{more}"));
+        let more = if places.len() > 1 {
+            format!(" ({} macrodefs name it)", places.len())
+        } else {
+            String::new()
+        };
+        let Some((first, others)) = places.split_first() else {
+            continue;
+        };
+        let mut finding = RULE.at(
+            file,
+            first.clone(),
+            format!("component `{name}` is not defined{more}"),
+        );
         for other in others.iter().take(EXAMPLES - 1) {
             finding = finding.related(&file.path, other.clone(), "also named here");
         }
-        let inside = file.schema.unknown.iter().find(|key| key.key == name && key.is_object);
+        let inside = file
+            .schema
+            .unknown
+            .iter()
+            .find(|key| key.key == name && key.is_object);
         out.push(finding.key(name).help(inside.map_or(help, moved_out)));
     }
 }
@@ -58,15 +91,30 @@ fn moved_out(inside: &UnknownKey) -> String {
 }
 
 fn place(macrodef: &Macrodef, at: usize) -> Place {
-    Place::pointer(["macrodef", &macrodef.index.to_string(), "comp", &at.to_string()])
+    Place::pointer([
+        "macrodef",
+        &macrodef.index.to_string(),
+        "comp",
+        &at.to_string(),
+    ])
 }
 
 /// With no component at all every name is unknown, for one reason.
 fn without_components(file: &FileFacts, macros: &MacroFile) -> Option<Finding> {
-    let names: BTreeSet<&String> = macros.macrodefs.iter().flat_map(|macrodef| &macrodef.components).collect();
+    let names: BTreeSet<&String> = macros
+        .macrodefs
+        .iter()
+        .flat_map(|macrodef| &macrodef.components)
+        .collect();
     let first = names.first()?;
-    let more = if names.len() > 1 { format!(" and {} more", names.len() - 1) } else { String::new() };
+    let more = if names.len() > 1 {
+        format!(" and {} more", names.len() - 1)
+    } else {
+        String::new()
+    };
     let message = format!("no component is defined, but the macrodefs name `{first}`{more}");
-    let finding = RULE.at(file, Place::pointer(["components"]), message).key("none");
+    let finding = RULE
+        .at(file, Place::pointer(["components"]), message)
+        .key("none");
     Some(finding.help("define the components that the macrodefs name in `comp`"))
 }

@@ -23,14 +23,19 @@ fn has_doubled(base: &Base<'_>) -> bool {
 }
 
 fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = base.macro_file() else {
+        return;
+    };
     for component in sound_components(file, macros) {
         if component.steps.is_some() && component.sum.is_some() {
             continue; // `macro-steps-and-sum`: which of the two is meant is open.
         }
         let unknown = unknown_patterns(base, component);
-        let Some(first) = unknown.first() else { continue };
-        // A slider with the name of another one leaves its own behind: `modelling-duplicate-pattern`.
+        let Some(first) = unknown.first() else {
+            continue;
+        };
+        // A slider with the name of another one leaves its own behind:
+        // `modelling-duplicate-pattern`.
         if unknown.len() == 1 && has_doubled(base) {
             continue;
         }
@@ -38,7 +43,9 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let message = match unknown.len() {
             1 => format!("component `{name}` reads the pattern `{first}`, which no slider has"),
             count => {
-                format!("component `{name}` reads the pattern `{first}`, which no slider has ({count} such patterns)")
+                format!(
+                    "component `{name}` reads the pattern `{first}`, which no slider has ({count} such patterns)"
+                )
             }
         };
         let read = super::super::cause::component::patterns(component);
@@ -48,7 +55,11 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             "write the `macro`, or a text of `barycentric`, of an entry of modelling.json",
         );
         let is_corner = component.steps.is_none() && unknown.len() < read.len();
-        let corner = read.iter().position(|own| own == first).filter(|_| is_corner).map(|at| at.to_string());
+        let corner = read
+            .iter()
+            .position(|own| own == first)
+            .filter(|_| is_corner)
+            .map(|at| at.to_string());
         let place = match &corner {
             Some(corner) => Place::pointer(["components", name, "sum", corner]),
             None => Place::pointer(["components", name, "pattern"]),
@@ -61,6 +72,10 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if let Some((sliders, _)) = base.modelling.winner() {
             finding = finding.against(&sliders.path);
         }
-        out.push(weigh(finding.evidence(Evidence::of_cases(&unknown).out_of(read.len())), macros, component));
+        out.push(weigh(
+            finding.evidence(Evidence::of_cases(&unknown).out_of(read.len())),
+            macros,
+            component,
+        ));
     }
 }

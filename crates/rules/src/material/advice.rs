@@ -21,49 +21,85 @@ pub(super) struct Advice<'v, 'a> {
 
 impl<'v, 'a> Advice<'v, 'a> {
     pub(super) fn of(view: &'v View<'a>) -> Self {
-        let files = view.layers().checked.files.values().filter(|file| is_picture(file));
-        let paths: BTreeMap<&str, &FileFacts> = files.map(|file| (file.rel.as_str(), file)).collect();
+        let files = view
+            .layers()
+            .checked
+            .files
+            .values()
+            .filter(|file| is_picture(file));
+        let paths: BTreeMap<&str, &FileFacts> =
+            files.map(|file| (file.rel.as_str(), file)).collect();
         let pictures = grouped(paths.values().map(|file| (file.file_name(), *file)));
-        Self { view, pictures, paths, suggestions: Suggestions::default() }
+        Self {
+            view,
+            pictures,
+            paths,
+            suggestions: Suggestions::default(),
+        }
     }
 
     pub(super) fn on(&self, reference: &Reference<'_>) -> String {
         let otherwise = "correct the name, add the picture, or remove the line";
         let whole = with_blanks(reference);
-        if let Some(help) = meant_beside(self.view.layers().checked, &reference.rel, whole.as_deref()) {
+        if let Some(help) =
+            meant_beside(self.view.layers().checked, &reference.rel, whole.as_deref())
+        {
             return help;
         }
-        let Some(folders) = self.view.picture_folders(reference) else { return otherwise.to_owned() };
+        let Some(folders) = self.view.picture_folders(reference) else {
+            return otherwise.to_owned();
+        };
         if let Some(name) = whole.clone().filter(|name| self.is_near(name, &folders)) {
-            return format!("rename `{name}` without spaces, and write that name: a name ends at the first space");
+            return format!(
+                "rename `{name}` without spaces, and write that name: a name ends at the first space"
+            );
         }
-        let cut = whole.filter(|name| is_cut(reference.text, name)).map(|name| joined(&name));
-        if let Some(name) = cut.iter().flatten().find(|name| self.is_near(name, &folders)) {
+        let cut = whole
+            .filter(|name| is_cut(reference.text, name))
+            .map(|name| joined(&name));
+        if let Some(name) = cut
+            .iter()
+            .flatten()
+            .find(|name| self.is_near(name, &folders))
+        {
             return format!("write `{name}`: a name ends at the first space");
         }
         if let Some(name) = self.moved(reference, &folders) {
             return format!("write `{name}`: the picture is there");
         }
         if let Some([name, ..]) = &cut {
-            return format!("write the name without spaces, such as `{name}`: it ends at the first space");
+            return format!(
+                "write the name without spaces, such as `{name}`: it ends at the first space"
+            );
         }
-        let around = self.below(around(&folders)).filter(|file| self.is_free(file));
-        let names = around.filter_map(|file| near(file, &folders)).filter(|name| is_name(name));
+        let around = self
+            .below(around(&folders))
+            .filter(|file| self.is_free(file));
+        let names = around
+            .filter_map(|file| near(file, &folders))
+            .filter(|name| is_name(name));
         did_you_mean(self.suggestions.nearest(reference.text, names), otherwise)
     }
 
     /// The pictures below a folder.
     fn below(&self, folder: &str) -> impl Iterator<Item = &'a FileFacts> {
         let within = format!("{folder}/");
-        let from = self.paths.range::<str, _>((Bound::Included(within.as_str()), Bound::Unbounded));
-        from.map(|(_, file)| *file).take_while(move |file| file.rel.starts_with(&within))
+        let from = self
+            .paths
+            .range::<str, _>((Bound::Included(within.as_str()), Bound::Unbounded));
+        from.map(|(_, file)| *file)
+            .take_while(move |file| file.rel.starts_with(&within))
     }
 
     /// Whether a picture lies where a material looks for this name.
     fn is_near(&self, name: &str, folders: &PictureFolders<'_>) -> bool {
         let asked = [folders.own, around(folders)];
-        let found = asked.iter().filter_map(|folder| self.paths.get(format!("{folder}/{name}").as_str()));
-        found.into_iter().any(|file| near(file, folders) == Some(name))
+        let found = asked
+            .iter()
+            .filter_map(|folder| self.paths.get(format!("{folder}/{name}").as_str()));
+        found
+            .into_iter()
+            .any(|file| near(file, folders) == Some(name))
     }
 
     /// A picture of this name in another folder: one of the same asset, or one that nobody names.
@@ -71,12 +107,19 @@ impl<'v, 'a> Advice<'v, 'a> {
         let same = self.pictures.get(file_name(reference.text))?;
         let has_own_folder = around(folders).matches('/').count() > 1;
         let same = same.get(..SAME_NAMES).unwrap_or(same);
-        let around = same.iter().filter(|file| has_own_folder || self.is_free(file));
+        let around = same
+            .iter()
+            .filter(|file| has_own_folder || self.is_free(file));
         let mut around = around.filter_map(|file| near(file, folders));
-        let shared = same.iter().filter(|file| self.is_free(file)).filter_map(|file| below(&file.rel, &folders.all));
+        let shared = same
+            .iter()
+            .filter(|file| self.is_free(file))
+            .filter_map(|file| below(&file.rel, &folders.all));
         // The first part of such a name would be left out.
         let mut shared = shared.filter(|name| !name.starts_with(folders.sort));
-        around.find(|name| is_name(name)).or_else(|| shared.find(|name| is_name(name)))
+        around
+            .find(|name| is_name(name))
+            .or_else(|| shared.find(|name| is_name(name)))
     }
 
     fn is_free(&self, file: &FileFacts) -> bool {
@@ -94,16 +137,28 @@ fn is_name(name: &str) -> bool {
 
 /// The whole name, where the one that is looked for may end too early.
 fn with_blanks(reference: &Reference<'_>) -> Option<String> {
-    let Place::Span(span) = &reference.place else { return None };
+    let Place::Span(span) = &reference.place else {
+        return None;
+    };
     // They stand in the order of the file.
     let material = reference.from.material()?;
-    let at = material.textures.partition_point(|texture| texture.span.start < span.start);
-    if let Some(texture) = material.textures.get(at).filter(|texture| texture.span == *span) {
-        return (!texture.lost.is_empty()).then(|| format!("{} {}", texture.word, texture.lost).replace('"', ""));
+    let at = material
+        .textures
+        .partition_point(|texture| texture.span.start < span.start);
+    if let Some(texture) = material
+        .textures
+        .get(at)
+        .filter(|texture| texture.span == *span)
+    {
+        return (!texture.lost.is_empty())
+            .then(|| format!("{} {}", texture.word, texture.lost).replace('"', ""));
     }
     // A picture of another keyword.
     let from = |line: &'_ Line| line.words.iter().position(|word| word.span == *span);
-    let (line, at) = material.lines.iter().find_map(|line| Some((line, from(line)?)))?;
+    let (line, at) = material
+        .lines
+        .iter()
+        .find_map(|line| Some((line, from(line)?)))?;
     let words: Vec<&str> = line.words.iter().skip(at).map(|word| &*word.text).collect();
     (words.len() > 1).then(|| words.join(" ").replace('"', ""))
 }
@@ -138,14 +193,18 @@ pub(super) fn file_name(path: &str) -> &str {
 }
 
 /// Extensions of pictures that MakeHuman 2 can show, in small letters.
-const PICTURES: [&str; 10] = ["bmp", "gif", "jpeg", "jpg", "png", "svg", "tga", "tif", "tiff", "webp"];
+const PICTURES: [&str; 10] = [
+    "bmp", "gif", "jpeg", "jpg", "png", "svg", "tga", "tif", "tiff", "webp",
+];
 
 fn is_picture(file: &FileFacts) -> bool {
     PICTURES.contains(&extension(&file.rel).to_lowercase().as_str())
 }
 
 /// Marks that people put around names.
-pub(super) const QUOTES: [char; 8] = ['"', '\'', '`', '\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}'];
+pub(super) const QUOTES: [char; 8] = [
+    '"', '\'', '`', '\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}',
+];
 
 /// Whether a name begins or ends with a quote.
 pub(super) fn is_quoted(text: &str) -> bool {

@@ -1,5 +1,5 @@
-//! Materials beside the folders of assets, which are offered for assets without materials of their own
-//! (`docs/loaders/makehuman2/materials.md#alternative-materials`).
+//! Materials beside the folders of assets, which are offered for assets without materials of their
+//! own (`docs/loaders/makehuman2/materials.md#alternative-materials`).
 
 use std::collections::BTreeSet;
 
@@ -21,12 +21,21 @@ const SHARED: &str = "materials";
 pub(super) fn unoffered(rule: &Rule, view: &View<'_>) -> Vec<Finding> {
     let layer = view.layers().checked;
     // The standard material of an asset is there without being offered.
-    let standard = view.assets().iter().filter_map(|worn| worn.reference(ReferenceKind::AssetMaterial)?.meant());
+    let standard = view
+        .assets()
+        .iter()
+        .filter_map(|worn| worn.reference(ReferenceKind::AssetMaterial)?.meant());
     let named: BTreeSet<&str> = standard.map(|file| file.path.as_str()).collect();
-    let shared = layer.files.values().filter(|file| file.kind == Kind::Material && !named.contains(file.path.as_str()));
+    let shared = layer
+        .files
+        .values()
+        .filter(|file| file.kind == Kind::Material && !named.contains(file.path.as_str()));
     let by_folder = grouped(shared.filter_map(|file| Some((sort_of(file)?, file))));
-    let lost = by_folder.into_iter().filter(|(sort, _)| is_offered_for_nothing(view, sort));
-    lost.filter_map(|(sort, files)| finding(rule, sort, &files)).collect()
+    let lost = by_folder
+        .into_iter()
+        .filter(|(sort, _)| is_offered_for_nothing(view, sort));
+    lost.filter_map(|(sort, files)| finding(rule, sort, &files))
+        .collect()
 }
 
 /// `eyes/<base>` for a file directly in `eyes/<base>/materials`.
@@ -43,17 +52,30 @@ fn is_offered_for_nothing(view: &View<'_>, sort: &str) -> bool {
         (parent(folder) == sort).then(|| folder.to_owned())
     };
     let mut folders = view.assets().iter().filter_map(folder).peekable();
-    let has_own = |layer: &Layer, folder: &str| layer.below(folder).any(|file| file.kind == Kind::Material);
+    let has_own =
+        |layer: &Layer, folder: &str| layer.below(folder).any(|file| file.kind == Kind::Material);
     folders.peek().is_some()
-        && folders.all(|folder| view.layers().strongest_first().any(|layer| has_own(layer, &folder)))
+        && folders.all(|folder| {
+            view.layers()
+                .strongest_first()
+                .any(|layer| has_own(layer, &folder))
+        })
 }
 
 fn finding(rule: &Rule, sort: &str, files: &[&FileFacts]) -> Option<Finding> {
     let first = files.first()?;
     let are = if files.len() == 1 { "is" } else { "are" };
-    let message = format!("{} in `{sort}/{SHARED}` {are} not offered", counted(files.len(), "material"));
-    let finding = rule.at(first, Place::File, message).key(sort).case(UNOFFERED);
+    let message = format!(
+        "{} in `{sort}/{SHARED}` {are} not offered",
+        counted(files.len(), "material")
+    );
+    let finding = rule
+        .at(first, Place::File, message)
+        .key(sort)
+        .case(UNOFFERED);
     let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
-    let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.file_name())));
+    let finding = finding.evidence(Evidence::of_cases(
+        files.iter().map(|file| file.file_name()),
+    ));
     Some(finding.help("move them to the folder of the asset that they are for"))
 }

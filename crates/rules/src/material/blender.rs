@@ -26,30 +26,70 @@ impl Lines<'_> {
     fn told(&self, faults: &[(Place, String, String)], help: &str) -> Option<Finding> {
         let (place, key, message) = faults.first()?;
         let message = format!("{message}{}", such(faults.len(), "lines"));
-        let finding = self.rule.at(self.file, place.clone(), message).key(key).case(self.case).help(help);
-        Some(finding.evidence(Evidence::of_cases(faults.iter().map(|(_, key, _)| key.clone()))))
+        let finding = self
+            .rule
+            .at(self.file, place.clone(), message)
+            .key(key)
+            .case(self.case)
+            .help(help);
+        Some(finding.evidence(Evidence::of_cases(
+            faults.iter().map(|(_, key, _)| key.clone()),
+        )))
     }
 }
 
 fn at(set: &Set<'_>) -> Place {
-    if set.value.is_empty() { Place::Line(set.statement.number) } else { Place::Span(set.statement.value.span.clone()) }
+    if set.value.is_empty() {
+        Place::Line(set.statement.number)
+    } else {
+        Place::Span(set.statement.value.span.clone())
+    }
 }
 
-const NO_VALUE: Case = &[(Mpfb, Level::Error, "fails with `AttributeError` when it reads the material")];
-const NO_NUMBER: Case = &[(Mpfb, Level::Error, "fails with `ValueError` when it reads the material")];
-const TAG: Case = &[(Mpfb, Level::Error, "fails with an exception when it reads the material")];
-const PARAMETER: Case = &[(Mpfb, Level::Error, "fails with `TypeError` when it reads the material")];
-const NO_COLOUR: Case = &[(Mpfb, Level::Warning, "ignores the colour and takes its default")];
+const NO_VALUE: Case = &[(
+    Mpfb,
+    Level::Error,
+    "fails with `AttributeError` when it reads the material",
+)];
+const NO_NUMBER: Case = &[(
+    Mpfb,
+    Level::Error,
+    "fails with `ValueError` when it reads the material",
+)];
+const TAG: Case = &[(
+    Mpfb,
+    Level::Error,
+    "fails with an exception when it reads the material",
+)];
+const PARAMETER: Case = &[(
+    Mpfb,
+    Level::Error,
+    "fails with `TypeError` when it reads the material",
+)];
+const NO_COLOUR: Case = &[(
+    Mpfb,
+    Level::Warning,
+    "ignores the colour and takes its default",
+)];
 
 /// Keywords without what has to stand behind them.
 pub(super) fn arity(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     for look in view.looks() {
-        let of = |wanted: fn(&Set<'_>) -> bool, message: fn(&Set<'_>) -> String| -> Vec<(Place, String, String)> {
+        let of = |wanted: fn(&Set<'_>) -> bool,
+                  message: fn(&Set<'_>) -> String|
+         -> Vec<(Place, String, String)> {
             let own = look.lines.iter().filter(|set| wanted(set));
-            own.map(|set| (at(set), set.key.name.to_owned(), message(set))).collect()
+            own.map(|set| (at(set), set.key.name.to_owned(), message(set)))
+                .collect()
         };
-        let lines = |case| Lines { rule, file: look.file, case };
-        let empty = of(lacks_value, |set| format!("`{}` has no value", set.statement.key.text));
+        let lines = |case| Lines {
+            rule,
+            file: look.file,
+            case,
+        };
+        let empty = of(lacks_value, |set| {
+            format!("`{}` has no value", set.statement.key.text)
+        });
         out.extend(lines(NO_VALUE).told(&empty, "write the value, or remove the line"));
         let tags: Vec<_> = empty_tags(look).collect();
         out.extend(lines(TAG).told(&tags, "write the tag, or remove the line"));
@@ -60,7 +100,9 @@ pub(super) fn arity(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
                 format!("`shaderParam` has {words} words behind it, expected 2")
             },
         );
-        out.extend(lines(PARAMETER).told(&parameter, "write a name and one value, or remove the line"));
+        out.extend(
+            lines(PARAMETER).told(&parameter, "write a name and one value, or remove the line"),
+        );
     }
 }
 
@@ -69,7 +111,13 @@ fn empty_tags<'l>(look: &'l Look<'_>) -> impl Iterator<Item = (Place, String, St
     let tags = look.lines.iter().filter(|set| set.key.name == "tag");
     let behind = tags.skip_while(|set| set.value.is_empty());
     let empty = behind.filter(|set| set.value.is_empty() && !set.statement.ends_file);
-    empty.map(|set| (at(set), "tag".to_owned(), "`tag` has no value, and stands behind another one".to_owned()))
+    empty.map(|set| {
+        (
+            at(set),
+            "tag".to_owned(),
+            "`tag` has no value, and stands behind another one".to_owned(),
+        )
+    })
 }
 
 /// Of other texts nothing is missed.
@@ -81,21 +129,46 @@ fn lacks_value(set: &Set<'_>) -> bool {
 /// Numbers and colours that are none.
 pub(super) fn values(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     for look in view.looks() {
-        let lines = |case| Lines { rule, file: look.file, case };
-        let of = |reads: Reads, is_wrong: fn(&str) -> bool, what: &str| -> Vec<(Place, String, String)> {
-            let own = look.lines.iter().filter(|set| set.key.reads == reads && !set.value.is_empty());
+        let lines = |case| Lines {
+            rule,
+            file: look.file,
+            case,
+        };
+        let of = |reads: Reads,
+                  is_wrong: fn(&str) -> bool,
+                  what: &str|
+         -> Vec<(Place, String, String)> {
+            let own = look
+                .lines
+                .iter()
+                .filter(|set| set.key.reads == reads && !set.value.is_empty());
             let own = own.filter(|set| is_wrong(&set.value));
             own.map(|set| {
-                let message = format!("`{}` of `{}` is not {what}", shown(&set.value), set.statement.key.text);
+                let message = format!(
+                    "`{}` of `{}` is not {what}",
+                    shown(&set.value),
+                    set.statement.key.text
+                );
                 (at(set), set.key.name.to_owned(), message)
             })
             .collect()
         };
-        let numbers = of(Reads::Number, |value| python_float(value.as_bytes()).is_none(), "one number");
-        out.extend(lines(NO_NUMBER).told(&numbers, "write one number with a decimal point, and no comment behind it"));
-        let (broken, unread): (Vec<_>, Vec<_>) = of(Reads::Colour, |value| colour(value) != Colour::Read, "a colour")
-            .into_iter()
-            .partition(|(place, _, _)| is_broken(look, place));
+        let numbers = of(
+            Reads::Number,
+            |value| python_float(value.as_bytes()).is_none(),
+            "one number",
+        );
+        out.extend(lines(NO_NUMBER).told(
+            &numbers,
+            "write one number with a decimal point, and no comment behind it",
+        ));
+        let (broken, unread): (Vec<_>, Vec<_>) = of(
+            Reads::Colour,
+            |value| colour(value) != Colour::Read,
+            "a colour",
+        )
+        .into_iter()
+        .partition(|(place, _, _)| is_broken(look, place));
         let help = "write three numbers from 0 to 1 with decimal points and spaces between them";
         out.extend(lines(NO_NUMBER).told(&broken, help));
         out.extend(lines(NO_COLOUR).told(&unread, help));
@@ -115,25 +188,43 @@ fn colour(value: &str) -> Colour {
     let is_plain = |word: &&str| word.chars().all(|one| one.is_ascii_digit() || one == '.');
     match words.len() == 3 && words.iter().all(is_plain) {
         false => Colour::Ignored,
-        true if words.iter().all(|word| python_float(word.as_bytes()).is_some()) => Colour::Read,
+        true if words
+            .iter()
+            .all(|word| python_float(word.as_bytes()).is_some()) =>
+        {
+            Colour::Read
+        }
         true => Colour::Broken,
     }
 }
 
 fn is_broken(look: &Look<'_>, place: &Place) -> bool {
-    look.lines.iter().any(|set| at(set) == *place && colour(&set.value) == Colour::Broken)
+    look.lines
+        .iter()
+        .any(|set| at(set) == *place && colour(&set.value) == Colour::Broken)
 }
 
-const QUOTE: Case = &[(Mpfb, Level::Error, "fails with an exception when it makes the material")];
+const QUOTE: Case = &[(
+    Mpfb,
+    Level::Error,
+    "fails with an exception when it makes the material",
+)];
 
 /// Quotes and control characters in paths.
 pub(super) fn quotes(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     for look in view.looks() {
-        let is_bad = |one: &&Reference<'_>| one.text.contains(|letter: char| letter == '"' || letter.is_control());
+        let is_bad = |one: &&Reference<'_>| {
+            one.text
+                .contains(|letter: char| letter == '"' || letter.is_control())
+        };
         let own = look.pictures.iter().filter(is_bad);
         let faults: Vec<_> = own
             .map(|one| {
-                let what = if one.text.contains('"') { "a quote" } else { "a control character" };
+                let what = if one.text.contains('"') {
+                    "a quote"
+                } else {
+                    "a control character"
+                };
                 let message = format!(
                     "`{}` has {what} in its name: `{}`",
                     one.owner,
@@ -142,7 +233,14 @@ pub(super) fn quotes(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
                 (one.place.clone(), one.owner.to_owned(), message)
             })
             .collect();
-        out.extend(Lines { rule, file: look.file, case: QUOTE }.told(&faults, "write the name without it"));
+        out.extend(
+            Lines {
+                rule,
+                file: look.file,
+                case: QUOTE,
+            }
+            .told(&faults, "write the name without it"),
+        );
     }
 }
 
@@ -161,25 +259,39 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut V
             if !is_absent || is_told || view.layers().checked.has_fault(&one.rel) {
                 continue;
             }
-            let what =
-                if matches!(one.resolution, Resolution::Unusable) { "cannot be opened" } else { "does not exist" };
+            let what = if matches!(one.resolution, Resolution::Unusable) {
+                "cannot be opened"
+            } else {
+                "does not exist"
+            };
             let message = format!("texture `{}` of `{}` {what}", shown(one.text), one.owner);
             let help = advice(view, look, one, cx);
-            let finding = rule.at(look.file, one.place.clone(), message).key(one.owner).help(help);
-            out.push(if one.kind == ReferenceKind::SkinTexture { finding.case(OF_SKIN) } else { finding });
+            let finding = rule
+                .at(look.file, one.place.clone(), message)
+                .key(one.owner)
+                .help(help);
+            out.push(if one.kind == ReferenceKind::SkinTexture {
+                finding.case(OF_SKIN)
+            } else {
+                finding
+            });
         }
     }
 }
 
 const OTHERWISE: &str = "correct the name, add the picture, or remove the line";
 
-/// Pictures of a folder that are looked at for a name: among more of them nobody finds one that was mistyped.
+/// Pictures of a folder that are looked at for a name: among more of them nobody finds one that was
+/// mistyped.
 const NEIGHBOURS: usize = 200;
 
 /// What to write for a picture that is not found.
 fn advice(view: &View<'_>, look: &Look<'_>, one: &Reference<'_>, cx: &RuleCx<'_>) -> String {
     if let Some((name, _)) = one.text.split_once(" #") {
-        return format!("write `{}`: a comment behind it belongs to the name", name.trim_end());
+        return format!(
+            "write `{}`: a comment behind it belongs to the name",
+            name.trim_end()
+        );
     }
     if cx.suggestions.are_over() {
         return OTHERWISE.to_owned();
@@ -187,15 +299,22 @@ fn advice(view: &View<'_>, look: &Look<'_>, one: &Reference<'_>, cx: &RuleCx<'_>
     let folder = parent(&look.file.rel);
     // One that something names is that of another map, however near its name.
     let is_free = |file: &&FileFacts| view.references().to_file(file).next().is_none();
-    let pictures =
-        view.layers().checked.below(folder).filter(|file| blender_loads(file)).take(NEIGHBOURS).filter(is_free);
+    let pictures = view
+        .layers()
+        .checked
+        .below(folder)
+        .filter(|file| blender_loads(file))
+        .take(NEIGHBOURS)
+        .filter(is_free);
     let beside = pictures.filter_map(|file| file.rel.strip_prefix(folder)?.strip_prefix('/'));
     did_you_mean(cx.suggestions.nearest(one.text, beside), OTHERWISE)
 }
 
 /// The line that names a picture.
 fn line<'l>(look: &'l Look<'_>, picture: &Reference<'_>) -> Option<&'l Set<'l>> {
-    look.lines.iter().find(|set| Place::Span(set.statement.value.span.clone()) == picture.place)
+    look.lines
+        .iter()
+        .find(|set| Place::Span(set.statement.value.span.clone()) == picture.place)
 }
 
 /// Whether the correction of the keyword changes the name of the picture.
@@ -206,11 +325,19 @@ fn is_rewritten(look: &Look<'_>, picture: &Reference<'_>) -> bool {
 /// Names that the correction of a keyword changes.
 pub(super) fn rewritten(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Finding>) {
     for look in &view.looks {
-        for one in look.pictures.iter().filter(|one| is_rewritten(look, one) && one.found().is_none()) {
+        for one in look
+            .pictures
+            .iter()
+            .filter(|one| is_rewritten(look, one) && one.found().is_none())
+        {
             let Some(set) = line(look, one) else { continue };
-            let message =
-                format!("`{}` is corrected in `{}` as well: `{}`", set.statement.key.text, one.text, set.value);
-            let finding = rule.at(look.file, one.place.clone(), message).key(one.owner);
+            let message = format!(
+                "`{}` is corrected in `{}` as well: `{}`",
+                set.statement.key.text, one.text, set.value
+            );
+            let finding = rule
+                .at(look.file, one.place.clone(), message)
+                .key(one.owner);
             out.push(finding.help(format!("write `{}` for the keyword", one.owner)));
         }
     }
@@ -220,7 +347,8 @@ pub(super) fn rewritten(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Findin
 pub(super) fn unreadable(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     let mut named: BTreeMap<&str, (&FileFacts, Vec<String>)> = BTreeMap::new();
     // The skin of the add-on names its pictures in code.
-    let is_of_skin = |file: &FileFacts| (view.layout().single)(&file.rel) == Some(Single::SkinPicture);
+    let is_of_skin =
+        |file: &FileFacts| (view.layout().single)(&file.rel) == Some(Single::SkinPicture);
     for file in view.files().filter(|file| is_of_skin(file)) {
         named.insert(&file.path, (file, vec!["the layered skin".to_owned()]));
     }
@@ -233,7 +361,9 @@ pub(super) fn unreadable(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
     }
     for (file, cases) in named.into_values() {
         let Some(message) = fault(file) else { continue };
-        let finding = rule.at(file, Place::File, message).evidence(Evidence::of_unnamed(cases));
+        let finding = rule
+            .at(file, Place::File, message)
+            .evidence(Evidence::of_unnamed(cases));
         out.push(finding.help("export it again as PNG, or restore it"));
     }
 }
@@ -246,7 +376,12 @@ pub(super) fn unknown(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut V
             continue;
         }
         // What other applications read is left to them.
-        let is_of_others = |word: &str| look.material.lines.iter().any(|line| line.keyword.name == word);
+        let is_of_others = |word: &str| {
+            look.material
+                .lines
+                .iter()
+                .any(|line| line.keyword.name == word)
+        };
         let mut near = Vec::new();
         let mut indented = Vec::new();
         for statement in &look.material.statements {
@@ -261,20 +396,46 @@ pub(super) fn unknown(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut V
         }
         // Words of more than letters begin no statement.
         let is_statement = |word: &Word| word.text.bytes().all(|byte| byte.is_ascii_alphabetic());
-        let others = look.material.unknown.iter().map(|one| &one.word).filter(|word| !is_statement(word));
+        let others = look
+            .material
+            .unknown
+            .iter()
+            .map(|one| &one.word)
+            .filter(|word| !is_statement(word));
         near.extend(others.filter_map(|word| misspelt(word, cx)));
-        let lines = Lines { rule, file: look.file, case: &[] };
+        let lines = Lines {
+            rule,
+            file: look.file,
+            case: &[],
+        };
         out.extend(lines.told(&indented, "remove the white space in front of the line"));
-        out.extend(lines.told(&near, "correct the keyword, or put `# ` in front of the line"));
-        out.extend(look.material.unknown.iter().find_map(|one| unparted(rule, look, one, cx)));
+        out.extend(lines.told(
+            &near,
+            "correct the keyword, or put `# ` in front of the line",
+        ));
+        out.extend(
+            look.material
+                .unknown
+                .iter()
+                .find_map(|one| unparted(rule, look, one, cx)),
+        );
     }
 }
 
 /// A word that is meant as a keyword.
 fn misspelt(word: &Word, cx: &RuleCx<'_>) -> Option<(Place, String, String)> {
-    let Meant::Keyword(meant) = spelling::meant(&word.text, is_key, &cx.suggestions) else { return None };
-    let message = format!("`{}` is not a keyword of a material, but `{meant}` is", shown(&word.text));
-    Some((Place::Span(word.span.clone()), word.text.to_string(), message))
+    let Meant::Keyword(meant) = spelling::meant(&word.text, is_key, &cx.suggestions) else {
+        return None;
+    };
+    let message = format!(
+        "`{}` is not a keyword of a material, but `{meant}` is",
+        shown(&word.text)
+    );
+    Some((
+        Place::Span(word.span.clone()),
+        word.text.to_string(),
+        message,
+    ))
 }
 
 /// Whether it is a keyword, in whatever capitals.
@@ -285,24 +446,33 @@ pub(super) fn is_key(word: &str) -> bool {
 /// A keyword with its value written against it.
 fn unparted(rule: &Rule, look: &Look<'_>, one: &Unknown, cx: &RuleCx<'_>) -> Option<Finding> {
     let word = &*one.word.text;
-    let Meant::Glued(keyword) = spelling::meant(word, is_key, &cx.suggestions) else { return None };
+    let Meant::Glued(keyword) = spelling::meant(word, is_key, &cx.suggestions) else {
+        return None;
+    };
     if look.last_of(keyword).is_some() {
         return None;
     }
     let message = format!("`{}` is not a keyword of a material", shown(word));
-    let finding = rule.at(look.file, Place::Span(one.word.span.clone()), message).key(word);
+    let finding = rule
+        .at(look.file, Place::Span(one.word.span.clone()), message)
+        .key(word);
     Some(finding.help(spelling::parted(keyword, one)))
 }
 
 /// Both maps in one material.
 pub(super) fn conflicting(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Finding>) {
     for look in &view.looks {
-        let (Some(_), Some(specular)) = (look.picture("roughnessmapTexture"), look.picture("specularmapTexture"))
-        else {
+        let (Some(_), Some(specular)) = (
+            look.picture("roughnessmapTexture"),
+            look.picture("specularmapTexture"),
+        ) else {
             continue;
         };
         let message = "the material has both `roughnessmapTexture` and `specularmapTexture`";
-        out.push(rule.at(look.file, specular.place.clone(), message).help("remove one of the two lines"));
+        out.push(
+            rule.at(look.file, specular.place.clone(), message)
+                .help("remove one of the two lines"),
+        );
     }
 }
 
@@ -313,8 +483,17 @@ pub(super) fn plain(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Finding>) 
         let section = look.file.rel.split('/').next().unwrap_or_default();
         look.wearer == Wearer::Asset && !matches!(section, "eyes" | "proxymeshes")
     };
-    for look in view.looks.iter().filter(counts).filter(|look| is_plain(look)) {
-        let finding = rule.at(look.file, Place::File, "the material of an asset has no `diffuseTexture`");
+    for look in view
+        .looks
+        .iter()
+        .filter(counts)
+        .filter(|look| is_plain(look))
+    {
+        let finding = rule.at(
+            look.file,
+            Place::File,
+            "the material of an asset has no `diffuseTexture`",
+        );
         out.push(finding.help("add a `diffuseTexture`: a small picture of one colour does"));
     }
 }
@@ -328,16 +507,29 @@ fn is_plain(look: &Look<'_>) -> bool {
         Meant::Nothing => word.eq_ignore_ascii_case(DIFFUSE),
     };
     let is_empty = look.file.encoding.blank || look.file.encoding.only_comments;
-    let words = look.material.statements.iter().map(|statement| &statement.key.text);
-    let is_spelt = words.chain(look.material.unknown.iter().map(|one| &one.word.text)).any(|word| is_meant(word));
+    let words = look
+        .material
+        .statements
+        .iter()
+        .map(|statement| &statement.key.text);
+    let is_spelt = words
+        .chain(look.material.unknown.iter().map(|one| &one.word.text))
+        .any(|word| is_meant(word));
     look.picture(DIFFUSE).is_none() && !is_empty && !is_spelt
 }
 
 /// Skins without a texture, where there are ink layers.
 pub(super) fn bare_skins(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Finding>) {
     let layers = || view.layers.strongest_first().chain(view.layers.beside);
-    let has_ink = layers().any(|layer| layer.below("ink_layers").any(|file| file.kind_in(Mpfb) == Kind::InkLayer));
-    let skins = view.looks.iter().filter(|look| has_ink && look.wearer == Wearer::Skin);
+    let has_ink = layers().any(|layer| {
+        layer
+            .below("ink_layers")
+            .any(|file| file.kind_in(Mpfb) == Kind::InkLayer)
+    });
+    let skins = view
+        .looks
+        .iter()
+        .filter(|look| has_ink && look.wearer == Wearer::Skin);
     for look in skins.filter(|look| look.picture("diffuseTexture").is_none()) {
         let finding = rule.at(look.file, Place::File, "the skin has no `diffuseTexture`");
         out.push(finding.help("add a `diffuseTexture`: ink layers are put over it"));
@@ -348,41 +540,79 @@ pub(super) fn bare_skins(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Findi
 pub(super) fn same_names(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Finding>) {
     let mut found = Vec::new();
     for look in &view.looks {
-        let own = look.pictures.iter().filter_map(|one| one.found().map(|file| (file.file_name(), (look, one, file))));
+        let own = look.pictures.iter().filter_map(|one| {
+            one.found()
+                .map(|file| (file.file_name(), (look, one, file)))
+        });
         found.extend(own);
     }
     for (name, uses) in grouped(found) {
         let mut seen = BTreeSet::new();
-        let different: Vec<_> =
-            uses.iter().filter(|(_, _, file)| seen.insert((file.size, file.content_hash))).collect();
-        let [(_, _, first), .., (look, one, _)] = different.as_slice() else { continue };
-        let message = format!("`{name}` is the name of {} different pictures", different.len());
+        let different: Vec<_> = uses
+            .iter()
+            .filter(|(_, _, file)| seen.insert((file.size, file.content_hash)))
+            .collect();
+        let [(_, _, first), .., (look, one, _)] = different.as_slice() else {
+            continue;
+        };
+        let message = format!(
+            "`{name}` is the name of {} different pictures",
+            different.len()
+        );
         let finding = rule.at(look.file, one.place.clone(), message).key(name);
         let finding = finding.related(first.path.clone(), Place::File, "another one");
         let cases = different.iter().map(|(_, _, file)| file.shown());
-        out.push(finding.evidence(Evidence::of_cases(cases)).help("give each picture a name of its own"));
+        out.push(
+            finding
+                .evidence(Evidence::of_cases(cases))
+                .help("give each picture a name of its own"),
+        );
     }
 }
 
 /// Maps that are pictures in colours.
-const COLOURS: [&str; 3] = ["diffuseTexture", "emissionColorMapTexture", "subsurfaceColorMapTexture"];
+const COLOURS: [&str; 3] = [
+    "diffuseTexture",
+    "emissionColorMapTexture",
+    "subsurfaceColorMapTexture",
+];
 /// Maps whose pictures stand for numbers. Heights are taken from a picture in colours on purpose.
-const DATA: [&str; 3] = ["normalmapTexture", "roughnessmapTexture", "metallicmapTexture"];
+const DATA: [&str; 3] = [
+    "normalmapTexture",
+    "roughnessmapTexture",
+    "metallicmapTexture",
+];
 
 /// Pictures that are in use both for colours and for numbers.
 pub(super) fn both_spaces(rule: &Rule, view: &mpfb::View<'_>, out: &mut Vec<Finding>) {
     let used = |maps: &'static [&'static str]| {
-        let all = view.looks.iter().flat_map(|look| look.pictures.iter().map(move |one| (look, one)));
+        let all = view
+            .looks
+            .iter()
+            .flat_map(|look| look.pictures.iter().map(move |one| (look, one)));
         let own = all.filter(move |(_, one)| maps.contains(&one.owner));
         own.filter_map(|(look, one)| Some((one.found()?.path.as_str(), (look, one))))
     };
     let colours: BTreeMap<&str, _> = used(&COLOURS).collect();
     let mut told = BTreeSet::new();
     for (path, (look, one)) in used(&DATA) {
-        let Some((other, colour)) = colours.get(path).filter(|_| told.insert(path)) else { continue };
-        let message = format!("`{}` is the picture of `{}` and of `{}`", shown(one.text), colour.owner, one.owner);
-        let finding = rule.at(look.file, one.place.clone(), message).key(one.owner);
-        let finding = finding.related(other.file.path.clone(), colour.place.clone(), "the same picture for colours");
+        let Some((other, colour)) = colours.get(path).filter(|_| told.insert(path)) else {
+            continue;
+        };
+        let message = format!(
+            "`{}` is the picture of `{}` and of `{}`",
+            shown(one.text),
+            colour.owner,
+            one.owner
+        );
+        let finding = rule
+            .at(look.file, one.place.clone(), message)
+            .key(one.owner);
+        let finding = finding.related(
+            other.file.path.clone(),
+            colour.place.clone(),
+            "the same picture for colours",
+        );
         out.push(finding.help("name a picture that was made for this map"));
     }
 }

@@ -11,23 +11,55 @@ use mhlint_formats::mhmat::{Line, Value};
 use mhlint_repo::{Surface, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "takes it for false"), (Makehuman1, "takes it for false")],
+    breaks: &[
+        (Makehuman2, "takes it for false"),
+        (Makehuman1, "takes it for false"),
+    ],
     docs: include_str!("boolean_spelling.md").trim_ascii_end(),
-    ..RuleInfo::new("material-boolean-spelling", Level::Warning, "a word for true that an application takes for false")
+    ..RuleInfo::new(
+        "material-boolean-spelling",
+        Level::Warning,
+        "a word for true that an application takes for false",
+    )
 });
 
 const TRUE: [&str; 3] = ["true", "yes", "enabled"];
 const FALSE: [&str; 8] = ["false", "no", "disabled", "off", "0", "f", "n", "none"];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
-        let lines = surface.material.lines.iter().filter(|line| loader::reads(surface.application, line.keyword.name));
+    for surface in view
+        .surfaces()
+        .iter()
+        .filter(|surface| view.layers().is_checked(surface.file))
+    {
+        let lines = surface
+            .material
+            .lines
+            .iter()
+            .filter(|line| loader::reads(surface.application, line.keyword.name));
         let flags = lines.filter(|line| line.keyword.value == Value::Flag && line.count > 0);
-        let is_last =
-            |line: &&Line| surface.material.last(line.keyword.name).is_some_and(|last| std::ptr::eq(last, *line));
-        let of_shader = surface.material.lines_of("shaderConfig").filter(|_| loader::is_1(surface.application));
-        let faults = flags.filter(is_last).filter_map(fault).chain(of_shader.filter_map(of_config)).collect();
-        report(&RULE, surface, faults, "have words that count as false", out);
+        let is_last = |line: &&Line| {
+            surface
+                .material
+                .last(line.keyword.name)
+                .is_some_and(|last| std::ptr::eq(last, *line))
+        };
+        let of_shader = surface
+            .material
+            .lines_of("shaderConfig")
+            .filter(|_| loader::is_1(surface.application));
+        let faults = flags
+            .filter(is_last)
+            .filter_map(fault)
+            .chain(of_shader.filter_map(of_config))
+            .collect();
+        report(
+            &RULE,
+            surface,
+            faults,
+            "have words that count as false",
+            out,
+        );
     }
 }
 

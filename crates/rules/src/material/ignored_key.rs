@@ -9,21 +9,43 @@ use mhlint_repo::{Surface, View};
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "ignores the line")],
     docs: include_str!("ignored_key.md").trim_ascii_end(),
-    ..RuleInfo::new("material-ignored-key", Level::Info, "settings of a material that are never read")
+    ..RuleInfo::new(
+        "material-ignored-key",
+        Level::Info,
+        "settings of a material that are never read",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
-        let ignored: Vec<&Line> = surface.material.lines.iter().filter(|line| is_ignored(surface, line)).collect();
-        let Some(first) = ignored.first() else { continue };
+    for surface in view
+        .surfaces()
+        .iter()
+        .filter(|surface| view.layers().is_checked(surface.file))
+    {
+        let ignored: Vec<&Line> = surface
+            .material
+            .lines
+            .iter()
+            .filter(|line| is_ignored(surface, line))
+            .collect();
+        let Some(first) = ignored.first() else {
+            continue;
+        };
         let keyword = first.keyword.name;
         let message = match ignored.len() {
             1 => format!("`{keyword}` is a setting of other applications"),
-            count => format!("{} of other applications, first `{keyword}`", counted(count, "setting")),
+            count => format!(
+                "{} of other applications, first `{keyword}`",
+                counted(count, "setting")
+            ),
         };
         let names = ignored.iter().map(|line| line.keyword.name);
-        let finding = RULE.at(surface.file, Surface::place(first), message).evidence(Evidence::of_cases(names));
-        out.push(finding.help("leave them if the material is for other applications too; otherwise remove them"));
+        let finding = RULE
+            .at(surface.file, Surface::place(first), message)
+            .evidence(Evidence::of_cases(names));
+        out.push(finding.help(
+            "leave them if the material is for other applications too; otherwise remove them",
+        ));
     }
 }
 
@@ -45,9 +67,10 @@ fn is_ignored(surface: &Surface<'_>, line: &Line) -> bool {
             | "subsurfaceStrengthMapTexture",
             Value::Picture,
         ) => line.count > 0,
-        (_, Value::Picture) => {
-            line.keyword.alias_of.is_some_and(|of| matches!(of, "opacitymapTexture" | "subsurfaceColorMapTexture"))
-        }
+        (_, Value::Picture) => line
+            .keyword
+            .alias_of
+            .is_some_and(|of| matches!(of, "opacitymapTexture" | "subsurfaceColorMapTexture")),
         _ => false,
     }
 }

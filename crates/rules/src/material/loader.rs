@@ -1,5 +1,6 @@
-//! What MakeHuman 2 and MakeHuman 1 read of a material (`docs/loaders/makehuman2/materials.md#lines`,
-//! `docs/loaders/makehuman2/materials.md#colours`; `docs/loaders/makehuman1/materials.md#lines-of-a-material`,
+//! What MakeHuman 2 and MakeHuman 1 read of a material
+//! (`docs/loaders/makehuman2/materials.md#lines`, `docs/loaders/makehuman2/materials.md#colours`;
+//! `docs/loaders/makehuman1/materials.md#lines-of-a-material`,
 //! `docs/loaders/makehuman1/materials.md#faults-of-materials`).
 
 use mhlint_diag::Application;
@@ -73,8 +74,8 @@ pub(super) fn range(application: Application, keyword: &str) -> Option<(f64, f64
         "sssRScale" | "sssGScale" | "sssBScale" if is_1(application) => Some((0.0, f64::INFINITY)),
         "diffuseIntensity" | "specularIntensity" if is_1(application) => None,
         _ if is_1(application) => Some((0.0, 1.0)),
-        "normalmapIntensity" | "roughnessFactor" | "metallicFactor" | "emissiveFactor" | "transmission"
-        | "glassRoughness" => Some((0.0, 1.0)),
+        "normalmapIntensity" | "roughnessFactor" | "metallicFactor" | "emissiveFactor"
+        | "transmission" | "glassRoughness" => Some((0.0, 1.0)),
         "aomapIntensity" => Some((0.0, 2.0)),
         "ior" => Some((1.0, 2.5)),
         _ => None,
@@ -86,11 +87,17 @@ pub(super) const SHADERS: [&str; 4] = ["litsphere", "pbr", "phong", "toon"];
 
 /// The shader that the material asks for: the last part of a path; phong if it asks for none.
 pub(super) fn shader<'s>(surface: &'s Surface<'_>) -> &'s str {
-    let line = surface.material.last("shader").filter(|line| line.count > 0);
-    line.map_or("phong", |line| line.word(0).rsplit('/').next().unwrap_or_default())
+    let line = surface
+        .material
+        .last("shader")
+        .filter(|line| line.count > 0);
+    line.map_or("phong", |line| {
+        line.word(0).rsplit('/').next().unwrap_or_default()
+    })
 }
 
-/// Whether phong draws it, with all that phong wants. Of a litsphere without its picture nothing else is left.
+/// Whether phong draws it, with all that phong wants. Of a litsphere without its picture nothing
+/// else is left.
 pub(super) fn is_phong(surface: &Surface<'_>) -> bool {
     let litsphere = surface.litsphere.as_ref();
     match shader(surface) {
@@ -102,8 +109,16 @@ pub(super) fn is_phong(surface: &Surface<'_>) -> bool {
 
 /// The lines that set parameters of the shader in the end.
 pub(super) fn last_parameters<'s>(surface: &'s Surface<'_>) -> impl Iterator<Item = &'s Line> {
-    let own = surface.material.lines_of("shaderParam").filter(|line| line.count > 1);
-    own.filter(|line| surface.material.parameter(line.word(0)).is_some_and(|last| std::ptr::eq(last, *line)))
+    let own = surface
+        .material
+        .lines_of("shaderParam")
+        .filter(|line| line.count > 1);
+    own.filter(|line| {
+        surface
+            .material
+            .parameter(line.word(0))
+            .is_some_and(|last| std::ptr::eq(last, *line))
+    })
 }
 
 /// Parameters of shaders that MakeHuman 1 sets from other keywords.
@@ -114,8 +129,16 @@ pub(super) const PARAMETERS: [&str; 16] = [
     "normalmapIntensity", "specularmapIntensity", "transparencymapIntensity", "aomapIntensity",
 ];
 /// Defines that follow from the material.
-pub(super) const DEFINES: [&str; 8] =
-    ["DIFFUSE", "BUMPMAP", "NORMALMAP", "DISPLACEMENT", "SPECULARMAP", "VERTEX_COLOR", "TRANSPARENCYMAP", "AOMAP"];
+pub(super) const DEFINES: [&str; 8] = [
+    "DIFFUSE",
+    "BUMPMAP",
+    "NORMALMAP",
+    "DISPLACEMENT",
+    "SPECULARMAP",
+    "VERTEX_COLOR",
+    "TRANSPARENCYMAP",
+    "AOMAP",
+];
 
 /// A number that the last line of a keyword sets, as it is written.
 pub(super) fn number(surface: &Surface<'_>, keyword: &str) -> Option<f64> {
@@ -131,7 +154,11 @@ pub(super) fn is_coloured(surface: &Surface<'_>) -> bool {
 /// What an exception at reading the material comes to, named as Python does.
 pub(super) fn crash(surface: &Surface<'_>, exception: &str) -> String {
     if !is_1(surface.application) {
-        return format!("crashes with `{exception}` {}; {}", when(surface), models(surface));
+        return format!(
+            "crashes with `{exception}` {}; {}",
+            when(surface),
+            models(surface)
+        );
     }
     match surface.wearer {
         Wearer::Skin if surface.is_first => {

@@ -16,7 +16,8 @@ const SAME: [(&str, &str); 10] = [
     ("litsphereTexture", "shaderParam"),
 ];
 
-/// A keyword of another application for something that MakeHuman 2 calls otherwise, and that is not set by that name.
+/// A keyword of another application for something that MakeHuman 2 calls otherwise, and that is not
+/// set by that name.
 pub(super) fn of_others(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
     let keyword = line.keyword.name;
     let application = surface.application;
@@ -24,8 +25,15 @@ pub(super) fn of_others(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
         return None;
     }
     let meaning = line.keyword.alias_of.unwrap_or(keyword);
-    let same: &[_] = if loader::is_1(application) { &[] } else { &SAME };
-    let own = same.iter().find(|(other, _)| *other == meaning).map(|(_, own)| *own);
+    let same: &[_] = if loader::is_1(application) {
+        &[]
+    } else {
+        &SAME
+    };
+    let own = same
+        .iter()
+        .find(|(other, _)| *other == meaning)
+        .map(|(_, own)| *own);
     let own = own.or(Some(meaning).filter(|meaning| loader::reads(application, meaning)))?;
     let is_set = match own {
         "shaderParam" => surface.litsphere.is_some(),
@@ -43,7 +51,8 @@ pub(super) fn of_others(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
                 "save the bumps as a normal map, and name that in `normalmapTexture`".to_owned()
             }
             "metallicRoughnessTexture" => {
-                "save both maps as one picture, and name that in `metallicRoughnessTexture`".to_owned()
+                "save both maps as one picture, and name that in `metallicRoughnessTexture`"
+                    .to_owned()
             }
             own => format!("add a line with `{own}`"),
         },

@@ -13,13 +13,23 @@ use mhlint_repo::{Reference, ReferenceKind, Resolution, Surface, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "reads the quotes as part of the name, and ignores the line"),
-        (Makehuman1, "reads the quotes as part of the name and shows a placeholder"),
+        (
+            Makehuman2,
+            "reads the quotes as part of the name, and ignores the line",
+        ),
+        (
+            Makehuman1,
+            "reads the quotes as part of the name and shows a placeholder",
+        ),
         (Mpfb, "fails with an exception when it makes the material"),
     ],
     levels: &[(Mpfb, Level::Error)],
     docs: include_str!("path_quote.md").trim_ascii_end(),
-    ..RuleInfo::new("material-path-quote", Level::Warning, "a name of a picture in quotes")
+    ..RuleInfo::new(
+        "material-path-quote",
+        Level::Warning,
+        "a name of a picture in quotes",
+    )
 });
 
 const LITSPHERE: &str = "litsphereTexture";
@@ -28,13 +38,27 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if view.is_mpfb() {
         return blender::quotes(&RULE, view, out);
     }
-    for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
+    for surface in view
+        .surfaces()
+        .iter()
+        .filter(|surface| view.layers().is_checked(surface.file))
+    {
         let is_own = |one: &&Reference<'_>| one.owner != LITSPHERE && is_lost(one);
         let textures = view.references().of_file(surface.file).filter(is_own);
-        let textures = textures.map(|one| fault(surface, &one.place, one.text, lost(one), one.owner));
-        let litsphere = surface.litsphere.iter().filter(|one| one.file.is_none() && is_quoted(one.text));
+        let textures =
+            textures.map(|one| fault(surface, &one.place, one.text, lost(one), one.owner));
+        let litsphere = surface
+            .litsphere
+            .iter()
+            .filter(|one| one.file.is_none() && is_quoted(one.text));
         let litsphere = litsphere.map(|one| fault(surface, &one.place, one.text, "", LITSPHERE));
-        report(&RULE, surface, textures.chain(litsphere).collect(), "name pictures in quotes", out);
+        report(
+            &RULE,
+            surface,
+            textures.chain(litsphere).collect(),
+            "name pictures in quotes",
+            out,
+        );
     }
 }
 
@@ -45,14 +69,26 @@ fn is_lost(one: &Reference<'_>) -> bool {
 
 /// What stands behind the first word of the name.
 fn lost<'a>(one: &Reference<'a>) -> &'a str {
-    let (Some(material), Place::Span(span)) = (one.from.material(), &one.place) else { return "" };
+    let (Some(material), Place::Span(span)) = (one.from.material(), &one.place) else {
+        return "";
+    };
     // They stand in the order of the file.
-    let at = material.textures.partition_point(|texture| texture.span.start < span.start);
-    material.textures.get(at).filter(|texture| texture.span == *span).map_or("", |texture| &texture.lost)
+    let at = material
+        .textures
+        .partition_point(|texture| texture.span.start < span.start);
+    material
+        .textures
+        .get(at)
+        .filter(|texture| texture.span == *span)
+        .map_or("", |texture| &texture.lost)
 }
 
 fn fault(surface: &Surface<'_>, place: &Place, text: &str, lost: &str, keyword: &str) -> Fault {
-    let whole = if lost.is_empty() { text.to_owned() } else { format!("{text} {lost}") };
+    let whole = if lost.is_empty() {
+        text.to_owned()
+    } else {
+        format!("{text} {lost}")
+    };
     let plain = whole.trim_matches(QUOTES);
     let shown = shown(&whole);
     Fault {

@@ -10,12 +10,25 @@ use mhlint_repo::{Surface, View};
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "does not put the asset on, or show the skin")],
     docs: include_str!("protected_name.md").trim_ascii_end(),
-    ..RuleInfo::new("material-protected-name", Level::Error, "a name of a shader that the program keeps for itself")
+    ..RuleInfo::new(
+        "material-protected-name",
+        Level::Error,
+        "a name of a shader that the program keeps for itself",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
-        let faults = surface.material.lines.iter().filter_map(|line| fault(surface, line)).collect();
+    for surface in view
+        .surfaces()
+        .iter()
+        .filter(|surface| view.layers().is_checked(surface.file))
+    {
+        let faults = surface
+            .material
+            .lines
+            .iter()
+            .filter_map(|line| fault(surface, line))
+            .collect();
         report(&RULE, surface, faults, "have reserved names", out);
     }
 }
@@ -24,8 +37,12 @@ fn fault(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
     let keyword = line.keyword.name;
     let name = match keyword {
         // Without a value it has another finding.
-        "shaderParam" if line.count > 1 => loader::PARAMETERS.into_iter().find(|own| *own == line.word(0))?,
-        "shaderDefine" => loader::DEFINES.into_iter().find(|own| *own == line.word(0))?,
+        "shaderParam" if line.count > 1 => loader::PARAMETERS
+            .into_iter()
+            .find(|own| *own == line.word(0))?,
+        "shaderDefine" => loader::DEFINES
+            .into_iter()
+            .find(|own| *own == line.word(0))?,
         _ => return None,
     };
     Some(Fault {

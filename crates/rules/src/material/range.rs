@@ -12,26 +12,46 @@ use mhlint_formats::python_int;
 use mhlint_repo::{Surface, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "uses another number"), (Makehuman1, "uses another number")],
+    breaks: &[
+        (Makehuman2, "uses another number"),
+        (Makehuman1, "uses another number"),
+    ],
     docs: include_str!("range.md").trim_ascii_end(),
-    ..RuleInfo::new("material-range", Level::Warning, "a number of a material outside its range")
+    ..RuleInfo::new(
+        "material-range",
+        Level::Warning,
+        "a number of a material outside its range",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
+    for surface in view
+        .surfaces()
+        .iter()
+        .filter(|surface| view.layers().is_checked(surface.file))
+    {
         let material = surface.material;
-        let is_last = |line: &&Line| material.last(line.keyword.name).is_some_and(|last| std::ptr::eq(last, *line));
-        let lines = material.lines.iter().filter(|line| loader::reads(surface.application, line.keyword.name));
+        let is_last = |line: &&Line| {
+            material
+                .last(line.keyword.name)
+                .is_some_and(|last| std::ptr::eq(last, *line))
+        };
+        let lines = material
+            .lines
+            .iter()
+            .filter(|line| loader::reads(surface.application, line.keyword.name));
         // Of several lines the last counts.
-        let faults =
-            lines.filter_map(|line| Some((line, words(surface.application, line)?))).filter(|(line, _)| is_last(line));
+        let faults = lines
+            .filter_map(|line| Some((line, words(surface.application, line)?)))
+            .filter(|(line, _)| is_last(line));
         // Beside a texture MakeHuman 2 shows the texture alone (`material-tinted-texture`).
         let is_tint = |line: &Line| {
             line.keyword.name == "diffuseColor"
                 && !loader::is_1(surface.application)
                 && material.last("diffuseTexture").is_some()
         };
-        let white = "write `1.0 1.0 1.0`: beside `diffuseTexture` MakeHuman 2 shows the texture alone";
+        let white =
+            "write `1.0 1.0 1.0`: beside `diffuseTexture` MakeHuman 2 shows the texture alone";
         let fault = |(line, (effect, help)): (&Line, (String, String))| Fault {
             key: line.keyword.name.to_owned(),
             place: Surface::place(line),
@@ -43,15 +63,34 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 limits(surface.application, line)
             ),
             effect,
-            help: if is_tint(line) { white.to_owned() } else { help },
+            help: if is_tint(line) {
+                white.to_owned()
+            } else {
+                help
+            },
         };
-        report(&RULE, surface, faults.map(fault).collect(), "have numbers outside their range", out);
+        report(
+            &RULE,
+            surface,
+            faults.map(fault).collect(),
+            "have numbers outside their range",
+            out,
+        );
     }
 }
 
 fn short(line: &Line) -> String {
-    let words = if line.keyword.value == Value::Colour { 3 } else { 1 };
-    let text: Vec<&str> = line.words.iter().take(words).map(|word| &*word.text).collect();
+    let words = if line.keyword.value == Value::Colour {
+        3
+    } else {
+        1
+    };
+    let text: Vec<&str> = line
+        .words
+        .iter()
+        .take(words)
+        .map(|word| &*word.text)
+        .collect();
     shown(&text.join(" "))
 }
 
@@ -60,7 +99,11 @@ fn limits(application: Application, line: &Line) -> String {
         Value::Whole => (0.0, 2.0),
         _ => loader::range(application, line.keyword.name).unwrap_or((0.0, 1.0)),
     };
-    if high.is_finite() { format!("{low} to {high}") } else { format!("{low} and more") }
+    if high.is_finite() {
+        format!("{low} to {high}")
+    } else {
+        format!("{low} and more")
+    }
 }
 
 /// Consequence and help, if a number is out of range.
@@ -68,12 +111,20 @@ fn words(application: Application, line: &Line) -> Option<(String, String)> {
     match line.keyword.value {
         Value::Whole => match python_int(line.word(0).as_bytes())? {
             0..=2 => None,
-            3.. => Some(("reads it as 0: the texture keeps its colours".to_owned(), "write 0, 1 or 2".to_owned())),
-            _ => Some(("does nothing with it: the texture keeps its colours".to_owned(), "write 0, 1 or 2".to_owned())),
+            3.. => Some((
+                "reads it as 0: the texture keeps its colours".to_owned(),
+                "write 0, 1 or 2".to_owned(),
+            )),
+            _ => Some((
+                "does nothing with it: the texture keeps its colours".to_owned(),
+                "write 0, 1 or 2".to_owned(),
+            )),
         },
         Value::Number => {
             let (low, high) = loader::range(application, line.keyword.name)?;
-            let number = line.number_at(0).filter(|number| !(low..=high).contains(number))?;
+            let number = line
+                .number_at(0)
+                .filter(|number| !(low..=high).contains(number))?;
             let used = if number < low { low } else { high };
             let help = if high.is_finite() {
                 format!("write a number from {low} to {high}")
@@ -84,12 +135,19 @@ fn words(application: Application, line: &Line) -> Option<(String, String)> {
         }
         Value::Colour => {
             let numbers: Vec<f64> = (0..3).filter_map(|at| line.number_at(at)).collect();
-            let is_outside = numbers.len() == 3 && numbers.iter().any(|number| !(0.0..=1.0).contains(number));
-            let is_byte =
-                numbers.iter().all(|number| (0.0..=255.0).contains(number)) && numbers.iter().any(|one| *one > 2.0);
+            let is_outside =
+                numbers.len() == 3 && numbers.iter().any(|number| !(0.0..=1.0).contains(number));
+            let is_byte = numbers.iter().all(|number| (0.0..=255.0).contains(number))
+                && numbers.iter().any(|one| *one > 2.0);
             let help = if is_byte {
-                let scaled: Vec<String> = numbers.iter().map(|number| format!("{:.3}", number / 255.0)).collect();
-                format!("write `{}`: the same colour on a scale from 0 to 1", scaled.join(" "))
+                let scaled: Vec<String> = numbers
+                    .iter()
+                    .map(|number| format!("{:.3}", number / 255.0))
+                    .collect();
+                format!(
+                    "write `{}`: the same colour on a scale from 0 to 1",
+                    scaled.join(" ")
+                )
             } else {
                 "write red, green and blue from 0 to 1".to_owned()
             };

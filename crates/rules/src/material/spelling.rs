@@ -1,5 +1,5 @@
-//! Which keyword of a material a word is meant to be. A picture must never be taken for that of another keyword: who follows
-//! such advice replaces the colour of a surface by its heights.
+//! Which keyword of a material a word is meant to be. A picture must never be taken for that of
+//! another keyword: who follows such advice replaces the colour of a surface by its heights.
 
 use super::super::shown;
 use mhlint_diag::{Suggestions, begins_word, glued, is_like_path, nearest};
@@ -24,11 +24,19 @@ pub(super) fn meant(word: &str, reads: impl Fn(&str) -> bool, suggestions: &Sugg
     }
     // One that is nearer to a keyword of another application is meant as that.
     let words = words_of(word);
-    let like = keywords().filter(|keyword| is_like(word, &words, keyword.name)).map(|keyword| keyword.name);
+    let like = keywords()
+        .filter(|keyword| is_like(word, &words, keyword.name))
+        .map(|keyword| keyword.name);
     let near = suggestions.nearest(word, like).or_else(|| begun(&words));
     let near = near.and_then(|near| keywords().find(|keyword| keyword.name == near));
-    let names = near.into_iter().flat_map(|near| [Some(near.name), near.alias_of]).flatten();
-    names.into_iter().find(|name| reads(name)).map_or(Meant::Nothing, Meant::Keyword)
+    let names = near
+        .into_iter()
+        .flat_map(|near| [Some(near.name), near.alias_of])
+        .flatten();
+    names
+        .into_iter()
+        .find(|name| reads(name))
+        .map_or(Meant::Nothing, Meant::Keyword)
 }
 
 /// What to write where a word is a keyword with its value.
@@ -41,12 +49,16 @@ pub(super) fn parted(keyword: &str, one: &Unknown) -> String {
 
 /// Whether a text can be the value of a keyword that it is written against.
 fn fits(keyword: &str, value: &str) -> bool {
-    let kind = keywords().find(|one| one.name == keyword).map(|one| one.value);
+    let kind = keywords()
+        .find(|one| one.name == keyword)
+        .map(|one| one.value);
     kind.is_some_and(|kind| match kind {
         Value::Text => begins_word(value),
         Value::Picture | Value::Word => is_like_path(value),
         Value::Number | Value::Whole | Value::Colour => python_float(value.as_bytes()).is_some(),
-        Value::Flag => ["true", "false", "yes", "no"].iter().any(|word| word.eq_ignore_ascii_case(value)),
+        Value::Flag => ["true", "false", "yes", "no"]
+            .iter()
+            .any(|word| word.eq_ignore_ascii_case(value)),
         Value::Parameter => false,
     })
 }
@@ -76,13 +88,22 @@ fn words_of(text: &str) -> Vec<String> {
 
 const MAP: &str = "map";
 
-/// Whether each word of a keyword is near the one in its place. As a whole `displaceTexture` is near `diffuseTexture`.
+/// Whether each word of a keyword is near the one in its place. As a whole `displaceTexture` is
+/// near `diffuseTexture`.
 fn is_like(word: &str, words: &[String], keyword: &str) -> bool {
     let known = words_of(keyword);
     if words.len() == known.len() {
-        return words.iter().zip(&known).all(|(one, other)| is_slip(one, other));
+        return words
+            .iter()
+            .zip(&known)
+            .all(|(one, other)| is_slip(one, other));
     }
-    let start = |text: &str| text.chars().take(3).flat_map(char::to_lowercase).collect::<String>();
+    let start = |text: &str| {
+        text.chars()
+            .take(3)
+            .flat_map(char::to_lowercase)
+            .collect::<String>()
+    };
     start(word) == start(keyword)
 }
 
@@ -93,21 +114,32 @@ fn is_slip(one: &str, other: &str) -> bool {
 /// Letters by which the beginning of a word is known.
 const KNOWN: usize = 4;
 
-/// The keyword whose first word begins as that of this one, if all such mean the same: `displace` for `displacement`.
+/// The keyword whose first word begins as that of this one, if all such mean the same: `displace`
+/// for `displacement`.
 fn begun(words: &[String]) -> Option<&'static str> {
-    let (first, rest) = words.split_first().filter(|(first, _)| first.len() >= KNOWN)?;
+    let (first, rest) = words
+        .split_first()
+        .filter(|(first, _)| first.len() >= KNOWN)?;
     let is_begun = |keyword: &&'static Keyword| {
         let known = words_of(keyword.name);
-        let own = known.split_first().filter(|(own, others)| own.len() >= KNOWN && others.len() == rest.len());
+        let own = known
+            .split_first()
+            .filter(|(own, others)| own.len() >= KNOWN && others.len() == rest.len());
         own.is_some_and(|(own, others)| {
             let is_start = own.starts_with(first.as_str()) || first.starts_with(own.as_str());
-            is_start && rest.iter().zip(others).all(|(one, other)| is_slip(one, other))
+            is_start
+                && rest
+                    .iter()
+                    .zip(others)
+                    .all(|(one, other)| is_slip(one, other))
         })
     };
     let mut found = keywords().filter(is_begun);
     let one = found.next()?;
     let meaning = |keyword: &Keyword| keyword.alias_of.unwrap_or(keyword.name).to_lowercase();
-    found.all(|other| meaning(other) == meaning(one)).then_some(one.name)
+    found
+        .all(|other| meaning(other) == meaning(one))
+        .then_some(one.name)
 }
 
 #[cfg(test)]

@@ -18,16 +18,34 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let own = view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file));
-    let tinted: Vec<(&Surface<'_>, &Line)> = own.filter_map(|surface| Some((surface, tint(view, surface)?))).collect();
-    let Some((first, line)) = tinted.first() else { return };
+    let own = view
+        .surfaces()
+        .iter()
+        .filter(|surface| view.layers().is_checked(surface.file));
+    let tinted: Vec<(&Surface<'_>, &Line)> = own
+        .filter_map(|surface| Some((surface, tint(view, surface)?)))
+        .collect();
+    let Some((first, line)) = tinted.first() else {
+        return;
+    };
     let message = match tinted.len() {
         1 => "`diffuseColor` is not white beside `diffuseTexture`".to_owned(),
-        count => format!("{} have a `diffuseColor` beside `diffuseTexture`", counted(count, "material")),
+        count => format!(
+            "{} have a `diffuseColor` beside `diffuseTexture`",
+            counted(count, "material")
+        ),
     };
     let finding = RULE.at(first.file, Surface::place(line), message);
-    let parts = tinted.iter().map(|(surface, line)| (surface.file.shown(), &surface.file.path, Surface::place(line)));
-    let finding = finding.parts_at(parts).evidence(Evidence::of_cases(tinted.iter().map(|(one, _)| one.file.shown())));
+    let parts = tinted.iter().map(|(surface, line)| {
+        (
+            surface.file.shown(),
+            &surface.file.path,
+            Surface::place(line),
+        )
+    });
+    let finding = finding.parts_at(parts).evidence(Evidence::of_cases(
+        tinted.iter().map(|(one, _)| one.file.shown()),
+    ));
     out.push(finding.help(if view.is_makehuman1() {
         "write `diffuseColor 1.0 1.0 1.0` to show the texture as it is; if the tint is wanted, put it into the picture"
     } else {
@@ -37,11 +55,26 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 /// The line of the colour, if the texture is there and it is not white.
 fn tint<'s>(view: &View<'_>, surface: &'s Surface<'_>) -> Option<&'s Line> {
-    let line = surface.material.last("diffuseColor").filter(|line| line.count == 3)?;
-    let is_white = (0..3).all(|at| line.number_at(at).is_none_or(|part| (part - 1.0).abs() < 1e-3));
+    let line = surface
+        .material
+        .last("diffuseColor")
+        .filter(|line| line.count == 3)?;
+    let is_white = (0..3).all(|at| {
+        line.number_at(at)
+            .is_none_or(|part| (part - 1.0).abs() < 1e-3)
+    });
     // What is outside that has a finding of its own.
-    let is_colour = (0..3).all(|at| line.number_at(at).is_some_and(|part| (0.0..=1.0).contains(&part)));
-    let asks = || surface.shader.as_ref().is_some_and(|shader| shader.uniform("diffuse").is_some());
+    let is_colour = (0..3).all(|at| {
+        line.number_at(at)
+            .is_some_and(|part| (0.0..=1.0).contains(&part))
+    });
+    let asks = || {
+        surface
+            .shader
+            .as_ref()
+            .is_some_and(|shader| shader.uniform("diffuse").is_some())
+    };
     let is_used = !view.is_makehuman1() || asks();
-    (surface.has("diffuseTexture") == Some(true) && is_colour && !is_white && is_used).then_some(line)
+    (surface.has("diffuseTexture") == Some(true) && is_colour && !is_white && is_used)
+        .then_some(line)
 }

@@ -6,23 +6,51 @@ use mhlint_formats::uv_map::{UvFault, UvMap};
 use mhlint_repo::{Body, FileFacts, Reference, ReferenceKind, Surface, View, Wearer, Worn};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "fails with `NameError` when the material is used")],
+    breaks: &[(
+        Makehuman1,
+        "fails with `NameError` when the material is used",
+    )],
     docs: include_str!("uvmap_mismatch.md").trim_ascii_end(),
-    ..RuleInfo::new("material-uvmap-mismatch", Level::Error, "a map of texture coordinates does not fit the mesh")
+    ..RuleInfo::new(
+        "material-uvmap-mismatch",
+        Level::Error,
+        "a map of texture coordinates does not fit the mesh",
+    )
 });
 
-const RAGGED: Case = &[(Makehuman1, Level::Error, "fails with `ValueError` when the material is used")];
-const BEYOND: Case = &[(Makehuman1, Level::Error, "fails with `IndexError` when the material is used")];
+const RAGGED: Case = &[(
+    Makehuman1,
+    Level::Error,
+    "fails with `ValueError` when the material is used",
+)];
+const BEYOND: Case = &[(
+    Makehuman1,
+    Level::Error,
+    "fails with `IndexError` when the material is used",
+)];
 
-const NUMBERS: Case =
-    &[(Makehuman1, Level::Error, "fails with `ValueError` or `IndexError` when the material is used")];
+const NUMBERS: Case = &[(
+    Makehuman1,
+    Level::Error,
+    "fails with `ValueError` or `IndexError` when the material is used",
+)];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let own = view.references().iter().filter(|one| one.kind == ReferenceKind::UvMap);
+    let own = view
+        .references()
+        .iter()
+        .filter(|one| one.kind == ReferenceKind::UvMap);
     let bodies = view.bodies();
     for reference in own.filter(|one| view.layers().is_checked(one.from)) {
-        let Some(file) = reference.found() else { continue };
-        let Some(map) = file.uv_map().filter(|_| file.encoding.invalid_utf8_at.is_none()) else { continue };
+        let Some(file) = reference.found() else {
+            continue;
+        };
+        let Some(map) = file
+            .uv_map()
+            .filter(|_| file.encoding.invalid_utf8_at.is_none())
+        else {
+            continue;
+        };
         let finding = match &map.fault {
             Some((line, fault)) => broken(file, *line, fault, map).related(
                 &reference.from.path,
@@ -47,8 +75,16 @@ fn broken(file: &FileFacts, line: u32, fault: &UvFault, map: &UvMap) -> Finding 
             (message, BEYOND, "export the mesh with texture coordinates")
         }
         UvFault::Ragged(corners) => {
-            let message = format!("a face has {}, but the first has {}", counted(corners, "corner"), map.corners);
-            (message, RAGGED, "give each face the same number of corners as in the mesh")
+            let message = format!(
+                "a face has {}, but the first has {}",
+                counted(corners, "corner"),
+                map.corners
+            );
+            (
+                message,
+                RAGGED,
+                "give each face the same number of corners as in the mesh",
+            )
         }
         UvFault::OutOfRange(number) => {
             let uvs = counted(map.uvs, "`vt` line");
@@ -57,41 +93,84 @@ fn broken(file: &FileFacts, line: u32, fault: &UvFault, map: &UvMap) -> Finding 
         }
         UvFault::NotTwoNumbers => {
             let message = "a `vt` line is not two numbers".to_owned();
-            (message, NUMBERS, "export the map again, with a point in decimals")
+            (
+                message,
+                NUMBERS,
+                "export the map again, with a point in decimals",
+            )
         }
     };
-    RULE.at(file, Place::Line(line), message).key("map").case(case).help(help)
+    RULE.at(file, Place::Line(line), message)
+        .key("map")
+        .case(case)
+        .help(help)
 }
 
 /// MakeHuman 1 keeps triangles as faces with four corners; a map has to have as many.
 const CORNERS: usize = 4;
 
 fn other_corners(reference: &Reference<'_>, map: &UvMap) -> Finding {
-    let message =
-        format!("the faces of `{}` have {}, expected {CORNERS}", reference.text, counted(map.corners, "corner"));
-    let finding = RULE.at(reference.from, reference.place.clone(), message).key(reference.text).case(RAGGED);
+    let message = format!(
+        "the faces of `{}` have {}, expected {CORNERS}",
+        reference.text,
+        counted(map.corners, "corner")
+    );
+    let finding = RULE
+        .at(reference.from, reference.place.clone(), message)
+        .key(reference.text)
+        .case(RAGGED);
     finding.help("repeat the first corner of each triangle in the map, or remove the line")
 }
 
 /// The finding on the first mesh whose faces are not as many.
-fn other_faces(view: &View<'_>, bodies: &[Body<'_>], reference: &Reference<'_>, map: &UvMap) -> Option<Finding> {
-    let surface = view.surfaces().iter().find(|surface| std::ptr::eq(surface.file, reference.from))?;
-    let (path, faces) = meshes(view, bodies, surface).into_iter().find(|(_, faces)| *faces != map.faces)?;
-    let message = format!("`uvMap {}` has {}, but the mesh has {faces}", reference.text, counted(map.faces, "face"));
-    let finding = RULE.at(reference.from, reference.place.clone(), message).key(reference.text);
+fn other_faces(
+    view: &View<'_>,
+    bodies: &[Body<'_>],
+    reference: &Reference<'_>,
+    map: &UvMap,
+) -> Option<Finding> {
+    let surface = view
+        .surfaces()
+        .iter()
+        .find(|surface| std::ptr::eq(surface.file, reference.from))?;
+    let (path, faces) = meshes(view, bodies, surface)
+        .into_iter()
+        .find(|(_, faces)| *faces != map.faces)?;
+    let message = format!(
+        "`uvMap {}` has {}, but the mesh has {faces}",
+        reference.text,
+        counted(map.faces, "face")
+    );
+    let finding = RULE
+        .at(reference.from, reference.place.clone(), message)
+        .key(reference.text);
     let help = "export the map from this mesh, or remove the line";
     Some(finding.related(path, Place::File, "the mesh").help(help))
 }
 
-/// The meshes that wear a material, with their numbers of faces. Topologies keep their own texture coordinates.
+/// The meshes that wear a material, with their numbers of faces. Topologies keep their own texture
+/// coordinates.
 fn meshes(view: &View<'_>, bodies: &[Body<'_>], surface: &Surface<'_>) -> Vec<(String, usize)> {
     if surface.wearer == Wearer::Skin {
         let all = bodies.iter().filter_map(|body| body.mesh);
-        return all.map(|(file, mesh)| (file.path.clone(), mesh.faces.len())).collect();
+        return all
+            .map(|(file, mesh)| (file.path.clone(), mesh.faces.len()))
+            .collect();
     }
-    let names_it = |reference: &Reference<'_>| reference.found().is_some_and(|file| std::ptr::eq(file, surface.file));
+    let names_it = |reference: &Reference<'_>| {
+        reference
+            .found()
+            .is_some_and(|file| std::ptr::eq(file, surface.file))
+    };
     let worn = view.assets().iter().filter(|worn| !worn.is_topology());
-    let worn = worn.filter(|worn| worn.reference(ReferenceKind::AssetMaterial).is_some_and(names_it));
-    let sound = worn.filter_map(Worn::mesh).filter(|(_, mesh)| mesh.is_sound());
-    sound.map(|(file, mesh)| (file.path.clone(), mesh.faces)).collect()
+    let worn = worn.filter(|worn| {
+        worn.reference(ReferenceKind::AssetMaterial)
+            .is_some_and(names_it)
+    });
+    let sound = worn
+        .filter_map(Worn::mesh)
+        .filter(|(_, mesh)| mesh.is_sound());
+    sound
+        .map(|(file, mesh)| (file.path.clone(), mesh.faces))
+        .collect()
 }

@@ -7,22 +7,39 @@ use mhlint_formats::obj::{Mesh, Repeating};
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "creates a triangle without area; if another corner was meant, the surface has a hole")],
+    breaks: &[(
+        Makehuman2,
+        "creates a triangle without area; if another corner was meant, the surface has a hole",
+    )],
     docs: include_str!("degenerate_face.md").trim_ascii_end(),
     counts: "faces",
-    ..RuleInfo::new("mesh-degenerate-face", Level::Warning, "a face uses a vertex twice")
+    ..RuleInfo::new(
+        "mesh-degenerate-face",
+        Level::Warning,
+        "a face uses a vertex twice",
+    )
 });
 
 const HELP: &str = "write the intended corner, or make the face a triangle";
-const HIDDEN: Case = &[(Makehuman2, Level::Info, "never shows the face: its group is not visible")];
+const HIDDEN: Case = &[(
+    Makehuman2,
+    Level::Info,
+    "never shows the face: its group is not visible",
+)];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(of_base(body));
     for (_, file, mesh) in meshes(body, |_, mesh| body.opens(mesh)) {
-        let Some((first, count)) = &mesh.degenerate else { continue };
+        let Some((first, count)) = &mesh.degenerate else {
+            continue;
+        };
         let message = match count {
             1 => format!("the face uses {} twice", mesh.named(first.vertex)),
-            _ => format!("{count} of {} faces use a vertex twice, first {}", mesh.faces, mesh.named(first.vertex)),
+            _ => format!(
+                "{count} of {} faces use a vertex twice, first {}",
+                mesh.faces,
+                mesh.named(first.vertex)
+            ),
         };
         let finding = RULE.at(file, Place::Line(first.line), message).help(HELP);
         out.push(finding.evidence(Evidence::counted(*count).out_of(mesh.faces)));
@@ -32,13 +49,22 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn of_base(body: &Body<'_>) -> Option<Finding> {
     let (file, mesh) = body.mesh?;
     let is_visible = |face: &&Repeating| is_visible(body, mesh, face);
-    let (visible, hidden): (Vec<&Repeating>, Vec<&Repeating>) = mesh.facts.repeating.iter().partition(is_visible);
-    let (told, is_hidden) = if visible.is_empty() { (hidden, true) } else { (visible, false) };
+    let (visible, hidden): (Vec<&Repeating>, Vec<&Repeating>) =
+        mesh.facts.repeating.iter().partition(is_visible);
+    let (told, is_hidden) = if visible.is_empty() {
+        (hidden, true)
+    } else {
+        (visible, false)
+    };
     let first = told.first()?;
     let message = match told.len() {
         1 => format!("the face uses {} twice", body.vertex(first.vertex)),
         count => {
-            format!("{count} of {} faces use a vertex twice, first {}", mesh.faces.len(), body.vertex(first.vertex))
+            format!(
+                "{count} of {} faces use a vertex twice, first {}",
+                mesh.faces.len(),
+                body.vertex(first.vertex)
+            )
         }
     };
     // Packed faces have no lines.
@@ -51,7 +77,11 @@ fn of_base(body: &Body<'_>) -> Option<Finding> {
         .help(HELP)
         .parts(told.iter().map(|face| face.vertex))
         .evidence(Evidence::of_unnamed(told.iter().map(told_by)).out_of(mesh.faces.len()));
-    Some(if is_hidden { finding.case(HIDDEN) } else { finding })
+    Some(if is_hidden {
+        finding.case(HIDDEN)
+    } else {
+        finding
+    })
 }
 
 fn is_visible(body: &Body<'_>, mesh: &Mesh, face: &Repeating) -> bool {

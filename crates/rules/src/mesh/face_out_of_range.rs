@@ -12,8 +12,14 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "crashes with `IndexError` while loading the base mesh"),
-        (Makehuman1, "does not put the asset on: its mesh cannot be loaded"),
+        (
+            Makehuman2,
+            "crashes with `IndexError` while loading the base mesh",
+        ),
+        (
+            Makehuman1,
+            "does not put the asset on: its mesh cannot be loaded",
+        ),
         (Mpfb, "drops the face, without a message"),
     ],
     levels: &[(Mpfb, Level::Warning)],
@@ -26,15 +32,24 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     )
 });
 
-const BELOW_ONE: Case = &[(Makehuman2, Level::Error, "crashes with `OverflowError` while loading the base mesh")];
+const BELOW_ONE: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes with `OverflowError` while loading the base mesh",
+)];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(mesh) = read(view, file).filter(|mesh| mesh.asset.is_some() || !view.is_mpfb()) else { return };
+    let Some(mesh) = read(view, file).filter(|mesh| mesh.asset.is_some() || !view.is_mpfb()) else {
+        return;
+    };
     let tally = &mesh.facts.face_out_of_range;
-    let Some((line, number)) = tally.first.first() else { return };
+    let Some((line, number)) = tally.first.first() else {
+        return;
+    };
     // Blender counts negative numbers from the end, as the format has it
     // (`docs/loaders/mpfb/clothes.md#mesh-of-an-asset`).
-    let from_end = usize::try_from(number.unsigned_abs()).is_ok_and(|back| back <= mesh.facts.vertices);
+    let from_end =
+        usize::try_from(number.unsigned_abs()).is_ok_and(|back| back <= mesh.facts.vertices);
     if view.is_mpfb() && *number < 0 && from_end {
         return;
     }
@@ -44,11 +59,20 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let (vertices, uvs) = (mesh.facts.vertices, mesh.uvs);
     let is_beyond = |count: usize| usize::try_from(*number).is_ok_and(|number| number > count);
     let message = match (is_beyond(vertices), is_beyond(uvs)) {
-        (true, false) => format!("{} {number}, but the mesh has {vertices}", uses(tally, "vertex")),
-        (false, true) => format!("{} {number}, but the mesh has {uvs}", uses(tally, "texture coordinate")),
+        (true, false) => format!(
+            "{} {number}, but the mesh has {vertices}",
+            uses(tally, "vertex")
+        ),
+        (false, true) => format!(
+            "{} {number}, but the mesh has {uvs}",
+            uses(tally, "texture coordinate")
+        ),
         _ => {
             let uvs = counted(uvs, "texture coordinate");
-            format!("{} {number}, but the mesh has {vertices} vertices and {uvs}", uses(tally, "number"))
+            format!(
+                "{} {number}, but the mesh has {vertices} vertices and {uvs}",
+                uses(tally, "number")
+            )
         }
     };
     let bad = usize::try_from(tally.count).unwrap_or(usize::MAX);
@@ -57,14 +81,30 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         .at(file, Place::Line(*line), message)
         .help("count from 1, without negative numbers; export the mesh again if lines are missing")
         .evidence(tally.evidence(mesh.faces + bad).showing(lines));
-    let finding = if *number < 1 { finding.case(BELOW_ONE) } else { finding };
-    out.push(mesh.weigh(view, file, finding, if *number < 1 { ASSET_OVERFLOW } else { ASSET_INDEX }));
+    let finding = if *number < 1 {
+        finding.case(BELOW_ONE)
+    } else {
+        finding
+    };
+    out.push(mesh.weigh(
+        view,
+        file,
+        finding,
+        if *number < 1 {
+            ASSET_OVERFLOW
+        } else {
+            ASSET_INDEX
+        },
+    ));
 }
 
 /// Packed faces are numbered from 0, with the copies of vertices at seams behind the vertices.
 fn packed(file: &FileFacts, mesh: &Mesh, tally: &Tally, number: i64) -> Finding {
     let positions = mesh.size().with_seams;
-    let message = format!("{} {number}, but the mesh has {positions} positions", uses(tally, "position"));
+    let message = format!(
+        "{} {number}, but the mesh has {positions} positions",
+        uses(tally, "position")
+    );
     RULE.at(file, Place::File, message)
         .help("rebuild base.mhbin from base.obj with compile_meshes.py")
         .evidence(tally.evidence(mesh.faces.len() + tally.first.len()))

@@ -8,7 +8,10 @@ use mhlint_discover::Kind;
 use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `UnicodeEncodeError` while loading the base mesh")],
+    breaks: &[(
+        Makehuman2,
+        "crashes with `UnicodeEncodeError` while loading the base mesh",
+    )],
     docs: include_str!("group_name.md").trim_ascii_end(),
     ..RuleInfo::new("mesh-group-name", Level::Error, "a group name is not ASCII")
 });
@@ -21,12 +24,21 @@ const OF_ASSET: Case = &[(
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if let Some(mesh) = of_asset(view, file) {
-        let odd: Vec<(&str, u32)> = mesh.odd_groups.iter().map(|(name, line)| (&**name, *line)).collect();
+        let odd: Vec<(&str, u32)> = mesh
+            .odd_groups
+            .iter()
+            .map(|(name, line)| (&**name, *line))
+            .collect();
         return out.extend(finding(file, &odd).map(|finding| finding.case(OF_ASSET)));
     }
     // An archive has them packed, and unpacking does not mind.
-    let Some(mesh) = file.mesh().filter(|_| file.kind == Kind::BaseMesh) else { return };
-    let odd = mesh.groups.iter().filter(|group| group.faces > 0 && !group.name.is_ascii());
+    let Some(mesh) = file.mesh().filter(|_| file.kind == Kind::BaseMesh) else {
+        return;
+    };
+    let odd = mesh
+        .groups
+        .iter()
+        .filter(|group| group.faces > 0 && !group.name.is_ascii());
     let odd: Vec<(&str, u32)> = odd.map(|group| (&*group.name, group.line)).collect();
     out.extend(finding(file, &odd).map(|finding| weigh(view, file, finding)));
 }
@@ -38,6 +50,9 @@ fn finding(file: &FileFacts, odd: &[(&str, u32)]) -> Option<Finding> {
         count => format!("{count} group names are not ASCII, first `{name}`"),
     };
     let names = || odd.iter().map(|(name, _)| *name);
-    let finding = RULE.at(file, Place::Line(*line), message).parts(names()).evidence(Evidence::of_cases(names()));
+    let finding = RULE
+        .at(file, Place::Line(*line), message)
+        .parts(names())
+        .evidence(Evidence::of_cases(names()));
     Some(finding.help("rename it with letters a to z, digits, `-` and `_` only"))
 }

@@ -23,11 +23,15 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let is_inside_out = |path: &str| measures.worn.get(path).is_some_and(|measure| measure.is_inside_out);
+    let is_inside_out = |path: &str| {
+        measures
+            .worn
+            .get(path)
+            .is_some_and(|measure| measure.is_inside_out)
+    };
     for (_, file, _) in meshes(body, |worn, _| is_inside_out(&worn.file.path)) {
         let finding = RULE.at(file, Place::File, "all faces look inwards");
-        let help =
-            "turn the faces over, in Blender with Mesh > Normals > Recalculate Outside, and export the mesh again";
+        let help = "turn the faces over, in Blender with Mesh > Normals > Recalculate Outside, and export the mesh again";
         out.push(finding.confidence(Confidence::Medium).help(help));
     }
 }

@@ -5,17 +5,33 @@ use mhlint_diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
 use mhlint_repo::makehuman1::{HIDDEN, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "draws joints and helpers together with the body, and does not find joints by their names")],
+    breaks: &[(
+        Makehuman1,
+        "draws joints and helpers together with the body, and does not find joints by their names",
+    )],
     docs: include_str!("missing_groups.md").trim_ascii_end(),
-    ..RuleInfo::new("mesh-missing-groups", Level::Warning, "the base mesh has no groups of joints or helpers")
+    ..RuleInfo::new(
+        "mesh-missing-groups",
+        Level::Warning,
+        "the base mesh has no groups of joints or helpers",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let sound = view.mesh.filter(|(file, mesh)| mesh.is_sound() && view.layers.is_checked(file));
+    let sound = view
+        .mesh
+        .filter(|(file, mesh)| mesh.is_sound() && view.layers.is_checked(file));
     let Some((file, mesh)) = sound else { return };
-    let has = |start: &str| mesh.groups.iter().any(|group| group.name.starts_with(start));
-    let missing: Vec<String> =
-        HIDDEN.into_iter().filter(|start| !has(start)).map(|start| format!("`{start}`")).collect();
+    let has = |start: &str| {
+        mesh.groups
+            .iter()
+            .any(|group| group.name.starts_with(start))
+    };
+    let missing: Vec<String> = HIDDEN
+        .into_iter()
+        .filter(|start| !has(start))
+        .map(|start| format!("`{start}`"))
+        .collect();
     if missing.is_empty() {
         return;
     }

@@ -64,7 +64,8 @@ struct ReadMesh<'f> {
     asset: Option<&'f AssetMesh>,
 }
 
-/// The mesh of a body. One that MakeHuman 1 packed has been read by it before: what is wrong with its archive is told as such.
+/// The mesh of a body. One that MakeHuman 1 packed has been read by it before: what is wrong with
+/// its archive is told as such.
 fn of_body(file: &FileFacts) -> Option<&Mesh> {
     file.mesh().filter(|_| file.kind != Kind::PackedBaseMesh)
 }
@@ -72,35 +73,68 @@ fn of_body(file: &FileFacts) -> Option<&Mesh> {
 /// What is read of a file, if it is a mesh that is read.
 fn read<'f>(view: &View<'_>, file: &'f FileFacts) -> Option<ReadMesh<'f>> {
     if let Some(mesh) = of_body(file) {
-        return Some(ReadMesh { facts: &mesh.facts, faces: mesh.faces.len(), uvs: mesh.uvs.len(), asset: None });
+        return Some(ReadMesh {
+            facts: &mesh.facts,
+            faces: mesh.faces.len(),
+            uvs: mesh.uvs.len(),
+            asset: None,
+        });
     }
     of_asset(view, file).map(ReadMesh::of)
 }
 
-/// The mesh that MakeHuman 2 shows for a lamp, which nothing names (`docs/loaders/makehuman2/program.md#lamp-symbol`).
+/// The mesh that MakeHuman 2 shows for a lamp, which nothing names
+/// (`docs/loaders/makehuman2/program.md#lamp-symbol`).
 fn lamp_symbol<'f>(view: &View<'_>, file: &'f FileFacts) -> Option<ReadMesh<'f>> {
-    let is_read = (view.layout().single)(&file.rel) == Some(Single::LampSymbol) && view.layers().checks_system();
-    let asset = file.asset_mesh().filter(|_| is_read && file.encoding.invalid_utf8_at.is_none());
+    let is_read = (view.layout().single)(&file.rel) == Some(Single::LampSymbol)
+        && view.layers().checks_system();
+    let asset = file
+        .asset_mesh()
+        .filter(|_| is_read && file.encoding.invalid_utf8_at.is_none());
     asset.map(ReadMesh::of)
 }
 
 /// The mesh of an asset, if some asset names it.
 fn of_asset<'f>(view: &View<'_>, file: &'f FileFacts) -> Option<&'f AssetMesh> {
-    let is_named = |_: &&AssetMesh| view.references().to_file(file).any(|one| one.kind == ReferenceKind::AssetMesh);
+    let is_named = |_: &&AssetMesh| {
+        view.references()
+            .to_file(file)
+            .any(|one| one.kind == ReferenceKind::AssetMesh)
+    };
     // An archive beside it is read in its place.
-    let is_packed = |_: &&AssetMesh| view.is_makehuman1() && mesh_archive(view.layers().checked, &file.rel).is_some();
-    let mesh = file.asset_mesh().filter(|_| file.encoding.invalid_utf8_at.is_none()).filter(is_named);
+    let is_packed = |_: &&AssetMesh| {
+        view.is_makehuman1() && mesh_archive(view.layers().checked, &file.rel).is_some()
+    };
+    let mesh = file
+        .asset_mesh()
+        .filter(|_| file.encoding.invalid_utf8_at.is_none())
+        .filter(is_named);
     mesh.filter(|mesh| !is_packed(mesh))
 }
 
 impl<'f> ReadMesh<'f> {
     fn of(asset: &'f AssetMesh) -> Self {
-        Self { facts: &asset.facts, faces: asset.faces, uvs: asset.uvs, asset: Some(asset) }
+        Self {
+            facts: &asset.facts,
+            faces: asset.faces,
+            uvs: asset.uvs,
+            asset: Some(asset),
+        }
     }
 
     /// A finding with the consequence for the sort of mesh.
-    fn weigh(&self, view: &View<'_>, file: &FileFacts, finding: Finding, of_asset: Case) -> Finding {
-        if self.asset.is_some() { finding.case(of_asset) } else { weigh(view, file, finding) }
+    fn weigh(
+        &self,
+        view: &View<'_>,
+        file: &FileFacts,
+        finding: Finding,
+        of_asset: Case,
+    ) -> Finding {
+        if self.asset.is_some() {
+            finding.case(of_asset)
+        } else {
+            weigh(view, file, finding)
+        }
     }
 
     /// A vertex with its group.

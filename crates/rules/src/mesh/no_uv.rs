@@ -12,31 +12,53 @@ use mhlint_repo::{FileFacts, Reference, ReferenceKind, View, Worn, parent};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "paints the whole asset with a single point of each texture, on screen and in exports"),
-        (Makehuman1, "paints the whole asset with a single point of each texture"),
+        (
+            Makehuman2,
+            "paints the whole asset with a single point of each texture, on screen and in exports",
+        ),
+        (
+            Makehuman1,
+            "paints the whole asset with a single point of each texture",
+        ),
     ],
     docs: include_str!("no_uv.md").trim_ascii_end(),
-    ..RuleInfo::new("mesh-no-uv", Level::Warning, "the mesh of an asset has no texture coordinates")
+    ..RuleInfo::new(
+        "mesh-no-uv",
+        Level::Warning,
+        "the mesh of an asset has no texture coordinates",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let bare = view.assets().iter().filter_map(|worn| Some((worn, bare_mesh(worn)?)));
-    let bare = bare.filter(|(worn, file)| view.layers().is_checked(file) && has_texture(view, worn, file));
+    let bare = view
+        .assets()
+        .iter()
+        .filter_map(|worn| Some((worn, bare_mesh(worn)?)));
+    let bare =
+        bare.filter(|(worn, file)| view.layers().is_checked(file) && has_texture(view, worn, file));
     // Several assets may have one mesh.
-    let files: BTreeMap<&str, &FileFacts> = bare.map(|(_, file)| (file.path.as_str(), file)).collect();
+    let files: BTreeMap<&str, &FileFacts> =
+        bare.map(|(_, file)| (file.path.as_str(), file)).collect();
     for file in files.into_values() {
         let finding = RULE.at(file, Place::File, "no face has texture coordinates");
-        out.push(finding.help("unwrap the mesh and export it with texture coordinates; keep the vertex order"));
+        out.push(
+            finding.help(
+                "unwrap the mesh and export it with texture coordinates; keep the vertex order",
+            ),
+        );
     }
 }
 
 /// The mesh of an asset, if it has faces and no texture coordinates.
 fn bare_mesh<'a>(worn: &Worn<'a>) -> Option<&'a FileFacts> {
-    let (file, mesh) = worn.mesh().filter(|(_, mesh)| mesh.faces > 0 && !mesh.has_uvs)?;
+    let (file, mesh) = worn
+        .mesh()
+        .filter(|(_, mesh)| mesh.faces > 0 && !mesh.has_uvs)?;
     (mesh.facts.unreadable_lines == 0 && mesh.facts.face_out_of_range.count == 0).then_some(file)
 }
 
-/// Whether a material that the asset names, or one that is offered for it, has a texture. A topology wears the skins.
+/// Whether a material that the asset names, or one that is offered for it, has a texture. A
+/// topology wears the skins.
 fn has_texture(view: &View<'_>, worn: &Worn<'_>, mesh: &FileFacts) -> bool {
     if worn.is_topology() {
         return true;
@@ -44,7 +66,15 @@ fn has_texture(view: &View<'_>, worn: &Worn<'_>, mesh: &FileFacts) -> bool {
     let folder = parent(&mesh.rel);
     // In the folder of the base mesh lie those of all assets.
     let own = (folder.matches('/').count() >= 2).then(|| view.layers().checked.below(folder));
-    let offered = own.into_iter().flatten().filter(|file| file.kind == Kind::Material);
-    let named = worn.reference(ReferenceKind::AssetMaterial).and_then(Reference::meant);
-    offered.chain(named).filter_map(FileFacts::material).any(|material| !material.textures.is_empty())
+    let offered = own
+        .into_iter()
+        .flatten()
+        .filter(|file| file.kind == Kind::Material);
+    let named = worn
+        .reference(ReferenceKind::AssetMaterial)
+        .and_then(Reference::meant);
+    offered
+        .chain(named)
+        .filter_map(FileFacts::material)
+        .any(|material| !material.textures.is_empty())
 }

@@ -12,20 +12,41 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "loses everything computed from the vertex: normals, joints, the height of the body"),
-        (Makehuman1, "fits the vertex to the base mesh, wherever the OBJ has it"),
-        (Mpfb, "loses what is computed from the vertex: joints, and what is fitted to the body there"),
+        (
+            Makehuman2,
+            "loses everything computed from the vertex: normals, joints, the height of the body",
+        ),
+        (
+            Makehuman1,
+            "fits the vertex to the base mesh, wherever the OBJ has it",
+        ),
+        (
+            Mpfb,
+            "loses what is computed from the vertex: joints, and what is fitted to the body there",
+        ),
     ],
     levels: &[(Makehuman1, Level::Info), (Mpfb, Level::Warning)],
     docs: include_str!("non_finite.md").trim_ascii_end(),
     counts: "vertices",
-    ..RuleInfo::new("mesh-non-finite", Level::Error, "the position of a vertex is NaN or infinite")
+    ..RuleInfo::new(
+        "mesh-non-finite",
+        Level::Error,
+        "the position of a vertex is NaN or infinite",
+    )
 });
 
 /// Each vertex of an asset is fitted to the base mesh, wherever it lies.
 const FITTED: Case = &[
-    (Makehuman2, Level::Info, "computes the position from the `.mhclo`: no visible effect"),
-    (Mpfb, Level::Info, "computes the position from the `.mhclo`: no visible effect"),
+    (
+        Makehuman2,
+        Level::Info,
+        "computes the position from the `.mhclo`: no visible effect",
+    ),
+    (
+        Mpfb,
+        Level::Info,
+        "computes the position from the `.mhclo`: no visible effect",
+    ),
 ];
 /// To the vertices of the body everything else is fitted.
 const OF_BASE: Case = &[(
@@ -33,8 +54,11 @@ const OF_BASE: Case = &[(
     Level::Error,
     "loses everything computed from the vertex: joints, and what is fitted to the body there",
 )];
-const UV: Case =
-    &[(Makehuman2, Level::Error, "crashes with `ValueError` in the glTF export of every figure that wears the asset")];
+const UV: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes with `ValueError` in the glTF export of every figure that wears the asset",
+)];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if let Some(asset) = of_asset(view, file) {
@@ -56,20 +80,34 @@ fn of_worn(file: &FileFacts, facts: &MeshFacts) -> Option<Finding> {
         1 => "a texture coordinate is NaN or infinite".to_owned(),
         count => format!("{count} texture coordinates are NaN or infinite"),
     };
-    let finding = RULE.at(file, Place::Line(*line), message).key("uv").case(UV);
+    let finding = RULE
+        .at(file, Place::Line(*line), message)
+        .key("uv")
+        .case(UV);
     Some(finding.help("give it finite numbers, or export the mesh again"))
 }
 
 fn positions(view: &View<'_>, file: &FileFacts, facts: &MeshFacts) -> Option<Finding> {
     let tally = &facts.non_finite;
     let (line, vertex) = tally.first.first()?;
-    let named = view.landmarks(file).map_or_else(|| format!("vertex {vertex}"), |body| body.vertex(*vertex));
+    let named = view
+        .landmarks(file)
+        .map_or_else(|| format!("vertex {vertex}"), |body| body.vertex(*vertex));
     let message = match tally.count {
         1 => format!("the position of {named} is NaN or infinite"),
         count => format!("the positions of {count} vertices are NaN or infinite, first {named}"),
     };
-    let element = Element { kind: "vertex", index: vertex.unsigned_abs() };
-    let place = if *line == 0 { Place::Element(element) } else { Place::Row(*line, element) };
-    let finding = RULE.at(file, place, message).help("give the vertex a finite position");
+    let element = Element {
+        kind: "vertex",
+        index: vertex.unsigned_abs(),
+    };
+    let place = if *line == 0 {
+        Place::Element(element)
+    } else {
+        Place::Row(*line, element)
+    };
+    let finding = RULE
+        .at(file, place, message)
+        .help("give the vertex a finite position");
     Some(finding.evidence(tally.evidence(facts.vertices)))
 }

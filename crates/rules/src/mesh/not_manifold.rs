@@ -27,16 +27,29 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let crowded = |worn: &Worn<'_>| measures.worn.get(&worn.file.path).map_or(&[][..], |one| &one.shape.crowded_edges);
+    let crowded = |worn: &Worn<'_>| {
+        measures
+            .worn
+            .get(&worn.file.path)
+            .map_or(&[][..], |one| &one.shape.crowded_edges)
+    };
     // Faces that stand twice, and those that no application takes, have findings of their own.
     let is_told = |mesh: &AssetMesh| mesh.repeated > 0 || mesh.facts.ngons.count > 0;
-    for (worn, file, mesh) in meshes(body, |worn, mesh| !crowded(worn).is_empty() && !is_told(mesh)) {
+    for (worn, file, mesh) in meshes(body, |worn, mesh| {
+        !crowded(worn).is_empty() && !is_told(mesh)
+    }) {
         let edges = crowded(worn);
-        let Some([one, other]) = edges.first() else { continue };
+        let Some([one, other]) = edges.first() else {
+            continue;
+        };
         let have = if edges.len() == 1 { "has" } else { "have" };
         // Where that is on the figure, the row of the vertex tells.
-        let row = usize::try_from(*one).ok().and_then(|one| worn.file.clothes()?.kept.get(one));
-        let tied = row.map(|row| format!(", tied to {} of the body", body.vertex(row.vertices[0]))).unwrap_or_default();
+        let row = usize::try_from(*one)
+            .ok()
+            .and_then(|one| worn.file.clothes()?.kept.get(one));
+        let tied = row
+            .map(|row| format!(", tied to {} of the body", body.vertex(row.vertices[0])))
+            .unwrap_or_default();
         let message = format!(
             "{} {have} more than two faces, first that from {} to {}{tied}",
             counted(edges.len(), "edge"),
@@ -44,7 +57,9 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             mesh.named(*other)
         );
         let named = edges.iter().map(|[one, other]| format!("{one}-{other}"));
-        let finding = RULE.at(file, Place::File, message).evidence(Evidence::of_unnamed(named));
+        let finding = RULE
+            .at(file, Place::File, message)
+            .evidence(Evidence::of_unnamed(named));
         out.push(finding.help("remove faces that lie inside, or double their edges"));
     }
 }

@@ -12,31 +12,72 @@ use mhlint_formats::obj::Mesh;
 use mhlint_repo::makehuman2::{Base, Lies, UnreadMesh, View};
 use mhlint_repo::{FileFacts, Landmarks};
 
-pub(crate) static RULE: Rule =
-    Check::EachBase(run, |view, _, out| packed_mesh::findings(&RULE, view, out), |_, _, _| {}).rule(RuleInfo {
-        breaks: &[
-            (Makehuman2, "loads the mesh from the archive and ignores the OBJ, whichever is newer"),
-            (Makehuman1, "loads the mesh from the archive, unless the OBJ is newer"),
-        ],
-        docs: include_str!("stale_binary.md").trim_ascii_end(),
-        counts: "vertices",
-        grows: Grows::more(MeasureKind::Distance),
-        ..RuleInfo::new("mesh-stale-binary", Level::Warning, "a packed base mesh differs from its OBJ")
-    });
+pub(crate) static RULE: Rule = Check::EachBase(
+    run,
+    |view, _, out| packed_mesh::findings(&RULE, view, out),
+    |_, _, _| {},
+)
+.rule(RuleInfo {
+    breaks: &[
+        (
+            Makehuman2,
+            "loads the mesh from the archive and ignores the OBJ, whichever is newer",
+        ),
+        (
+            Makehuman1,
+            "loads the mesh from the archive, unless the OBJ is newer",
+        ),
+    ],
+    docs: include_str!("stale_binary.md").trim_ascii_end(),
+    counts: "vertices",
+    grows: Grows::more(MeasureKind::Distance),
+    ..RuleInfo::new(
+        "mesh-stale-binary",
+        Level::Warning,
+        "a packed base mesh differs from its OBJ",
+    )
+});
 
-const ABOVE: Case =
-    &[(Makehuman2, Level::Warning, "loads base.mhbin of the system data and ignores the user's base.obj")];
-const BELOW: Case = &[(Makehuman2, Level::Info, "shows the user's mesh instead of the mesh in the system data")];
+const ABOVE: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "loads base.mhbin of the system data and ignores the user's base.obj",
+)];
+const BELOW: Case = &[(
+    Makehuman2,
+    Level::Info,
+    "shows the user's mesh instead of the mesh in the system data",
+)];
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let (Some(archive), Some((_, packed))) = (base.mesh_files.archive(), base.mesh) else { return };
+    let (Some(archive), Some((_, packed))) = (base.mesh_files.archive(), base.mesh) else {
+        return;
+    };
     for text in &base.mesh_files.unread {
-        let at = if text.lies == Lies::Above { text.file } else { archive };
-        let Some(mesh) = text.sound().filter(|mesh| is_whole(mesh) && view.layers.is_checked(at)) else { continue };
+        let at = if text.lies == Lies::Above {
+            text.file
+        } else {
+            archive
+        };
+        let Some(mesh) = text
+            .sound()
+            .filter(|mesh| is_whole(mesh) && view.layers.is_checked(at))
+        else {
+            continue;
+        };
         let difference = MeshDifference::between(packed, mesh);
         if !difference.is_none() {
             let landmarks = view.landmarks(archive);
-            out.push(finding(at, archive, text, &Told { packed, landmarks, difference: &difference }));
+            out.push(finding(
+                at,
+                archive,
+                text,
+                &Told {
+                    packed,
+                    landmarks,
+                    difference: &difference,
+                },
+            ));
         }
     }
 }
@@ -44,7 +85,10 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
 /// Whether the OBJ has no fault that keeps it from being packed.
 fn is_whole(mesh: &Mesh) -> bool {
     let facts = &mesh.facts;
-    let named = mesh.groups.iter().all(|group| group.faces == 0 || group.name.is_ascii());
+    let named = mesh
+        .groups
+        .iter()
+        .all(|group| group.faces == 0 || group.name.is_ascii());
     facts.non_finite.count == 0 && facts.partial_uv.is_empty() && named
 }
 
@@ -73,7 +117,11 @@ fn finding(at: &FileFacts, archive: &FileFacts, text: &UnreadMesh<'_>, told: &To
     let what: Vec<&str> = kinds.iter().map(|(_, what)| what.as_str()).collect();
     let (case, help, other): (Case, _, _) = match text.lies {
         Lies::Beside => (&[], told.help(), text.file),
-        Lies::Above => (ABOVE, "pack the user's base.obj with compile_meshes.py as well", archive),
+        Lies::Above => (
+            ABOVE,
+            "pack the user's base.obj with compile_meshes.py as well",
+            archive,
+        ),
         Lies::Below => (
             BELOW,
             "leave it if this mesh is intended; otherwise move base.mhbin out of the folder to use the mesh of the system data",
@@ -82,8 +130,11 @@ fn finding(at: &FileFacts, archive: &FileFacts, text: &UnreadMesh<'_>, told: &To
     };
     let message = format!("base.mhbin differs from base.obj: {}", what.join("; "));
     let finding = RULE.at(at, Place::File, message).case(case).help(help);
-    let finding =
-        finding.parts(kinds.iter().map(|(kind, _)| *kind)).related(other.path.clone(), Place::File, "the other mesh");
+    let finding = finding.parts(kinds.iter().map(|(kind, _)| *kind)).related(
+        other.path.clone(),
+        Place::File,
+        "the other mesh",
+    );
     match told.difference.farthest {
         Some((vertex, distance)) => {
             let moved = Evidence::counted(told.difference.moved).out_of(told.packed.facts.vertices);
@@ -98,20 +149,42 @@ impl Told<'_> {
     fn kinds(&self) -> Vec<(&'static str, String)> {
         let found = self.difference;
         let kinds = [
-            ("vertices", found.vertices.map(|[packed, text]| format!("{packed} vertices instead of {text}"))),
-            ("positions", found.farthest.map(|farthest| self.moved(farthest))),
-            ("faces", found.faces.map(|[packed, text]| format!("{packed} faces instead of {text}"))),
+            (
+                "vertices",
+                found
+                    .vertices
+                    .map(|[packed, text]| format!("{packed} vertices instead of {text}")),
+            ),
+            (
+                "positions",
+                found.farthest.map(|farthest| self.moved(farthest)),
+            ),
+            (
+                "faces",
+                found
+                    .faces
+                    .map(|[packed, text]| format!("{packed} faces instead of {text}")),
+            ),
             ("corners", several(found.other_faces, "with other corners")),
             ("groups", self.groups()),
             ("grouping", several(found.regrouped, "in another group")),
-            ("texture", several(found.retextured, "with other texture coordinates")),
+            (
+                "texture",
+                several(found.retextured, "with other texture coordinates"),
+            ),
         ];
-        kinds.into_iter().filter_map(|(kind, words)| Some((kind, words?))).collect()
+        kinds
+            .into_iter()
+            .filter_map(|(kind, words)| Some((kind, words?)))
+            .collect()
     }
 
     fn moved(&self, (vertex, distance): (u32, f32)) -> String {
         let vertices = self.packed.facts.vertices;
-        let at = self.landmarks.as_ref().map_or_else(|| format!("vertex {vertex}"), |body| body.vertex(vertex));
+        let at = self
+            .landmarks
+            .as_ref()
+            .map_or_else(|| format!("vertex {vertex}"), |body| body.vertex(vertex));
         let (moved, by) = (self.difference.moved, length(distance));
         match moved {
             1 => format!("{at} moved by {by}"),
@@ -123,8 +196,14 @@ impl Told<'_> {
         let [packed, text] = &self.difference.groups;
         match (packed.first(), text.first()) {
             (None, None) => None,
-            (Some(own), None) => Some(format!("{}, first `{own}`", counted(packed.len(), "additional group"))),
-            (None, Some(other)) => Some(format!("{}, first `{other}`", counted(text.len(), "missing group"))),
+            (Some(own), None) => Some(format!(
+                "{}, first `{own}`",
+                counted(packed.len(), "additional group")
+            )),
+            (None, Some(other)) => Some(format!(
+                "{}, first `{other}`",
+                counted(text.len(), "missing group")
+            )),
             (Some(own), Some(other)) => Some(format!("group `{own}` instead of `{other}`")),
         }
     }

@@ -21,7 +21,11 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     ..RuleInfo::new("mesh-unused-vertex", Level::Info, "no face uses a vertex")
 });
 
-const NOT_COUNTED: Case = &[(Mpfb, Level::Info, "drops the vertex: no row is for it, so nothing changes")];
+const NOT_COUNTED: Case = &[(
+    Mpfb,
+    Level::Info,
+    "drops the vertex: no row is for it, so nothing changes",
+)];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if view.is_makehuman1() {
@@ -29,36 +33,65 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         return out.extend(finding);
     }
     if view.is_mpfb() {
-        let finding = read(view, file).filter(|mesh| mesh.asset.is_some()).and_then(|mesh| loose(view, file, &mesh));
-        let finding = finding.map(|one| if counts_loose(view, file) { one } else { one.case(NOT_COUNTED) });
+        let finding = read(view, file)
+            .filter(|mesh| mesh.asset.is_some())
+            .and_then(|mesh| loose(view, file, &mesh));
+        let finding = finding.map(|one| {
+            if counts_loose(view, file) {
+                one
+            } else {
+                one.case(NOT_COUNTED)
+            }
+        });
         return out.extend(finding);
     }
     // Behind an archive it is told of that one.
     if view.is_replaced(&file.rel) {
         return;
     }
-    // Faces that could not be read may be the ones that use them; a mesh without faces has a finding of its own.
+    // Faces that could not be read may be the ones that use them; a mesh without faces has a
+    // finding of its own.
     let is_whole = |mesh: &&Mesh| can_be_read(&mesh.facts) && !mesh.faces.is_empty();
-    let Some(mesh) = of_body(file).filter(is_whole) else { return };
+    let Some(mesh) = of_body(file).filter(is_whole) else {
+        return;
+    };
     let tally = &mesh.facts.unused;
-    let Some((_, vertex)) = tally.first.first() else { return };
-    let vertex = view.landmarks(file).map_or_else(|| format!("vertex {vertex}"), |body| body.vertex(*vertex));
+    let Some((_, vertex)) = tally.first.first() else {
+        return;
+    };
+    let vertex = view
+        .landmarks(file)
+        .map_or_else(|| format!("vertex {vertex}"), |body| body.vertex(*vertex));
     let message = match tally.count {
         1 => format!("no face uses {vertex}"),
-        count => format!("{count} of {} vertices are not used by any face, first {vertex}", mesh.facts.vertices),
+        count => format!(
+            "{count} of {} vertices are not used by any face, first {vertex}",
+            mesh.facts.vertices
+        ),
     };
     let help = "leave it: without the vertex all later ones have other numbers, and targets, weights and clothes no longer fit";
-    out.push(RULE.at(file, Place::File, message).help(help).evidence(tally.evidence(mesh.facts.vertices)));
+    out.push(
+        RULE.at(file, Place::File, message)
+            .help(help)
+            .evidence(tally.evidence(mesh.facts.vertices)),
+    );
 }
 
-/// The mesh of an asset; MakeHuman 1 refuses it as a whole. Faces that could not be read may be the ones that use the vertices.
+/// The mesh of an asset; MakeHuman 1 refuses it as a whole. Faces that could not be read may be the
+/// ones that use the vertices.
 fn loose(view: &View<'_>, file: &FileFacts, mesh: &ReadMesh<'_>) -> Option<Finding> {
     let tally = &mesh.facts.unused;
-    let (_, vertex) = tally.first.first().filter(|_| can_be_read(mesh.facts) && mesh.faces > 0)?;
+    let (_, vertex) = tally
+        .first
+        .first()
+        .filter(|_| can_be_read(mesh.facts) && mesh.faces > 0)?;
     let first = mesh.named(view, file, *vertex);
     let message = match tally.count {
         1 => format!("no face uses {first}"),
-        count => format!("{count} of {} vertices are not used by any face, first {first}", mesh.facts.vertices),
+        count => format!(
+            "{count} of {} vertices are not used by any face, first {first}",
+            mesh.facts.vertices
+        ),
     };
     let help = match mesh.asset {
         Some(_) => {
@@ -66,16 +99,23 @@ fn loose(view: &View<'_>, file: &FileFacts, mesh: &ReadMesh<'_>) -> Option<Findi
         }
         None => "restore the mesh: its vertices are the same in all copies of MakeHuman 1",
     };
-    let finding = RULE.at(file, Place::File, message).help(help).evidence(tally.evidence(mesh.facts.vertices));
+    let finding = RULE
+        .at(file, Place::File, message)
+        .help(help)
+        .evidence(tally.evidence(mesh.facts.vertices));
     Some(mesh.weigh(view, file, finding, &[]))
 }
 
 /// Whether an asset has rows for more vertices of this mesh than its faces use.
 fn counts_loose(view: &View<'_>, file: &FileFacts) -> bool {
-    let mut worn = view.assets().iter().filter_map(|worn| Some((worn.clothes()?, worn.mesh()?)));
+    let mut worn = view
+        .assets()
+        .iter()
+        .filter_map(|worn| Some((worn.clothes()?, worn.mesh()?)));
     worn.any(|(clothes, (own, mesh))| own.path == file.path && clothes.flow.rows > mesh.used())
 }
 
 fn can_be_read(facts: &MeshFacts) -> bool {
-    (facts.unreadable_lines, facts.face_out_of_range.count) == (0, 0) && facts.short_faces.is_empty()
+    (facts.unreadable_lines, facts.face_out_of_range.count) == (0, 0)
+        && facts.short_faces.is_empty()
 }

@@ -16,9 +16,16 @@ const STOPS: Case = &[(
     Level::Error,
     "fails with `TypeError` when a saved character with the topology is loaded: the character is left half-made",
 )];
-const IGNORED: Case = &[(Mpfb, Level::Warning, "silently corrects nothing: weights stay on the wrong side")];
-const ANY_VALUE: Case =
-    &[(Mpfb, Level::Warning, "corrects all groups of both sides all the same: only the key counts, not its value")];
+const IGNORED: Case = &[(
+    Mpfb,
+    Level::Warning,
+    "silently corrects nothing: weights stay on the wrong side",
+)];
+const ANY_VALUE: Case = &[(
+    Mpfb,
+    Level::Warning,
+    "corrects all groups of both sides all the same: only the key counts, not its value",
+)];
 
 /// What is wrong with the file.
 pub(super) fn faults(
@@ -29,7 +36,12 @@ pub(super) fn faults(
     cx: &RuleCx<'_>,
     out: &mut Vec<Finding>,
 ) {
-    let ProxyCorrections { stops, ignored, unread, uuids } = corrections;
+    let ProxyCorrections {
+        stops,
+        ignored,
+        unread,
+        uuids,
+    } = corrections;
     out.extend(findings(rule, file, stops, cx).map(|(_, finding)| finding.case(STOPS)));
     out.extend(findings(rule, file, ignored, cx).map(|(_, finding)| finding.case(IGNORED)));
     out.extend(any_value(rule, file, unread));
@@ -39,13 +51,23 @@ pub(super) fn faults(
 /// Flags that say something else than that all is to be corrected.
 fn any_value(rule: &Rule, file: &FileFacts, unread: &[NamedAt]) -> Option<Finding> {
     let first = unread.first()?;
-    let message = format!("`{FLAG}` is {}, which counts as `true`{}", first.name, such(unread.len(), "values"));
-    let finding = rule.at(file, Place::Pointer(first.pointer.clone()), message).key("flag").case(ANY_VALUE);
-    let finding = finding.evidence(Evidence::of_cases(unread.iter().map(|one| one.pointer.as_str())));
+    let message = format!(
+        "`{FLAG}` is {}, which counts as `true`{}",
+        first.name,
+        such(unread.len(), "values")
+    );
+    let finding = rule
+        .at(file, Place::Pointer(first.pointer.clone()), message)
+        .key("flag")
+        .case(ANY_VALUE);
+    let finding = finding.evidence(Evidence::of_cases(
+        unread.iter().map(|one| one.pointer.as_str()),
+    ));
     Some(finding.help("write `true`, or remove the key if nothing is to be corrected"))
 }
 
-/// Uuids that are nearly those of topologies at hand. Any other may be that of one which is not: MPFB ships none.
+/// Uuids that are nearly those of topologies at hand. Any other may be that of one which is not:
+/// MPFB ships none.
 fn misspelt<'f>(
     rule: &'f Rule,
     view: &View<'f>,
@@ -53,15 +75,32 @@ fn misspelt<'f>(
     named: &'f [NamedAt],
     cx: &'f RuleCx<'_>,
 ) -> impl Iterator<Item = Finding> + use<'f> {
-    let known: BTreeSet<&str> = view.worn_anywhere().filter(|worn| worn.is_topology()).filter_map(uuid).collect();
-    named.iter().filter(|one| one.name.len() > 1).filter_map(move |one| {
-        if known.contains(&*one.name) {
-            return None;
-        }
-        let in_other_case = known.iter().find(|uuid| uuid.eq_ignore_ascii_case(&one.name)).copied();
-        let near = in_other_case.or_else(|| cx.suggestions.nearest(&one.name, known.iter().copied()))?;
-        let message = format!("no topology has the uuid `{}`", one.name);
-        let finding = rule.at(file, Place::Key(one.pointer.clone()), message).key(format!("uuid {}", one.name));
-        Some(finding.case(IGNORED).help(format!("did you mean `{near}`?")))
-    })
+    let known: BTreeSet<&str> = view
+        .worn_anywhere()
+        .filter(|worn| worn.is_topology())
+        .filter_map(uuid)
+        .collect();
+    named
+        .iter()
+        .filter(|one| one.name.len() > 1)
+        .filter_map(move |one| {
+            if known.contains(&*one.name) {
+                return None;
+            }
+            let in_other_case = known
+                .iter()
+                .find(|uuid| uuid.eq_ignore_ascii_case(&one.name))
+                .copied();
+            let near = in_other_case
+                .or_else(|| cx.suggestions.nearest(&one.name, known.iter().copied()))?;
+            let message = format!("no topology has the uuid `{}`", one.name);
+            let finding = rule
+                .at(file, Place::Key(one.pointer.clone()), message)
+                .key(format!("uuid {}", one.name));
+            Some(
+                finding
+                    .case(IGNORED)
+                    .help(format!("did you mean `{near}`?")),
+            )
+        })
 }

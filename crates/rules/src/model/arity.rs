@@ -11,16 +11,30 @@ use mhlint_discover::Kind;
 use mhlint_repo::makehuman2::{Base, View};
 use mhlint_repo::mpfb;
 
-pub(crate) static RULE: Rule =
-    Check::EachBase(run, |view, _, out| makehuman1::arity::faults(&RULE, view, out), of_mpfb).rule(RuleInfo {
-        breaks: &[
-            (Makehuman2, "crashes with `IndexError` when the model is loaded"),
-            (Makehuman1, "fails with `IndexError` at the line, and loads the model without it"),
-            (Mpfb, "fails with `IndexError` when the model is imported"),
-        ],
-        docs: include_str!("arity.md").trim_ascii_end(),
-        ..RuleInfo::new("model-arity", Level::Error, "a line of a model has too few words")
-    });
+pub(crate) static RULE: Rule = Check::EachBase(
+    run,
+    |view, _, out| makehuman1::arity::faults(&RULE, view, out),
+    of_mpfb,
+)
+.rule(RuleInfo {
+    breaks: &[
+        (
+            Makehuman2,
+            "crashes with `IndexError` when the model is loaded",
+        ),
+        (
+            Makehuman1,
+            "fails with `IndexError` at the line, and loads the model without it",
+        ),
+        (Mpfb, "fails with `IndexError` when the model is imported"),
+    ],
+    docs: include_str!("arity.md").trim_ascii_end(),
+    ..RuleInfo::new(
+        "model-arity",
+        Level::Error,
+        "a line of a model has too few words",
+    )
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(own(view, base).filter_map(|saved| {
@@ -31,12 +45,17 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
 
 /// A line `clothes` alone; what is short of the others has no consequence.
 fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, model) in view.own(Kind::Model).filter_map(|file| Some((file, file.model()?))) {
+    for (file, model) in view
+        .own(Kind::Model)
+        .filter_map(|file| Some((file, file.model()?)))
+    {
         let bare = &model.columns.bare;
         let Some(first) = bare.first() else { continue };
         let message = format!("`clothes` has no value{}", such(bare.len(), "lines"));
         let finding = RULE.at(file, Place::Span(first.span.clone()), message);
         let finding = finding.evidence(Evidence::counted(bare.len()));
-        out.push(finding.help("write `clothes`, then name and uuid of the asset, or remove the line"));
+        out.push(
+            finding.help("write `clothes`, then name and uuid of the asset, or remove the line"),
+        );
     }
 }

@@ -18,8 +18,12 @@ pub(super) struct Known<'v> {
 
 impl<'v> Known<'v> {
     pub(super) fn of(view: &View<'_>, base: &'v Base<'v>) -> Self {
-        let pairs = base.sliders.iter().filter(|bound| bound.is_undeclared_pair());
-        let targets = pairs.flat_map(|bound| [bound.slider.decr.as_deref(), bound.slider.incr.as_deref()]);
+        let pairs = base
+            .sliders
+            .iter()
+            .filter(|bound| bound.is_undeclared_pair());
+        let targets =
+            pairs.flat_map(|bound| [bound.slider.decr.as_deref(), bound.slider.incr.as_deref()]);
         let meant = base.sliders.iter().flat_map(|bound| bound.meant.names());
         Self {
             base,
@@ -32,7 +36,9 @@ impl<'v> Known<'v> {
     /// Whether a modifier that can be read sets nothing, and nothing else says why.
     pub(super) fn lacks(&self, modifier: &Modifier) -> bool {
         let pattern = &*modifier.pattern.text;
-        let is_pair = pattern.split_once('|').is_some_and(|(decr, _)| self.pairs.contains(decr));
+        let is_pair = pattern
+            .split_once('|')
+            .is_some_and(|(decr, _)| self.pairs.contains(decr));
         modifier.value.is_ok()
             && self.base.slider(pattern).is_none()
             && !self.is_users(pattern)
@@ -42,8 +48,14 @@ impl<'v> Known<'v> {
 
     /// Sliders of user targets are made when the program starts.
     fn is_users(&self, pattern: &str) -> bool {
-        let Some(name) = pattern.strip_prefix("custom/") else { return false };
+        let Some(name) = pattern.strip_prefix("custom/") else {
+            return false;
+        };
         let name = name.split('|').next().unwrap_or(name);
-        !self.has_user || self.base.user_targets.is_none_or(|folder| folder.target(name).is_some())
+        !self.has_user
+            || self
+                .base
+                .user_targets
+                .is_none_or(|folder| folder.target(name).is_some())
     }
 }

@@ -12,37 +12,61 @@ use mhlint_formats::mhm::MaterialLine;
 use mhlint_repo::makehuman2::{Base, SavedModel, View};
 use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
 
-pub(crate) static RULE: Rule =
-    Check::EachBase(run, |view, cx, out| makehuman1::material::faults(&RULE, view, cx, out), |_, _, _| {}).rule(
-        RuleInfo {
-            breaks: &[
-                (Makehuman2, "silently shows the asset with its default material"),
-                (Makehuman1, "logs an error, and shows the asset with its own material"),
-            ],
-            docs: include_str!("material.md").trim_ascii_end(),
-            ..RuleInfo::new("model-material", Level::Warning, "a material line of a model without effect")
-        },
-    );
+pub(crate) static RULE: Rule = Check::EachBase(
+    run,
+    |view, cx, out| makehuman1::material::faults(&RULE, view, cx, out),
+    |_, _, _| {},
+)
+.rule(RuleInfo {
+    breaks: &[
+        (
+            Makehuman2,
+            "silently shows the asset with its default material",
+        ),
+        (
+            Makehuman1,
+            "logs an error, and shows the asset with its own material",
+        ),
+    ],
+    docs: include_str!("material.md").trim_ascii_end(),
+    ..RuleInfo::new(
+        "model-material",
+        Level::Warning,
+        "a material line of a model without effect",
+    )
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for saved in own(view, base) {
-        // A line under another category is reported as such, and one without a uuid ends the loading.
+        // A line under another category is reported as such, and one without a uuid ends the
+        // loading.
         let lines = saved.model.worn.iter().chain(&saved.model.unknown);
         let worn: BTreeSet<(&str, &str)> = lines.map(|one| (&*one.name.text, &*one.uuid)).collect();
         let fits = |line: &MaterialLine| worn.contains(&(&*line.name.text, &*line.uuid));
-        let lost = saved.model.materials.iter().filter(|line| !fits(line) && saved.model.short.is_empty());
+        let lost = saved
+            .model
+            .materials
+            .iter()
+            .filter(|line| !fits(line) && saved.model.short.is_empty());
         let is_right = |line: &MaterialLine| {
-            view.library.worn(base.name, &line.name.text, &line.uuid).is_some_and(|asset| asset.uuid == *line.uuid)
+            view.library
+                .worn(base.name, &line.name.text, &line.uuid)
+                .is_some_and(|asset| asset.uuid == *line.uuid)
         };
         out.extend(lost.map(|line| stray(saved, line, &worn, is_right(line))));
         if view.is_open(base) {
             continue;
         }
         let is_missing = |one: &&Reference<'_>| {
-            one.kind == ReferenceKind::ModelMaterial && matches!(one.resolution, Resolution::Missing)
+            one.kind == ReferenceKind::ModelMaterial
+                && matches!(one.resolution, Resolution::Missing)
         };
         for reference in view.references.of_file(saved.file).filter(is_missing) {
-            let line = saved.model.materials.iter().find(|line| Place::Span(line.path.span.clone()) == reference.place);
+            let line = saved
+                .model
+                .materials
+                .iter()
+                .find(|line| Place::Span(line.path.span.clone()) == reference.place);
             let line = line.filter(|line| fits(line));
             out.extend(line.map(|line| missing(view, reference, line, cx)));
         }
@@ -50,12 +74,22 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
 }
 
 /// A line that belongs to nothing that is worn.
-fn stray(saved: &SavedModel<'_>, line: &MaterialLine, worn: &BTreeSet<(&str, &str)>, is_right: bool) -> Finding {
+fn stray(
+    saved: &SavedModel<'_>,
+    line: &MaterialLine,
+    worn: &BTreeSet<(&str, &str)>,
+    is_right: bool,
+) -> Finding {
     let (name, uuid) = (&*line.name.text, &*line.uuid);
-    let same = worn.range((name, "")..).next().filter(|(other, _)| *other == name);
+    let same = worn
+        .range((name, "")..)
+        .next()
+        .filter(|(other, _)| *other == name);
     let (message, help) = match same {
         Some(_) if is_right => (
-            format!("the model wears `{name}` with another uuid than this one, which is that of the asset"),
+            format!(
+                "the model wears `{name}` with another uuid than this one, which is that of the asset"
+            ),
             format!("write `{uuid}` in the line that puts `{name}` on"),
         ),
         Some((_, other)) => (
@@ -71,30 +105,73 @@ fn stray(saved: &SavedModel<'_>, line: &MaterialLine, worn: &BTreeSet<(&str, &st
             (format!("the model wears no asset `{name}`"), help)
         }
     };
-    let finding = RULE.at(saved.file, Place::Span(line.name.span.clone()), message).key(format!("stray {name} {uuid}"));
-    let finding = if same.is_some() { finding } else { finding.effect("silently ignores the line") };
+    let finding = RULE
+        .at(saved.file, Place::Span(line.name.span.clone()), message)
+        .key(format!("stray {name} {uuid}"));
+    let finding = if same.is_some() {
+        finding
+    } else {
+        finding.effect("silently ignores the line")
+    };
     finding.help(help)
 }
 
-fn missing(view: &View<'_>, reference: &Reference<'_>, line: &MaterialLine, cx: &RuleCx<'_>) -> Finding {
-    let folder = reference.rel.strip_suffix(reference.text).unwrap_or(parent(&reference.rel)).trim_end_matches('/');
+fn missing(
+    view: &View<'_>,
+    reference: &Reference<'_>,
+    line: &MaterialLine,
+    cx: &RuleCx<'_>,
+) -> Finding {
+    let folder = reference
+        .rel
+        .strip_suffix(reference.text)
+        .unwrap_or(parent(&reference.rel))
+        .trim_end_matches('/');
     let layers: Vec<_> = view.layers.strongest_first().collect();
-    let files: Vec<&FileFacts> = layers.iter().flat_map(|layer| layer.below(folder)).collect();
-    let below = files.iter().filter_map(|file| file.rel.strip_prefix(folder)?.strip_prefix('/'));
+    let files: Vec<&FileFacts> = layers
+        .iter()
+        .flat_map(|layer| layer.below(folder))
+        .collect();
+    let below = files
+        .iter()
+        .filter_map(|file| file.rel.strip_prefix(folder)?.strip_prefix('/'));
     // A name with a space cannot be written there.
     let is_nameable = |name: &&str| name.ends_with(".mhmat") && !name.contains(char::is_whitespace);
     let materials: Vec<&str> = below.filter(is_nameable).collect();
     let same_name = || {
         let last = reference.text.rsplit('/').next()?;
-        materials.iter().find(|name| name.rsplit('/').next() == Some(last)).copied()
+        materials
+            .iter()
+            .find(|name| name.rsplit('/').next() == Some(last))
+            .copied()
     };
-    let near = same_name().or_else(|| cx.suggestions.nearest_file(reference.text, materials.iter().copied()));
+    let near = same_name().or_else(|| {
+        cx.suggestions
+            .nearest_file(reference.text, materials.iter().copied())
+    });
     let (message, help) = if line.surplus == 0 {
-        let help = did_you_mean(near, format!("name a material in `{folder}`, or remove the line"));
-        (format!("material `{}` of `{}` does not exist", reference.text, line.name.text), help)
+        let help = did_you_mean(
+            near,
+            format!("name a material in `{folder}`, or remove the line"),
+        );
+        (
+            format!(
+                "material `{}` of `{}` does not exist",
+                reference.text, line.name.text
+            ),
+            help,
+        )
     } else {
-        let message = format!("the path has a space and is cut there: `{}` does not exist", reference.text);
-        (message, "rename the material without spaces, and write the new name here".to_owned())
+        let message = format!(
+            "the path has a space and is cut there: `{}` does not exist",
+            reference.text
+        );
+        (
+            message,
+            "rename the material without spaces, and write the new name here".to_owned(),
+        )
     };
-    RULE.at(reference.from, reference.place.clone(), message).key(format!("file {}", line.name.text)).help(help)
+    RULE.at(reference.from, reference.place.clone(), message)
+        .key(format!("file {}", line.name.text))
+        .help(help)
 }

@@ -36,17 +36,35 @@ pub(super) static RULES: &[&Rule] = &[
 
 /// The characters of a base that are checked.
 fn own<'v>(view: &'v View<'_>, base: &Base<'_>) -> impl Iterator<Item = &'v SavedModel<'v>> {
-    view.models_of(base).iter().filter(|one| view.layers.is_checked(one.file) && !one.file.failed)
+    view.models_of(base)
+        .iter()
+        .filter(|one| view.layers.is_checked(one.file) && !one.file.failed)
 }
 
 /// When what is wrong with a character is met.
 fn when(model: &SavedModel<'_>) -> &'static str {
-    if model.is_start { "at start" } else { "when the model is loaded" }
+    if model.is_start {
+        "at start"
+    } else {
+        "when the model is loaded"
+    }
 }
 
-/// What to write where an asset goes by another name now. The line of its material names it as well.
+/// What to write where an asset goes by another name now. The line of its material names it as
+/// well.
 fn renamed_line(saved: &SavedModel<'_>, line: &WornLine, asset: &Asset<'_>) -> String {
-    let has_material = saved.model.materials.iter().any(|other| other.name.text == line.name.text);
-    let also = if has_material { ", and the new name in the line of its material" } else { "" };
-    format!("write `{} {} {}`{also}", line.category.text, asset.name, asset.uuid)
+    let has_material = saved
+        .model
+        .materials
+        .iter()
+        .any(|other| other.name.text == line.name.text);
+    let also = if has_material {
+        ", and the new name in the line of its material"
+    } else {
+        ""
+    };
+    format!(
+        "write `{} {} {}`{also}",
+        line.category.text, asset.name, asset.uuid
+    )
 }

@@ -23,16 +23,28 @@ pub(crate) static RULE: Rule = Check::EachBase(
 )
 .rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "crashes with `ValueError` when the model is loaded"),
-        (Makehuman1, "fails with `ValueError` at the line, and loads the model without it"),
+        (
+            Makehuman2,
+            "crashes with `ValueError` when the model is loaded",
+        ),
+        (
+            Makehuman1,
+            "fails with `ValueError` at the line, and loads the model without it",
+        ),
         (Mpfb, "fails with `ValueError` when the model is imported"),
     ],
     docs: include_str!("modifier.md").trim_ascii_end(),
-    ..RuleInfo::new("model-modifier", Level::Error, "a modifier that is not the pattern of a slider and a value")
+    ..RuleInfo::new(
+        "model-modifier",
+        Level::Error,
+        "a modifier that is not the pattern of a slider and a value",
+    )
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let has_pairs = base.settings().is_some_and(|(file, _)| !is_faulty(file, "target-opposites"));
+    let has_pairs = base
+        .settings()
+        .is_some_and(|(file, _)| !is_faulty(file, "target-opposites"));
     // Of a slider nobody knows nothing can be said where not all sliders are at hand.
     let can_tell = has_sliders(base) && has_pairs && !view.is_open(base);
     for saved in own(view, base) {
@@ -49,32 +61,60 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
 }
 
 fn broken(saved: &SavedModel<'_>) -> Option<Finding> {
-    let broken = saved.model.modifiers.iter().filter_map(|one| Some((one, one.value.as_ref().err()?)));
+    let broken = saved
+        .model
+        .modifiers
+        .iter()
+        .filter_map(|one| Some((one, one.value.as_ref().err()?)));
     let broken: Vec<_> = broken.collect();
     let (first, fault) = broken.first()?;
     let more = more(broken.len());
     let (message, help) = match fault {
         ModifierFault::Words(count) => {
-            let message = format!("`modifier` has {}, expected 2{more}", counted(count.saturating_sub(1), "value"));
-            (message, "write the pattern of the slider and one number".to_owned())
+            let message = format!(
+                "`modifier` has {}, expected 2{more}",
+                counted(count.saturating_sub(1), "value")
+            );
+            (
+                message,
+                "write the pattern of the slider and one number".to_owned(),
+            )
         }
-        ModifierFault::NotANumber(word) => {
-            (format!("`{word}` is not a number{more}"), "write the number with a decimal point".to_owned())
-        }
+        ModifierFault::NotANumber(word) => (
+            format!("`{word}` is not a number{more}"),
+            "write the number with a decimal point".to_owned(),
+        ),
     };
-    let finding = RULE.at(saved.file, Place::Span(first.pattern.span.clone()), message).help(help);
+    let finding = RULE
+        .at(saved.file, Place::Span(first.pattern.span.clone()), message)
+        .help(help);
     let finding = finding.evidence(patterns(broken.iter().map(|(one, _)| *one)));
-    Some(finding.effect(format!("crashes with `ValueError` {} and applies no modifier", when(saved))))
+    Some(finding.effect(format!(
+        "crashes with `ValueError` {} and applies no modifier",
+        when(saved)
+    )))
 }
 
 fn non_finite(saved: &SavedModel<'_>) -> Option<Finding> {
     let is_bad = |one: &&Modifier| one.value.as_ref().is_ok_and(|value| !value.is_finite());
     let bad: Vec<&Modifier> = saved.model.modifiers.iter().filter(is_bad).collect();
     let first = bad.first()?;
-    let message = format!("the value of `{}` is NaN or infinite{}", first.pattern.text, more(bad.len()));
-    let finding = RULE.at(saved.file, Place::Span(first.pattern.span.clone()), message).key("non-finite");
-    let finding = finding.evidence(patterns(bad.iter().copied())).help("write a number, or remove the line");
-    let crash = if saved.is_start { "ValueError" } else { "UnboundLocalError" };
+    let message = format!(
+        "the value of `{}` is NaN or infinite{}",
+        first.pattern.text,
+        more(bad.len())
+    );
+    let finding = RULE
+        .at(saved.file, Place::Span(first.pattern.span.clone()), message)
+        .key("non-finite");
+    let finding = finding
+        .evidence(patterns(bad.iter().copied()))
+        .help("write a number, or remove the line");
+    let crash = if saved.is_start {
+        "ValueError"
+    } else {
+        "UnboundLocalError"
+    };
     Some(finding.effect(format!("crashes with `{crash}` {}", when(saved))))
 }
 
@@ -85,41 +125,93 @@ type Line<'v> = (&'v SavedModel<'v>, &'v Modifier);
 fn unknown(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>) -> Vec<Finding> {
     let known = Known::of(view, base);
     // What a component reads as well is reported there.
-    let macros = base.macro_file().into_iter().flat_map(|(_, file)| &file.components);
-    let told: BTreeSet<&str> = macros.filter_map(|component| component.pattern.as_deref()).collect();
+    let macros = base
+        .macro_file()
+        .into_iter()
+        .flat_map(|(_, file)| &file.components);
+    let told: BTreeSet<&str> = macros
+        .filter_map(|component| component.pattern.as_deref())
+        .collect();
     let is_lost = |(_, one): &Line<'_>| known.lacks(one) && !told.contains(&*one.pattern.text);
-    let lines = own(view, base).flat_map(|saved| saved.model.modifiers.iter().map(move |one| (saved, one)));
-    let by_pattern = grouped(lines.filter(is_lost).map(|line| (&*line.1.pattern.text, line)));
-    let models = |lines: &[Line<'_>]| lines.iter().map(|(saved, _)| saved.file.path.clone()).collect::<Vec<_>>();
-    let by_models = grouped(by_pattern.into_values().map(|lines| (models(&lines), lines)));
-    let told = by_models.into_values().filter_map(|patterns| unknown_in(base, &patterns, cx));
+    let lines =
+        own(view, base).flat_map(|saved| saved.model.modifiers.iter().map(move |one| (saved, one)));
+    let by_pattern = grouped(
+        lines
+            .filter(is_lost)
+            .map(|line| (&*line.1.pattern.text, line)),
+    );
+    let models = |lines: &[Line<'_>]| {
+        lines
+            .iter()
+            .map(|(saved, _)| saved.file.path.clone())
+            .collect::<Vec<_>>()
+    };
+    let by_models = grouped(
+        by_pattern
+            .into_values()
+            .map(|lines| (models(&lines), lines)),
+    );
+    let told = by_models
+        .into_values()
+        .filter_map(|patterns| unknown_in(base, &patterns, cx));
     told.collect()
 }
 
 fn unknown_in(base: &Base<'_>, patterns: &[Vec<Line<'_>>], cx: &RuleCx<'_>) -> Option<Finding> {
     let lines = patterns.first()?;
     let (saved, first) = lines.first()?;
-    let models = if lines.len() > 1 { format!(" ({} models)", lines.len()) } else { String::new() };
+    let models = if lines.len() > 1 {
+        format!(" ({} models)", lines.len())
+    } else {
+        String::new()
+    };
     let message = match patterns.len() {
         1 => format!("no slider has the pattern `{}`{models}", first.pattern.text),
-        count => format!("no slider has the pattern of {count} modifiers, first `{}`{models}", first.pattern.text),
+        count => format!(
+            "no slider has the pattern of {count} modifiers, first `{}`{models}",
+            first.pattern.text
+        ),
     };
-    let known = base.sliders.iter().flat_map(|slider| slider.pattern.names());
-    let near = cx.suggestions.nearest(&first.pattern.text, known.map(String::as_str));
+    let known = base
+        .sliders
+        .iter()
+        .flat_map(|slider| slider.pattern.names());
+    let near = cx
+        .suggestions
+        .nearest(&first.pattern.text, known.map(String::as_str));
     let place = |one: &Modifier| Place::Span(one.pattern.span.clone());
-    let mut finding = RULE.at(saved.file, place(first), message).key("unknown").level(Level::Warning);
+    let mut finding = RULE
+        .at(saved.file, place(first), message)
+        .key("unknown")
+        .level(Level::Warning);
     for (other, one) in lines.iter().skip(1).take(EXAMPLES - 1) {
         finding = finding.related(other.file.path.clone(), place(one), "also here");
     }
-    let all = patterns.iter().flatten().map(|(saved, one)| (&*one.pattern.text, &saved.file.path, place(one)));
-    let finding = finding.parts_at(all).evidence(self::patterns(patterns.iter().flatten().map(|(_, one)| *one)));
-    let help =
-        did_you_mean(near, "write the pattern of a slider, or check the model together with the pack that has it");
-    Some(finding.effect("lists it as missing and does not apply it").help(help))
+    let all = patterns
+        .iter()
+        .flatten()
+        .map(|(saved, one)| (&*one.pattern.text, &saved.file.path, place(one)));
+    let finding = finding.parts_at(all).evidence(self::patterns(
+        patterns.iter().flatten().map(|(_, one)| *one),
+    ));
+    let help = did_you_mean(
+        near,
+        "write the pattern of a slider, or check the model together with the pack that has it",
+    );
+    Some(
+        finding
+            .effect("lists it as missing and does not apply it")
+            .help(help),
+    )
 }
 
 fn out_of_range(base: &Base<'_>, saved: &SavedModel<'_>) -> Option<Finding> {
-    let faulty: Vec<Faulty<'_>> = saved.model.modifiers.iter().filter_map(|one| faulty(base, one)).collect();
+    let faulty: Vec<Faulty<'_>> = saved
+        .model
+        .modifiers
+        .iter()
+        .filter_map(|one| faulty(base, one))
+        .collect();
     let first = faulty.first()?;
     let message = format!(
         "`{}` is set to {}, outside {}{}",
@@ -128,8 +220,16 @@ fn out_of_range(base: &Base<'_>, saved: &SavedModel<'_>) -> Option<Finding> {
         first.range(),
         more(faulty.len())
     );
-    let finding = RULE.at(saved.file, Place::Span(first.modifier.pattern.span.clone()), message).key("range");
-    let finding = finding.evidence(patterns(faulty.iter().map(|one| one.modifier))).level(Level::Warning);
+    let finding = RULE
+        .at(
+            saved.file,
+            Place::Span(first.modifier.pattern.span.clone()),
+            message,
+        )
+        .key("range");
+    let finding = finding
+        .evidence(patterns(faulty.iter().map(|one| one.modifier)))
+        .level(Level::Warning);
     Some(finding.effect(first.effect()).help(first.help()))
 }
 

@@ -11,8 +11,15 @@ use mhlint_repo::makehuman2::SavedModel;
 pub(super) fn repeated(rule: &Rule, saved: &SavedModel<'_>) -> Option<Finding> {
     let mut known: BTreeMap<&str, &Modifier> = BTreeMap::new();
     let mut lost = Vec::new();
-    for one in saved.model.modifiers.iter().filter(|one| !one.pattern.text.is_empty()) {
-        let Some(earlier) = known.insert(&one.pattern.text, one) else { continue };
+    for one in saved
+        .model
+        .modifiers
+        .iter()
+        .filter(|one| !one.pattern.text.is_empty())
+    {
+        let Some(earlier) = known.insert(&one.pattern.text, one) else {
+            continue;
+        };
         if let (Ok(before), Ok(now)) = (&earlier.value, &one.value)
             && (before - now).abs() > 0.0
         {
@@ -20,11 +27,27 @@ pub(super) fn repeated(rule: &Rule, saved: &SavedModel<'_>) -> Option<Finding> {
         }
     }
     let (first, other) = lost.first()?;
-    let message = format!("`{}` is set more than once{}", first.pattern.text, such(lost.len(), "lines"));
-    let finding = rule.at(saved.file, Place::Span(other.pattern.span.clone()), message).key("repeated");
-    let finding = finding.related(saved.file.path.clone(), Place::Span(first.pattern.span.clone()), "set here before");
+    let message = format!(
+        "`{}` is set more than once{}",
+        first.pattern.text,
+        such(lost.len(), "lines")
+    );
+    let finding = rule
+        .at(saved.file, Place::Span(other.pattern.span.clone()), message)
+        .key("repeated");
+    let finding = finding.related(
+        saved.file.path.clone(),
+        Place::Span(first.pattern.span.clone()),
+        "set here before",
+    );
     let finding = finding
-        .evidence(Evidence::of_cases(lost.iter().map(|(one, _)| one.pattern.text.to_string())))
+        .evidence(Evidence::of_cases(
+            lost.iter().map(|(one, _)| one.pattern.text.to_string()),
+        ))
         .level(Level::Warning);
-    Some(finding.effect("uses the last value").help("remove the lines that do not count"))
+    Some(
+        finding
+            .effect("uses the last value")
+            .help("remove the lines that do not count"),
+    )
 }

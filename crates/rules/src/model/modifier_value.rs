@@ -16,7 +16,11 @@ pub(super) struct Faulty<'m> {
 
 /// The modifier, if its value is outside the range of its slider.
 pub(super) fn faulty<'m>(base: &Base<'_>, modifier: &'m Modifier) -> Option<Faulty<'m>> {
-    let value = *modifier.value.as_ref().ok().filter(|value| value.is_finite())?;
+    let value = *modifier
+        .value
+        .as_ref()
+        .ok()
+        .filter(|value| value.is_finite())?;
     let bound = base.slider(&modifier.pattern.text)?;
     let is_two_sided = matches!(bound.pattern, Pattern::Pair(_));
     let has_steps = matches!(bound.pattern, Pattern::Macro(_));
@@ -24,12 +28,22 @@ pub(super) fn faulty<'m>(base: &Base<'_>, modifier: &'m Modifier) -> Option<Faul
     let least = if is_two_sided { -1.0 } else { 0.0 };
     let is_inside = (least..=1.0).contains(&value);
     let has_decr = is_macro || bound.slider.decr.is_some();
-    (!is_inside).then_some(Faulty { modifier, value, is_two_sided, has_steps, has_decr })
+    (!is_inside).then_some(Faulty {
+        modifier,
+        value,
+        is_two_sided,
+        has_steps,
+        has_decr,
+    })
 }
 
 impl Faulty<'_> {
     pub(super) const fn range(&self) -> &'static str {
-        if self.is_two_sided { "-1 to 1" } else { "0 to 1" }
+        if self.is_two_sided {
+            "-1 to 1"
+        } else {
+            "0 to 1"
+        }
     }
 
     pub(super) const fn effect(&self) -> &'static str {

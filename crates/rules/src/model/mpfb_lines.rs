@@ -1,5 +1,5 @@
-//! Lines of a model that MPFB does not see, or takes for something else (`docs/loaders/mpfb/models.md#the-model-file`,
-//! `docs/loaders/mpfb/models.md#lines-of-a-model`).
+//! Lines of a model that MPFB does not see, or takes for something else
+//! (`docs/loaders/mpfb/models.md#the-model-file`, `docs/loaders/mpfb/models.md#lines-of-a-model`).
 
 use super::super::{Rule, such};
 use super::unparted::{Unparted, unparted};
@@ -8,8 +8,16 @@ use mhlint_formats::mhm::{CATEGORIES, Model, Word};
 use mhlint_formats::mhm_columns::{Columns, SETTING};
 use mhlint_repo::FileFacts;
 
-const NOT_SET: Case = &[(Mpfb, Level::Warning, "silently passes over the line: what it sets is missing")];
-const NOT_WORN: Case = &[(Mpfb, Level::Error, "silently passes over the line: the asset is missing")];
+const NOT_SET: Case = &[(
+    Mpfb,
+    Level::Warning,
+    "silently passes over the line: what it sets is missing",
+)];
+const NOT_WORN: Case = &[(
+    Mpfb,
+    Level::Error,
+    "silently passes over the line: the asset is missing",
+)];
 const NO_NAME: Case = &[(Mpfb, Level::Info, "imports a character with an empty name")];
 const OTHER_RIG: Case = &[(Mpfb, Level::Warning, "silently adds the rig `default`")];
 
@@ -19,29 +27,52 @@ const RIGS: [&str; 4] = ["default", "toes", "game", "cmu"];
 /// A keyword counts at the first column, in its own capitals.
 pub(super) fn displaced(rule: &Rule, file: &FileFacts, columns: &Columns) -> Option<Finding> {
     let all = &columns.displaced;
-    let is_worn = |one: &&Word| CATEGORIES.iter().any(|known| known.eq_ignore_ascii_case(&one.text));
+    let is_worn = |one: &&Word| {
+        CATEGORIES
+            .iter()
+            .any(|known| known.eq_ignore_ascii_case(&one.text))
+    };
     let worn = all.iter().find(is_worn);
     let first = worn.or(all.first())?;
     let (keyword, more) = (&*first.text, such(all.len(), "lines"));
-    let (message, help) = if SETTING.iter().chain(&CATEGORIES).any(|known| *known == keyword) {
-        (format!("a blank stands before `{keyword}`{more}"), "begin the line with its keyword")
+    let (message, help) = if SETTING
+        .iter()
+        .chain(&CATEGORIES)
+        .any(|known| *known == keyword)
+    {
+        (
+            format!("a blank stands before `{keyword}`{more}"),
+            "begin the line with its keyword",
+        )
     } else {
         let message = format!("`{keyword}` has other capitals than the keyword of models{more}");
         (message, "write the keyword in its own capitals")
     };
     let is_name = all.iter().all(|one| one.text.eq_ignore_ascii_case("name"));
     let case = if worn.is_some() { NOT_WORN } else { NOT_SET };
-    let finding = rule.at(file, Place::Span(first.span.clone()), message).key("displaced");
-    let finding = finding.case(if is_name { NO_NAME } else { case }).help(help);
+    let finding = rule
+        .at(file, Place::Span(first.span.clone()), message)
+        .key("displaced");
+    let finding = finding
+        .case(if is_name { NO_NAME } else { case })
+        .help(help);
     Some(finding.evidence(Evidence::of_cases(all.iter().map(|one| &*one.text))))
 }
 
 /// Keywords with their values, which are other words.
-pub(super) fn without_blank(rule: &Rule, file: &FileFacts, all: &[Unparted<'_>]) -> Option<Finding> {
+pub(super) fn without_blank(
+    rule: &Rule,
+    file: &FileFacts,
+    all: &[Unparted<'_>],
+) -> Option<Finding> {
     let first = all.iter().find(|one| one.is_worn()).or(all.first())?;
     let message = format!("{}{}", first.message(), such(all.len(), "lines"));
-    let finding = rule.at(file, Place::Span(first.line.keyword.span.clone()), message).key("unparted");
-    let finding = finding.evidence(Evidence::of_cases(all.iter().map(|one| &*one.line.keyword.text)));
+    let finding = rule
+        .at(file, Place::Span(first.line.keyword.span.clone()), message)
+        .key("unparted");
+    let finding = finding.evidence(Evidence::of_cases(
+        all.iter().map(|one| &*one.line.keyword.text),
+    ));
     let finding = finding.help(first.help());
     Some(match () {
         () if first.is_worn() => finding.case(NOT_WORN),
@@ -52,7 +83,9 @@ pub(super) fn without_blank(rule: &Rule, file: &FileFacts, all: &[Unparted<'_>])
 
 /// Those that MPFB reads.
 pub(super) fn read_unparted(model: &Model) -> Vec<Unparted<'_>> {
-    unparted(&model.lines).filter(|one| SETTING.contains(&one.keyword) || one.is_worn()).collect()
+    unparted(&model.lines)
+        .filter(|one| SETTING.contains(&one.keyword) || one.is_worn())
+        .collect()
 }
 
 /// The rig is known by a part of its name.
@@ -63,6 +96,11 @@ pub(super) fn rig(rule: &Rule, file: &FileFacts, columns: &Columns) -> Option<Fi
         return None;
     }
     let message = format!("MPFB knows no rig for the skeleton `{}`", name.text);
-    let finding = rule.at(file, Place::Span(name.span.clone()), message).key("skeleton").case(OTHER_RIG);
-    Some(finding.help("name `default.mhskel`, `default_no_toes.mhskel`, `game_engine.mhskel` or `cmu_mb.mhskel`"))
+    let finding = rule
+        .at(file, Place::Span(name.span.clone()), message)
+        .key("skeleton")
+        .case(OTHER_RIG);
+    Some(finding.help(
+        "name `default.mhskel`, `default_no_toes.mhskel`, `game_engine.mhskel` or `cmu_mb.mhskel`",
+    ))
 }

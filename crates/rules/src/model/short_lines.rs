@@ -12,17 +12,26 @@ pub(super) fn finding(rule: &Rule, file: &FileFacts, short: &[ShortLine]) -> Opt
     let more = such(short.len(), "lines");
     let message = match (first.found, first.needed) {
         (1, 2) => format!("`{keyword}` has no value{more}"),
-        (found, needed) => format!("`{keyword}` has {}, expected {}{more}", counted(found - 1, "value"), needed - 1),
+        (found, needed) => format!(
+            "`{keyword}` has {}, expected {}{more}",
+            counted(found - 1, "value"),
+            needed - 1
+        ),
     };
     let help = match &**keyword {
-        "material" => "write `material`, then name and uuid of the asset and the file, or remove the line".to_owned(),
+        "material" => {
+            "write `material`, then name and uuid of the asset and the file, or remove the line"
+                .to_owned()
+        }
         "camera" => "write `camera` and six numbers, or remove the line".to_owned(),
         category if CATEGORIES.contains(&category) => {
             format!("write `{keyword}`, then name and uuid of the asset, or remove the line")
         }
         _ => format!("add the value of `{keyword}`, or remove the line"),
     };
-    let finding = rule.at(file, Place::Span(first.keyword.span.clone()), message).help(help);
+    let finding = rule
+        .at(file, Place::Span(first.keyword.span.clone()), message)
+        .help(help);
     let evidence = Evidence::of_cases(short.iter().map(|line| line.keyword.text.to_string()));
     Some(finding.evidence(evidence))
 }

@@ -13,36 +13,64 @@ use mhlint_source::Encoding;
 
 pub(crate) static RULE: Rule = Check::EachBase(run, |_, _, _| {}, of_mpfb).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "loads it as the naked default figure, without a message"),
-        (Mpfb, "imports the default character without a name, without a message"),
+        (
+            Makehuman2,
+            "loads it as the naked default figure, without a message",
+        ),
+        (
+            Mpfb,
+            "imports the default character without a name, without a message",
+        ),
     ],
     levels: &[(Mpfb, Level::Warning)],
     docs: include_str!("syntax.md").trim_ascii_end(),
-    ..RuleInfo::new("model-syntax", Level::Error, "a model without any line of models")
+    ..RuleInfo::new(
+        "model-syntax",
+        Level::Error,
+        "a model without any line of models",
+    )
 });
 
 const NO_NAME: Case = &[(Mpfb, Level::Info, "imports a character with an empty name")];
 
 /// One without content, or in another encoding, has a finding of its own.
 fn has_text(encoding: &Encoding) -> bool {
-    !encoding.blank && !encoding.only_comments && !encoding.lfs_pointer && encoding.invalid_utf8_at.is_none()
+    !encoding.blank
+        && !encoding.only_comments
+        && !encoding.lfs_pointer
+        && encoding.invalid_utf8_at.is_none()
 }
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for saved in own(view, base).filter(|saved| has_text(&saved.file.encoding) && !saved.model.has_keyword) {
-        let finding = RULE.at(saved.file, Place::File, "no line begins with a keyword of models");
-        out.push(finding.help("restore the model: this file is something else, such as a web page"));
+    for saved in
+        own(view, base).filter(|saved| has_text(&saved.file.encoding) && !saved.model.has_keyword)
+    {
+        let finding = RULE.at(
+            saved.file,
+            Place::File,
+            "no line begins with a keyword of models",
+        );
+        out.push(
+            finding.help("restore the model: this file is something else, such as a web page"),
+        );
     }
 }
 
 /// Whether a byte order mark takes the line with the name away, which has a finding of its own.
 fn has_lost_name(encoding: &Encoding) -> bool {
-    encoding.byte_order_mark && encoding.marked_words.first().is_some_and(|word| &**word == "name")
+    encoding.byte_order_mark
+        && encoding
+            .marked_words
+            .first()
+            .is_some_and(|word| &**word == "name")
 }
 
 /// Keywords count at the first column alone.
 fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in view.own(Kind::Model).filter(|file| has_text(&file.encoding)) {
+    for file in view
+        .own(Kind::Model)
+        .filter(|file| has_text(&file.encoding))
+    {
         let Some(model) = file.model() else { continue };
         let (columns, unparted) = (&model.columns, mpfb_lines::read_unparted(model));
         out.extend(mpfb_lines::rig(&RULE, file, columns));
@@ -51,14 +79,21 @@ fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.extend(mpfb_lines::without_blank(&RULE, file, &unparted));
         }
         if !columns.has_line {
-            let finding = RULE.at(file, Place::File, "no line begins with a keyword of models at its first column");
+            let finding = RULE.at(
+                file,
+                Place::File,
+                "no line begins with a keyword of models at its first column",
+            );
             out.push(finding.help("restore the model, or remove the blanks before its keywords"));
         } else if !columns.has_name
             && columns.displaced.is_empty()
             && unparted.is_empty()
             && !has_lost_name(&file.encoding)
         {
-            let finding = RULE.at(file, Place::File, "the model has no line `name`").key("name").case(NO_NAME);
+            let finding = RULE
+                .at(file, Place::File, "the model has no line `name`")
+                .key("name")
+                .case(NO_NAME);
             out.push(finding.help("add a line `name` with the name of the character"));
         }
     }

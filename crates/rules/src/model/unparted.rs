@@ -19,16 +19,25 @@ pub(super) fn unparted(lines: &Lines) -> impl Iterator<Item = Unparted<'_>> {
 /// A line that is so.
 pub(super) fn of_line(line: &Line) -> Option<Unparted<'_>> {
     let word = &*line.keyword.text;
-    let (keyword, value) = glued(word, keywords(), fits).filter(|_| keywords().all(|known| known != word))?;
-    Some(Unparted { line, keyword, value })
+    let (keyword, value) =
+        glued(word, keywords(), fits).filter(|_| keywords().all(|known| known != word))?;
+    Some(Unparted {
+        line,
+        keyword,
+        value,
+    })
 }
 
 fn fits(keyword: &str, value: &str) -> bool {
     match keyword {
         "name" | "tags" => begins_word(value),
-        "modifier" | "skinMaterial" | "skeleton" | "pose" | "expression" | "material" => is_like_path(value),
+        "modifier" | "skinMaterial" | "skeleton" | "pose" | "expression" | "material" => {
+            is_like_path(value)
+        }
         "subdivide" | "clothesHideFaces" => matches!(value, "True" | "False"),
-        "version" => value.trim_start_matches('v').starts_with(|first: char| first.is_ascii_digit()),
+        "version" => value
+            .trim_start_matches('v')
+            .starts_with(|first: char| first.is_ascii_digit()),
         category => CATEGORIES.contains(&category) && begins_word(value),
     }
 }
@@ -52,7 +61,10 @@ impl Unparted<'_> {
     /// What to write.
     pub(super) fn help(&self) -> String {
         let words = self.line.values.iter().map(|word| &*word.text);
-        let line: Vec<&str> = [self.keyword, self.value].into_iter().chain(words).collect();
+        let line: Vec<&str> = [self.keyword, self.value]
+            .into_iter()
+            .chain(words)
+            .collect();
         format!("did you mean `{}`?", line.join(" "))
     }
 }

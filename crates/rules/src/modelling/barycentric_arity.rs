@@ -4,8 +4,7 @@ use super::super::{Check, Rule, RuleCx, counted};
 use mhlint_diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use mhlint_repo::makehuman2::{Base, BoundSlider, View};
 
-const CANNOT_MIX: &str =
-    "crashes with `ValueError` whenever the triangle slider moves: it mixes three colours of three numbers each";
+const CANNOT_MIX: &str = "crashes with `ValueError` whenever the triangle slider moves: it mixes three colours of three numbers each";
 const MIXES_OTHERS: &str = "mixes the skin colour without the corners that have no colour";
 /// Corners of the triangle slider; also parts of a colour.
 const THREE: usize = 3;
@@ -25,18 +24,38 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let slider = bound.slider;
         if slider.barycentric.is_some() && slider.barycentric_len != THREE {
             let patterns = counted(slider.barycentric_len, "pattern");
-            let message = format!("`barycentric` of `{}` has {patterns} instead of 3", slider.key);
+            let message = format!(
+                "`barycentric` of `{}` has {patterns} instead of 3",
+                slider.key
+            );
             out.push(finding(bound, "barycentric", message));
         }
         // What is no list of colours is reported by the schema.
-        let Some(colours) = &slider.barycentric_colours else { continue };
+        let Some(colours) = &slider.barycentric_colours else {
+            continue;
+        };
         if colours.len() != THREE {
             let count = counted(colours.len(), "colour");
-            let message = format!("`barycentric_diffuse` of `{}` has {count} instead of 3", slider.key);
-            let effect = if colours.len() > THREE { "never uses the surplus colours" } else { MIXES_OTHERS };
-            out.push(finding(bound, "barycentric_diffuse", message).level(Level::Warning).effect(effect));
+            let message = format!(
+                "`barycentric_diffuse` of `{}` has {count} instead of 3",
+                slider.key
+            );
+            let effect = if colours.len() > THREE {
+                "never uses the surplus colours"
+            } else {
+                MIXES_OTHERS
+            };
+            out.push(
+                finding(bound, "barycentric_diffuse", message)
+                    .level(Level::Warning)
+                    .effect(effect),
+            );
         } else if let Some(parts) = colours.iter().find(|parts| **parts != THREE) {
-            let message = format!("a colour of `{}` has {} instead of 3", slider.key, counted(parts, "number"));
+            let message = format!(
+                "a colour of `{}` has {} instead of 3",
+                slider.key,
+                counted(parts, "number")
+            );
             out.push(finding(bound, "barycentric_diffuse", message).effect(CANNOT_MIX));
         }
     }

@@ -8,10 +8,17 @@ use mhlint_diag::{Application::Makehuman2, Evidence, Finding, Level, Place, Rule
 use mhlint_repo::makehuman2::{Base, View, user_scan};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `ValueError` when it loads a model that was saved with the slider moved")],
+    breaks: &[(
+        Makehuman2,
+        "crashes with `ValueError` when it loads a model that was saved with the slider moved",
+    )],
     docs: include_str!("blank_in_name.md").trim_ascii_end(),
     counts: "targets",
-    ..RuleInfo::new("modelling-blank-in-name", Level::Error, "the name of a user target contains a space")
+    ..RuleInfo::new(
+        "modelling-blank-in-name",
+        Level::Error,
+        "the name of a user target contains a space",
+    )
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -26,27 +33,47 @@ fn user_files(base: &Base<'_>, out: &mut Vec<Finding>) {
             folders.entry(folder).or_default().push(target.stem);
         } else if has_blank(target.stem) {
             let message = format!("user target `{}` has a space in its name", target.stem);
-            out.push(RULE.at(target.file, Place::File, message).key(target.stem).help(rename(target.stem)));
+            out.push(
+                RULE.at(target.file, Place::File, message)
+                    .key(target.stem)
+                    .help(rename(target.stem)),
+            );
         }
     }
-    let Some(user) = base.user_targets else { return };
+    let Some(user) = base.user_targets else {
+        return;
+    };
     for (folder, stems) in folders {
-        let message = format!("folder `{folder}` of {} has a space in its name", counted(stems.len(), "user target"));
+        let message = format!(
+            "folder `{folder}` of {} has a space in its name",
+            counted(stems.len(), "user target")
+        );
         let finding = RULE.in_layer(user.layer, &format!("{}/{folder}", user.rel()), message);
-        out.push(finding.key(folder).help(rename(folder)).evidence(Evidence::of_cases(stems)));
+        out.push(
+            finding
+                .key(folder)
+                .help(rename(folder))
+                .evidence(Evidence::of_cases(stems)),
+        );
     }
 }
 
 /// Patterns of hand-made entries; those of generated ones come from file names.
 fn patterns(base: &Base<'_>, out: &mut Vec<Finding>) {
     for slider in groups::hand_made(base).filter(|slider| !slider.slider.user) {
-        let Some(pattern) = slider.pattern.names().iter().find(|name| has_blank(name)) else { continue };
+        let Some(pattern) = slider.pattern.names().iter().find(|name| has_blank(name)) else {
+            continue;
+        };
         let key = slider.slider.key.as_str();
         let message = format!("pattern `{pattern}` of `{key}` contains a space");
-        out.push(RULE.at(slider.file, Place::key([key]), message).key(key).help(format!(
-            "rename the file of the target, then {}",
-            rename(pattern).replacen("rename it to", "write", 1)
-        )));
+        out.push(
+            RULE.at(slider.file, Place::key([key]), message)
+                .key(key)
+                .help(format!(
+                    "rename the file of the target, then {}",
+                    rename(pattern).replacen("rename it to", "write", 1)
+                )),
+        );
     }
 }
 
@@ -55,5 +82,8 @@ fn has_blank(name: &str) -> bool {
 }
 
 fn rename(name: &str) -> String {
-    format!("rename it to `{}`", name.split_whitespace().collect::<Vec<_>>().join("-"))
+    format!(
+        "rename it to `{}`",
+        name.split_whitespace().collect::<Vec<_>>().join("-")
+    )
 }

@@ -6,9 +6,16 @@ use mhlint_diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `AttributeError` when the slider moves in the increasing direction")],
+    breaks: &[(
+        Makehuman2,
+        "crashes with `AttributeError` when the slider moves in the increasing direction",
+    )],
     docs: include_str!("decr_only.md").trim_ascii_end(),
-    ..RuleInfo::new("modelling-decr-only", Level::Error, "a slider has `decr` but no `incr`")
+    ..RuleInfo::new(
+        "modelling-decr-only",
+        Level::Error,
+        "a slider has `decr` but no `incr`",
+    )
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -19,7 +26,9 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let help = match slider.misspelt_effect() {
             Some((key, meant)) => format!("did you mean `{meant}` instead of `{key}`?"),
-            None => "add `incr`, or rename `decr` to `incr` for a slider with one direction".to_owned(),
+            None => {
+                "add `incr`, or rename `decr` to `incr` for a slider with one direction".to_owned()
+            }
         };
         out.push(
             RULE.at(

@@ -6,17 +6,34 @@ use mhlint_diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, grou
 use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "saves and loads only the last of the sliders; the values of the others are lost")],
+    breaks: &[(
+        Makehuman2,
+        "saves and loads only the last of the sliders; the values of the others are lost",
+    )],
     docs: include_str!("duplicate_pattern.md").trim_ascii_end(),
-    ..RuleInfo::new("modelling-duplicate-pattern", Level::Error, "two entries have the same pattern")
+    ..RuleInfo::new(
+        "modelling-duplicate-pattern",
+        Level::Error,
+        "two entries have the same pattern",
+    )
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let sliders = with_patterns(base).unwrap_or_default();
-    let by_pattern = sliders.iter().flat_map(|slider| slider.pattern.names().iter().map(move |name| (name, slider)));
+    let by_pattern = sliders.iter().flat_map(|slider| {
+        slider
+            .pattern
+            .names()
+            .iter()
+            .map(move |name| (name, slider))
+    });
     for (pattern, sliders) in grouped(by_pattern) {
-        let [hidden @ .., last] = sliders.as_slice() else { continue };
-        let Some(first) = hidden.first() else { continue };
+        let [hidden @ .., last] = sliders.as_slice() else {
+            continue;
+        };
+        let Some(first) = hidden.first() else {
+            continue;
+        };
         let (key, winner) = (first.slider.key.as_str(), last.slider.key.as_str());
         let message = if std::ptr::eq(*first, *last) {
             format!("`{key}` has the pattern `{pattern}` twice")

@@ -1,4 +1,5 @@
-//! Files of sliders that do not exist, one cause at a time: a folder that is missing as a whole is one.
+//! Files of sliders that do not exist, one cause at a time: a folder that is missing as a whole is
+//! one.
 
 use std::collections::BTreeMap;
 
@@ -23,17 +24,27 @@ pub(super) fn groups<'r, 'a>(
 ) -> Vec<Group<'r, 'a>> {
     let mut groups: Vec<Group<'r, 'a>> = Vec::new();
     let mut by_folder: BTreeMap<(&str, &str), usize> = BTreeMap::new();
-    let references = view.references_of(base).filter(|reference| wanted(reference.kind));
+    let references = view
+        .references_of(base)
+        .filter(|reference| wanted(reference.kind));
     for reference in references.filter(|reference| is_missing(base, reference)) {
         let folder = parent(&reference.rel);
         if !is_empty(view, folder) {
-            groups.push(Group { folder: None, references: vec![reference] });
+            groups.push(Group {
+                folder: None,
+                references: vec![reference],
+            });
             continue;
         }
-        let at = *by_folder.entry((reference.from.path.as_str(), folder)).or_insert_with(|| {
-            groups.push(Group { folder: Some(folder.to_owned()), references: Vec::new() });
-            groups.len() - 1
-        });
+        let at = *by_folder
+            .entry((reference.from.path.as_str(), folder))
+            .or_insert_with(|| {
+                groups.push(Group {
+                    folder: Some(folder.to_owned()),
+                    references: Vec::new(),
+                });
+                groups.len() - 1
+            });
         if let Some(group) = groups.get_mut(at) {
             group.references.push(reference);
         }
@@ -46,8 +57,8 @@ pub(super) fn groups<'r, 'a>(
     groups
 }
 
-/// Whether there is nothing. A picture that only the system has does not count where sliders and folder are those
-/// of an override; of a target in the wrong layer the rules on overlays speak.
+/// Whether there is nothing. A picture that only the system has does not count where sliders and
+/// folder are those of an override; of a target in the wrong layer the rules on overlays speak.
 fn is_missing(base: &Base<'_>, reference: &Reference<'_>) -> bool {
     match reference.resolution {
         Resolution::Missing => true,
@@ -60,30 +71,45 @@ fn is_missing(base: &Base<'_>, reference: &Reference<'_>) -> bool {
 }
 
 fn is_empty(view: &View<'_>, folder: &str) -> bool {
-    view.layers.strongest_first().all(|layer| layer.below(folder).next().is_none())
+    view.layers
+        .strongest_first()
+        .all(|layer| layer.below(folder).next().is_none())
 }
 
 /// The file beside a missing one that is most like it, by name without folder.
-pub(super) fn nearest<'a>(view: &View<'a>, reference: &Reference<'_>, suggestions: &Suggestions) -> Option<&'a str> {
+pub(super) fn nearest<'a>(
+    view: &View<'a>,
+    reference: &Reference<'_>,
+    suggestions: &Suggestions,
+) -> Option<&'a str> {
     let folder = parent(&reference.rel);
     let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
     // Editors on Windows put a second suffix behind the name: the file is the one that is meant.
     let is_free = |file: &&FileFacts| !Format::of(file.kind).is_json() && !is_used(view, file);
     let doubled = format!("{}.txt", reference.rel);
-    let mut doubled = view.layers.strongest_first().filter_map(|layer| layer.file(&doubled)).filter(is_free);
+    let mut doubled = view
+        .layers
+        .strongest_first()
+        .filter_map(|layer| layer.file(&doubled))
+        .filter(is_free);
     if let Some(file) = doubled.next() {
         return Some(file.file_name());
     }
     if suggestions.are_over() {
         return None;
     }
-    let files = view.layers.strongest_first().flat_map(|layer| layer.below(folder));
+    let files = view
+        .layers
+        .strongest_first()
+        .flat_map(|layer| layer.below(folder));
     let free = files.filter(is_free);
     suggestions.nearest_file(wanted, free.map(FileFacts::file_name))
 }
 
-/// Whether something uses a target already. It is not meant: the other side or the other direction often has nearly the
-/// same name.
+/// Whether something uses a target already. It is not meant: the other side or the other direction
+/// often has nearly the same name.
 fn is_used(view: &View<'_>, file: &FileFacts) -> bool {
-    view.references.to_file(file).any(|reference| reference.kind.is_target() && reference.found().is_some())
+    view.references
+        .to_file(file)
+        .any(|reference| reference.kind.is_target() && reference.found().is_some())
 }

@@ -21,7 +21,8 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_target = |kind| matches!(kind, ReferenceKind::Incr | ReferenceKind::Decr);
-    // Without any folder to load from the program does not get as far as the targets (`overlay-partial-override`).
+    // Without any folder to load from the program does not get as far as the targets
+    // (`overlay-partial-override`).
     if lacks_folder(view, base) && base.user_modelling.file().is_some() {
         return;
     }
@@ -41,25 +42,50 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
 
 /// Whether the name stands in an entry of the system with the key `user`.
 fn is_marked(base: &Base<'_>, reference: &Reference<'_>) -> bool {
-    base.entry(reference.owner).is_some_and(|bound| base.is_marked_as_users(bound))
+    base.entry(reference.owner)
+        .is_some_and(|bound| base.is_marked_as_users(bound))
 }
 
-fn finding(view: &View<'_>, base: &Base<'_>, group: &Group<'_, '_>, suggestions: &Suggestions) -> Option<Finding> {
+fn finding(
+    view: &View<'_>,
+    base: &Base<'_>,
+    group: &Group<'_, '_>,
+    suggestions: &Suggestions,
+) -> Option<Finding> {
     let first = group.references.first()?;
     let count = group.references.len();
     if let Some(finding) = marks::missing(&RULE, base, first, count) {
         return Some(finding);
     }
     let (message, key) = match &group.folder {
-        Some(folder) => {
-            (format!("`{folder}` is missing or empty, but {count} targets are read from it"), folder.as_str())
-        }
-        None => (format!("`{}` uses `{}`, which does not exist", first.owner, first.rel), first.owner),
+        Some(folder) => (
+            format!("`{folder}` is missing or empty, but {count} targets are read from it"),
+            folder.as_str(),
+        ),
+        None => (
+            format!(
+                "`{}` uses `{}`, which does not exist",
+                first.owner, first.rel
+            ),
+            first.owner,
+        ),
     };
     let mut finding = RULE
         .at(first.from, first.place.clone(), message)
-        .key(format!("{key} {}", if group.folder.is_some() { "" } else { side(first) }).trim_end())
-        .evidence(Evidence::of_cases(group.references.iter().map(|reference| reference.text)));
+        .key(
+            format!(
+                "{key} {}",
+                if group.folder.is_some() {
+                    ""
+                } else {
+                    side(first)
+                }
+            )
+            .trim_end(),
+        )
+        .evidence(Evidence::of_cases(
+            group.references.iter().map(|reference| reference.text),
+        ));
     finding = finding.help(help(view, first, suggestions));
     if is_generated_for(base, first.from) {
         finding = finding.effect(marks::OF_GENERATED).help(marks::ANEW);
@@ -72,7 +98,11 @@ fn finding(view: &View<'_>, base: &Base<'_>, group: &Group<'_, '_>, suggestions:
 }
 
 fn side(reference: &Reference<'_>) -> &'static str {
-    if reference.kind == ReferenceKind::Incr { "incr" } else { "decr" }
+    if reference.kind == ReferenceKind::Incr {
+        "incr"
+    } else {
+        "decr"
+    }
 }
 
 fn help(view: &View<'_>, reference: &Reference<'_>, suggestions: &Suggestions) -> String {
@@ -83,7 +113,10 @@ fn help(view: &View<'_>, reference: &Reference<'_>, suggestions: &Suggestions) -
     } else if let Some(packed) = packed(view, reference) {
         format!("unpack `{packed}`; MakeHuman 2 does not read packed targets")
     } else if let Some(near) = missing::nearest(view, reference, suggestions) {
-        let (folder, name) = reference.text.rsplit_once('/').unwrap_or(("", reference.text));
+        let (folder, name) = reference
+            .text
+            .rsplit_once('/')
+            .unwrap_or(("", reference.text));
         let Some(near) = near.strip_suffix(".target") else {
             return format!("rename `{near}` to `{name}.target`");
         };
@@ -97,9 +130,13 @@ fn help(view: &View<'_>, reference: &Reference<'_>, suggestions: &Suggestions) -
 /// The packed target that lies where the plain one is looked for.
 fn packed<'a>(view: &View<'a>, reference: &Reference<'_>) -> Option<&'a str> {
     let rel = format!("{}.gz", reference.rel);
-    view.layers.strongest_first().find_map(|layer| layer.file(&rel)).map(FileFacts::file_name)
+    view.layers
+        .strongest_first()
+        .find_map(|layer| layer.file(&rel))
+        .map(FileFacts::file_name)
 }
 
 fn is_unused(base: &Base<'_>, reference: &Reference<'_>) -> bool {
-    base.entry(reference.owner).is_some_and(|slider| slider.slider.is_macro())
+    base.entry(reference.owner)
+        .is_some_and(|slider| slider.slider.is_macro())
 }

@@ -1,7 +1,7 @@
 //! Rules on `modelling.json`, `target_cat.json` and user targets of MakeHuman 2.
 //!
-//! What they share: which of the files can be checked at all when another one is damaged, and the groups and
-//! patterns that exist.
+//! What they share: which of the files can be checked at all when another one is damaged, and the
+//! groups and patterns that exist.
 
 mod barycentric_arity;
 mod blank_in_name;
@@ -60,9 +60,12 @@ pub(super) static RULES: &[&Rule] = &[
     &user_pair_at_top::RULE,
 ];
 
-/// The sliders, if their patterns can be told: `base.json` declares which pairs of targets make one slider.
+/// The sliders, if their patterns can be told: `base.json` declares which pairs of targets make one
+/// slider.
 fn with_patterns<'b, 'a>(base: &'b Base<'a>) -> Option<&'b [BoundSlider<'a>]> {
-    base.settings().filter(|_| !is_damaged(&base.modelling)).map(|_| base.sliders.as_slice())
+    base.settings()
+        .filter(|_| !is_damaged(&base.modelling))
+        .map(|_| base.sliders.as_slice())
 }
 
 /// The counterpart of a slider that is read, behind its key: `rsym` before `lsym`.
@@ -78,7 +81,11 @@ fn advice(base: &Base<'_>, name: &str, suggestions: &Suggestions) -> String {
     {
         return format!("write the pattern `{pattern}`; `{name}` is the key of the entry");
     }
-    let patterns = base.sliders.iter().flat_map(|slider| slider.pattern.names()).map(String::as_str);
+    let patterns = base
+        .sliders
+        .iter()
+        .flat_map(|slider| slider.pattern.names())
+        .map(String::as_str);
     did_you_mean(
         suggestions.nearest(name, patterns),
         "write a pattern: the `macro` of an entry, its `incr`, or `<decr>|<ending of incr>` for a pair",

@@ -12,7 +12,10 @@ use mhlint_repo::makehuman2::{Base, BoundSlider, Pattern, View};
 use mhlint_repo::{Reference, ReferenceKind};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows a slider that does nothing and is never saved")],
+    breaks: &[(
+        Makehuman2,
+        "shows a slider that does nothing and is never saved",
+    )],
     docs: include_str!("no_effect.md").trim_ascii_end(),
     ..RuleInfo::new(
         "modelling-no-effect",
@@ -33,38 +36,78 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             Some((key, near)) => format!("did you mean `{near}` instead of `{key}`?"),
             None => "add `incr`, `macro` or `barycentric`, or remove the entry".to_owned(),
         };
-        let message = format!("`{}` has none of `incr`, `decr`, `macro` and `barycentric`", slider.key);
-        let finding = RULE.at(bound.file, Place::key([&slider.key]), message).key(&slider.key).help(help);
+        let message = format!(
+            "`{}` has none of `incr`, `decr`, `macro` and `barycentric`",
+            slider.key
+        );
+        let finding = RULE
+            .at(bound.file, Place::key([&slider.key]), message)
+            .key(&slider.key)
+            .help(help);
         let lost = lost_macrodefs(base, bound);
-        out.push(if lost.is_empty() { finding } else { finding.level(Level::Error).effect(never_applied(&lost)) });
+        out.push(if lost.is_empty() {
+            finding
+        } else {
+            finding.level(Level::Error).effect(never_applied(&lost))
+        });
     }
 }
 
 /// The macro definitions that get no value without the slider that an entry was meant to be.
 fn lost_macrodefs<'b>(base: &'b Base<'_>, bound: &BoundSlider<'_>) -> Vec<&'b Macrodef> {
-    let Some((_, macros)) = base.macro_file().filter(|(_, macros)| !macros.is_too_large) else { return Vec::new() };
+    let Some((_, macros)) = base.macro_file().filter(|(_, macros)| !macros.is_too_large) else {
+        return Vec::new();
+    };
     let meant = bound.meant.names();
-    let reads = |component: &Component| patterns(component).iter().any(|pattern| meant.contains(pattern));
-    let lost: BTreeSet<&str> =
-        macros.components.iter().filter(|one| reads(one)).map(|component| component.name.as_str()).collect();
-    let is_lost = |macrodef: &&Macrodef| macrodef.components.iter().any(|name| lost.contains(name.as_str()));
+    let reads = |component: &Component| {
+        patterns(component)
+            .iter()
+            .any(|pattern| meant.contains(pattern))
+    };
+    let lost: BTreeSet<&str> = macros
+        .components
+        .iter()
+        .filter(|one| reads(one))
+        .map(|component| component.name.as_str())
+        .collect();
+    let is_lost = |macrodef: &&Macrodef| {
+        macrodef
+            .components
+            .iter()
+            .any(|name| lost.contains(name.as_str()))
+    };
     macros.macrodefs.iter().filter(is_lost).collect()
 }
 
 fn never_applied(lost: &[&Macrodef]) -> String {
     let name = |macrodef: &&Macrodef| {
-        macrodef.name.as_deref().map_or_else(|| format!("number {}", macrodef.index), |name| format!("`{name}`"))
+        macrodef.name.as_deref().map_or_else(
+            || format!("number {}", macrodef.index),
+            |name| format!("`{name}`"),
+        )
     };
     let names: Vec<String> = lost.iter().take(EXAMPLES).map(name).collect();
-    let more = if lost.len() > EXAMPLES { " and others" } else { "" };
-    let macrodefs = if lost.len() == 1 { "macrodef" } else { "macrodefs" };
-    format!("finds no slider with this pattern and never applies the {macrodefs} {}{more}", names.join(", "))
+    let more = if lost.len() > EXAMPLES {
+        " and others"
+    } else {
+        ""
+    };
+    let macrodefs = if lost.len() == 1 {
+        "macrodef"
+    } else {
+        "macrodefs"
+    };
+    format!(
+        "finds no slider with this pattern and never applies the {macrodefs} {}{more}",
+        names.join(", ")
+    )
 }
 
 /// The first target that is there of each entry, by key.
 fn loaded<'r>(view: &'r View<'_>, base: &'r Base<'_>) -> BTreeMap<&'r str, &'r Reference<'r>> {
     let is_loaded = |reference: &&Reference<'_>| {
-        matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr) && reference.found().is_some()
+        matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr)
+            && reference.found().is_some()
     };
     let mut loaded = BTreeMap::new();
     for reference in view.references_of(base).filter(is_loaded) {
@@ -73,9 +116,12 @@ fn loaded<'r>(view: &'r View<'_>, base: &'r Base<'_>) -> BTreeMap<&'r str, &'r R
     loaded
 }
 
-/// `incr` or `decr` of an entry that `macro` or `barycentric` takes all effect from; a target that does not exist has
-/// a finding of its own.
-fn beside_macro(bound: &BoundSlider<'_>, loaded: &BTreeMap<&str, &Reference<'_>>) -> Option<Finding> {
+/// `incr` or `decr` of an entry that `macro` or `barycentric` takes all effect from; a target that
+/// does not exist has a finding of its own.
+fn beside_macro(
+    bound: &BoundSlider<'_>,
+    loaded: &BTreeMap<&str, &Reference<'_>>,
+) -> Option<Finding> {
     let slider = bound.slider;
     let winner = match bound.pattern {
         Pattern::Macro(_) => "macro",
@@ -83,13 +129,23 @@ fn beside_macro(bound: &BoundSlider<'_>, loaded: &BTreeMap<&str, &Reference<'_>>
         _ => return None,
     };
     let loaded = loaded.get(slider.key.as_str())?;
-    let member = if loaded.kind == ReferenceKind::Incr { "incr" } else { "decr" };
-    let message =
-        format!("`{member}` of `{}` has no effect beside `{winner}`: `{}` is never applied", slider.key, loaded.text);
-    let finding = RULE.at(bound.file, loaded.place.clone(), message).key(&slider.key);
+    let member = if loaded.kind == ReferenceKind::Incr {
+        "incr"
+    } else {
+        "decr"
+    };
+    let message = format!(
+        "`{member}` of `{}` has no effect beside `{winner}`: `{}` is never applied",
+        slider.key, loaded.text
+    );
+    let finding = RULE
+        .at(bound.file, loaded.place.clone(), message)
+        .key(&slider.key);
     Some(
         finding
-            .effect(format!("silently ignores `{member}`, although it loads the target"))
+            .effect(format!(
+                "silently ignores `{member}`, although it loads the target"
+            ))
             .help(format!("move `{member}` to its own entry, or remove it")),
     )
 }

@@ -8,10 +8,17 @@ use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows a slider that can only increase; the other target cannot be reached")],
+    breaks: &[(
+        Makehuman2,
+        "shows a slider that can only increase; the other target cannot be reached",
+    )],
     docs: include_str!("opposites.md").trim_ascii_end(),
     counts: "sliders",
-    ..RuleInfo::new("modelling-opposites", Level::Warning, "`target-opposites` does not cover a pair of targets")
+    ..RuleInfo::new(
+        "modelling-opposites",
+        Level::Warning,
+        "`target-opposites` does not cover a pair of targets",
+    )
 });
 
 /// Who makes a random character looks the partner up by its pattern.
@@ -21,21 +28,31 @@ const HAS_PARTNERS: &str =
 type Pairs<'r, 'a> = Vec<&'r BoundSlider<'a>>;
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, settings)) = base.settings() else { return };
+    let Some((file, settings)) = base.settings() else {
+        return;
+    };
     if is_faulty(file, "target-opposites") {
         return;
     }
     let sliders = with_patterns(base).unwrap_or_default();
-    let undeclared: Pairs<'_, '_> =
-        sliders.iter().filter(|slider| slider.is_undeclared_pair() && !base.lacks_target(slider)).collect();
+    let undeclared: Pairs<'_, '_> = sliders
+        .iter()
+        .filter(|slider| slider.is_undeclared_pair() && !base.lacks_target(slider))
+        .collect();
     let by_endings = grouped(undeclared.iter().map(|slider| {
-        let endings = (ending(slider.slider.decr.as_deref()), ending(slider.slider.incr.as_deref()));
+        let endings = (
+            ending(slider.slider.decr.as_deref()),
+            ending(slider.slider.incr.as_deref()),
+        );
         (endings, *slider)
     }));
     let is_one_cause = if settings.opposites.is_empty() {
         undeclared.len() > 1
     } else {
-        by_endings.len() > 1 && !sliders.iter().any(|slider| matches!(slider.pattern, Pattern::Pair(_)))
+        by_endings.len() > 1
+            && !sliders
+                .iter()
+                .any(|slider| matches!(slider.pattern, Pattern::Pair(_)))
     };
     if is_one_cause && view.layers.is_checked(file) {
         out.push(without_pairs(base, file, &settings.opposites, &undeclared));
@@ -57,11 +74,15 @@ fn without_pairs(
     let count = sliders.len();
     let covers = |flipped: bool| {
         let first = sliders.first().map(|bound| bound.slider);
-        let ends = |path: Option<&String>, end: &str| path.is_some_and(|path| path.ends_with(end.trim_matches('-')));
+        let ends = |path: Option<&String>, end: &str| {
+            path.is_some_and(|path| path.ends_with(end.trim_matches('-')))
+        };
         first.is_some_and(|slider| {
             let (decr, incr) = (slider.decr.as_ref(), slider.incr.as_ref());
             let (one, other) = if flipped { (incr, decr) } else { (decr, incr) };
-            opposites.iter().any(|(d, i)| ends(one, d) && ends(other, i))
+            opposites
+                .iter()
+                .any(|(d, i)| ends(one, d) && ends(other, i))
         })
     };
     let (place, message, help) = match opposites {
@@ -83,7 +104,11 @@ fn without_pairs(
         ),
     };
     let evidence = Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key));
-    weigh(base, sliders, RULE.at(file, place, message).help(help).evidence(evidence))
+    weigh(
+        base,
+        sliders,
+        RULE.at(file, place, message).help(help).evidence(evidence),
+    )
 }
 
 /// A slider is saved under the names of its targets.
@@ -98,9 +123,14 @@ fn of_endings(
     let first = sliders.first()?;
     let key = first.slider.key.as_str();
     let message = match sliders {
-        [_] => format!("`{key}` has only one direction: `target-opposites` has no pair `{decr}`/`{incr}`"),
+        [_] => format!(
+            "`{key}` has only one direction: `target-opposites` has no pair `{decr}`/`{incr}`"
+        ),
         more => {
-            format!("{} sliders have only one direction: `target-opposites` has no pair `{decr}`/`{incr}`", more.len())
+            format!(
+                "{} sliders have only one direction: `target-opposites` has no pair `{decr}`/`{incr}`",
+                more.len()
+            )
         }
     };
     let swapped = opposites.iter().any(|(d, i)| d == incr && i == decr);
@@ -111,26 +141,53 @@ fn of_endings(
         // A second pair for the ending would take the place of the first.
         format!("use targets that belong together: `{decr}` goes with `{known}`")
     } else {
-        format!("add `\"{decr}\": \"{incr}\"` to `target-opposites` of base.json, or correct the names{MODELS}")
+        format!(
+            "add `\"{decr}\": \"{incr}\"` to `target-opposites` of base.json, or correct the names{MODELS}"
+        )
     };
-    let finding = RULE.at(first.file, Place::pointer([key, "decr"]), message).key(format!("{decr}/{incr}")).help(help);
-    Some(weigh(base, sliders, finding.evidence(Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key)))))
+    let finding = RULE
+        .at(first.file, Place::pointer([key, "decr"]), message)
+        .key(format!("{decr}/{incr}"))
+        .help(help);
+    Some(weigh(
+        base,
+        sliders,
+        finding.evidence(Evidence::of_cases(
+            sliders.iter().map(|slider| &slider.slider.key),
+        )),
+    ))
 }
 
-/// Raises a finding where a left slider is looked up under the pattern that one of these would have: a pattern that is
-/// not there stops the randomizer (`docs/loaders/makehuman2/sliders.md#faults-of-sliders`). A right one is left out
-/// without a word.
+/// Raises a finding where a left slider is looked up under the pattern that one of these would
+/// have: a pattern that is not there stops the randomizer
+/// (`docs/loaders/makehuman2/sliders.md#faults-of-sliders`). A right one is left out without a
+/// word.
 fn weigh(base: &Base<'_>, sliders: &[&BoundSlider<'_>], finding: Finding) -> Finding {
-    let mut lefts = base.sliders.iter().filter(|bound| bound.slider.rsym.is_none());
+    let mut lefts = base
+        .sliders
+        .iter()
+        .filter(|bound| bound.slider.rsym.is_none());
     let is_met = lefts.any(|bound| {
-        let left = bound.slider.lsym.as_deref().filter(|left| base.slider(left).is_none());
+        let left = bound
+            .slider
+            .lsym
+            .as_deref()
+            .filter(|left| base.slider(left).is_none());
         left.is_some_and(|left| sliders.iter().any(|slider| slider.would_register(left)))
     });
-    if is_met { finding.level(Level::Error).effect(HAS_PARTNERS) } else { finding }
+    if is_met {
+        finding.level(Level::Error).effect(HAS_PARTNERS)
+    } else {
+        finding
+    }
 }
 
 /// The part of a target's name behind its last `-`.
 fn ending(path: Option<&str>) -> &str {
-    let name = path.unwrap_or_default().rsplit('/').next().unwrap_or_default();
+    let name = path
+        .unwrap_or_default()
+        .rsplit('/')
+        .next()
+        .unwrap_or_default();
     name.rsplit('-').next().unwrap_or(name)
 }

@@ -5,18 +5,35 @@ use mhlint_diag::{Application::Makehuman2, Evidence, Finding, Level, Place, Rule
 use mhlint_repo::makehuman2::{Base, View, user_scan};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "makes one slider of them; the order of files in the folder decides which target is lost")],
+    breaks: &[(
+        Makehuman2,
+        "makes one slider of them; the order of files in the folder decides which target is lost",
+    )],
     docs: include_str!("user_key_collision.md").trim_ascii_end(),
     counts: "targets",
-    ..RuleInfo::new("modelling-user-key-collision", Level::Error, "two user targets get the same key")
+    ..RuleInfo::new(
+        "modelling-user-key-collision",
+        Level::Error,
+        "two user targets get the same key",
+    )
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let targets = user_scan::targets(base);
-    let by_key = grouped(user_scan::entries(&targets).into_iter().map(|entry| (entry.key, entry.file)));
+    let by_key = grouped(
+        user_scan::entries(&targets)
+            .into_iter()
+            .map(|entry| (entry.key, entry.file)),
+    );
     for (key, files) in by_key.iter() {
-        let Some((last, others)) = files.split_last().filter(|(_, others)| !others.is_empty()) else { continue };
-        let message = format!("{} user targets become the same slider `{key}`", files.len());
+        let Some((last, others)) = files.split_last().filter(|(_, others)| !others.is_empty())
+        else {
+            continue;
+        };
+        let message = format!(
+            "{} user targets become the same slider `{key}`",
+            files.len()
+        );
         let mut finding = RULE
             .at(last, Place::File, message)
             .key(key)

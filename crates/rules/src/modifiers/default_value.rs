@@ -7,7 +7,11 @@ use mhlint_repo::makehuman1::View;
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "resets the slider to the end of its range")],
     docs: include_str!("default_value.md").trim_ascii_end(),
-    ..RuleInfo::new("modifiers-default-value", Level::Warning, "a default outside the range of the slider")
+    ..RuleInfo::new(
+        "modifiers-default-value",
+        Level::Warning,
+        "a default outside the range of the slider",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -15,13 +19,23 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     for one in &view.modifiers.all {
-        let Some(value) = one.modifier.default else { continue };
-        let lowest = if one.modifier.variable.is_none() && one.modifier.tails.sides().is_some() { -1.0 } else { 0.0 };
+        let Some(value) = one.modifier.default else {
+            continue;
+        };
+        let lowest = if one.modifier.variable.is_none() && one.modifier.tails.sides().is_some() {
+            -1.0
+        } else {
+            0.0
+        };
         if (lowest..=1.0).contains(&value) {
             continue;
         }
         let message = format!("`defaultValue` is {value}, outside {lowest} to 1");
         let place = Place::Pointer(format!("{}/defaultValue", one.modifier.pointer));
-        out.push(RULE.at(one.file, place, message).key(&one.name).help(format!("write a number from {lowest} to 1")));
+        out.push(
+            RULE.at(one.file, place, message)
+                .key(&one.name)
+                .help(format!("write a number from {lowest} to 1")),
+        );
     }
 }

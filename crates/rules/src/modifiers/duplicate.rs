@@ -11,7 +11,11 @@ use mhlint_repo::makehuman1::View;
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, LOST_FILE)],
     docs: include_str!("duplicate.md").trim_ascii_end(),
-    ..RuleInfo::new("modifiers-duplicate", Level::Error, "two modifiers with one name")
+    ..RuleInfo::new(
+        "modifiers-duplicate",
+        Level::Error,
+        "two modifiers with one name",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -24,15 +28,25 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 continue;
             };
             let message = format!("modifier `{}` exists already", one.name);
-            let finding = RULE.at(one.file, Place::Pointer(pointer.to_owned()), message).key(&one.name);
-            let finding =
-                finding.related(file.path.clone(), Place::Pointer((*earlier).to_owned()), "the first of that name");
+            let finding = RULE
+                .at(one.file, Place::Pointer(pointer.to_owned()), message)
+                .key(&one.name);
+            let finding = finding.related(
+                file.path.clone(),
+                Place::Pointer((*earlier).to_owned()),
+                "the first of that name",
+            );
             out.push(finding.help("remove one of them"));
         }
         return;
     }
     let mut first: BTreeMap<&str, &FileFacts> = BTreeMap::new();
-    for one in view.targets.custom.iter().filter(|one| view.layers.is_checked(one.file)) {
+    for one in view
+        .targets
+        .custom
+        .iter()
+        .filter(|one| view.layers.is_checked(one.file))
+    {
         let Some(earlier) = first.get(one.name.as_str()) else {
             first.insert(&one.name, one.file);
             continue;
@@ -40,6 +54,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let message = format!("has the name `{}`, like `{}`", one.name, earlier.rel);
         let finding = RULE.at(one.file, Place::File, message).key(&one.name);
         let finding = finding.related(earlier.path.clone(), Place::File, "the other target");
-        out.push(finding.effect("shows no sliders for the user's own targets").help("rename one of the files"));
+        out.push(
+            finding
+                .effect("shows no sliders for the user's own targets")
+                .help("rename one of the files"),
+        );
     }
 }

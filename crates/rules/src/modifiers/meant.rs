@@ -1,4 +1,5 @@
-//! Which modifier a name is meant for that none has: the fault may be in the modifier, where it is told.
+//! Which modifier a name is meant for that none has: the fault may be in the modifier, where it is
+//! told.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -17,11 +18,22 @@ impl<'v> Meant<'v> {
     /// What the sliders mean.
     pub(crate) fn of(view: &'v View<'_>, cx: &RuleCx<'_>) -> Self {
         let with_slider = view.modifiers.with_slider();
-        let own = view.modifiers.all.iter().filter(|one| one.modifier.variable.is_none() && is_faulty(one));
-        let faulty = own.filter(|one| !with_slider.contains(one.name.as_str())).map(|one| (one.name.as_str(), one));
-        let mut meant = Self { faulty: faulty.collect(), sliders: BTreeMap::new() };
-        let unknown: BTreeSet<&str> =
-            with_slider.into_iter().filter(|name| view.modifiers.called(name).next().is_none()).collect();
+        let own = view
+            .modifiers
+            .all
+            .iter()
+            .filter(|one| one.modifier.variable.is_none() && is_faulty(one));
+        let faulty = own
+            .filter(|one| !with_slider.contains(one.name.as_str()))
+            .map(|one| (one.name.as_str(), one));
+        let mut meant = Self {
+            faulty: faulty.collect(),
+            sliders: BTreeMap::new(),
+        };
+        let unknown: BTreeSet<&str> = with_slider
+            .into_iter()
+            .filter(|name| view.modifiers.called(name).next().is_none())
+            .collect();
         for name in unknown {
             if let Some(one) = meant.modifier(name, cx) {
                 meant.sliders.entry(&one.name).or_insert(name);
@@ -36,8 +48,13 @@ impl<'v> Meant<'v> {
             return None;
         }
         // One that lacks a side has the name without both.
-        let shorter = name.rmatch_indices('-').filter_map(|(at, _)| self.faulty.get(name.get(..at)?));
-        let lacks_side = shorter.into_iter().find(|one| one.modifier.tails.unpaired().is_some()).copied();
+        let shorter = name
+            .rmatch_indices('-')
+            .filter_map(|(at, _)| self.faulty.get(name.get(..at)?));
+        let lacks_side = shorter
+            .into_iter()
+            .find(|one| one.modifier.tails.unpaired().is_some())
+            .copied();
         lacks_side.or_else(|| {
             let near = cx.suggestions.nearest(name, self.faulty.keys().copied())?;
             self.faulty.get(near).copied()
@@ -50,22 +67,39 @@ impl<'v> Meant<'v> {
     }
 }
 
-/// The groups of no modifier that several sliders of a file name, with the group of modifiers that seems to be meant.
+/// The groups of no modifier that several sliders of a file name, with the group of modifiers that
+/// seems to be meant.
 pub(super) fn meant_groups<'v>(view: &'v View<'_>, cx: &RuleCx<'_>) -> BTreeMap<&'v str, &'v str> {
     let known: BTreeSet<&str> = view.modifiers.names().map(group_of).collect();
-    let named = view.modifiers.sets.iter().filter_map(|set| set.sliders).flat_map(|(_, sliders)| sliders.modifiers());
-    let lost = named.map(|named| group_of(&named.name)).filter(|group| !known.contains(group));
+    let named = view
+        .modifiers
+        .sets
+        .iter()
+        .filter_map(|set| set.sliders)
+        .flat_map(|(_, sliders)| sliders.modifiers());
+    let lost = named
+        .map(|named| group_of(&named.name))
+        .filter(|group| !known.contains(group));
     let lost: BTreeMap<&str, usize> = lost.fold(BTreeMap::new(), |mut counts, group| {
         *counts.entry(group).or_default() += 1;
         counts
     });
     let several = lost.into_iter().filter(|(_, count)| *count > 1);
-    several.filter_map(|(group, _)| Some((group, near_group(group, &known, cx)?))).collect()
+    several
+        .filter_map(|(group, _)| Some((group, near_group(group, &known, cx)?)))
+        .collect()
 }
 
 /// The group of modifiers that is meant by a name of none.
-pub(super) fn near_group<'k>(group: &str, known: &BTreeSet<&'k str>, cx: &RuleCx<'_>) -> Option<&'k str> {
-    let same = known.iter().find(|known| known.eq_ignore_ascii_case(group)).copied();
+pub(super) fn near_group<'k>(
+    group: &str,
+    known: &BTreeSet<&'k str>,
+    cx: &RuleCx<'_>,
+) -> Option<&'k str> {
+    let same = known
+        .iter()
+        .find(|known| known.eq_ignore_ascii_case(group))
+        .copied();
     same.or_else(|| cx.suggestions.nearest(group, known.iter().copied()))
 }
 

@@ -10,7 +10,11 @@ use mhlint_repo::makehuman1::View;
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "shows the sliders of both in one box")],
     docs: include_str!("merged_boxes.md").trim_ascii_end(),
-    ..RuleInfo::new("modifiers-merged-boxes", Level::Warning, "two boxes that become one")
+    ..RuleInfo::new(
+        "modifiers-merged-boxes",
+        Level::Warning,
+        "two boxes that become one",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -25,10 +29,18 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                     first.insert(own.name.to_lowercase(), own);
                     continue;
                 };
-                let message =
-                    format!("box `{}` becomes one with `{}`: capitals make no difference", own.name, earlier.name);
-                let finding = RULE.at(file, Place::Key(own.pointer.clone()), message).key(&own.pointer);
-                let finding = finding.related(file.path.clone(), Place::Key(earlier.pointer.clone()), "the other box");
+                let message = format!(
+                    "box `{}` becomes one with `{}`: capitals make no difference",
+                    own.name, earlier.name
+                );
+                let finding = RULE
+                    .at(file, Place::Key(own.pointer.clone()), message)
+                    .key(&own.pointer);
+                let finding = finding.related(
+                    file.path.clone(),
+                    Place::Key(earlier.pointer.clone()),
+                    "the other box",
+                );
                 out.push(finding.help("rename one of them, or put the sliders together"));
             }
         }

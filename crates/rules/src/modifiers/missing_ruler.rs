@@ -41,35 +41,53 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if !view.layers.checks_system() {
         return;
     }
-    let Some((file, sliders)) =
-        view.modifiers.sets.iter().find(|set| set.stem == "measurement").and_then(|set| set.sliders)
+    let Some((file, sliders)) = view
+        .modifiers
+        .sets
+        .iter()
+        .find(|set| set.stem == "measurement")
+        .and_then(|set| set.sliders)
     else {
         return;
     };
     let measure_of = |name: &'_ str| {
-        name.strip_prefix("measure/measure-").and_then(|name| name.strip_suffix("-decr|incr")).map(str::to_owned)
+        name.strip_prefix("measure/measure-")
+            .and_then(|name| name.strip_suffix("-decr|incr"))
+            .map(str::to_owned)
     };
     let is_known = |name: &str| measure_of(name).is_some_and(|measure| RULERS.contains(&&*measure));
     // What no modifier has is told as that.
     let unknown: Vec<_> = sliders
         .modifiers()
-        .filter(|named| !is_known(&named.name) && view.modifiers.called(&named.name).next().is_some())
+        .filter(|named| {
+            !is_known(&named.name) && view.modifiers.called(&named.name).next().is_some()
+        })
         .collect();
     // With other names throughout, the folder is of another version.
     if let [first, _, ..] = unknown.as_slice()
         && !sliders.modifiers().any(|named| is_known(&named.name))
     {
-        let message = format!("the program has a ruler for none of the {} measures", unknown.len());
-        let finding = RULE.at(file, Place::Pointer(first.pointer.clone()), message).key("all");
+        let message = format!(
+            "the program has a ruler for none of the {} measures",
+            unknown.len()
+        );
+        let finding = RULE
+            .at(file, Place::Pointer(first.pointer.clone()), message)
+            .key("all");
         let names = Evidence::of_cases(unknown.iter().map(|named| &named.name));
         return out.push(
-            finding.evidence(names).help("compare the names with those of the version of MakeHuman 1 that is used"),
+            finding
+                .evidence(names)
+                .help("compare the names with those of the version of MakeHuman 1 that is used"),
         );
     }
     for named in unknown {
-        let near = measure_of(&named.name).and_then(|measure| cx.suggestions.nearest(&measure, RULERS));
+        let near =
+            measure_of(&named.name).and_then(|measure| cx.suggestions.nearest(&measure, RULERS));
         let message = format!("the program has no ruler for `{}`", named.name);
-        let finding = RULE.at(file, Place::Pointer(named.pointer.clone()), message).key(&named.name);
+        let finding = RULE
+            .at(file, Place::Pointer(named.pointer.clone()), message)
+            .key(&named.name);
         out.push(finding.help(did_you_mean(near, "move the slider to another file")));
     }
 }

@@ -6,21 +6,31 @@ use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
 use super::meant::{Meant, meant_groups};
 use super::spellings::{Spellings, Starts, help};
 use super::{LOST_FILE, LOST_TABS};
-use mhlint_diag::{Application::Makehuman1, Case, Evidence, Finding, Grouped, Level, Place, RuleInfo, grouped};
+use mhlint_diag::{
+    Application::Makehuman1, Case, Evidence, Finding, Grouped, Level, Place, RuleInfo, grouped,
+};
 use mhlint_formats::modifier_file::Part;
 use mhlint_repo::makehuman1::{KnownModifier, View, category};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "shows a slider that moves nothing, or nothing on one side")],
+    breaks: &[(
+        Makehuman1,
+        "shows a slider that moves nothing, or nothing on one side",
+    )],
     docs: include_str!("no_target.md").trim_ascii_end(),
-    ..RuleInfo::new("modifiers-no-target", Level::Warning, "a modifier without targets")
+    ..RuleInfo::new(
+        "modifiers-no-target",
+        Level::Warning,
+        "a modifier without targets",
+    )
 });
 
 const LOST: Case = &[(Makehuman1, Level::Error, LOST_TABS)];
 const STOPPED: Case = &[(Makehuman1, Level::Error, LOST_FILE)];
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    // In an archive nobody looks, and no target is found where the names of folders stop the search.
+    // In an archive nobody looks, and no target is found where the names of folders stop the
+    // search.
     let is_unknown = view.targets.is_packed || !view.targets.clashes.is_empty();
     if !view.layers.checks_system() || is_unknown {
         return;
@@ -35,19 +45,29 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let renamed: BTreeSet<&str> = meant_groups(view, cx).into_values().collect();
     for (group, all) in bare.iter().filter(|(group, _)| !renamed.contains(*group)) {
         let words = group.split('-').count();
-        let starts = starts.entry(words).or_insert_with(|| Starts::of(view, words));
+        let starts = starts
+            .entry(words)
+            .or_insert_with(|| Starts::of(view, words));
         out.extend(group_finding(starts, all, cx));
     }
     // What an archive hides has a finding of its own.
     let is_hidden = |one: &KnownModifier<'_>| {
-        one.parts.iter().any(|part| part.targets.is_empty() && view.targets.hides(&part.group))
+        one.parts
+            .iter()
+            .any(|part| part.targets.is_empty() && view.targets.hides(&part.group))
     };
     let spellings = Spellings::of(view);
-    let others = view.modifiers.all.iter().filter(|one| bare.get(one.modifier.group.as_str()).is_none());
+    let others = view
+        .modifiers
+        .all
+        .iter()
+        .filter(|one| bare.get(one.modifier.group.as_str()).is_none());
     for one in others.filter(|one| !is_hidden(one)) {
         match &one.modifier.variable {
             Some(variable) => out.extend(macro_finding(view, one, &variable.name)),
-            None if one.modifier.tails.unpaired().is_none() => out.extend(finding(view, one, &meant, &spellings, cx)),
+            None if one.modifier.tails.unpaired().is_none() => {
+                out.extend(finding(view, one, &meant, &spellings, cx))
+            }
             None => {}
         }
     }
@@ -57,16 +77,26 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn renamed_folder(view: &View<'_>) -> Option<Finding> {
     let folder = view.targets.renamed_folder()?;
     let targets = counted(view.targets.shipped.len(), "target");
-    let message =
-        format!("`{folder}` must be named `targets`: its name is a word of the groups of all {targets} in it");
-    let finding = RULE.in_layer(view.layers.checked, folder, message).key("folder").case(STOPPED);
+    let message = format!(
+        "`{folder}` must be named `targets`: its name is a word of the groups of all {targets} in it"
+    );
+    let finding = RULE
+        .in_layer(view.layers.checked, folder, message)
+        .key("folder")
+        .case(STOPPED);
     Some(finding.help("rename it to `targets`"))
 }
 
-/// Groups of several modifiers of which none has a target: the group, or the folder of its targets, has another name.
+/// Groups of several modifiers of which none has a target: the group, or the folder of its targets,
+/// has another name.
 fn bare_groups<'v>(view: &'v View<'_>) -> Grouped<&'v str, &'v KnownModifier<'v>> {
     let has_none = |one: &&KnownModifier<'_>| one.parts.iter().all(|part| part.targets.is_empty());
-    let mut groups = grouped(view.modifiers.all.iter().map(|one| (one.modifier.group.as_str(), one)));
+    let mut groups = grouped(
+        view.modifiers
+            .all
+            .iter()
+            .map(|one| (one.modifier.group.as_str(), one)),
+    );
     groups.retain(|_, all| all.len() > 1 && all.iter().all(has_none));
     groups
 }
@@ -74,25 +104,59 @@ fn bare_groups<'v>(view: &'v View<'_>) -> Grouped<&'v str, &'v KnownModifier<'v>
 fn group_finding(starts: &Starts, all: &[&KnownModifier<'_>], cx: &RuleCx<'_>) -> Option<Finding> {
     let first = all.first()?;
     let group = first.modifier.group.as_str();
-    let message = format!("no file makes a target for group `{group}`, which has {} modifiers", all.len());
+    let message = format!(
+        "no file makes a target for group `{group}`, which has {} modifiers",
+        all.len()
+    );
     let entry = first.modifier.pointer.split('/').nth(1)?;
-    let finding = RULE.at(first.file, Place::Pointer(format!("/{entry}/group")), message).key(format!("group {group}"));
+    let finding = RULE
+        .at(
+            first.file,
+            Place::Pointer(format!("/{entry}/group")),
+            message,
+        )
+        .key(format!("group {group}"));
     let is_macro = all.iter().any(|one| one.modifier.variable.is_some());
     let evidence = Evidence::of_cases(all.iter().map(|one| one.name.as_str()));
-    let near = starts.same(group).or_else(|| cx.suggestions.nearest(group, starts.all()));
-    let finding = finding.evidence(evidence).help(did_you_mean(near, "correct the group, or the names of its targets"));
-    Some(if is_macro { finding.case(STOPPED) } else { finding })
+    let near = starts
+        .same(group)
+        .or_else(|| cx.suggestions.nearest(group, starts.all()));
+    let finding = finding.evidence(evidence).help(did_you_mean(
+        near,
+        "correct the group, or the names of its targets",
+    ));
+    Some(if is_macro {
+        finding.case(STOPPED)
+    } else {
+        finding
+    })
 }
 
 fn macro_finding(view: &View<'_>, one: &KnownModifier<'_>, variable: &str) -> Option<Finding> {
     let category = category(variable)?;
-    let targets = one.parts.iter().flat_map(|part| &part.targets).filter_map(|place| view.targets.at(*place));
-    let depends = targets.into_iter().any(|target| target.name.value(category).is_some());
+    let targets = one
+        .parts
+        .iter()
+        .flat_map(|part| &part.targets)
+        .filter_map(|place| view.targets.at(*place));
+    let depends = targets
+        .into_iter()
+        .any(|target| target.name.value(category).is_some());
     if depends {
         return None;
     }
-    let message = format!("no target of `{}` depends on {category}", one.modifier.group);
-    let finding = RULE.at(one.file, Place::Pointer(one.modifier.pointer.clone()), message).key(&one.name).case(STOPPED);
+    let message = format!(
+        "no target of `{}` depends on {category}",
+        one.modifier.group
+    );
+    let finding = RULE
+        .at(
+            one.file,
+            Place::Pointer(one.modifier.pointer.clone()),
+            message,
+        )
+        .key(&one.name)
+        .case(STOPPED);
     Some(finding.help("correct `group`, or add the targets"))
 }
 
@@ -103,27 +167,49 @@ fn finding(
     spellings: &Spellings<'_>,
     cx: &RuleCx<'_>,
 ) -> Option<Finding> {
-    let missing: Vec<&str> =
-        one.parts.iter().filter(|part| part.targets.is_empty()).map(|part| part.group.as_str()).collect();
+    let missing: Vec<&str> = one
+        .parts
+        .iter()
+        .filter(|part| part.targets.is_empty())
+        .map(|part| part.group.as_str())
+        .collect();
     let first = *missing.first()?;
     let all = missing.len() == one.parts.len();
-    let side = one.parts.iter().find(|part| part.group == first).map(|part| part.part);
+    let side = one
+        .parts
+        .iter()
+        .find(|part| part.group == first)
+        .map(|part| part.part);
     let what = match side {
         Some(Part::Left) if !all => " for values below 0",
         Some(Part::Right) if !all => " for values above 0",
         Some(Part::Centre) if !all => " for its middle",
         _ => "",
     };
-    let message = format!("modifier `{}` has no target{what}: no file makes `{first}`", one.name);
-    let finding = RULE.at(one.file, Place::Pointer(one.modifier.pointer.clone()), message).key(&one.name);
-    let finding =
-        finding.evidence(Evidence::of_cases(missing.iter().copied())).help(help(view, one, first, spellings, cx));
-    let Some(slider) = meant.slider_for(one) else { return Some(finding) };
+    let message = format!(
+        "modifier `{}` has no target{what}: no file makes `{first}`",
+        one.name
+    );
+    let finding = RULE
+        .at(
+            one.file,
+            Place::Pointer(one.modifier.pointer.clone()),
+            message,
+        )
+        .key(&one.name);
+    let finding = finding
+        .evidence(Evidence::of_cases(missing.iter().copied()))
+        .help(help(view, one, first, spellings, cx));
+    let Some(slider) = meant.slider_for(one) else {
+        return Some(finding);
+    };
     let finding = finding.case(LOST);
     Some(match spellings.sliders.get(slider) {
-        Some((file, named)) => {
-            finding.related(file.path.clone(), Place::Pointer(named.pointer.clone()), "the slider that means it")
-        }
+        Some((file, named)) => finding.related(
+            file.path.clone(),
+            Place::Pointer(named.pointer.clone()),
+            "the slider that means it",
+        ),
         None => finding,
     })
 }

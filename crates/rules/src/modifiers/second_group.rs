@@ -7,9 +7,16 @@ use mhlint_diag::{Application::Makehuman1, Finding, Level, Place, RuleInfo};
 use mhlint_repo::makehuman1::{KnownModifier, View, category};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "logs an error; of two groups for one variable the first keeps it")],
+    breaks: &[(
+        Makehuman1,
+        "logs an error; of two groups for one variable the first keeps it",
+    )],
     docs: include_str!("second_group.md").trim_ascii_end(),
-    ..RuleInfo::new("modifiers-second-group", Level::Warning, "two groups that set one macro variable")
+    ..RuleInfo::new(
+        "modifiers-second-group",
+        Level::Warning,
+        "two groups that set one macro variable",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -18,8 +25,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     let mut first: BTreeMap<&str, &KnownModifier<'_>> = BTreeMap::new();
     for one in &view.modifiers.all {
-        let Some((variable, category)) =
-            one.modifier.variable.as_ref().and_then(|own| Some((own, category(&own.name)?)))
+        let Some((variable, category)) = one
+            .modifier
+            .variable
+            .as_ref()
+            .and_then(|own| Some((own, category(&own.name)?)))
         else {
             continue;
         };
@@ -27,8 +37,13 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if earlier.modifier.group == one.modifier.group {
             continue;
         }
-        let message = format!("{category} is set by group `{}` already", earlier.modifier.group);
-        let finding = RULE.at(one.file, Place::Pointer(variable.pointer.clone()), message).key(&one.name);
+        let message = format!(
+            "{category} is set by group `{}` already",
+            earlier.modifier.group
+        );
+        let finding = RULE
+            .at(one.file, Place::Pointer(variable.pointer.clone()), message)
+            .key(&one.name);
         let finding = finding.related(
             earlier.file.path.clone(),
             Place::Pointer(earlier.modifier.pointer.clone()),
@@ -41,11 +56,20 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// A group has one modifier for a variable.
 fn help(view: &View<'_>, variable: &str, group: &str) -> String {
     let is_there = |one: &KnownModifier<'_>| {
-        one.modifier.group == group && one.modifier.variable.as_ref().is_some_and(|own| own.name == variable)
+        one.modifier.group == group
+            && one
+                .modifier
+                .variable
+                .as_ref()
+                .is_some_and(|own| own.name == variable)
     };
     if view.modifiers.all.iter().any(is_there) {
-        format!("remove the modifier with its slider and description: group `{group}` has one for `{variable}`")
+        format!(
+            "remove the modifier with its slider and description: group `{group}` has one for `{variable}`"
+        )
     } else {
-        format!("move the modifier to group `{group}`, and correct its name in sliders and descriptions")
+        format!(
+            "move the modifier to group `{group}`, and correct its name in sliders and descriptions"
+        )
     }
 }

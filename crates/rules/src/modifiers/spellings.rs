@@ -20,7 +20,8 @@ pub(super) struct Spellings<'v> {
 
 impl<'v> Spellings<'v> {
     pub(super) fn of(view: &'v View<'_>) -> Self {
-        let (mut folded, mut joined, mut sliders) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
+        let (mut folded, mut joined, mut sliders) =
+            (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
         for group in view.targets.groups() {
             folded.entry(group.to_ascii_lowercase()).or_insert(group);
             joined.entry(group.replace("--", "-")).or_insert(group);
@@ -30,14 +31,21 @@ impl<'v> Spellings<'v> {
                 sliders.entry(named.name.as_str()).or_insert((file, named));
             });
         }
-        Self { folded, joined, sliders }
+        Self {
+            folded,
+            joined,
+            sliders,
+        }
     }
 
     /// The first group that differs in capitals or doubled dashes alone.
     pub(super) fn group(&self, group: &str) -> Option<&'v str> {
         let split = group.replace(['_', '.'], "-");
         let folded = self.folded.get(&split.to_ascii_lowercase()).copied();
-        folded.into_iter().chain(self.joined.get(group).copied()).min()
+        folded
+            .into_iter()
+            .chain(self.joined.get(group).copied())
+            .min()
     }
 }
 
@@ -51,16 +59,26 @@ pub(super) fn help(
 ) -> String {
     if let Some(word) = group.split('-').find(|word| category_of(word).is_some()) {
         let category = category_of(word).unwrap_or_default();
-        return format!("`{word}` in a name is a value of {category} and in no group: choose another word");
+        return format!(
+            "`{word}` in a name is a value of {category} and in no group: choose another word"
+        );
     }
-    let near = spellings.group(group).or_else(|| cx.suggestions.nearest(group, view.targets.groups()));
-    let of_group = near.and_then(|near| view.targets.of_group(near).first()).and_then(|place| view.targets.at(*place));
+    let near = spellings
+        .group(group)
+        .or_else(|| cx.suggestions.nearest(group, view.targets.groups()));
+    let of_group = near
+        .and_then(|near| view.targets.of_group(near).first())
+        .and_then(|place| view.targets.at(*place));
     let otherwise = format!("correct `target` of `{}`, or add the target", one.name);
-    let Some(target) = of_group else { return otherwise };
+    let Some(target) = of_group else {
+        return otherwise;
+    };
     let file = &target.file.rel;
     match near.and_then(|near| near.strip_prefix(&one.modifier.group)?.strip_prefix('-')) {
         Some(right) if one.parts.len() == 1 => {
-            format!("write `{right}` in `target` for `{file}`, and correct the name in its slider and description")
+            format!(
+                "write `{right}` in `target` for `{file}`, and correct the name in its slider and description"
+            )
         }
         _ => format!("did you mean `{file}`?"),
     }
@@ -77,7 +95,10 @@ impl Starts {
         let mut folded: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         for group in view.targets.groups() {
             let start = group.split('-').take(words).collect::<Vec<_>>().join("-");
-            folded.entry(start.to_ascii_lowercase()).or_default().insert(start);
+            folded
+                .entry(start.to_ascii_lowercase())
+                .or_default()
+                .insert(start);
         }
         Self { folded }
     }
@@ -88,6 +109,9 @@ impl Starts {
 
     /// The first that differs in capitals or a slash behind it alone.
     pub(super) fn same(&self, group: &str) -> Option<&str> {
-        self.folded.get(&group.trim_end_matches('/').to_ascii_lowercase())?.first().map(String::as_str)
+        self.folded
+            .get(&group.trim_end_matches('/').to_ascii_lowercase())?
+            .first()
+            .map(String::as_str)
     }
 }

@@ -7,18 +7,31 @@ use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman1::{SETS, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "never opens the file: it has neither these modifiers nor their sliders")],
+    breaks: &[(
+        Makehuman1,
+        "never opens the file: it has neither these modifiers nor their sliders",
+    )],
     docs: include_str!("unread.md").trim_ascii_end(),
-    ..RuleInfo::new("modifiers-unread", Level::Error, "a list of modifiers that the program does not open")
+    ..RuleInfo::new(
+        "modifiers-unread",
+        Level::Error,
+        "a list of modifiers that the program does not open",
+    )
 });
 
-const COPIES: Case =
-    &[(Makehuman1, Level::Warning, "never opens the file, and opens its own: a change here does nothing")];
+const COPIES: Case = &[(
+    Makehuman1,
+    Level::Warning,
+    "never opens the file, and opens its own: a change here does nothing",
+)];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
     let is_list = |file: &&FileFacts| {
-        matches!(file.kind, Kind::ModifierFile | Kind::ModifierSliders | Kind::ModifierTexts) && !file.is_loose
+        matches!(
+            file.kind,
+            Kind::ModifierFile | Kind::ModifierSliders | Kind::ModifierTexts
+        ) && !file.is_loose
     };
     let is_opened = |file: &FileFacts| {
         let (stem, ending) = file.file_name().split_once('_').unwrap_or_default();
@@ -26,18 +39,34 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let last = ending.rsplit('_').next().unwrap_or_default();
         let is_whole = |set: &str| {
             layer.below("modifiers").any(|own| {
-                own.file_name() == format!("{set}_{last}") || own.file_name() == format!("{set}_modifiers_{last}")
+                own.file_name() == format!("{set}_{last}")
+                    || own.file_name() == format!("{set}_modifiers_{last}")
             })
         };
-        view.layers.checks_system() && (SETS.contains(&stem) || !SETS.iter().all(|set| is_whole(set)))
+        view.layers.checks_system()
+            && (SETS.contains(&stem) || !SETS.iter().all(|set| is_whole(set)))
     };
-    let lost = layer.files.values().filter(is_list).filter(|file| !is_opened(file));
-    let (copies, lost): (Vec<&FileFacts>, Vec<&FileFacts>) = lost.partition(|file| is_copy(view, file));
+    let lost = layer
+        .files
+        .values()
+        .filter(is_list)
+        .filter(|file| !is_opened(file));
+    let (copies, lost): (Vec<&FileFacts>, Vec<&FileFacts>) =
+        lost.partition(|file| is_copy(view, file));
     out.extend(of_copies(&copies));
     let Some(first) = lost.first() else { return };
-    let whose = if view.layers.checks_system() { "of the program" } else { "of the user" };
-    let message = format!("{} in `modifiers` {whose} that nothing opens", counted(lost.len(), "file"));
-    let finding = RULE.at(first, Place::File, message).parts_in(lost.iter().map(|file| (file.shown(), &file.path)));
+    let whose = if view.layers.checks_system() {
+        "of the program"
+    } else {
+        "of the user"
+    };
+    let message = format!(
+        "{} in `modifiers` {whose} that nothing opens",
+        counted(lost.len(), "file")
+    );
+    let finding = RULE
+        .at(first, Place::File, message)
+        .parts_in(lost.iter().map(|file| (file.shown(), &file.path)));
     let finding = finding.evidence(Evidence::of_cases(lost.iter().map(|file| file.shown())));
     out.push(
         finding.help(
@@ -48,7 +77,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 /// Whether the program has the same under the same name.
 fn is_copy(view: &View<'_>, file: &FileFacts) -> bool {
-    let Some(own) = view.layers.system.filter(|_| !view.layers.checks_system()).and_then(|one| one.file(&file.rel))
+    let Some(own) = view
+        .layers
+        .system
+        .filter(|_| !view.layers.checks_system())
+        .and_then(|one| one.file(&file.rel))
     else {
         return false;
     };
@@ -60,8 +93,14 @@ fn is_copy(view: &View<'_>, file: &FileFacts) -> bool {
 /// Copies of the program's lists, as long as nothing was changed in them.
 fn of_copies(copies: &[&FileFacts]) -> Option<Finding> {
     let first = copies.first()?;
-    let message = format!("{} in `modifiers` of the user, as the program has them", counted(copies.len(), "file"));
-    let finding = RULE.at(first, Place::File, message).key("copies").case(COPIES);
+    let message = format!(
+        "{} in `modifiers` of the user, as the program has them",
+        counted(copies.len(), "file")
+    );
+    let finding = RULE
+        .at(first, Place::File, message)
+        .key("copies")
+        .case(COPIES);
     let finding = finding.parts_in(copies.iter().map(|file| (file.shown(), &file.path)));
     let finding = finding.evidence(Evidence::of_cases(copies.iter().map(|file| file.shown())));
     Some(finding.help("remove them: the program opens its own alone"))

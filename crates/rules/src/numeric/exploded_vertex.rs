@@ -13,9 +13,18 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "tears such vertices out of the figure, together with their faces, joints and clothes"),
-        (Makehuman1, "tears such vertices out of the figure, together with their faces, joints and clothes"),
-        (Mpfb, "tears such vertices out of the figure, together with their faces, joints and clothes"),
+        (
+            Makehuman2,
+            "tears such vertices out of the figure, together with their faces, joints and clothes",
+        ),
+        (
+            Makehuman1,
+            "tears such vertices out of the figure, together with their faces, joints and clothes",
+        ),
+        (
+            Mpfb,
+            "tears such vertices out of the figure, together with their faces, joints and clothes",
+        ),
     ],
     docs: include_str!("exploded_vertex.md").trim_ascii_end(),
     counts: "vertices",
@@ -28,8 +37,13 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(seen) = untold(body, measures, Trouble::Exploded) else { return };
-    let (vertex, by) = (body.vertex(seen.element), length(seen.length.unwrap_or(f64::NAN)));
+    let Some(seen) = untold(body, measures, Trouble::Exploded) else {
+        return;
+    };
+    let (vertex, by) = (
+        body.vertex(seen.element),
+        length(seen.length.unwrap_or(f64::NAN)),
+    );
     let message = match seen.count {
         1 => format!("{vertex} lies {by} outside the figure"),
         count => format!("{count} vertices lie outside the figure, {vertex} farthest, by {by}"),

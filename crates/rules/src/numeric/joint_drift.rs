@@ -13,20 +13,37 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "rotates the limb around a point outside it as soon as the figure is posed"),
-        (Makehuman1, "rotates the limb around a point outside it as soon as the figure is posed"),
+        (
+            Makehuman2,
+            "rotates the limb around a point outside it as soon as the figure is posed",
+        ),
+        (
+            Makehuman1,
+            "rotates the limb around a point outside it as soon as the figure is posed",
+        ),
     ],
     docs: include_str!("joint_drift.md").trim_ascii_end(),
     counts: "joints",
     grows: Grows::more(MeasureKind::Distance),
-    ..RuleInfo::new("numeric-joint-drift", Level::Warning, "a joint leaves its limb at some slider setting")
+    ..RuleInfo::new(
+        "numeric-joint-drift",
+        Level::Warning,
+        "a joint leaves its limb at some slider setting",
+    )
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(seen) = untold(body, measures, Trouble::Drifted) else { return };
-    let away = seen.length.map(|away| format!(" {}", length(away))).unwrap_or_default();
-    let message =
-        format!("joint `{}` moves{away} away from the skin around it, {:.1} times its reach", seen.name, seen.value);
+    let Some(seen) = untold(body, measures, Trouble::Drifted) else {
+        return;
+    };
+    let away = seen
+        .length
+        .map(|away| format!(" {}", length(away)))
+        .unwrap_or_default();
+    let message = format!(
+        "joint `{}` moves{away} away from the skin around it, {:.1} times its reach",
+        seen.name, seen.value
+    );
     out.push(
         at_setting(&RULE, body, seen, &message)
             .parts(&seen.all)

@@ -18,7 +18,11 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     ],
     docs: include_str!("non_finite.md").trim_ascii_end(),
     grows: Grows::less(MeasureKind::Sine),
-    ..RuleInfo::new("numeric-non-finite", Level::Error, "a vertex or matrix is NaN or infinite at some slider setting")
+    ..RuleInfo::new(
+        "numeric-non-finite",
+        Level::Error,
+        "a vertex or matrix is NaN or infinite at some slider setting",
+    )
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -26,7 +30,9 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         let vertex = body.vertex(seen.element);
         let message = match seen.count {
             1 => format!("the position of {vertex} is NaN or infinite"),
-            count => format!("the positions of {count} vertices are NaN or infinite, first {vertex}"),
+            count => {
+                format!("the positions of {count} vertices are NaN or infinite, first {vertex}")
+            }
         };
         out.push(
             at_setting(&RULE, body, seen, &message)
@@ -55,6 +61,11 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
 
 /// A plane that has no normal at rest is reported with its skeleton.
 fn is_flat_at_rest(measures: &Measures, bone: &str) -> bool {
-    let bones = measures.skeletons.iter().flat_map(|skeleton| &skeleton.bones);
-    bones.filter(|known| known.name == bone).any(|known| known.plane_sine.is_some_and(|sine| !(sine > PARALLEL_SINE)))
+    let bones = measures
+        .skeletons
+        .iter()
+        .flat_map(|skeleton| &skeleton.bones);
+    bones
+        .filter(|known| known.name == bone)
+        .any(|known| known.plane_sine.is_some_and(|sine| !(sine > PARALLEL_SINE)))
 }

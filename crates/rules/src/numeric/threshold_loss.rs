@@ -2,7 +2,10 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{percent, title, to_see};
-use mhlint_diag::{Application::Makehuman2, Evidence, Finding, Grows, Level, MeasureKind, OptionInfo, Place, RuleInfo};
+use mhlint_diag::{
+    Application::Makehuman2, Evidence, Finding, Grows, Level, MeasureKind, OptionInfo, Place,
+    RuleInfo,
+};
 use mhlint_eval::measures::Measures;
 use mhlint_repo::Body;
 
@@ -26,14 +29,34 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 const LARGE: f64 = 0.2;
 
 fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, macros)) = body.macros else { return };
+    let Some((file, macros)) = body.macros else {
+        return;
+    };
     let limit = cx.option(&RULE, "percent") / 100.0;
-    let over = || measures.macros.losses.iter().filter(|(_, lost, _)| *lost > limit);
-    let Some((number, lost, at)) = over().max_by(|a, b| a.1.total_cmp(&b.1)) else { return };
-    let Some(macrodef) = macros.macrodefs.get(*number) else { return };
+    let over = || {
+        measures
+            .macros
+            .losses
+            .iter()
+            .filter(|(_, lost, _)| *lost > limit)
+    };
+    let Some((number, lost, at)) = over().max_by(|a, b| a.1.total_cmp(&b.1)) else {
+        return;
+    };
+    let Some(macrodef) = macros.macrodefs.get(*number) else {
+        return;
+    };
     let (title, share) = (title(macrodef), percent(*lost));
-    let message = format!("macrodef `{title}` loses {share} of its weight because factors up to 0.01 are dropped");
-    let named = |number: &usize| macros.macrodefs.get(*number).map(super::title).unwrap_or_default();
+    let message = format!(
+        "macrodef `{title}` loses {share} of its weight because factors up to 0.01 are dropped"
+    );
+    let named = |number: &usize| {
+        macros
+            .macrodefs
+            .get(*number)
+            .map(super::title)
+            .unwrap_or_default()
+    };
     let cases = over().map(|(number, lost, _)| format!("{}: {}", named(number), percent(*lost)));
     out.push(
         RULE.at(file, Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]), message)

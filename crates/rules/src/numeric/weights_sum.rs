@@ -2,7 +2,9 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{component, has_sound_steps, title};
-use mhlint_diag::{Application::Makehuman2, Evidence, Finding, Grows, Level, MeasureKind, Place, RuleInfo};
+use mhlint_diag::{
+    Application::Makehuman2, Evidence, Finding, Grows, Level, MeasureKind, Place, RuleInfo,
+};
 use mhlint_eval::measures::Measures;
 use mhlint_formats::macro_json::Component;
 use mhlint_repo::Body;
@@ -18,10 +20,14 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, macros)) = body.macros else { return };
+    let Some((file, macros)) = body.macros else {
+        return;
+    };
     let mut told: Vec<&str> = Vec::new();
     for off in &measures.macros.sums {
-        let Some((macrodef, component)) = component(macros, off.macrodef, off.position) else { continue };
+        let Some((macrodef, component)) = component(macros, off.macrodef, off.position) else {
+            continue;
+        };
         let name = component.name.as_str();
         // A component is wrong once, whatever uses it.
         if told.contains(&name) || !is_unexplained(component) {
@@ -29,12 +35,22 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         }
         told.push(name);
         let at = match off.at {
-            Some(at) => format!("at `{}` = {at}", component.pattern.as_deref().unwrap_or_default()),
+            Some(at) => format!(
+                "at `{}` = {at}",
+                component.pattern.as_deref().unwrap_or_default()
+            ),
             None => "after a reset".to_owned(),
         };
-        let message =
-            format!("weights of `{name}` in macrodef `{}` add up to {:.3} instead of 1 {at}", title(macrodef), off.sum);
-        let member = if component.steps.is_some() { "steps" } else { "sum" };
+        let message = format!(
+            "weights of `{name}` in macrodef `{}` add up to {:.3} instead of 1 {at}",
+            title(macrodef),
+            off.sum
+        );
+        let member = if component.steps.is_some() {
+            "steps"
+        } else {
+            "sum"
+        };
         out.push(
             RULE.at(file, Place::pointer(["components", name, member]), message)
                 .key(format!("{}/{name}", title(macrodef)))

@@ -25,7 +25,9 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(seen) = untold(body, measures, Trouble::ShortBone) else { return };
+    let Some(seen) = untold(body, measures, Trouble::ShortBone) else {
+        return;
+    };
     let length = 1.0 / seen.value;
     let cm = centimetres(length);
     // What is shown of a length that is not quite 0 has to differ from 0.

@@ -1,4 +1,5 @@
-//! Rules on overrides: contarget over target, user over system (`docs/loaders/makehuman2/folders.md#overlays`).
+//! Rules on overrides: contarget over target, user over system
+//! (`docs/loaders/makehuman2/folders.md#overlays`).
 
 mod base_folder_missing;
 mod broken_override;
@@ -12,7 +13,8 @@ mod user_target_too_deep;
 
 use super::Rule;
 use super::cause::overlay::{
-    SystemFolder, has_broken_override, has_misnamed_override, is_active, lacks_folder, system_folder,
+    SystemFolder, has_broken_override, has_misnamed_override, is_active, lacks_folder,
+    system_folder,
 };
 use mhlint_repo::makehuman2::{Base, Overlaid, View};
 use mhlint_repo::{FileFacts, Reference, Resolution};
@@ -46,21 +48,37 @@ struct Override<'a> {
 fn overrides<'a>(base: &Base<'a>) -> [Override<'a>; 3] {
     fn of<'a, T>(name: &'static str, both: &Overlaid<'a, T>) -> Override<'a> {
         let system = both.system.accepted().map(|(file, _)| file);
-        Override { name, file: both.contarget.file(), active: is_active(both), system }
+        Override {
+            name,
+            file: both.contarget.file(),
+            active: is_active(both),
+            system,
+        }
     }
-    [of("macro.json", &base.macros), of("modelling.json", &base.modelling), of("target_cat.json", &base.categories)]
+    [
+        of("macro.json", &base.macros),
+        of("modelling.json", &base.modelling),
+        of("target_cat.json", &base.categories),
+    ]
 }
 
-/// Whether everything that the application takes from contarget is there and fits: sliders and macros, sound, with
-/// all their targets. What is wrong with an override has a finding of its own.
+/// Whether everything that the application takes from contarget is there and fits: sliders and
+/// macros, sound, with all their targets. What is wrong with an override has a finding of its own.
 fn is_complete(view: &View<'_>, base: &Base<'_>) -> bool {
     let [macros, sliders, _] = overrides(base);
-    macros.active && sliders.active && !has_broken_override(base) && in_other_layer(view, base).next().is_none()
+    macros.active
+        && sliders.active
+        && !has_broken_override(base)
+        && in_other_layer(view, base).next().is_none()
 }
 
 /// Targets that exist in the layer that lost and not in the one in use.
-fn in_other_layer<'s, 'a>(view: &'s View<'a>, base: &'s Base<'a>) -> impl Iterator<Item = &'s Reference<'a>> {
+fn in_other_layer<'s, 'a>(
+    view: &'s View<'a>,
+    base: &'s Base<'a>,
+) -> impl Iterator<Item = &'s Reference<'a>> {
     let references = view.references_of(base);
-    references
-        .filter(|reference| reference.kind.is_target() && matches!(reference.resolution, Resolution::OtherLayer(_)))
+    references.filter(|reference| {
+        reference.kind.is_target() && matches!(reference.resolution, Resolution::OtherLayer(_))
+    })
 }

@@ -2,25 +2,35 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{
-    SystemFolder, has_broken_override, has_misnamed_override, in_other_layer, lacks_folder, overrides, system_folder,
+    SystemFolder, has_broken_override, has_misnamed_override, in_other_layer, lacks_folder,
+    overrides, system_folder,
 };
 use mhlint_diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use mhlint_repo::FileFacts;
 use mhlint_repo::makehuman2::{Base, View};
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "combines the override with system files that were not made for it")],
+    breaks: &[(
+        Makehuman2,
+        "combines the override with system files that were not made for it",
+    )],
     docs: include_str!("partial_override.md").trim_ascii_end(),
-    ..RuleInfo::new("overlay-partial-override", Level::Warning, "an override without the other files it needs")
+    ..RuleInfo::new(
+        "overlay-partial-override",
+        Level::Warning,
+        "an override without the other files it needs",
+    )
 });
 
 /// A gap: how bad, what is wrong, what MakeHuman 2 does, what to do.
 type Gap = (Level, String, &'static str, &'static str);
 
-const NO_FOLDER: &str = "crashes with `FileNotFoundError` at start: it tries to write an archive into that folder";
+const NO_FOLDER: &str =
+    "crashes with `FileNotFoundError` at start: it tries to write an archive into that folder";
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    // What follows from a broken file, or shows as targets in the wrong layer, is said by those rules.
+    // What follows from a broken file, or shows as targets in the wrong layer, is said by those
+    // rules.
     let system = system_folder(view, base);
     let [macros, sliders, categories] = overrides(base);
     let is_elsewhere = || !lacks_folder(view, base) && in_other_layer(view, base).next().is_some();
@@ -30,12 +40,17 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     let found = match (macros.active, sliders.active, categories.active) {
         (true, false, _) => macros.file.zip(without_sliders(base, system)),
         (false, true, _) => sliders.file.zip(without_macros(base, system)),
-        (false, false, true) => categories.file.map(|file| (file, categories_alone(base, system))),
+        (false, false, true) => categories
+            .file
+            .map(|file| (file, categories_alone(base, system))),
         (false, false, false) => user_targets_alone(base, system).or_else(|| targets_alone(base)),
         (true, true, _) => None,
     };
     if let Some((file, (level, message, effect, help))) = found {
-        let finding = RULE.at(file, Place::File, message).key(base.name).level(level);
+        let finding = RULE
+            .at(file, Place::File, message)
+            .key(base.name)
+            .level(level);
         out.push(finding.effect(effect).help(help));
     }
 }
@@ -44,18 +59,30 @@ fn without_sliders(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
     let folder = format!("contarget/{}", base.name);
     let help = "add a modelling.json whose sliders fit the targets in contarget";
     if base.modelling.winner().is_some() {
-        let message =
-            format!("modelling.json is missing: the sliders of the system data use the targets in `{folder}`");
-        return Some((Level::Info, message, "uses the sliders of the system data with the targets in contarget", help));
+        let message = format!(
+            "modelling.json is missing: the sliders of the system data use the targets in `{folder}`"
+        );
+        return Some((
+            Level::Info,
+            message,
+            "uses the sliders of the system data with the targets in contarget",
+            help,
+        ));
     }
     if system == SystemFolder::Unknown {
-        let message =
-            format!("modelling.json is missing: all targets of the sliders in the system data must be in `{folder}`");
-        let effect = "looks for all targets of these sliders in contarget, and cannot load the missing ones";
+        let message = format!(
+            "modelling.json is missing: all targets of the sliders in the system data must be in `{folder}`"
+        );
+        let effect =
+            "looks for all targets of these sliders in contarget, and cannot load the missing ones";
         return Some((Level::Warning, message, effect, help));
     }
-    let has_macros = base.macro_file().is_some_and(|(_, file)| !file.macrodefs.is_empty());
-    let message = "modelling.json is missing here and in the system data: no slider moves these macros".to_owned();
+    let has_macros = base
+        .macro_file()
+        .is_some_and(|(_, file)| !file.macrodefs.is_empty());
+    let message =
+        "modelling.json is missing here and in the system data: no slider moves these macros"
+            .to_owned();
     let (level, effect) = without_any(base);
     has_macros.then_some((level, message, effect, help))
 }
@@ -65,21 +92,40 @@ fn without_macros(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
     let help = "add a macro.json to contarget; without macros, write `{\"components\": {}, \"macrodef\": []}`";
     // With a macro.json nothing is read from the folder of the system data any more.
     let whole = "remove it, or add a macro.json with all targets and icons: none are read from `target/` then";
-    let own = base.other_targets.map_or(0, |contarget| contarget.targets().count());
+    let own = base
+        .other_targets
+        .map_or(0, |contarget| contarget.targets().count());
     match system {
         SystemFolder::Absent => {
-            let message = format!("macro.json is missing, and the system data has no folder `{folder}`");
+            let message =
+                format!("macro.json is missing, and the system data has no folder `{folder}`");
             Some((Level::Error, message, NO_FOLDER, help))
         }
         SystemFolder::Exists if own > 0 => {
-            let (own, be) = (counted(own, "target file"), if own == 1 { "is" } else { "are" });
-            let message =
-                format!("macro.json is missing: targets come from `{folder}`, and {own} in contarget {be} never read");
-            Some((Level::Warning, message, "loads the targets of the system data with the same names", whole))
+            let (own, be) = (
+                counted(own, "target file"),
+                if own == 1 { "is" } else { "are" },
+            );
+            let message = format!(
+                "macro.json is missing: targets come from `{folder}`, and {own} in contarget {be} never read"
+            );
+            Some((
+                Level::Warning,
+                message,
+                "loads the targets of the system data with the same names",
+                whole,
+            ))
         }
         SystemFolder::Exists => {
-            let message = format!("macro.json is missing: targets and icons come from `{folder}` of the system data");
-            Some((Level::Info, message, "uses these sliders with the targets of the system data", whole))
+            let message = format!(
+                "macro.json is missing: targets and icons come from `{folder}` of the system data"
+            );
+            Some((
+                Level::Info,
+                message,
+                "uses these sliders with the targets of the system data",
+                whole,
+            ))
         }
         // Its references are among what was not checked.
         SystemFolder::Unknown => None,
@@ -90,14 +136,18 @@ fn categories_alone(base: &Base<'_>, system: SystemFolder) -> Gap {
     let help = "remove it, or add all that belongs to these categories: modelling.json, macro.json, targets and icons";
     let shown = "shows the sliders of the system data under these categories";
     if base.modelling.winner().is_some() {
-        let message = "only target_cat.json is overridden: sliders and targets come from the system data".to_owned();
+        let message =
+            "only target_cat.json is overridden: sliders and targets come from the system data"
+                .to_owned();
         (Level::Info, message, shown, help)
     } else if system == SystemFolder::Unknown {
         let message =
             "only target_cat.json is overridden: it must match the sliders of the system data (`--system`)".to_owned();
         (Level::Info, message, shown, help)
     } else {
-        let message = "modelling.json is missing here and in the system data: categories have no sliders".to_owned();
+        let message =
+            "modelling.json is missing here and in the system data: categories have no sliders"
+                .to_owned();
         let (level, effect) = without_any(base);
         (level, message, effect, help)
     }
@@ -106,22 +156,33 @@ fn categories_alone(base: &Base<'_>, system: SystemFolder) -> Gap {
 /// What a base without any modelling.json comes to.
 fn without_any(base: &Base<'_>) -> (Level, &'static str) {
     if base.user_modelling.accepted().is_some() {
-        (Level::Warning, "shows only the sliders of the user's targets")
+        (
+            Level::Warning,
+            "shows only the sliders of the user's targets",
+        )
     } else {
-        (Level::Error, "shows no sliders for the base, and macros have no effect")
+        (
+            Level::Error,
+            "shows no sliders for the base, and macros have no effect",
+        )
     }
 }
 
 /// No override at all, but user targets for a base of user space: they lead to the same folder.
 fn user_targets_alone<'a>(base: &Base<'a>, system: SystemFolder) -> Option<(&'a FileFacts, Gap)> {
     let file = base.user_modelling.file()?;
-    let has_sliders = base.user_modelling.accepted().is_some_and(|(_, model)| !model.sliders.is_empty());
+    let has_sliders = base
+        .user_modelling
+        .accepted()
+        .is_some_and(|(_, model)| !model.sliders.is_empty());
     let dead = system == SystemFolder::Absent && has_sliders && base.own_json.is_some();
     let message = format!(
         "user targets exist, but neither `contarget/{0}/macro.json` nor `target/{0}` in the system data",
         base.name
     );
-    let own = base.user_targets.and_then(|folder| folder.layer.file(&format!("{}/macro.json", folder.rel())));
+    let own = base
+        .user_targets
+        .and_then(|folder| folder.layer.file(&format!("{}/macro.json", folder.rel())));
     let help = if own.is_some() {
         "move the folder to `contarget/`: the user's `target/` is only for additions to a base of the system data"
     } else {
@@ -132,12 +193,25 @@ fn user_targets_alone<'a>(base: &Base<'a>, system: SystemFolder) -> Option<(&'a 
 
 /// Targets in contarget and none of the files that would make anybody look at them.
 fn targets_alone<'a>(base: &Base<'a>) -> Option<(&'a FileFacts, Gap)> {
-    let folder = base.other_targets.filter(|folder| !base.macros.is_overridden() && folder.folder == "contarget")?;
+    let folder = base
+        .other_targets
+        .filter(|folder| !base.macros.is_overridden() && folder.folder == "contarget")?;
     let file = folder.targets().next()?;
     let own = counted(folder.targets().count(), "target file");
-    let message = format!("macro.json is missing in `{}`: its {own} are never read", folder.rel())
-        .replace("1 target file are", "1 target file is");
+    let message = format!(
+        "macro.json is missing in `{}`: its {own} are never read",
+        folder.rel()
+    )
+    .replace("1 target file are", "1 target file is");
     let help = "add their macro.json and modelling.json, or move additions to the targets of the system data to \
         `target/<base>/<group>/`";
-    Some((file, (Level::Warning, message, "loads all targets of the base from the system data", help)))
+    Some((
+        file,
+        (
+            Level::Warning,
+            message,
+            "loads all targets of the base from the system data",
+            help,
+        ),
+    ))
 }

@@ -3,23 +3,40 @@
 use super::super::{Rule, counted};
 use super::{Packed, top};
 use mhlint_diag::{Application::Makehuman2, Case, Evidence, Finding, Level, grouped};
-use mhlint_discover::{Loss, extension, import, in_place_of, listed_in, loss, meant_for, top_folder};
+use mhlint_discover::{
+    Loss, extension, import, in_place_of, listed_in, loss, meant_for, top_folder,
+};
 
 const PICTURES: Case = &[(Makehuman2, Level::Warning, "ignores the pictures on import")];
-const UNLISTED: Case = &[(Makehuman2, Level::Error, "imports it to where it is not listed")];
+const UNLISTED: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "imports it to where it is not listed",
+)];
 
 pub(super) fn report(rule: &Rule, pack: &Packed<'_>, out: &mut Vec<Finding>) {
-    let ignored = pack.import.places.iter().filter(|(path, place)| place.is_none() && loss(path).is_some());
+    let ignored = pack
+        .import
+        .places
+        .iter()
+        .filter(|(path, place)| place.is_none() && loss(path).is_some());
     let by_top = grouped(ignored.map(|(path, _)| (top_folder(path), path.as_str())));
     // What macOS adds to a zip is for macOS alone.
     let by_top = by_top.into_iter().filter(|(top, _)| *top != "__MACOSX");
     out.extend(by_top.map(|(top, paths)| ignored_folder(rule, pack, top, &paths)));
-    let unlisted = pack.imported().filter(|(path, _)| !is_below_base(pack, path)).filter_map(|(path, place)| {
-        let fault = unlisted(place)?;
-        Some(((folder_of(path), fault), path))
-    });
+    let unlisted = pack
+        .imported()
+        .filter(|(path, _)| !is_below_base(pack, path))
+        .filter_map(|(path, place)| {
+            let fault = unlisted(place)?;
+            Some(((folder_of(path), fault), path))
+        });
     let unlisted = grouped(unlisted);
-    out.extend(unlisted.into_iter().map(|((folder, fault), paths)| of_unlisted(rule, pack, &folder, fault, &paths)));
+    out.extend(
+        unlisted
+            .into_iter()
+            .map(|((folder, fault), paths)| of_unlisted(rule, pack, &folder, fault, &paths)),
+    );
 }
 
 /// Whether a path has the folder of a base mesh, with more folders in it: one finding has them all.
@@ -62,9 +79,16 @@ fn ignored_folder(rule: &Rule, pack: &Packed<'_>, folder: &str, paths: &[&str]) 
             "put each asset into a folder of its kind at the top of the zip, such as `clothes/<asset>/`".to_owned(),
         ),
     };
-    let finding = pack.at(rule, folder, message).key(format!("ignored {folder}")).help(help);
+    let finding = pack
+        .at(rule, folder, message)
+        .key(format!("ignored {folder}"))
+        .help(help);
     let are_pictures = paths.iter().all(|path| loss(path) == Some(Loss::Picture));
-    let finding = if are_pictures { finding.case(PICTURES) } else { finding };
+    let finding = if are_pictures {
+        finding.case(PICTURES)
+    } else {
+        finding
+    };
     finding.evidence(Evidence::of_cases(paths.iter().copied()))
 }
 
@@ -107,10 +131,17 @@ fn unlisted(place: &str) -> Option<Unlisted> {
 
 /// The folder to move: that of the asset, not of the kind.
 fn folder_of(path: &str) -> String {
-    path.rsplit_once('/').map_or_else(String::new, |(folder, _)| folder.to_owned())
+    path.rsplit_once('/')
+        .map_or_else(String::new, |(folder, _)| folder.to_owned())
 }
 
-fn of_unlisted(rule: &Rule, pack: &Packed<'_>, folder: &str, fault: Unlisted, paths: &[&str]) -> Finding {
+fn of_unlisted(
+    rule: &Rule,
+    pack: &Packed<'_>,
+    folder: &str,
+    fault: Unlisted,
+    paths: &[&str],
+) -> Finding {
     let first = paths.first().copied().unwrap_or_default();
     let (name, kind) = (first.rsplit('/').next().unwrap_or(first), top(first, 1));
     let (message, help) = match fault {
@@ -119,20 +150,32 @@ fn of_unlisted(rule: &Rule, pack: &Packed<'_>, folder: &str, fault: Unlisted, pa
             format!("pack what is in `{name}` itself"),
         ),
         Unlisted::Deep => (
-            format!("`{name}` lies {} folders below `{kind}`, expected 1 at most", folder.matches('/').count()),
+            format!(
+                "`{name}` lies {} folders below `{kind}`, expected 1 at most",
+                folder.matches('/').count()
+            ),
             format!("move what is in `{folder}` to a folder of its own in `{kind}`"),
         ),
         Unlisted::Kind(right) => {
             let right = match right {
                 ["proxy"] => "`proxymeshes`".to_owned(),
                 [only] => format!("`{only}`"),
-                [first, second, ..] => format!("`{first}`, `{second}` or another folder of its kind"),
+                [first, second, ..] => {
+                    format!("`{first}`, `{second}` or another folder of its kind")
+                }
                 [] => String::new(),
             };
             let suffix = extension(first);
-            (format!("a `.{suffix}` in `{kind}` is not listed, expected in {right}"), format!("move it to {right}"))
+            (
+                format!("a `.{suffix}` in `{kind}` is not listed, expected in {right}"),
+                format!("move it to {right}"),
+            )
         }
     };
-    let finding = pack.at(rule, first, message).key(format!("unlisted {folder}")).case(UNLISTED).help(help);
+    let finding = pack
+        .at(rule, first, message)
+        .key(format!("unlisted {folder}"))
+        .case(UNLISTED)
+        .help(help);
     finding.evidence(Evidence::of_cases(paths.iter().copied()))
 }

@@ -8,21 +8,37 @@ use mhlint_repo::FileFacts;
 use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
-    breaks: &[(Mpfb, "fails with `AttributeError` when the assets of the pack are asked for")],
+    breaks: &[(
+        Mpfb,
+        "fails with `AttributeError` when the assets of the pack are asked for",
+    )],
     docs: include_str!("metadata.md").trim_ascii_end(),
-    ..RuleInfo::new("pack-metadata", Level::Error, "a list of a pack that its loader does not take or find")
+    ..RuleInfo::new(
+        "pack-metadata",
+        Level::Error,
+        "a list of a pack that its loader does not take or find",
+    )
 });
 
-const LISTED_TOO: Case = &[(Mpfb, Level::Warning, "lists it as another pack: every name with `.json` in it counts")];
+const LISTED_TOO: Case = &[(
+    Mpfb,
+    Level::Warning,
+    "lists it as another pack: every name with `.json` in it counts",
+)];
 const NOT_READ: Case = &[(Mpfb, Level::Error, "does not know the pack")];
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in view.own(Kind::PackMetadata) {
-        let Some(pack) = file.pack_metadata() else { continue };
+        let Some(pack) = file.pack_metadata() else {
+            continue;
+        };
         out.extend(findings(&RULE, file, &pack.stops, cx).map(|(_, finding)| finding));
         if pack.stops.all().is_empty() && extension(&file.rel) != "json" {
             let message = format!("`{}` counts as a pack of its own", file.file_name());
-            let finding = RULE.at(file, Place::File, message).key("copy").case(LISTED_TOO);
+            let finding = RULE
+                .at(file, Place::File, message)
+                .key("copy")
+                .case(LISTED_TOO);
             out.push(finding.help("move it out of `packs`, or remove it"));
         }
     }
@@ -35,11 +51,25 @@ fn unread(file: &FileFacts) -> Option<Finding> {
         return None;
     }
     let (message, help) = if file.rel.matches('/').count() > 1 {
-        (format!("`{}` is in a folder below `packs`", file.file_name()), "move it to `packs` itself")
+        (
+            format!("`{}` is in a folder below `packs`", file.file_name()),
+            "move it to `packs` itself",
+        )
     } else if file.kind != Kind::PackMetadata {
-        (format!("`{}` must end in `.json`: capitals matter", file.file_name()), "write the suffix in small letters")
+        (
+            format!(
+                "`{}` must end in `.json`: capitals matter",
+                file.file_name()
+            ),
+            "write the suffix in small letters",
+        )
     } else {
         return None;
     };
-    Some(RULE.at(file, Place::File, message).key("place").case(NOT_READ).help(help))
+    Some(
+        RULE.at(file, Place::File, message)
+            .key("place")
+            .case(NOT_READ)
+            .help(help),
+    )
 }

@@ -27,7 +27,11 @@ struct Packed<'v> {
 impl<'v> Packed<'v> {
     fn of(layer: &'v Layer) -> Option<Self> {
         let pack = layer.pack.as_ref()?;
-        Some(Self { layer, pack, import: pack.import.as_ref()? })
+        Some(Self {
+            layer,
+            pack,
+            import: pack.import.as_ref()?,
+        })
     }
 
     /// A finding at a path in the pack; at the pack itself for an empty one.
@@ -36,7 +40,11 @@ impl<'v> Packed<'v> {
     }
 
     fn printed(&self, path: &str) -> String {
-        if path.is_empty() { self.layer.path.clone() } else { format!("{}/{path}", self.layer.path) }
+        if path.is_empty() {
+            self.layer.path.clone()
+        } else {
+            format!("{}/{path}", self.layer.path)
+        }
     }
 
     /// The path in the pack of a file of its.
@@ -49,7 +57,10 @@ impl<'v> Packed<'v> {
 
     /// The files that are put somewhere, with the paths that they get.
     fn imported(&self) -> impl Iterator<Item = (&'v str, &'v str)> {
-        self.import.places.iter().filter_map(|(path, place)| Some((path.as_str(), place.as_deref()?)))
+        self.import
+            .places
+            .iter()
+            .filter_map(|(path, place)| Some((path.as_str(), place.as_deref()?)))
     }
 }
 

@@ -1,7 +1,9 @@
 //! An end of a setting that no part covers.
 
 use super::super::{Check, Rule, RuleCx};
-use super::stretch::{THESE_VALUES, checked, effect, harmful, is_of_dead_part, level, shown, whole};
+use super::stretch::{
+    THESE_VALUES, checked, effect, harmful, is_of_dead_part, level, shown, whole,
+};
 use mhlint_diag::{Application::Mpfb, Finding, Level, Place, RuleInfo, pointer};
 use mhlint_eval::mpfb::cover::Hole;
 use mhlint_formats::macro_parts::Setting;
@@ -9,15 +11,24 @@ use mhlint_repo::FileFacts;
 use mhlint_repo::mpfb::View;
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
-    breaks: &[(Mpfb, "drops all targets that need the setting at this end of the slider")],
+    breaks: &[(
+        Mpfb,
+        "drops all targets that need the setting at this end of the slider",
+    )],
     docs: include_str!("coverage.md").trim_ascii_end(),
-    ..RuleInfo::new("parts-coverage", Level::Error, "an end of a setting is not covered by any part")
+    ..RuleInfo::new(
+        "parts-coverage",
+        Level::Error,
+        "an end of a setting is not covered by any part",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(parts) = checked(view) else { return };
     for setting in whole(parts) {
-        let ends = harmful(setting).into_iter().filter(|hole| !is_of_dead_part(setting, hole));
+        let ends = harmful(setting)
+            .into_iter()
+            .filter(|hole| !is_of_dead_part(setting, hole));
         out.extend(ends.filter_map(|end| finding(parts.file, setting, &end)));
     }
 }
@@ -30,17 +41,37 @@ fn finding(file: &FileFacts, setting: &Setting, hole: &Hole) -> Option<Finding> 
     let uncovered = format!("no part of `{name}` covers {from_to}");
     let (place, message, help, end) = match (part(hole.before), part(hole.after)) {
         (Some(_), Some(_)) => return None,
-        (None, Some(first)) => (setting.pointer(first, "lowest"), uncovered, "write a `lowest` below 0", " 0"),
-        (Some(last), None) => (setting.pointer(last, "highest"), uncovered, "write a `highest` above 1", " 1"),
+        (None, Some(first)) => (
+            setting.pointer(first, "lowest"),
+            uncovered,
+            "write a `lowest` below 0",
+            " 0",
+        ),
+        (Some(last), None) => (
+            setting.pointer(last, "highest"),
+            uncovered,
+            "write a `highest` above 1",
+            " 1",
+        ),
         (None, None) => {
             let is_empty = setting.parts.is_empty();
-            let message = if is_empty { format!("`{name}` has no parts") } else { uncovered };
-            let help = if is_empty { "add the parts" } else { "write parts that cover 0 to 1" };
+            let message = if is_empty {
+                format!("`{name}` has no parts")
+            } else {
+                uncovered
+            };
+            let help = if is_empty {
+                "add the parts"
+            } else {
+                "write parts that cover 0 to 1"
+            };
             (pointer(&["macrotargets", name, "parts"]), message, help, "")
         }
     };
     let level = level(setting, [hole]);
-    let finding =
-        RULE.at(file, Place::Pointer(place), message).level(level).effect(effect(setting, level, THESE_VALUES));
+    let finding = RULE
+        .at(file, Place::Pointer(place), message)
+        .level(level)
+        .effect(effect(setting, level, THESE_VALUES));
     Some(finding.key(format!("{name}{end}")).help(help))
 }

@@ -11,7 +11,11 @@ use mhlint_repo::mpfb::View;
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "never uses the part")],
     docs: include_str!("empty_range.md").trim_ascii_end(),
-    ..RuleInfo::new("parts-empty-range", Level::Error, "a part that no value is in")
+    ..RuleInfo::new(
+        "parts-empty-range",
+        Level::Error,
+        "a part that no value is in",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -25,20 +29,48 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn finding(file: &FileFacts, setting: &Setting, part: &Part, holes: &[Hole]) -> Finding {
     let (lowest, highest) = (part.lowest, part.highest);
     let (member, why, help) = if !lowest.is_finite() {
-        ("lowest", "`lowest` is not a finite number".to_owned(), "write a number")
+        (
+            "lowest",
+            "`lowest` is not a finite number".to_owned(),
+            "write a number",
+        )
     } else if !highest.is_finite() {
-        ("highest", "`highest` is not a finite number".to_owned(), "write a number")
+        (
+            "highest",
+            "`highest` is not a finite number".to_owned(),
+            "write a number",
+        )
     } else if lowest > highest {
-        ("lowest", format!("`lowest` {lowest} is above `highest` {highest}"), "exchange `lowest` and `highest`")
+        (
+            "lowest",
+            format!("`lowest` {lowest} is above `highest` {highest}"),
+            "exchange `lowest` and `highest`",
+        )
     } else {
-        ("lowest", format!("`lowest` and `highest` are both {lowest}"), "write a `lowest` below `highest`")
+        (
+            "lowest",
+            format!("`lowest` and `highest` are both {lowest}"),
+            "write a `lowest` below `highest`",
+        )
     };
     let name = |name: &Option<String>| name.clone().unwrap_or_default();
-    let message = format!("parts[{}] of `{}` never matches: {why}", part.index, setting.name());
+    let message = format!(
+        "parts[{}] of `{}` never matches: {why}",
+        part.index,
+        setting.name()
+    );
     let lost: Vec<&Hole> = holes.iter().filter(|hole| touches(part, hole)).collect();
     let level = level(setting, lost.iter().copied());
-    let finding = RULE.at(file, Place::Pointer(setting.pointer(part, member)), message).level(level).help(help);
-    let finding = finding.key(format!("{} {}-{}", setting.name(), name(&part.low), name(&part.high)));
+    let finding = RULE
+        .at(file, Place::Pointer(setting.pointer(part, member)), message)
+        .level(level)
+        .help(help);
+    let finding = finding.key(format!(
+        "{} {}-{}",
+        setting.name(),
+        name(&part.low),
+        name(&part.high)
+    ));
     match lost.as_slice() {
         [] => finding,
         [hole, ..] => finding.effect(effect(setting, level, &shown(hole))),

@@ -1,4 +1,5 @@
-//! Rules on the macro settings of MPFB: `macro.json`, its parts, and the targets that their names are composed to.
+//! Rules on the macro settings of MPFB: `macro.json`, its parts, and the targets that their names
+//! are composed to.
 
 mod coverage;
 mod discontinuity;

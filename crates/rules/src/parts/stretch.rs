@@ -13,28 +13,45 @@ pub(super) const DEFAULT: f64 = DEFAULTS.0;
 
 /// The macro settings, if they are those of the checked layer.
 pub(super) fn checked<'v, 'a>(view: &'v View<'a>) -> Option<&'v Parts<'a>> {
-    view.parts.as_ref().filter(|parts| view.layers.is_checked(parts.file) && !parts.is_too_large)
+    view.parts
+        .as_ref()
+        .filter(|parts| view.layers.is_checked(parts.file) && !parts.is_too_large)
 }
 
 /// The settings whose parts can all be read: of others nobody can tell what they cover.
 pub(super) fn whole<'v>(parts: &'v Parts<'_>) -> impl Iterator<Item = &'v Setting> {
-    parts.settings.settings.iter().filter(|setting| setting.is_whole)
+    parts
+        .settings
+        .settings
+        .iter()
+        .filter(|setting| setting.is_whole)
 }
 
 pub(super) fn ranges(setting: &Setting) -> Vec<(f64, f64)> {
-    setting.parts.iter().map(|part| (part.lowest, part.highest)).collect()
+    setting
+        .parts
+        .iter()
+        .map(|part| (part.lowest, part.highest))
+        .collect()
 }
 
-/// The holes of a setting in which a shape is lost. Where the names on both sides are empty there is none.
+/// The holes of a setting in which a shape is lost. Where the names on both sides are empty there
+/// is none.
 pub(super) fn harmful(setting: &Setting) -> Vec<Hole> {
     let part = |number: Option<usize>| number.and_then(|number| setting.parts.get(number));
     let is_harmful = |hole: &Hole| {
         let (before, after) = (part(hole.before), part(hole.after));
-        let is_named =
-            |part: Option<&Part>, name: fn(&Part) -> &Option<String>| part.is_some_and(|part| name(part).is_some());
-        is_named(before, |part| &part.high) || is_named(after, |part| &part.low) || before.is_none() && after.is_none()
+        let is_named = |part: Option<&Part>, name: fn(&Part) -> &Option<String>| {
+            part.is_some_and(|part| name(part).is_some())
+        };
+        is_named(before, |part| &part.high)
+            || is_named(after, |part| &part.low)
+            || before.is_none() && after.is_none()
     };
-    holes(&ranges(setting)).into_iter().filter(is_harmful).collect()
+    holes(&ranges(setting))
+        .into_iter()
+        .filter(is_harmful)
+        .collect()
 }
 
 /// Whether a hole is where a part lies that never matches: that part has a finding of its own.
@@ -44,7 +61,10 @@ pub(super) fn is_of_dead_part(setting: &Setting, hole: &Hole) -> bool {
 
 /// The parts that never match.
 pub(super) fn dead(setting: &Setting) -> impl Iterator<Item = &Part> {
-    setting.parts.iter().filter(|part| !is_live((part.lowest, part.highest)))
+    setting
+        .parts
+        .iter()
+        .filter(|part| !is_live((part.lowest, part.highest)))
 }
 
 pub(super) fn touches(part: &Part, hole: &Hole) -> bool {
@@ -53,10 +73,17 @@ pub(super) fn touches(part: &Part, hole: &Hole) -> bool {
     !(from > hole.to || to < hole.from)
 }
 
-/// How bad holes are: without gender or age there is no shape at all, and at the default no character.
+/// How bad holes are: without gender or age there is no shape at all, and at the default no
+/// character.
 pub(super) fn level<'h>(setting: &Setting, holes: impl IntoIterator<Item = &'h Hole>) -> Level {
-    let has_default = holes.into_iter().any(|hole| hole.from <= DEFAULT && DEFAULT <= hole.to);
-    if has_default && [GENDER, AGE].contains(&setting.place) { Level::Error } else { Level::Warning }
+    let has_default = holes
+        .into_iter()
+        .any(|hole| hole.from <= DEFAULT && DEFAULT <= hole.to);
+    if has_default && [GENDER, AGE].contains(&setting.place) {
+        Level::Error
+    } else {
+        Level::Warning
+    }
 }
 
 /// What `effect` calls the values where the finding names them.
@@ -64,15 +91,28 @@ pub(super) const THESE_VALUES: &str = "these values";
 
 /// A hole in words.
 pub(super) fn shown(hole: &Hole) -> String {
-    if hole.from < hole.to { format!("{} to {}", hole.from, hole.to) } else { hole.from.to_string() }
+    if hole.from < hole.to {
+        format!("{} to {}", hole.from, hole.to)
+    } else {
+        hole.from.to_string()
+    }
 }
 
 /// What a user sees of values without a share.
 pub(super) fn effect(setting: &Setting, level: Level, values: &str) -> String {
-    let lost: Vec<&str> = LOOPS.iter().filter(|own| own.needs(setting.place)).map(|own| own.title).collect();
+    let lost: Vec<&str> = LOOPS
+        .iter()
+        .filter(|own| own.needs(setting.place))
+        .map(|own| own.title)
+        .collect();
     match (level, lost.len() == LOOPS.len()) {
-        (Level::Error, _) => "makes characters without any shape key: 0.5 is the value of a new character".to_owned(),
-        (_, true) => format!("drops all macro targets at {values} ({})", enumerated(&lost)),
+        (Level::Error, _) => {
+            "makes characters without any shape key: 0.5 is the value of a new character".to_owned()
+        }
+        (_, true) => format!(
+            "drops all macro targets at {values} ({})",
+            enumerated(&lost)
+        ),
         (_, false) => format!("drops the {} targets at {values}", enumerated(&lost)),
     }
 }

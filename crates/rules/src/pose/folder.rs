@@ -10,7 +10,11 @@ use mhlint_repo::mpfb::{POSE_ENDINGS, RigFile, RigPart, View, rig_of_pose};
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "never offers the poses")],
     docs: include_str!("folder.md").trim_ascii_end(),
-    ..RuleInfo::new("pose-folder", Level::Error, "poses of MPFB in a folder that no rig reads")
+    ..RuleInfo::new(
+        "pose-folder",
+        Level::Error,
+        "poses of MPFB in a folder that no rig reads",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -42,17 +46,28 @@ fn other_rig(rig: &str, view: &View<'_>) -> Option<&'static str> {
 }
 
 fn renamed(folder: &str, rig: &str, right: &str) -> Option<String> {
-    let ending = folder.split('/').rev().find_map(|name| name.strip_prefix(rig))?;
+    let ending = folder
+        .split('/')
+        .rev()
+        .find_map(|name| name.strip_prefix(rig))?;
     Some(format!("{right}{ending}"))
 }
 
 /// The name that a folder without the ending of a rig is meant to have.
 fn meant(folder: &str) -> Option<String> {
     let name = folder.rsplit('/').next().unwrap_or(folder);
-    let known = RIGS.iter().flat_map(|(rig, _)| POSE_ENDINGS.iter().map(move |ending| format!("{rig}{ending}")));
+    let known = RIGS.iter().flat_map(|(rig, _)| {
+        POSE_ENDINGS
+            .iter()
+            .map(move |ending| format!("{rig}{ending}"))
+    });
     let known: Vec<String> = known.collect();
     let in_other_case = known.iter().find(|one| one.eq_ignore_ascii_case(name));
-    let alone = || RIGS.iter().find(|(rig, _)| rig.eq_ignore_ascii_case(name)).map(|(rig, _)| format!("{rig}_fk"));
+    let alone = || {
+        RIGS.iter()
+            .find(|(rig, _)| rig.eq_ignore_ascii_case(name))
+            .map(|(rig, _)| format!("{rig}_fk"))
+    };
     in_other_case.cloned().or_else(alone)
 }
 
@@ -60,13 +75,25 @@ fn finding(folder: &str, files: &[&FileFacts], right: Option<&str>) -> Option<Fi
     let name = folder.rsplit('/').next().unwrap_or(folder);
     let count = counted(files.len(), "pose");
     let (message, otherwise) = if folder == "poses" {
-        (format!("{count} in `poses` itself, not in the folder of a rig"), "move them to a folder such as `default_fk`")
+        (
+            format!("{count} in `poses` itself, not in the folder of a rig"),
+            "move them to a folder such as `default_fk`",
+        )
     } else {
         let otherwise = "name the folder after the rig, with `_fk`, `_ik` or `_partial`";
-        (format!("{count} in `{name}`, which is not the folder of a rig"), otherwise)
+        (
+            format!("{count} in `{name}`, which is not the folder of a rig"),
+            otherwise,
+        )
     };
-    let finding = RULE.at(files.first()?, Place::File, message).key(format!("folder {folder}"));
+    let finding = RULE
+        .at(files.first()?, Place::File, message)
+        .key(format!("folder {folder}"));
     let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
     let evidence = Evidence::of_cases(files.iter().map(|file| file.shown()));
-    Some(finding.evidence(evidence).help(did_you_mean(right, otherwise)))
+    Some(
+        finding
+            .evidence(evidence)
+            .help(did_you_mean(right, otherwise)),
+    )
 }

@@ -51,7 +51,9 @@ fn names(units: &PoseUnits) -> BTreeSet<&str> {
 fn turns(units: &PoseUnits) -> impl Iterator<Item = (&Unit, &'static str, &Turn)> {
     units.units.iter().flat_map(|unit| {
         let halves = [("bones", &unit.bones), ("reverse", &unit.reverse)];
-        halves.into_iter().flat_map(move |(half, turns)| turns.iter().flatten().map(move |turn| (unit, half, turn)))
+        halves.into_iter().flat_map(move |(half, turns)| {
+            turns.iter().flatten().map(move |turn| (unit, half, turn))
+        })
     })
 }
 

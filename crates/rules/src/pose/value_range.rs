@@ -14,14 +14,28 @@ use mhlint_repo::{Body, BodyPose};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "turns the bones of the unit further than it is made for"),
-        (Makehuman1, "turns the bones of the unit further than it is made for"),
+        (
+            Makehuman2,
+            "turns the bones of the unit further than it is made for",
+        ),
+        (
+            Makehuman1,
+            "turns the bones of the unit further than it is made for",
+        ),
     ],
     docs: include_str!("value_range.md").trim_ascii_end(),
-    ..RuleInfo::new("pose-value-range", Level::Warning, "a pose sets a unit to a value that it does not have")
+    ..RuleInfo::new(
+        "pose-value-range",
+        Level::Warning,
+        "a pose sets a unit to a value that it does not have",
+    )
 });
 
-const NO_EFFECT: Case = &[(Makehuman2, Level::Warning, "silently ignores the value: the unit has no such side")];
+const NO_EFFECT: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "silently ignores the value: the unit has no such side",
+)];
 
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Fault {
@@ -36,12 +50,26 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.extend(of_frames(body, pose));
             continue;
         }
-        let Some((file, units)) = body.units_of(pose) else { continue };
-        let by_name: BTreeMap<&str, &Unit> = units.units.iter().map(|unit| (unit.name.as_str(), unit)).collect();
+        let Some((file, units)) = body.units_of(pose) else {
+            continue;
+        };
+        let by_name: BTreeMap<&str, &Unit> = units
+            .units
+            .iter()
+            .map(|unit| (unit.name.as_str(), unit))
+            .collect();
         let values = pose.pose.values.iter();
-        let unit = |one: &UnitValue| by_name.get((pose.renewed)(&one.unit).unwrap_or(&one.unit)).copied();
+        let unit = |one: &UnitValue| {
+            by_name
+                .get((pose.renewed)(&one.unit).unwrap_or(&one.unit))
+                .copied()
+        };
         let faulty = grouped(values.filter_map(|one| Some((fault(one, unit(one)?)?, one))));
-        out.extend(faulty.into_iter().filter_map(|(fault, all)| finding(pose, &file.path, fault, &all)));
+        out.extend(
+            faulty
+                .into_iter()
+                .filter_map(|(fault, all)| finding(pose, &file.path, fault, &all)),
+        );
     }
 }
 
@@ -74,18 +102,38 @@ fn finding(pose: &BodyPose<'_>, units: &str, fault: Fault, all: &[&UnitValue]) -
     let first = all.first()?;
     let (unit, value) = (&first.unit, first.value?);
     let (what, help, key) = match fault {
-        Fault::TooFar if value.abs() >= 5.0 => ("outside -1 to 1", format!("write {}", value / 100.0), "range"),
-        Fault::TooFar => ("outside -1 to 1", "write a value from -1 to 1".to_owned(), "range"),
-        Fault::NoReverse => {
-            ("but it has no `reverse`", "write a positive value, or add `reverse` to the unit".to_owned(), "reverse")
-        }
-        Fault::NoBones => {
-            ("but it has no `bones`", "write a negative value, or add `bones` to the unit".to_owned(), "bones")
-        }
+        Fault::TooFar if value.abs() >= 5.0 => (
+            "outside -1 to 1",
+            format!("write {}", value / 100.0),
+            "range",
+        ),
+        Fault::TooFar => (
+            "outside -1 to 1",
+            "write a value from -1 to 1".to_owned(),
+            "range",
+        ),
+        Fault::NoReverse => (
+            "but it has no `reverse`",
+            "write a positive value, or add `reverse` to the unit".to_owned(),
+            "reverse",
+        ),
+        Fault::NoBones => (
+            "but it has no `bones`",
+            "write a negative value, or add `bones` to the unit".to_owned(),
+            "bones",
+        ),
     };
     let more = such(all.len(), "values");
     let message = format!("unit `{unit}` is set to {value}, {what}{more}");
-    let finding = RULE.at(pose.file, Place::pointer([UNITS, unit]), message).key(key).against(units).help(help);
+    let finding = RULE
+        .at(pose.file, Place::pointer([UNITS, unit]), message)
+        .key(key)
+        .against(units)
+        .help(help);
     let finding = finding.evidence(Evidence::of_cases(all.iter().map(|one| &one.unit)));
-    Some(if fault == Fault::TooFar { finding } else { finding.case(NO_EFFECT) })
+    Some(if fault == Fault::TooFar {
+        finding
+    } else {
+        finding.case(NO_EFFECT)
+    })
 }

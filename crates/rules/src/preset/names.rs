@@ -18,13 +18,30 @@ pub(super) struct Named {
 }
 
 /// What becomes of a rig that MPFB cannot add.
-pub(super) const NO_RIG: &str = "fails with an exception when it adds the rig: only the body is made";
+pub(super) const NO_RIG: &str =
+    "fails with an exception when it adds the rig: only the body is made";
 
-/// What is named: key of the finding, word for it, and what becomes of a name that leads to nothing.
+/// What is named: key of the finding, word for it, and what becomes of a name that leads to
+/// nothing.
 const SORTS: [(&str, &str, Level, &str); 4] = [
-    ("worn", "asset", Level::Warning, "leaves it out, with a message in the log"),
-    ("skin", "skin", Level::Warning, "shows the body without a material, with a message in the log"),
-    ("expressions", "expression", Level::Warning, "drops the expression"),
+    (
+        "worn",
+        "asset",
+        Level::Warning,
+        "leaves it out, with a message in the log",
+    ),
+    (
+        "skin",
+        "skin",
+        Level::Warning,
+        "shows the body without a material, with a message in the log",
+    ),
+    (
+        "expressions",
+        "expression",
+        Level::Warning,
+        "drops the expression",
+    ),
     (
         "makeup",
         "ink layer",
@@ -38,25 +55,42 @@ pub(super) fn named(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> V
     let mut all = Vec::new();
     all.extend(targets(view, preset, cx));
     all.extend(ambiguous(view, preset));
-    let rig = preset.rig.as_ref().and_then(|rig| Some((rig, unknown_rig(view, rig, cx)?)));
+    let rig = preset
+        .rig
+        .as_ref()
+        .and_then(|rig| Some((rig, unknown_rig(view, rig, cx)?)));
     let is_own_rig = |rig: &NamedAt| rig.name.starts_with(OWN_RIG);
-    let (own, others) = rig.into_iter().partition::<Vec<_>, _>(|(rig, _)| is_own_rig(rig));
+    let (own, others) = rig
+        .into_iter()
+        .partition::<Vec<_>, _>(|(rig, _)| is_own_rig(rig));
     all.extend(own.into_iter().map(|(_, named)| named));
-    let of_sort =
-        [preset.worn.as_slice(), preset.skin.as_slice(), preset.expressions.as_slice(), preset.makeup.as_slice()];
+    let of_sort = [
+        preset.worn.as_slice(),
+        preset.skin.as_slice(),
+        preset.expressions.as_slice(),
+        preset.makeup.as_slice(),
+    ];
     for (names, (key, what, level, effect)) in of_sort.into_iter().zip(SORTS) {
-        all.extend(files(view, names, cx).map(|(first, near, count, cases)| Named {
-            at: first.pointer.clone(),
-            message: format!("{what} `{}` does not exist{}", first.name, such(count, "names")),
-            key,
-            help: elsewhere(view, first).unwrap_or_else(|| did_you_mean(near, "correct the name, or add the file")),
-            level,
-            effect,
-            cases,
+        all.extend(files(view, names, cx).map(|(first, near, count, cases)| {
+            Named {
+                at: first.pointer.clone(),
+                message: format!(
+                    "{what} `{}` does not exist{}",
+                    first.name,
+                    such(count, "names")
+                ),
+                key,
+                help: elsewhere(view, first)
+                    .unwrap_or_else(|| did_you_mean(near, "correct the name, or add the file")),
+                level,
+                effect,
+                cases,
+            }
         }));
     }
     if has_no_data(view) {
-        all.iter_mut().for_each(|one| (one.level, one.effect) = (Level::Info, UNLESS_USERS));
+        all.iter_mut()
+            .for_each(|one| (one.level, one.effect) = (Level::Info, UNLESS_USERS));
     }
     // A rig of MPFB itself is there or not, whatever the user has.
     all.extend(others.into_iter().map(|(_, named)| named));
@@ -67,7 +101,8 @@ pub(super) fn named(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> V
 const OWN_RIG: &str = "custom.";
 
 /// What names lead to that may be in data of the user that are not at hand.
-const UNLESS_USERS: &str = "leaves it out, unless it is in the data of the user, which are not checked here";
+const UNLESS_USERS: &str =
+    "leaves it out, unless it is in the data of the user, which are not checked here";
 
 /// Whether saved characters are alone, without the user's data.
 fn has_no_data(view: &View<'_>) -> bool {
@@ -85,7 +120,11 @@ fn targets(view: &View<'_>, preset: &HumanPreset, cx: &RuleCx<'_>) -> Option<Nam
     let near = cx.suggestions.nearest(&first.name, view.targets.names());
     Some(Named {
         at: first.pointer.clone(),
-        message: format!("target `{}` does not exist{}", first.name, such(missing.len(), "targets")),
+        message: format!(
+            "target `{}` does not exist{}",
+            first.name,
+            such(missing.len(), "targets")
+        ),
         key: "targets",
         help: did_you_mean(near, "correct the name, or add the target"),
         level: Level::Warning,
@@ -104,9 +143,15 @@ fn ambiguous<'p>(view: &View<'p>, preset: &'p HumanPreset) -> Option<Named> {
     let more = such(ambiguous.len(), "names");
     Some(Named {
         at: first.pointer.clone(),
-        message: format!("no target is named `{}`, but the names of {count} begin with it{more}", first.name),
+        message: format!(
+            "no target is named `{}`, but the names of {count} begin with it{more}",
+            first.name
+        ),
         key: "ambiguous",
-        help: format!("write the whole name, such as `{}`", example.split(".target").next().unwrap_or(example)),
+        help: format!(
+            "write the whole name, such as `{}`",
+            example.split(".target").next().unwrap_or(example)
+        ),
         level: Level::Warning,
         effect: "takes the first of these that the disk lists",
         cases: Evidence::of_cases(ambiguous.iter().map(|(one, ..)| one.name.as_str())),
@@ -124,27 +169,44 @@ fn section(one: &NamedAt) -> String {
     }
 }
 
-/// What to do where a file of the name is there: in the folder of another kind, or behind another sign.
+/// What to do where a file of the name is there: in the folder of another kind, or behind another
+/// sign.
 fn elsewhere(view: &View<'_>, one: &NamedAt) -> Option<String> {
     let section = section(one);
     if one.name.contains('\\') && view.named.has(&section, &one.name.replace('\\', "/")) {
         return Some("write `/` in place of the backslash".to_owned());
     }
-    let other = view.named.section_of(&one.name).filter(|other| *other != section)?;
-    Some(format!("the file is in `{other}`: name it there, or move it to `{section}`"))
+    let other = view
+        .named
+        .section_of(&one.name)
+        .filter(|other| *other != section)?;
+    Some(format!(
+        "the file is in `{other}`: name it there, or move it to `{section}`"
+    ))
 }
 
-/// Files that are looked for by their name alone: the first that does not exist, what it could be, and how many.
+/// Files that are looked for by their name alone: the first that does not exist, what it could be,
+/// and how many.
 fn files<'p>(
     view: &View<'p>,
     names: &'p [NamedAt],
     cx: &RuleCx<'_>,
 ) -> Option<(&'p NamedAt, Option<&'p str>, usize, Cases)> {
-    let missing: Vec<&NamedAt> = names.iter().filter(|one| !view.named.has(&section(one), &one.name)).collect();
+    let missing: Vec<&NamedAt> = names
+        .iter()
+        .filter(|one| !view.named.has(&section(one), &one.name))
+        .collect();
     let first = *missing.first()?;
     let file = first.name.rsplit('/').next().unwrap_or(&first.name);
-    let near = cx.suggestions.nearest_of_kind(file, view.named.names(&section(first)));
-    Some((first, near, missing.len(), Evidence::of_cases(missing.iter().map(|one| one.name.as_str()))))
+    let near = cx
+        .suggestions
+        .nearest_of_kind(file, view.named.names(&section(first)));
+    Some((
+        first,
+        near,
+        missing.len(),
+        Evidence::of_cases(missing.iter().map(|one| one.name.as_str())),
+    ))
 }
 
 /// A rig of MPFB, or one of the user.
@@ -153,32 +215,54 @@ fn unknown_rig(view: &View<'_>, rig: &NamedAt, cx: &RuleCx<'_>) -> Option<Named>
     let custom = name.strip_prefix(OWN_RIG);
     let layers = view.layers;
     let is_known = match custom {
-        Some(own) => {
-            layers.user.into_iter().chain(layers.beside).any(|layer| layer.is_there(&format!("rigs/{own}.json")))
-        }
+        Some(own) => layers
+            .user
+            .into_iter()
+            .chain(layers.beside)
+            .any(|layer| layer.is_there(&format!("rigs/{own}.json"))),
         None => match name.strip_prefix("rigify.") {
             Some(own) => {
                 let system = layers.system?;
-                system.file(&format!("rigs/rigify/rig.{own}.json")).is_some()
+                system
+                    .file(&format!("rigs/rigify/rig.{own}.json"))
+                    .is_some()
                     || system.below("rigs/rigify").next().is_none()
             }
-            None => layers.system?.file(&format!("rigs/standard/rig.{name}.json")).is_some(),
+            None => layers
+                .system?
+                .file(&format!("rigs/standard/rig.{name}.json"))
+                .is_some(),
         },
     };
-    let of_system = || layers.system.into_iter().flat_map(|layer| layer.below("rigs/standard"));
+    let of_system = || {
+        layers
+            .system
+            .into_iter()
+            .flat_map(|layer| layer.below("rigs/standard"))
+    };
     let stem = |file: &str| Some(file.strip_prefix("rig.")?.strip_suffix(".json")?.to_owned());
-    let rigs: Vec<String> = of_system().filter_map(|file| stem(file.file_name())).collect();
+    let rigs: Vec<String> = of_system()
+        .filter_map(|file| stem(file.file_name()))
+        .collect();
     // A part of the data without any rig says nothing.
     if is_known || custom.is_none() && rigs.is_empty() {
         return None;
     }
-    let near = rigs.iter().find(|other| other.eq_ignore_ascii_case(&name.replace('-', "_")));
-    let near = near.map(String::as_str).or_else(|| cx.suggestions.nearest(name, rigs.iter().map(String::as_str)));
+    let near = rigs
+        .iter()
+        .find(|other| other.eq_ignore_ascii_case(&name.replace('-', "_")));
+    let near = near.map(String::as_str).or_else(|| {
+        cx.suggestions
+            .nearest(name, rigs.iter().map(String::as_str))
+    });
     Some(Named {
         at: rig.pointer.clone(),
         message: format!("rig `{name}` does not exist"),
         key: "rig",
-        help: did_you_mean(near, "name a rig of MPFB, or add the rig to `rigs` of the user's data"),
+        help: did_you_mean(
+            near,
+            "name a rig of MPFB, or add the rig to `rigs` of the user's data",
+        ),
         level: Level::Error,
         effect: NO_RIG,
         cases: Evidence::of_cases([name]),

@@ -15,39 +15,75 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
         (Mpfb, "fails with an exception where it uses the value"),
     ],
     docs: include_str!("file_content.md").trim_ascii_end(),
-    ..RuleInfo::new("program-file-content", Level::Error, "a file of the program names something that does not exist")
+    ..RuleInfo::new(
+        "program-file-content",
+        Level::Error,
+        "a file of the program names something that does not exist",
+    )
 });
 
-const NO_MESH: Case = &[(Makehuman2, Level::Warning, "does not find its standard mesh")];
+const NO_MESH: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "does not find its standard mesh",
+)];
 
 fn run(view: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     mpfb_content::faults(&RULE, view, file, cx, out);
-    let Some(version) = file.version() else { return };
-    out.extend(version.support.iter().filter_map(|(label, key)| support(file, version, label, key)));
+    let Some(version) = file.version() else {
+        return;
+    };
+    out.extend(
+        version
+            .support
+            .iter()
+            .filter_map(|(label, key)| support(file, version, label, key)),
+    );
     out.extend(version_keys::missing(&RULE, file, version, cx));
-    out.extend(version.standard_mesh.as_deref().and_then(|mesh| standard_mesh(view, file, mesh)));
+    out.extend(
+        version
+            .standard_mesh
+            .as_deref()
+            .and_then(|mesh| standard_mesh(view, file, mesh)),
+    );
 }
 
 fn support(file: &FileFacts, version: &Version, label: &str, key: &str) -> Option<Finding> {
     if version.keys.iter().any(|known| known == key) {
         return None;
     }
-    let near = nearest(key, version.keys.iter().map(String::as_str).filter(|key| key.starts_with("url_")));
+    let near = nearest(
+        key,
+        version
+            .keys
+            .iter()
+            .map(String::as_str)
+            .filter(|key| key.starts_with("url_")),
+    );
     let message = format!("`{key}` of `{label}` is not a key of this file");
-    let finding = RULE.at(file, Place::pointer(["support_urls", label]), message).key(label);
-    Some(finding.help(did_you_mean(near, format!("add `{key}` with its address, or remove the entry"))))
+    let finding = RULE
+        .at(file, Place::pointer(["support_urls", label]), message)
+        .key(label);
+    Some(finding.help(did_you_mean(
+        near,
+        format!("add `{key}` with its address, or remove the entry"),
+    )))
 }
 
 fn standard_mesh(view: &View<'_>, file: &FileFacts, mesh: &str) -> Option<Finding> {
     let layers = view.layers();
     let bases = view.body_names();
     // A repository need not hold the base meshes of the program.
-    let holds_bases = layers.system.is_some_and(|system| system.below("base").next().is_some());
+    let holds_bases = layers
+        .system
+        .is_some_and(|system| system.below("base").next().is_some());
     if !holds_bases || bases.contains(&mesh) {
         return None;
     }
     let message = format!("base mesh `{mesh}` does not exist");
     let near = nearest(mesh, bases.iter().copied()).or(bases.first().copied());
-    let finding = RULE.at(file, Place::pointer(["standardmesh"]), message).case(NO_MESH);
+    let finding = RULE
+        .at(file, Place::pointer(["standardmesh"]), message)
+        .case(NO_MESH);
     Some(finding.help(did_you_mean(near, "name a base mesh that exists")))
 }

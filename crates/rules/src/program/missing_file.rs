@@ -16,12 +16,21 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     ],
     docs: include_str!("missing_file.md").trim_ascii_end(),
     of_library: true,
-    ..RuleInfo::new("program-missing-file", Level::Error, "a file of the program does not exist")
+    ..RuleInfo::new(
+        "program-missing-file",
+        Level::Error,
+        "a file of the program does not exist",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();
-    let Some(system) = layers.system.filter(|system| std::ptr::eq(*system, layers.checked)) else { return };
+    let Some(system) = layers
+        .system
+        .filter(|system| std::ptr::eq(*system, layers.checked))
+    else {
+        return;
+    };
     if view.is_makehuman1() {
         makehuman1_files::missing(&RULE, view, system, out);
     } else if view.is_mpfb() {

@@ -18,5 +18,10 @@ mod version_keys;
 use super::Rule;
 
 /// The rules of the family.
-pub(super) static RULES: &[&Rule] =
-    &[&file_content::RULE, &missing_file::RULE, &older_version::RULE, &partial_copy::RULE, &skybox::RULE];
+pub(super) static RULES: &[&Rule] = &[
+    &file_content::RULE,
+    &missing_file::RULE,
+    &older_version::RULE,
+    &partial_copy::RULE,
+    &skybox::RULE,
+];

@@ -10,14 +10,27 @@ use mhlint_repo::View;
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "works with data of its own version; newer programs miss what came later"),
-        (Makehuman1, "works with data of its own version; newer programs miss what came later"),
-        (Mpfb, "works with data of its own version; newer programs miss what came later"),
+        (
+            Makehuman2,
+            "works with data of its own version; newer programs miss what came later",
+        ),
+        (
+            Makehuman1,
+            "works with data of its own version; newer programs miss what came later",
+        ),
+        (
+            Mpfb,
+            "works with data of its own version; newer programs miss what came later",
+        ),
     ],
     docs: include_str!("older_version.md").trim_ascii_end(),
     of_library: true,
     of_pieces: true,
-    ..RuleInfo::new("program-older-version", Level::Info, "data of an older version of a program")
+    ..RuleInfo::new(
+        "program-older-version",
+        Level::Info,
+        "data of an older version of a program",
+    )
 });
 
 const IN_PIECES: Case = &[(
@@ -28,7 +41,9 @@ const IN_PIECES: Case = &[(
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();
-    let Some(version) = view.version().filter(|_| layers.checks_system()) else { return };
+    let Some(version) = view.version().filter(|_| layers.checks_system()) else {
+        return;
+    };
     if version.is_newest() || layers.checked.is_loose {
         return;
     }
@@ -40,6 +55,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(later) = later(version) else { return };
     let message = format!("data of {}: {later} came later", version.title());
     let finding = RULE.in_layer(layers.checked, "", message).key("version");
-    let finding = if view.is_in_pieces() { finding.case(IN_PIECES) } else { finding };
+    let finding = if view.is_in_pieces() {
+        finding.case(IN_PIECES)
+    } else {
+        finding
+    };
     out.push(finding);
 }

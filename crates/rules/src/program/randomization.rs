@@ -14,11 +14,16 @@ const STOPPED: Case = &[(
     "fails with an exception when the preset is loaded: it sets what comes before in the preset, and nothing else",
 )];
 
-/// What is missing has one cause, wherever it is: the preset was not saved by the add-on as it is now.
+/// What is missing has one cause, wherever it is: the preset was not saved by the add-on as it is
+/// now.
 const WORDING: Wording = Wording { cause, subject };
 
 fn cause(one: &Unfit) -> String {
-    if let Why::Lacks(_) = one.why { "lacks".to_owned() } else { sort(one) }
+    if let Why::Lacks(_) = one.why {
+        "lacks".to_owned()
+    } else {
+        sort(one)
+    }
 }
 
 pub(super) fn faults(
@@ -33,7 +38,11 @@ pub(super) fn faults(
     let stops = preset.stops(catalog.as_deref());
     for (first, finding) in findings_in(WORDING, rule, file, &stops, cx) {
         let is_lack = matches!(first.why, Why::Lacks(_));
-        let finding = if is_lack { finding.help("save the preset again with the add-on") } else { finding };
+        let finding = if is_lack {
+            finding.help("save the preset again with the add-on")
+        } else {
+            finding
+        };
         out.push(finding.case(STOPPED));
     }
     if stops.all().is_empty() {
@@ -44,7 +53,8 @@ pub(super) fn faults(
 /// The sections of the catalogue that the randomizer has settings for: those with sliders.
 fn sections<'v>(view: &mpfb::View<'v>) -> Option<Vec<&'v str>> {
     let sections = view.catalog.as_ref()?.sliders.sections.iter();
-    let with_sliders = sections.filter(|section| !section.categories.is_empty() && section.name != "measure");
+    let with_sliders =
+        sections.filter(|section| !section.categories.is_empty() && section.name != "measure");
     Some(with_sliders.map(|section| section.name.as_str()).collect())
 }
 
@@ -54,9 +64,20 @@ fn lacking(rule: &Rule, file: &FileFacts, missing: &[&str]) -> Option<Finding> {
     let names: Vec<String> = missing.iter().map(|name| format!("`{name}`")).collect();
     let message = match missing.len() {
         1 => format!("`sections` of `details` has no `{first}`, a section of `target.json`"),
-        count => format!("`sections` of `details` lacks {count} sections of `target.json`: {}", enumerated(&names)),
+        count => format!(
+            "`sections` of `details` lacks {count} sections of `target.json`: {}",
+            enumerated(&names)
+        ),
     };
-    let finding = rule.at(file, Place::pointer(["details", "sections"]), message).key("sections").case(STOPPED);
+    let finding = rule
+        .at(file, Place::pointer(["details", "sections"]), message)
+        .key("sections")
+        .case(STOPPED);
     let help = "save the preset again with the add-on, or copy the settings of another section under this name";
-    Some(finding.help(help).parts(missing.iter().copied()).evidence(Evidence::of_cases(missing.iter().copied())))
+    Some(
+        finding
+            .help(help)
+            .parts(missing.iter().copied())
+            .evidence(Evidence::of_cases(missing.iter().copied())),
+    )
 }

@@ -21,7 +21,11 @@ pub(super) enum Shown {
     Perhaps,
 }
 
-const CRASH_AT_START: Case = &[(Makehuman2, Level::Error, "crashes with a segmentation fault at every start")];
+const CRASH_AT_START: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes with a segmentation fault at every start",
+)];
 const CRASH_CHOSEN: Case = &[(
     Makehuman2,
     Level::Error,
@@ -32,7 +36,11 @@ const CRASH_PERHAPS: Case = &[(
     Level::Error,
     "crashes with a segmentation fault when the skybox is shown, at every start if `shader.json` names it",
 )];
-const CUT_OFF: Case = &[(Makehuman2, Level::Info, "shows the side cut off or distorted")];
+const CUT_OFF: Case = &[(
+    Makehuman2,
+    Level::Info,
+    "shows the side cut off or distorted",
+)];
 
 /// What every side is taken to have, in pixels.
 const SIDE: u64 = 2048;
@@ -48,11 +56,25 @@ enum Fault {
     OtherSize,
 }
 
-pub(super) fn faults(rule: &Rule, name: &str, sides: &Sides<'_>, shown: Shown, out: &mut Vec<Finding>) {
-    let found = sides.values().filter_map(|file| Some((fault(file)?, *file)));
+pub(super) fn faults(
+    rule: &Rule,
+    name: &str,
+    sides: &Sides<'_>,
+    shown: Shown,
+    out: &mut Vec<Finding>,
+) {
+    let found = sides
+        .values()
+        .filter_map(|file| Some((fault(file)?, *file)));
     out.extend(grouped(found).into_iter().filter_map(|(fault, files)| {
-        let (first, picture) = files.first().and_then(|file| Some((*file, file.picture()?)))?;
-        let more = if files.len() > 1 { format!(" ({} sides)", files.len()) } else { String::new() };
+        let (first, picture) = files
+            .first()
+            .and_then(|file| Some((*file, file.picture()?)))?;
+        let more = if files.len() > 1 {
+            format!(" ({} sides)", files.len())
+        } else {
+            String::new()
+        };
         let message = format!("`{}` {}{more}", first.file_name(), words(fault, picture));
         let case = match (fault, shown) {
             (Fault::OtherSize, _) => CUT_OFF,
@@ -62,7 +84,11 @@ pub(super) fn faults(rule: &Rule, name: &str, sides: &Sides<'_>, shown: Shown, o
         };
         let names = files.iter().map(|file| file.file_name());
         let parts = files.iter().map(|file| (file.file_name(), &file.path));
-        let finding = rule.at(first, Place::File, message).key(format!("{name} {fault:?}")).case(case).parts_in(parts);
+        let finding = rule
+            .at(first, Place::File, message)
+            .key(format!("{name} {fault:?}"))
+            .case(case)
+            .parts_in(parts);
         let help = "save the six pictures with 2048 by 2048 pixels in full colour";
         Some(finding.help(help).evidence(Evidence::of_cases(names)))
     }));
@@ -82,7 +108,11 @@ fn fault(file: &FileFacts) -> Option<Fault> {
     if pixels.saturating_mul(bits(picture)) >= TAKEN {
         return ((width, height) != (SIDE, SIDE)).then_some(Fault::OtherSize);
     }
-    Some(if pixels < SIDE * SIDE { Fault::Small } else { Fault::FewBits })
+    Some(if pixels < SIDE * SIDE {
+        Fault::Small
+    } else {
+        Fault::FewBits
+    })
 }
 
 /// Bits of a pixel as Qt holds it; those of a usual picture where that is not known.
@@ -100,7 +130,9 @@ fn words(fault: Fault, picture: &Picture) -> String {
     let (width, height) = picture.size.unwrap_or_default();
     match fault {
         Fault::Unreadable => "is not a picture that can be read".to_owned(),
-        Fault::Small | Fault::OtherSize => format!("has {width} × {height} pixels, expected {SIDE} × {SIDE}"),
+        Fault::Small | Fault::OtherSize => {
+            format!("has {width} × {height} pixels, expected {SIDE} × {SIDE}")
+        }
         Fault::FewBits if picture.pixels == Some(Pixels::Palette) => {
             "has a table of colours, expected full colour".to_owned()
         }

@@ -13,7 +13,11 @@ use mhlint_repo::{FileFacts, Layer};
 pub(crate) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "leaves out the missing sides of the background")],
     docs: include_str!("skybox.md").trim_ascii_end(),
-    ..RuleInfo::new("program-skybox", Level::Warning, "a side of a skybox is missing or cannot be shown")
+    ..RuleInfo::new(
+        "program-skybox",
+        Level::Warning,
+        "a side of a skybox is missing or cannot be shown",
+    )
 });
 
 const SHADERS: &str = "shaders/shader.json";
@@ -26,8 +30,15 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let known = file.and_then(|file| Some((file, file.shaders()?)));
     let at_start = known.and_then(|(file, shaders)| Some((file, first(shaders)?)));
     let own = at_start.filter(|(file, _)| layers.is_checked(file));
-    let is_absent = |name: &str| layers.strongest_first().all(|layer| boxes(layer, Some(name)).is_empty());
-    out.extend(own.filter(|(_, name)| is_absent(name)).map(|(file, name)| absent(file, name)));
+    let is_absent = |name: &str| {
+        layers
+            .strongest_first()
+            .all(|layer| boxes(layer, Some(name)).is_empty())
+    };
+    out.extend(
+        own.filter(|(_, name)| is_absent(name))
+            .map(|(file, name)| absent(file, name)),
+    );
     for (name, sides) in boxes(layers.checked, None) {
         let is_first = at_start.is_some_and(|(_, first)| first == name);
         let shown = match known {
@@ -36,9 +47,18 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             None => Shown::Perhaps,
         };
         faults(&RULE, name, &sides, shown, out);
-        let hides = layers.system.filter(|_| !layers.checks_system()).map(|system| boxes(system, Some(name)));
+        let hides = layers
+            .system
+            .filter(|_| !layers.checks_system())
+            .map(|system| boxes(system, Some(name)));
         let named_in = own.filter(|_| is_first).map(|(file, _)| file);
-        out.extend(lacking(layers.checked, name, &sides, named_in, hides.is_some_and(|hidden| !hidden.is_empty())));
+        out.extend(lacking(
+            layers.checked,
+            name,
+            &sides,
+            named_in,
+            hides.is_some_and(|hidden| !hidden.is_empty()),
+        ));
     }
 }
 
@@ -47,13 +67,19 @@ fn first(shaders: &Shaders) -> Option<&str> {
     shaders.skybox.as_deref().filter(|_| shaders.has_skybox)
 }
 
-/// The skyboxes of a layer, or the one of a name: its sides by their names. Of two pictures of a side the PNG is taken.
+/// The skyboxes of a layer, or the one of a name: its sides by their names. Of two pictures of a
+/// side the PNG is taken.
 fn boxes<'l>(layer: &'l Layer, wanted: Option<&str>) -> BTreeMap<&'l str, Sides<'l>> {
     let mut found: BTreeMap<&str, Sides<'_>> = BTreeMap::new();
-    for file in layer.below(FOLDER).filter(|file| (Layout::of(Makehuman2).single)(&file.rel) == Some(Single::SkySide)) {
+    for file in layer
+        .below(FOLDER)
+        .filter(|file| (Layout::of(Makehuman2).single)(&file.rel) == Some(Single::SkySide))
+    {
         let mut parts = file.rel.split('/').skip(2);
-        let (Some(name), Some((side, suffix))) = (parts.next(), parts.next().and_then(|last| last.rsplit_once('.')))
-        else {
+        let (Some(name), Some((side, suffix))) = (
+            parts.next(),
+            parts.next().and_then(|last| last.rsplit_once('.')),
+        ) else {
             continue;
         };
         let sides = found.entry(name).or_default();
@@ -66,22 +92,49 @@ fn boxes<'l>(layer: &'l Layer, wanted: Option<&str>) -> BTreeMap<&'l str, Sides<
 }
 
 fn absent(file: &FileFacts, name: &str) -> Finding {
-    let finding = RULE.at(file, Place::pointer(["skyboxname"]), format!("skybox `{name}` does not exist")).key(name);
-    let help = format!("add the pictures to `{FOLDER}/{name}`, or name another folder of `{FOLDER}`");
-    finding.help(help).evidence(Evidence::of_cases(SKY_SIDES).out_of(SKY_SIDES.len()))
+    let finding = RULE
+        .at(
+            file,
+            Place::pointer(["skyboxname"]),
+            format!("skybox `{name}` does not exist"),
+        )
+        .key(name);
+    let help =
+        format!("add the pictures to `{FOLDER}/{name}`, or name another folder of `{FOLDER}`");
+    finding
+        .help(help)
+        .evidence(Evidence::of_cases(SKY_SIDES).out_of(SKY_SIDES.len()))
 }
 
-fn lacking(layer: &Layer, name: &str, sides: &Sides<'_>, named_in: Option<&FileFacts>, hides: bool) -> Option<Finding> {
-    let missing: Vec<&str> = SKY_SIDES.into_iter().filter(|side| !sides.contains_key(side)).collect();
+fn lacking(
+    layer: &Layer,
+    name: &str,
+    sides: &Sides<'_>,
+    named_in: Option<&FileFacts>,
+    hides: bool,
+) -> Option<Finding> {
+    let missing: Vec<&str> = SKY_SIDES
+        .into_iter()
+        .filter(|side| !sides.contains_key(side))
+        .collect();
     let folder = format!("{FOLDER}/{name}");
     let (message, help) = match missing.as_slice() {
         [] => return None,
         [side] => {
-            let suffix = sides.values().next().map_or("png", |other| extension(&other.rel));
-            (format!("skybox `{name}` has no `{side}`"), format!("add `{side}.{suffix}` to `{folder}`"))
+            let suffix = sides
+                .values()
+                .next()
+                .map_or("png", |other| extension(&other.rel));
+            (
+                format!("skybox `{name}` has no `{side}`"),
+                format!("add `{side}.{suffix}` to `{folder}`"),
+            )
         }
         [side, ..] => (
-            format!("skybox `{name}` lacks {}, first `{side}`", counted(missing.len(), "side")),
+            format!(
+                "skybox `{name}` lacks {}, first `{side}`",
+                counted(missing.len(), "side")
+            ),
             format!("add the pictures to `{folder}`: {}", SKY_SIDES.join(", ")),
         ),
     };
@@ -89,8 +142,16 @@ fn lacking(layer: &Layer, name: &str, sides: &Sides<'_>, named_in: Option<&FileF
         Some(file) => RULE.at(file, Place::pointer(["skyboxname"]), message),
         None => RULE.in_layer(layer, &folder, message),
     };
-    let effect =
-        "leaves out the missing sides of the background: the folder takes the place of the program's as a whole";
-    let finding = if hides { finding.effect(effect) } else { finding };
-    Some(finding.key(name).help(help).evidence(Evidence::of_cases(missing).out_of(SKY_SIDES.len())))
+    let effect = "leaves out the missing sides of the background: the folder takes the place of the program's as a whole";
+    let finding = if hides {
+        finding.effect(effect)
+    } else {
+        finding
+    };
+    Some(
+        finding
+            .key(name)
+            .help(help)
+            .evidence(Evidence::of_cases(missing).out_of(SKY_SIDES.len())),
+    )
 }

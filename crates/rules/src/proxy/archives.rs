@@ -22,11 +22,19 @@ pub(super) struct Archive<'b, 'v> {
 pub(super) fn archives<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Archive<'b, 'v>> {
     let beside = texts(body).filter_map(|text| Some((text.worn.binary?.path.as_str(), text)));
     let beside: BTreeMap<&str, Text<'b, 'v>> = beside.collect();
-    let own = body.worn.iter().filter(|worn| body.layers.is_checked(worn.file));
+    let own = body
+        .worn
+        .iter()
+        .filter(|worn| body.layers.is_checked(worn.file));
     own.filter_map(move |worn| match worn.file.packed()? {
         Packed::Asset(asset) if asset.faults.is_empty() => {
             let text = beside.get(worn.file.path.as_str()).copied();
-            Some(Archive { worn, file: worn.file, asset, text })
+            Some(Archive {
+                worn,
+                file: worn.file,
+                asset,
+                text,
+            })
         }
         _ => None,
     })
@@ -41,17 +49,34 @@ pub(super) struct Lone<'b, 'v> {
     pub(super) mask: Option<&'v Mask>,
 }
 
-/// The archives that are all there is of an asset, of MakeHuman 2 and 1: beside a text the fault is told there, or that the
-/// two differ.
+/// The archives that are all there is of an asset, of MakeHuman 2 and 1: beside a text the fault is
+/// told there, or that the two differ.
 pub(super) fn lone_archives<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Lone<'b, 'v>> {
-    let of_makehuman2 = archives(body).filter(|archive| archive.text.is_none()).map(|archive| {
-        let Archive { worn, file, asset, .. } = archive;
-        Lone { worn, file, rows: &asset.rows, mask: asset.mask.as_ref() }
-    });
-    let own = body.worn.iter().filter(|worn| body.layers.is_checked(worn.file));
+    let of_makehuman2 = archives(body)
+        .filter(|archive| archive.text.is_none())
+        .map(|archive| {
+            let Archive {
+                worn, file, asset, ..
+            } = archive;
+            Lone {
+                worn,
+                file,
+                rows: &asset.rows,
+                mask: asset.mask.as_ref(),
+            }
+        });
+    let own = body
+        .worn
+        .iter()
+        .filter(|worn| body.layers.is_checked(worn.file));
     let of_makehuman1 = own.filter_map(|worn| {
         let proxy = worn.packed_proxy()?;
-        Some(Lone { worn, file: worn.file, rows: &proxy.rows, mask: proxy.mask.as_ref() })
+        Some(Lone {
+            worn,
+            file: worn.file,
+            rows: &proxy.rows,
+            mask: proxy.mask.as_ref(),
+        })
     });
     of_makehuman2.chain(of_makehuman1)
 }

@@ -24,25 +24,45 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (text, measure) in measured(body, measures) {
         let faults = &measure.triples.faults;
-        let Some((row, fault)) = faults.first() else { continue };
-        let vertices = text.clothes.kept.get(*row).map(|row| row.vertices).unwrap_or_default();
+        let Some((row, fault)) = faults.first() else {
+            continue;
+        };
+        let vertices = text
+            .clothes
+            .kept
+            .get(*row)
+            .map(|row| row.vertices)
+            .unwrap_or_default();
         let what = match fault {
             TripleFault::One => format!("names vertex {} three times", vertices[0]),
-            TripleFault::Two => format!("names a vertex twice: {}, {}, {}", vertices[0], vertices[1], vertices[2]),
+            TripleFault::Two => format!(
+                "names a vertex twice: {}, {}, {}",
+                vertices[0], vertices[1], vertices[2]
+            ),
             TripleFault::Line => {
-                format!("names vertices on one line: {}, {}, {}", vertices[0], vertices[1], vertices[2])
+                format!(
+                    "names vertices on one line: {}, {}, {}",
+                    vertices[0], vertices[1], vertices[2]
+                )
             }
         };
         let message = match faults.len() {
             1 => format!("the row of {} {what}", text.vertex(*row)),
-            count => format!("{count} rows name no triangle; the first, of {}, {what}", text.vertex(*row)),
+            count => format!(
+                "{count} rows name no triangle; the first, of {}, {what}",
+                text.vertex(*row)
+            ),
         };
-        let lines = faults.iter().map(|(row, _)| format!("line {}", text.clothes.line_of(*row)));
+        let lines = faults
+            .iter()
+            .map(|(row, _)| format!("line {}", text.clothes.line_of(*row)));
         let evidence = Evidence::of_unnamed(lines);
         out.push(
             RULE.at(text.file, Place::Line(text.clothes.line_of(*row)), message)
                 .evidence(evidence.out_of(text.clothes.rows.count))
-                .help("export the asset again; by hand, name three vertices of one face of the body"),
+                .help(
+                    "export the asset again; by hand, name three vertices of one face of the body",
+                ),
         );
     }
 }

@@ -15,7 +15,11 @@ impl<'v> Text<'_, 'v> {
 
     /// Whether `proxy-vertex-out-of-range` reports vertices that the base mesh does not have.
     pub(super) fn reaches_beyond(&self, body: &Body<'_>) -> bool {
-        let counts = [&self.clothes.rows.out_of_range, &self.clothes.deletes.out_of_range].map(|tally| tally.count);
+        let counts = [
+            &self.clothes.rows.out_of_range,
+            &self.clothes.deletes.out_of_range,
+        ]
+        .map(|tally| tally.count);
         counts != [0; 2] && self.is_counted(body)
     }
 
@@ -24,7 +28,8 @@ impl<'v> Text<'_, 'v> {
         let rows = &self.clothes.rows;
         let beyond = rows.out_of_range.count + rows.in_seams.count;
         let are_many = || beyond.saturating_mul(FEW) >= rows.count as u64;
-        let says_so = self.other_base().is_some() && beyond + self.clothes.deletes.out_of_range.count > 0;
+        let says_so =
+            self.other_base().is_some() && beyond + self.clothes.deletes.out_of_range.count > 0;
         self.is_counted(body) && (says_so || beyond > 0 && are_many())
     }
 
@@ -34,11 +39,13 @@ impl<'v> Text<'_, 'v> {
 
     /// Whether it is one of another base mesh by its scale lines, which is reported for these.
     pub(super) fn is_foreign_by_scale(&self, body: &Body<'_>) -> bool {
-        let is_scaled = (self.is_makehuman1() || !self.worn.is_topology()) && self.clothes.rows.has_offsets;
+        let is_scaled =
+            (self.is_makehuman1() || !self.worn.is_topology()) && self.clothes.rows.has_offsets;
         is_scaled && self.other_base().is_some() && !self.stops() && is_told_by_scale(body, self)
     }
 
-    /// What to do with an asset that says which base mesh it is for; `otherwise` if that is this one.
+    /// What to do with an asset that says which base mesh it is for; `otherwise` if that is this
+    /// one.
     pub(super) fn use_with_its_base(&self, otherwise: &str) -> String {
         self.other_base().map_or_else(
             || otherwise.to_owned(),

@@ -23,8 +23,11 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     )
 });
 
-const TAG: Case =
-    &[(Makehuman1, Level::Warning, "does not show the tag in the library: it looks no further than `verts`")];
+const TAG: Case = &[(
+    Makehuman1,
+    Level::Warning,
+    "does not show the tag in the library: it looks no further than `verts`",
+)];
 const UUID: Case = &[(
     Makehuman1,
     Level::Warning,
@@ -52,8 +55,12 @@ fn unknown(text: &Text<'_, '_>) -> Option<Finding> {
     }
     let list = sections::misspelt_list(text).map(|entry| entry.line);
     let is_unknown = |entry: &&Entry| {
-        let is_known = known_to_makehuman1(&entry.keyword) && !entry.has_colon || super::keywords::is_licence(entry);
-        entry.section == Section::Vertices && !entry.is_comment && !is_known && Some(entry.line) != list
+        let is_known = known_to_makehuman1(&entry.keyword) && !entry.has_colon
+            || super::keywords::is_licence(entry);
+        entry.section == Section::Vertices
+            && !entry.is_comment
+            && !is_known
+            && Some(entry.line) != list
     };
     let found: Vec<&Entry> = text.clothes.entries.iter().filter(is_unknown).collect();
     let first = found.first()?;
@@ -61,15 +68,26 @@ fn unknown(text: &Text<'_, '_>) -> Option<Finding> {
     let message = format!("`{}` below `verts` is not a keyword{more}", first.written());
     let finding = RULE.at(text.file, Place::Span(first.keyword_span.clone()), message);
     let evidence = Evidence::of_cases(found.iter().map(|entry| entry.keyword.to_string()));
-    Some(finding.evidence(evidence).help("correct the keyword, or remove the line"))
+    Some(
+        finding
+            .evidence(evidence)
+            .help("correct the keyword, or remove the line"),
+    )
 }
 
 /// A line that only who reads all of the file finds.
 fn unseen(text: &Text<'_, '_>, keyword: &str, case: Case) -> Option<Finding> {
     let is_below = |entry: &&Entry| entry.section != Section::Header && !entry.has_colon;
     let entry = text.clothes.all(keyword).find(is_below)?;
-    let is_told = keyword == "uuid" && text.clothes.all(keyword).any(|entry| entry.section == Section::Header);
+    let is_told = keyword == "uuid"
+        && text
+            .clothes
+            .all(keyword)
+            .any(|entry| entry.section == Section::Header);
     let message = format!("`{keyword}` is below `verts`");
-    let finding = RULE.at(text.file, Place::Span(entry.keyword_span.clone()), message).key(keyword).case(case);
+    let finding = RULE
+        .at(text.file, Place::Span(entry.keyword_span.clone()), message)
+        .key(keyword)
+        .case(case);
     (!is_told).then(|| finding.help("move the line above `verts`"))
 }

@@ -7,9 +7,16 @@ use mhlint_formats::mhclo::Entry;
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "reads the line in one place and ignores it in another")],
+    breaks: &[(
+        Makehuman2,
+        "reads the line in one place and ignores it in another",
+    )],
     docs: include_str!("keyword_spelling.md").trim_ascii_end(),
-    ..RuleInfo::new("proxy-keyword-spelling", Level::Warning, "a line that only one reader of an asset understands")
+    ..RuleInfo::new(
+        "proxy-keyword-spelling",
+        Level::Warning,
+        "a line that only one reader of an asset understands",
+    )
 });
 
 const COLON: Case = &[(
@@ -17,27 +24,54 @@ const COLON: Case = &[(
     Level::Warning,
     "does not read it for the library until the asset has been put on once; models saved before do not find the asset again",
 )];
-const TAG: Case = &[(Makehuman2, Level::Warning, "reads the line as a tag until the asset has been put on once")];
+const TAG: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "reads the line as a tag until the asset has been put on once",
+)];
 const AUTHOR: Case = &[(Makehuman2, Level::Warning, "shows the author as unknown")];
-const UNSEEN_AUTHOR: Case =
-    &[(Makehuman2, Level::Info, "shows the author as unknown until the asset has been put on once")];
-const NO_AUTHOR: Case = &[(Makehuman2, Level::Warning, "reads the words after `author` as the author")];
+const UNSEEN_AUTHOR: Case = &[(
+    Makehuman2,
+    Level::Info,
+    "shows the author as unknown until the asset has been put on once",
+)];
+const NO_AUTHOR: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "reads the words after `author` as the author",
+)];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
         for keyword in ["name", "uuid"] {
             out.extend(colon(&text, keyword));
         }
-        out.extend(text.clothes.entries.iter().filter_map(|entry| stray_tag(&text, entry)));
-        out.extend(text.clothes.entries.iter().find_map(|entry| stray_author(&text, entry)));
+        out.extend(
+            text.clothes
+                .entries
+                .iter()
+                .filter_map(|entry| stray_tag(&text, entry)),
+        );
+        out.extend(
+            text.clothes
+                .entries
+                .iter()
+                .find_map(|entry| stray_author(&text, entry)),
+        );
         out.extend(hidden_author(&text));
     }
 }
 
 fn colon(text: &Text<'_, '_>, keyword: &str) -> Option<Finding> {
     let scanned = &text.clothes.scanned;
-    let is_seen = if keyword == "name" { scanned.name.is_some() } else { scanned.uuid.is_some() };
-    let entry = text.last(keyword).filter(|entry| entry.has_colon && !is_seen)?;
+    let is_seen = if keyword == "name" {
+        scanned.name.is_some()
+    } else {
+        scanned.uuid.is_some()
+    };
+    let entry = text
+        .last(keyword)
+        .filter(|entry| entry.has_colon && !is_seen)?;
     Some(
         told(text, entry, format!("`{keyword}:` has a colon"), COLON)
             .help(format!("write `{keyword}` without a colon")),
@@ -46,11 +80,19 @@ fn colon(text: &Text<'_, '_>, keyword: &str) -> Option<Finding> {
 
 /// A line of the head that the library counts as a tag, and nothing else does.
 fn stray_tag(text: &Text<'_, '_>, entry: &Entry) -> Option<Finding> {
-    let is_scanned = text.clothes.scanned.tags.iter().any(|tag| tag.line == entry.line);
+    let is_scanned = text
+        .clothes
+        .scanned
+        .tags
+        .iter()
+        .any(|tag| tag.line == entry.line);
     if !is_scanned || entry.is_comment || &*entry.keyword == "tag" {
         return None;
     }
-    let message = format!("the library reads the line `{} …` as a tag because it contains `tag`", entry.keyword);
+    let message = format!(
+        "the library reads the line `{} …` as a tag because it contains `tag`",
+        entry.keyword
+    );
     let help = if entry.keyword.to_lowercase().starts_with("tag") {
         "write a line `tag` for each tag".to_owned()
     } else {
@@ -60,7 +102,12 @@ fn stray_tag(text: &Text<'_, '_>, entry: &Entry) -> Option<Finding> {
 }
 
 fn stray_author(text: &Text<'_, '_>, entry: &Entry) -> Option<Finding> {
-    let author = text.clothes.scanned.author.as_ref().filter(|author| author.line == entry.line)?;
+    let author = text
+        .clothes
+        .scanned
+        .author
+        .as_ref()
+        .filter(|author| author.line == entry.line)?;
     if entry.is_comment {
         return None;
     }
@@ -80,10 +127,15 @@ fn hidden_author(text: &Text<'_, '_>) -> Option<Finding> {
     }
     let glued = text.clothes.scanned.glued_author.as_ref()?;
     let message = format!("`{}` is not read as the author", glued.text);
-    let finding = RULE.at(text.file, Place::Span(glued.span.clone()), message).key("author").case(AUTHOR);
+    let finding = RULE
+        .at(text.file, Place::Span(glued.span.clone()), message)
+        .key("author")
+        .case(AUTHOR);
     Some(finding.help("put a space after the `#`: `# author …`"))
 }
 
 fn told(text: &Text<'_, '_>, entry: &Entry, message: String, case: Case) -> Finding {
-    RULE.at(text.file, Place::Span(entry.keyword_span.clone()), message).key(&*entry.keyword).case(case)
+    RULE.at(text.file, Place::Span(entry.keyword_span.clone()), message)
+        .key(&*entry.keyword)
+        .case(case)
 }

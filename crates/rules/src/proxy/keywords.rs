@@ -42,7 +42,8 @@ const OF_MAKEHUMAN1: [&str; 12] = [
     "r_shear_z",
 ];
 
-/// Of old: MakeHuman 1 knows them and passes over them (`docs/loaders/makehuman1/clothes.md#keywords`).
+/// Of old: MakeHuman 1 knows them and passes over them
+/// (`docs/loaders/makehuman1/clothes.md#keywords`).
 pub(super) const OLD: [&str; 13] = [
     "backface_culling",
     "transparent",
@@ -79,13 +80,19 @@ pub(super) fn known_to_makehuman1(keyword: &str) -> bool {
 
 /// Whether a line has one of the keywords that MakeHuman 1 cannot take, outside of comments.
 pub(super) fn is_licence(entry: &Entry) -> bool {
-    let is_one = matches!((&*entry.keyword, entry.has_colon), ("author" | "license", _) | ("homepage", false));
+    let is_one = matches!(
+        (&*entry.keyword, entry.has_colon),
+        ("author" | "license", _) | ("homepage", false)
+    );
     is_one && !entry.is_comment
 }
 
 /// Keywords that nothing but a text to read depends on.
 pub(super) fn is_harmless(keyword: &str) -> bool {
-    matches!(keyword, "description" | "author" | "license" | "homepage" | "version")
+    matches!(
+        keyword,
+        "description" | "author" | "license" | "homepage" | "version"
+    )
 }
 
 /// Whether a line has a keyword, however it is spelt.
@@ -96,13 +103,18 @@ pub(super) fn is_known(entry: &Entry) -> bool {
 
 /// The keyword of an application that a line of an unknown one is meant to have.
 pub(super) fn meant_in(application: Application, entry: &Entry) -> Option<&'static str> {
-    let own: &[&str] = if application == Application::Makehuman1 { &OF_MAKEHUMAN1 } else { &[] };
+    let own: &[&str] = if application == Application::Makehuman1 {
+        &OF_MAKEHUMAN1
+    } else {
+        &[]
+    };
     let is_bare = |entry: &Entry| application != Application::Makehuman1 || !entry.has_colon;
     if READ.contains(&&*entry.keyword) && !is_bare(entry) && !entry.is_comment {
         return READ.into_iter().find(|known| **known == *entry.keyword);
     }
     meant(entry).or_else(|| {
-        let is_unknown = !entry.is_comment && !READ.contains(&&*entry.keyword) && !is_other(&entry.keyword);
+        let is_unknown =
+            !entry.is_comment && !READ.contains(&&*entry.keyword) && !is_other(&entry.keyword);
         let near = nearest(&entry.keyword, others()).filter(|_| is_unknown)?;
         own.iter().copied().find(|known| *known == near)
     })
@@ -126,7 +138,12 @@ pub(super) fn meant(entry: &Entry) -> Option<&'static str> {
     }
     let folded = folded(written);
     let same = READ.into_iter().find(|known| self::folded(known) == folded);
-    let alias = || ALIASES.iter().find(|(other, _)| *other == folded).map(|(_, known)| *known);
+    let alias = || {
+        ALIASES
+            .iter()
+            .find(|(other, _)| *other == folded)
+            .map(|(_, known)| *known)
+    };
     let near = || {
         // One that is nearer to a keyword of another application is meant as that.
         let near = nearest(written, READ.into_iter().chain(others()))?;
@@ -140,9 +157,16 @@ pub(super) fn meant(entry: &Entry) -> Option<&'static str> {
 fn unparted(word: &str) -> Option<(&'static str, &str)> {
     glued(word, READ, |keyword, value| match keyword {
         "obj_file" | "material" | "vertexboneweights_file" => is_like_path(value),
-        "uuid" => value.len() >= SHORTEST_UUID && value.bytes().all(|byte| byte.is_ascii_hexdigit() || byte == b'-'),
+        "uuid" => {
+            value.len() >= SHORTEST_UUID
+                && value
+                    .bytes()
+                    .all(|byte| byte.is_ascii_hexdigit() || byte == b'-')
+        }
         "verts" | "delete_verts" => value.bytes().all(|byte| byte.is_ascii_digit()),
-        "version" | "z_depth" | "x_scale" | "y_scale" | "z_scale" => python_float(value.as_bytes()).is_some(),
+        "version" | "z_depth" | "x_scale" | "y_scale" | "z_scale" => {
+            python_float(value.as_bytes()).is_some()
+        }
         "weights" => false,
         _ => begins_word(value),
     })
@@ -171,5 +195,8 @@ fn is_other(word: &str) -> bool {
 
 /// Without capitals, lines and dashes.
 fn folded(word: &str) -> String {
-    word.chars().filter(|letter| letter.is_alphanumeric()).flat_map(char::to_lowercase).collect()
+    word.chars()
+        .filter(|letter| letter.is_alphanumeric())
+        .flat_map(char::to_lowercase)
+        .collect()
 }

@@ -8,7 +8,11 @@ use mhlint_repo::mpfb::View;
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, "lists only one of them; the other cannot be chosen")],
     docs: include_str!("label_clash.md").trim_ascii_end(),
-    ..RuleInfo::new("proxy-label-clash", Level::Error, "two assets of one list with the same label")
+    ..RuleInfo::new(
+        "proxy-label-clash",
+        Level::Error,
+        "two assets of one list with the same label",
+    )
 });
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {

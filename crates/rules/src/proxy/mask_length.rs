@@ -20,7 +20,11 @@ const LONG: Case = &[(
     Level::Error,
     "crashes with `ValueError` when it is worn with another asset that hides vertices, in the OBJ export, and in the glTF export if it hides all",
 )];
-const ROWS: Case = &[(Makehuman2, Level::Error, "crashes when the asset is put on, and again whenever a slider moves")];
+const ROWS: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes when the asset is put on, and again whenever a slider moves",
+)];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for archive in archives(body) {
@@ -30,12 +34,17 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn mask(body: &Body<'_>, archive: &Archive<'_, '_>) -> Option<Finding> {
-    let (length, vertices) = (archive.asset.mask.as_ref()?.length, archive.size_of_base(body)?.vertices);
+    let (length, vertices) = (
+        archive.asset.mask.as_ref()?.length,
+        archive.size_of_base(body)?.vertices,
+    );
     if length == vertices {
         return None;
     }
     let message = format!("the mask is for {length} vertices, but the base mesh has {vertices}");
-    let finding = RULE.at(archive.file, Place::File, message).case(if length < vertices { SHORT } else { LONG });
+    let finding = RULE
+        .at(archive.file, Place::File, message)
+        .case(if length < vertices { SHORT } else { LONG });
     Some(finding.help(rebuild(archive.text.is_some())))
 }
 
@@ -44,7 +53,13 @@ fn rows(archive: &Archive<'_, '_>) -> Option<Finding> {
     if rows == vertices {
         return None;
     }
-    let message = format!("{} for the {vertices} vertices in the archive", counted(rows, "row"));
-    let finding = RULE.at(archive.file, Place::File, message).key("rows").case(ROWS);
+    let message = format!(
+        "{} for the {vertices} vertices in the archive",
+        counted(rows, "row")
+    );
+    let finding = RULE
+        .at(archive.file, Place::File, message)
+        .key("rows")
+        .case(ROWS);
     Some(finding.help(rebuild(archive.text.is_some())))
 }

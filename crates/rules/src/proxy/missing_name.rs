@@ -10,7 +10,10 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "lists the asset without a name, and models lose it"),
+        (
+            Makehuman2,
+            "lists the asset without a name, and models lose it",
+        ),
         (Makehuman1, "lists the asset under the name of its file"),
         (Mpfb, "lists the asset under the name of its file"),
     ],
@@ -24,8 +27,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return blender::names::known_by(&RULE, body, "name", out);
     }
     for text in texts(body) {
-        let is_missing =
-            if text.is_makehuman1() { text.last("name").is_none() } else { text.clothes.scanned.name.is_none() };
+        let is_missing = if text.is_makehuman1() {
+            text.last("name").is_none()
+        } else {
+            text.clothes.scanned.name.is_none()
+        };
         if is_missing {
             out.extend(
                 missing(&text, "name", "name")

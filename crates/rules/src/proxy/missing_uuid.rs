@@ -21,8 +21,11 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 const TOPOLOGY: Case = &[(Makehuman1, Level::Info, "puts the topology on all the same")];
-const SINGLE: Case =
-    &[(Makehuman1, Level::Error, "does not put on a second asset without a uuid, and saved models lose both")];
+const SINGLE: Case = &[(
+    Makehuman1,
+    Level::Error,
+    "does not put on a second asset without a uuid, and saved models lose both",
+)];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
@@ -31,10 +34,19 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
         // An empty line is worse in MakeHuman 1, and has a finding of its own.
         let is_lost = || text.last("uuid").is_none() && empty_uuid(text.clothes).is_none();
-        let is_missing = if text.is_makehuman1() { is_lost() } else { text.clothes.scanned.uuid.is_none() };
+        let is_missing = if text.is_makehuman1() {
+            is_lost()
+        } else {
+            text.clothes.scanned.uuid.is_none()
+        };
         if is_missing {
-            let told = missing(&text, "uuid", "uuid: that of earlier versions, or a new one from a generator");
-            let told = told.map(|(place, message, help)| RULE.at(text.file, place, message).help(help));
+            let told = missing(
+                &text,
+                "uuid",
+                "uuid: that of earlier versions, or a new one from a generator",
+            );
+            let told =
+                told.map(|(place, message, help)| RULE.at(text.file, place, message).help(help));
             out.extend(told.map(|finding| match known_by(&text) {
                 Some(case) => finding.case(case),
                 None => finding,

@@ -132,16 +132,27 @@ struct Text<'b, 'v> {
     clothes: &'v Clothes,
 }
 
-/// The assets of the checked layer of which the text can be relied on. A file of something else has one finding.
+/// The assets of the checked layer of which the text can be relied on. A file of something else has
+/// one finding.
 fn texts<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Text<'b, 'v>> {
     all_texts(body).filter(Text::is_asset)
 }
 
 /// Those of something else as well.
 fn all_texts<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Text<'b, 'v>> {
-    let own = body.worn.iter().filter(|worn| body.layers.is_checked(worn.file));
+    let own = body
+        .worn
+        .iter()
+        .filter(|worn| body.layers.is_checked(worn.file));
     let application = body.application();
-    own.filter_map(move |worn| Some(Text { application, worn, file: worn.file, clothes: worn.clothes()? }))
+    own.filter_map(move |worn| {
+        Some(Text {
+            application,
+            worn,
+            file: worn.file,
+            clothes: worn.clothes()?,
+        })
+    })
 }
 
 impl<'v> Text<'_, 'v> {
@@ -150,18 +161,28 @@ impl<'v> Text<'_, 'v> {
         self.clothes.entries.iter().any(keywords::is_known)
     }
 
-    /// Whether a byte order mark hides the keyword of the first line; that has a finding of its own.
+    /// Whether a byte order mark hides the keyword of the first line; that has a finding of its
+    /// own.
     fn has_hidden(&self, keyword: &str) -> bool {
-        let first = self.clothes.entries.first().filter(|_| self.file.encoding.byte_order_mark);
+        let first = self
+            .clothes
+            .entries
+            .first()
+            .filter(|_| self.file.encoding.byte_order_mark);
         first.is_some_and(|entry| entry.keyword.trim_start_matches('\u{feff}') == keyword)
     }
 
-    /// A line that is meant to have this keyword and has it spelt in another way, or without a value.
+    /// A line that is meant to have this keyword and has it spelt in another way, or without a
+    /// value.
     fn misspelt(&self, keyword: &str) -> Option<&'v Entry> {
-        self.clothes.entries.iter().find(|entry| keywords::meant_in(self.application, entry) == Some(keyword))
+        self.clothes
+            .entries
+            .iter()
+            .find(|entry| keywords::meant_in(self.application, entry) == Some(keyword))
     }
 
-    /// The rows are those of the base mesh as it is: nothing keeps them from being counted against it.
+    /// The rows are those of the base mesh as it is: nothing keeps them from being counted against
+    /// it.
     fn size_of_base(&self, body: &Body<'_>) -> Option<MeshSize> {
         let size = body.whole_mesh()?.size();
         (self.clothes.rows.mesh == Some(size)).then_some(size)
@@ -174,11 +195,20 @@ impl<'v> Text<'_, 'v> {
 
     /// A fault at which the loader stops, before anything is put on.
     fn stops(&self) -> bool {
-        use FaultKind::{DeleteWord, FieldCount, NotWhole, OldFormat, OpenRange, RowWord, ScaleWord, ShortScale};
+        use FaultKind::{
+            DeleteWord, FieldCount, NotWhole, OldFormat, OpenRange, RowWord, ScaleWord, ShortScale,
+        };
         let stops = |kind| {
             matches!(
                 kind,
-                DeleteWord | FieldCount(_) | NotWhole | OldFormat | OpenRange | RowWord | ScaleWord | ShortScale
+                DeleteWord
+                    | FieldCount(_)
+                    | NotWhole
+                    | OldFormat
+                    | OpenRange
+                    | RowWord
+                    | ScaleWord
+                    | ShortScale
             )
         };
         match self.application {
@@ -189,7 +219,10 @@ impl<'v> Text<'_, 'v> {
 
     /// A vertex of the asset, with its group in the mesh.
     fn vertex(&self, vertex: impl TryInto<u32> + Display + Copy) -> String {
-        self.worn.mesh().map_or_else(|| format!("vertex {vertex}"), |(_, mesh)| mesh.named(vertex))
+        self.worn.mesh().map_or_else(
+            || format!("vertex {vertex}"),
+            |(_, mesh)| mesh.named(vertex),
+        )
     }
 
     /// The first few faults of one kind, and how many there are.
@@ -210,7 +243,11 @@ impl<'v> Text<'_, 'v> {
     /// Whether the section of the rows was ever opened.
     fn has_rows_section(&self) -> bool {
         let is_known = |entry: &Entry| self.application != Makehuman1 || !entry.has_colon;
-        let mut opened = self.clothes.entries.iter().filter(|entry| entry.section == Section::Vertices);
+        let mut opened = self
+            .clothes
+            .entries
+            .iter()
+            .filter(|entry| entry.section == Section::Vertices);
         opened.any(|entry| &*entry.keyword == "verts" && is_known(entry))
     }
 }
@@ -224,8 +261,8 @@ fn measured<'b, 'v>(
     sound.filter_map(|text| Some((text, measures.worn.get(&text.file.path)?)))
 }
 
-/// Times that two vertices are as far apart as a scale line says, as figures differ: beyond them the line was written for
-/// other vertices or in another unit.
+/// Times that two vertices are as far apart as a scale line says, as figures differ: beyond them
+/// the line was written for other vertices or in another unit.
 const USUAL_SHARE: RangeInclusive<f32> = 0.2..=5.0;
 /// The same where nothing else that is wrong with a shape is looked for in its rows.
 const SOUND_SHARE: RangeInclusive<f32> = 0.5..=2.0;
@@ -233,7 +270,12 @@ const SOUND_SHARE: RangeInclusive<f32> = 0.5..=2.0;
 /// How far the vertices of a scale line are apart on the base mesh, along its axis.
 fn apart(body: &Body<'_>, axis: usize, scale: &Scale) -> Option<f32> {
     let mesh = body.whole_mesh().filter(|_| body.doubt.is_none())?;
-    let at = |vertex: i64| mesh.positions.get(usize::try_from(vertex).ok()?)?.get(axis).copied();
+    let at = |vertex: i64| {
+        mesh.positions
+            .get(usize::try_from(vertex).ok()?)?
+            .get(axis)
+            .copied()
+    };
     let [one, other] = scale.vertices;
     Some((at(one)? - at(other)?).abs())
 }
@@ -245,11 +287,17 @@ fn is_told_by_scale(body: &Body<'_>, text: &Text<'_, '_>) -> bool {
 
 /// How many times as far apart as they say the vertices of the scale lines are.
 fn shares(body: &Body<'_>, text: &Text<'_, '_>) -> impl Iterator<Item = f32> {
-    let scales = text.clothes.scales.iter().enumerate().filter_map(|(axis, scale)| Some((axis, scale.as_ref()?)));
+    let scales = text
+        .clothes
+        .scales
+        .iter()
+        .enumerate()
+        .filter_map(|(axis, scale)| Some((axis, scale.as_ref()?)));
     scales.filter_map(|(axis, scale)| Some(apart(body, axis, scale)? / scale.distance))
 }
 
-/// Whether a scale line says another distance than its vertices have: then all offsets are wrong, and the rows are not.
+/// Whether a scale line says another distance than its vertices have: then all offsets are wrong,
+/// and the rows are not.
 fn is_scaled_wrongly(body: &Body<'_>, text: &Text<'_, '_>) -> bool {
     shares(body, text).any(|share| !SOUND_SHARE.contains(&share))
 }
@@ -285,15 +333,22 @@ fn neighbours<'v>(body: &Body<'v>, text: &Text<'_, '_>, extension: &str) -> Vec<
     }
     let beside = body.layers.checked.below(folder).take(NEIGHBOURS);
     let own = beside.filter(|file| mhlint_discover::extension(&file.rel) == extension);
-    own.filter_map(|file: &FileFacts| file.rel.strip_prefix(folder)?.strip_prefix('/')).collect()
+    own.filter_map(|file: &FileFacts| file.rel.strip_prefix(folder)?.strip_prefix('/'))
+        .collect()
 }
 
-/// Files of a folder that are looked at for a name: among more of them nobody finds one that was mistyped.
+/// Files of a folder that are looked at for a name: among more of them nobody finds one that was
+/// mistyped.
 const NEIGHBOURS: usize = 300;
 
-/// Whether what is named cannot be walked: a broken link, or a folder without permission, has a finding of its own.
+/// Whether what is named cannot be walked: a broken link, or a folder without permission, has a
+/// finding of its own.
 fn is_unwalked(body: &Body<'_>, reference: &Reference<'_>) -> bool {
-    let has_fault = || body.layers.strongest_first().any(|layer| layer.has_fault(&reference.rel));
+    let has_fault = || {
+        body.layers
+            .strongest_first()
+            .any(|layer| layer.has_fault(&reference.rel))
+    };
     matches!(reference.resolution, Resolution::Unusable) && has_fault()
 }
 
@@ -320,15 +375,27 @@ pub(super) const STOPS_WITH_OVERFLOW: &str =
 
 const VALUE: Case = &[
     (Makehuman2, Level::Error, STOPS_WITH_VALUE),
-    (Makehuman1, Level::Error, "does not put the asset on: `ValueError` when it reads the file"),
+    (
+        Makehuman1,
+        Level::Error,
+        "does not put the asset on: `ValueError` when it reads the file",
+    ),
 ];
 const INDEX: Case = &[
     (Makehuman2, Level::Error, STOPS_WITH_INDEX),
-    (Makehuman1, Level::Error, "does not put the asset on: `IndexError`"),
+    (
+        Makehuman1,
+        Level::Error,
+        "does not put the asset on: `IndexError`",
+    ),
 ];
 const OVERFLOW: Case = &[
     (Makehuman2, Level::Error, STOPS_WITH_OVERFLOW),
-    (Makehuman1, Level::Error, "does not put the asset on: no vertex has this number"),
+    (
+        Makehuman1,
+        Level::Error,
+        "does not put the asset on: no vertex has this number",
+    ),
 ];
 
 /// Words one after the other.

@@ -11,13 +11,20 @@ use mhlint_repo::{Body, FileFacts};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "loses the vertex; the glTF export of the whole figure crashes with `ValueError`"),
+        (
+            Makehuman2,
+            "loses the vertex; the glTF export of the whole figure crashes with `ValueError`",
+        ),
         (Makehuman1, "loses the vertex: it is nowhere"),
         (Mpfb, "loses the vertex: it is nowhere"),
     ],
     levels: &[(Makehuman1, Level::Warning), (Mpfb, Level::Warning)],
     docs: include_str!("non_finite.md").trim_ascii_end(),
-    ..RuleInfo::new("proxy-non-finite", Level::Error, "a number of a vertex row is NaN or infinite")
+    ..RuleInfo::new(
+        "proxy-non-finite",
+        Level::Error,
+        "a number of a vertex row is NaN or infinite",
+    )
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -26,12 +33,28 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     for text in texts(body).filter(|text| !text.stops()) {
         let rows = &text.clothes.rows;
-        let line = rows.non_finite.first.first().map_or(Place::File, |(line, _)| Place::Line(*line));
+        let line = rows
+            .non_finite
+            .first
+            .first()
+            .map_or(Place::File, |(line, _)| Place::Line(*line));
         let help = "give the row finite numbers, or export the asset again";
-        out.extend(finding(text.file, rows, line, |vertex| text.vertex(vertex), help));
+        out.extend(finding(
+            text.file,
+            rows,
+            line,
+            |vertex| text.vertex(vertex),
+            help,
+        ));
     }
     let archives = lone_archives(body).filter_map(|archive| {
-        finding(archive.file, archive.rows, Place::File, |vertex| format!("vertex {vertex}"), "export the asset again")
+        finding(
+            archive.file,
+            archive.rows,
+            Place::File,
+            |vertex| format!("vertex {vertex}"),
+            "export the asset again",
+        )
     });
     out.extend(archives);
 }
@@ -46,7 +69,13 @@ fn finding(
     let vertex = vertex(rows.non_finite.first.first()?.1);
     let message = match rows.non_finite.count {
         1 => format!("a number in the row of {vertex} is NaN or infinite"),
-        count => format!("numbers in the rows of {count} vertices are NaN or infinite, first {vertex}"),
+        count => {
+            format!("numbers in the rows of {count} vertices are NaN or infinite, first {vertex}")
+        }
     };
-    Some(RULE.at(file, place, message).evidence(rows.non_finite.evidence(rows.count)).help(help))
+    Some(
+        RULE.at(file, place, message)
+            .evidence(rows.non_finite.evidence(rows.count))
+            .help(help),
+    )
 }

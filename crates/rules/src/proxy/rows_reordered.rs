@@ -11,17 +11,38 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "draws the asset crumpled: its faces join vertices that do not belong together"),
-        (Makehuman1, "draws the asset crumpled: its faces join vertices that do not belong together"),
-        (Mpfb, "puts the asset on crumpled: its faces join vertices that do not belong together"),
+        (
+            Makehuman2,
+            "draws the asset crumpled: its faces join vertices that do not belong together",
+        ),
+        (
+            Makehuman1,
+            "draws the asset crumpled: its faces join vertices that do not belong together",
+        ),
+        (
+            Mpfb,
+            "puts the asset on crumpled: its faces join vertices that do not belong together",
+        ),
     ],
     docs: include_str!("rows_reordered.md").trim_ascii_end(),
-    ..RuleInfo::new("proxy-rows-reordered", Level::Warning, "rows in another order than the vertices of the OBJ")
+    ..RuleInfo::new(
+        "proxy-rows-reordered",
+        Level::Warning,
+        "rows in another order than the vertices of the OBJ",
+    )
 });
 
 const MIRRORED: Case = &[
-    (Makehuman2, Level::Warning, "lights the asset from its inner side, and exports it inside out"),
-    (Makehuman1, Level::Warning, "shows the inner side of the asset, lit from the wrong side"),
+    (
+        Makehuman2,
+        Level::Warning,
+        "lights the asset from its inner side, and exports it inside out",
+    ),
+    (
+        Makehuman1,
+        Level::Warning,
+        "shows the inner side of the asset, lit from the wrong side",
+    ),
     (
         Mpfb,
         Level::Warning,
@@ -31,13 +52,24 @@ const MIRRORED: Case = &[
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (text, measure) in measured(body, measures) {
-        let Some(disorder) = measure.shape.disorder.filter(|_| !is_told_by_scale(body, &text)) else { continue };
-        let mesh = text.worn.mesh().map_or("its OBJ", |(file, _)| file.file_name());
+        let Some(disorder) = measure
+            .shape
+            .disorder
+            .filter(|_| !is_told_by_scale(body, &text))
+        else {
+            continue;
+        };
+        let mesh = text
+            .worn
+            .mesh()
+            .map_or("its OBJ", |(file, _)| file.file_name());
         let longer = disorder.longer;
         let message = if disorder.is_mirrored {
             format!("fitted, the asset is the mirror image of `{mesh}`, and its faces look inwards")
         } else if longer >= 1.05 {
-            format!("fitted, the faces join other places than in `{mesh}`: their edges are {longer:.1} times as long")
+            format!(
+                "fitted, the faces join other places than in `{mesh}`: their edges are {longer:.1} times as long"
+            )
         } else {
             format!("fitted, the asset has another shape than in `{mesh}`")
         };
@@ -49,7 +81,13 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             Some(other) => numbering(other),
             None => help,
         };
-        let finding = RULE.at(text.file, Place::Line(text.clothes.line_of(0)), message).help(help);
-        out.push(if disorder.is_mirrored { finding.case(MIRRORED) } else { finding });
+        let finding = RULE
+            .at(text.file, Place::Line(text.clothes.line_of(0)), message)
+            .help(help);
+        out.push(if disorder.is_mirrored {
+            finding.case(MIRRORED)
+        } else {
+            finding
+        });
     }
 }

@@ -26,25 +26,47 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     for text in texts(body) {
         let dropped = text.faults(|kind| kind == FaultKind::DroppedRow);
-        let Some((faults, count)) = dropped.filter(|(faults, _)| !faults.is_empty()) else { continue };
-        let Some(first) = faults.first() else { continue };
+        let Some((faults, count)) = dropped.filter(|(faults, _)| !faults.is_empty()) else {
+            continue;
+        };
+        let Some(first) = faults.first() else {
+            continue;
+        };
         let message = match count {
-            1 => format!("the vertex row `{} …` is dropped: its first word is not a plain number", first.word),
+            1 => format!(
+                "the vertex row `{} …` is dropped: its first word is not a plain number",
+                first.word
+            ),
             count => {
                 let rows = counted(count, "vertex row");
-                format!("{rows} are dropped, first `{} …`: the first word is not a plain number", first.word)
+                format!(
+                    "{rows} are dropped, first `{} …`: the first word is not a plain number",
+                    first.word
+                )
             }
         };
-        let message = if text.is_makehuman1() { row(first, count) } else { message };
+        let message = if text.is_makehuman1() {
+            row(first, count)
+        } else {
+            message
+        };
         let finding = RULE.at(text.file, Place::Span(first.span.clone()), message);
         let finding = finding
             .help("export the asset again; by hand, begin the row with the number of a base vertex, in digits only");
         let finding = finding.evidence(lines(&faults, count));
-        out.push(if text.clothes.rows.count == 0 { finding.case(INDEX) } else { finding });
+        out.push(if text.clothes.rows.count == 0 {
+            finding.case(INDEX)
+        } else {
+            finding
+        });
     }
 }
 
 /// MakeHuman 1 drops no row.
 fn row(first: &Fault, count: u64) -> String {
-    format!("`{}` at the beginning of a vertex row is not the number of a vertex{}", first.word, more(count))
+    format!(
+        "`{}` at the beginning of a vertex row is not the number of a vertex{}",
+        first.word,
+        more(count)
+    )
 }

@@ -15,22 +15,57 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("proxy-special-pose", Level::Warning, "an asset with a pose of its own")
 });
 
-const CUT: Case = &[(Makehuman1, Level::Error, "does not put the asset on: `IndexError` when it reads the line")];
-const UNUSED: Case = &[(Makehuman1, Level::Info, "keeps the line and does not use it")];
-const MISSING: Case = &[(Makehuman1, Level::Warning, "logs an error when the asset is put on")];
+const CUT: Case = &[(
+    Makehuman1,
+    Level::Error,
+    "does not put the asset on: `IndexError` when it reads the line",
+)];
+const UNUSED: Case = &[(
+    Makehuman1,
+    Level::Info,
+    "keeps the line and does not use it",
+)];
+const MISSING: Case = &[(
+    Makehuman1,
+    Level::Warning,
+    "logs an error when the asset is put on",
+)];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
-        let is_one = |entry: &&Entry| &*entry.keyword == "special_pose" && !entry.is_comment && !entry.has_colon;
+        let is_one = |entry: &&Entry| {
+            &*entry.keyword == "special_pose" && !entry.is_comment && !entry.has_colon
+        };
         let mut lines = text.clothes.entries.iter().filter(is_one);
-        let is_cut = |entry: &Entry| entry.value.split(' ').filter(|word| !word.is_empty()).count() < 2;
-        let Some(first) = lines.clone().find(|entry| is_cut(entry)).or_else(|| lines.next()) else { continue };
+        let is_cut = |entry: &Entry| {
+            entry
+                .value
+                .split(' ')
+                .filter(|word| !word.is_empty())
+                .count()
+                < 2
+        };
+        let Some(first) = lines
+            .clone()
+            .find(|entry| is_cut(entry))
+            .or_else(|| lines.next())
+        else {
+            continue;
+        };
         let place = Place::Span(first.keyword_span.clone());
         out.push(if is_cut(first) {
-            let finding = RULE.at(text.file, place, "`special_pose` needs a kind and a file").key("words");
-            finding.case(CUT).help("remove the line, or write `special_pose foot` and the name of a `.bvh`")
+            let finding = RULE
+                .at(text.file, place, "`special_pose` needs a kind and a file")
+                .key("words");
+            finding
+                .case(CUT)
+                .help("remove the line, or write `special_pose foot` and the name of a `.bvh`")
         } else {
-            shown(body, RULE.at(text.file, place, "").help("remove the line"), &first.value)
+            shown(
+                body,
+                RULE.at(text.file, place, "").help("remove the line"),
+                &first.value,
+            )
         });
     }
 }
@@ -38,14 +73,23 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// The finding on a line that can be read.
 fn shown(body: &Body<'_>, mut finding: Finding, value: &str) -> Finding {
     let mut words = value.split_whitespace();
-    let (kind, name) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
+    let (kind, name) = (
+        words.next().unwrap_or_default(),
+        words.next().unwrap_or_default(),
+    );
     if kind != FEET {
         finding.message = format!("`special_pose {kind}`: no other kind than `{FEET}` is used");
         return finding.case(UNUSED);
     }
     let is_there = |folder: &str| {
-        let rel = if folder.is_empty() { name.to_owned() } else { format!("{folder}/{name}") };
-        body.layers.strongest_first().any(|layer| layer.file(&rel).is_some())
+        let rel = if folder.is_empty() {
+            name.to_owned()
+        } else {
+            format!("{folder}/{name}")
+        };
+        body.layers
+            .strongest_first()
+            .any(|layer| layer.file(&rel).is_some())
     };
     if body.layers.system.is_some() && !is_there(FOLDER) && !is_there("") {
         finding.message = format!("the pose `{name}` of `special_pose` does not exist");

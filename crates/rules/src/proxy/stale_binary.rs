@@ -13,11 +13,21 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "loads the archive unless the text is newer; until then the text has no effect"),
-        (Makehuman1, "loads the archive unless the text is newer; until then the text has no effect"),
+        (
+            Makehuman2,
+            "loads the archive unless the text is newer; until then the text has no effect",
+        ),
+        (
+            Makehuman1,
+            "loads the archive unless the text is newer; until then the text has no effect",
+        ),
     ],
     docs: include_str!("stale_binary.md").trim_ascii_end(),
-    ..RuleInfo::new("proxy-stale-binary", Level::Warning, "a packed asset differs from its text")
+    ..RuleInfo::new(
+        "proxy-stale-binary",
+        Level::Warning,
+        "a packed asset differs from its text",
+    )
 });
 
 /// The binary still has the identity of the asset that it was copied with.
@@ -29,22 +39,46 @@ const COPY: Case = &[(
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_makehuman1() {
-        return out.extend(body.worn.iter().filter_map(|worn| packed_proxy::finding(&RULE, body, worn)));
+        return out.extend(
+            body.worn
+                .iter()
+                .filter_map(|worn| packed_proxy::finding(&RULE, body, worn)),
+        );
     }
     let known = identities(body);
     for archive in archives(body) {
-        let Some(text) = archive.text.filter(|text| !text.stops()) else { continue };
+        let Some(text) = archive.text.filter(|text| !text.stops()) else {
+            continue;
+        };
         let kinds = kinds(&archive, &text);
         if kinds.is_empty() {
             continue;
         }
-        let message = format!("differs from `{}`: {}", text.file.file_name(), listed(&kinds));
-        let finding = RULE.at(archive.file, Place::File, message).parts(kinds.iter().copied());
-        let finding = finding.related(text.file.path.clone(), Place::File, "the `.mhclo` or `.proxy`");
-        let other =
-            known.get(&identity(archive.asset)).into_iter().flatten().copied().find(|other| *other != text.file.path);
+        let message = format!(
+            "differs from `{}`: {}",
+            text.file.file_name(),
+            listed(&kinds)
+        );
+        let finding = RULE
+            .at(archive.file, Place::File, message)
+            .parts(kinds.iter().copied());
+        let finding = finding.related(
+            text.file.path.clone(),
+            Place::File,
+            "the `.mhclo` or `.proxy`",
+        );
+        let other = known
+            .get(&identity(archive.asset))
+            .into_iter()
+            .flatten()
+            .copied()
+            .find(|other| *other != text.file.path);
         let finding = match other {
-            Some(other) => finding.case(COPY).related(other.to_owned(), Place::File, "has the same name and uuid"),
+            Some(other) => finding.case(COPY).related(
+                other.to_owned(),
+                Place::File,
+                "has the same name and uuid",
+            ),
             None => finding,
         };
         out.push(finding.help("if the text (`.mhclo` or `.proxy`) and its mesh are up to date, delete the `.mhbin`: MakeHuman 2 builds it again from them"));
@@ -62,7 +96,10 @@ fn identity(asset: &PackedAsset) -> Identity<'_> {
 fn identities<'v>(body: &Body<'v>) -> Grouped<Identity<'v>, &'v str> {
     let known = texts(body).filter_map(|text| {
         let Scanned { name, uuid, .. } = &text.clothes.scanned;
-        Some(((&*name.as_ref()?.text, &*uuid.as_ref()?.text), text.file.path.as_str()))
+        Some((
+            (&*name.as_ref()?.text, &*uuid.as_ref()?.text),
+            text.file.path.as_str(),
+        ))
     });
     grouped(known)
 }
@@ -74,9 +111,16 @@ fn kinds(archive: &Archive<'_, '_>, text: &Text<'_, '_>) -> Vec<&'static str> {
     let word = |keyword: &str| clothes.last(keyword).map_or("", |entry| entry.word());
     let [name, uuid, ..] = &asset.texts;
     let [material, weights] = &asset.files;
-    let mesh = text.worn.mesh().filter(|(_, mesh)| mesh.is_sound()).map(|(_, mesh)| mesh.print);
+    let mesh = text
+        .worn
+        .mesh()
+        .filter(|(_, mesh)| mesh.is_sound())
+        .map(|(_, mesh)| mesh.print);
     let differs = [
-        ("name", clothes.last("name").is_some() && **name != *value("name")),
+        (
+            "name",
+            clothes.last("name").is_some() && **name != *value("name"),
+        ),
         ("uuid", **uuid != *value("uuid")),
         ("material", **material != *word("material")),
         ("bone weights", **weights != *word("vertexboneweights_file")),
@@ -86,15 +130,27 @@ fn kinds(archive: &Archive<'_, '_>, text: &Text<'_, '_>) -> Vec<&'static str> {
         ("hidden vertices", has_other_mask(archive, clothes)),
         (
             "mesh",
-            mesh.is_some_and(|mesh| mesh.vertices != asset.print.vertices || mesh.has_other_corners(&asset.print)),
+            mesh.is_some_and(|mesh| {
+                mesh.vertices != asset.print.vertices || mesh.has_other_corners(&asset.print)
+            }),
         ),
     ];
-    differs.into_iter().filter(|(_, differs)| *differs).map(|(kind, _)| kind).collect()
+    differs
+        .into_iter()
+        .filter(|(_, differs)| *differs)
+        .map(|(kind, _)| kind)
+        .collect()
 }
 
 fn depth(text: &Text<'_, '_>) -> i64 {
-    let written = text.last("z_depth").and_then(|entry| python_int(entry.word().as_bytes()));
-    if text.worn.is_topology() { 1 } else { written.unwrap_or(50) }
+    let written = text
+        .last("z_depth")
+        .and_then(|entry| python_int(entry.word().as_bytes()));
+    if text.worn.is_topology() {
+        1
+    } else {
+        written.unwrap_or(50)
+    }
 }
 
 fn has_other_rows(archive: &Archive<'_, '_>, clothes: &Clothes) -> bool {
@@ -104,21 +160,41 @@ fn has_other_rows(archive: &Archive<'_, '_>, clothes: &Clothes) -> bool {
         return false;
     }
     let ([all, first], [own, own_first]) = (packed.prints, text.prints);
-    packed.count != text.count || if archive.asset.is_exact { first != own_first } else { all != own }
+    packed.count != text.count
+        || if archive.asset.is_exact {
+            first != own_first
+        } else {
+            all != own
+        }
 }
 
 /// Without three usable distances no scale is packed.
 fn has_other_scale(archive: &Archive<'_, '_>, clothes: &Clothes) -> bool {
-    let [x, y, z] = clothes.scales.map(|scale| scale.filter(|scale| scale.distance >= 0.01));
-    let written = x.zip(y).zip(z).map(|((x, y), z)| [x, y, z].map(|scale| (scale.vertices, scale.distance)));
-    let packed = archive.asset.scale.map(|axes| axes.map(|(a, b, distance)| ([a, b], distance)));
+    let [x, y, z] = clothes
+        .scales
+        .map(|scale| scale.filter(|scale| scale.distance >= 0.01));
+    let written = x
+        .zip(y)
+        .zip(z)
+        .map(|((x, y), z)| [x, y, z].map(|scale| (scale.vertices, scale.distance)));
+    let packed = archive
+        .asset
+        .scale
+        .map(|axes| axes.map(|(a, b, distance)| ([a, b], distance)));
     written != packed
 }
 
 fn has_other_mask(archive: &Archive<'_, '_>, clothes: &Clothes) -> bool {
     let length = archive.asset.mask.as_ref().map(|mask| mask.length);
     let vertices = length.or(archive.asset.rows.mesh.map(|mesh| mesh.vertices));
-    let Some(vertices) = vertices else { return false };
-    let runs = archive.asset.mask.as_ref().map(|mask| mask.runs.as_slice()).unwrap_or_default();
+    let Some(vertices) = vertices else {
+        return false;
+    };
+    let runs = archive
+        .asset
+        .mask
+        .as_ref()
+        .map(|mask| mask.runs.as_slice())
+        .unwrap_or_default();
     clothes.merged_deletes(vertices) != runs
 }

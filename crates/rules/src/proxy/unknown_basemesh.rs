@@ -13,7 +13,11 @@ const EFFECT: &str = "ignores the line and puts the asset on";
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, EFFECT), (Makehuman1, EFFECT)],
     docs: include_str!("unknown_basemesh.md").trim_ascii_end(),
-    ..RuleInfo::new("proxy-unknown-basemesh", Level::Info, "an asset that names another base mesh")
+    ..RuleInfo::new(
+        "proxy-unknown-basemesh",
+        Level::Info,
+        "an asset that names another base mesh",
+    )
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -27,10 +31,16 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         }
         let base = text.worn.base;
-        let Some(entry) = text.last("basemesh") else { continue };
+        let Some(entry) = text.last("basemesh") else {
+            continue;
+        };
         let named = shown(entry.word());
         let message = format!("`basemesh {named}`, but the asset is one of `{base}`");
-        let finding = RULE.at(text.file, Place::Span(entry.word_span()), message).key(named);
-        out.push(finding.help(format!("if it fits, write `basemesh {base}`; otherwise export it again for `{base}`")));
+        let finding = RULE
+            .at(text.file, Place::Span(entry.word_span()), message)
+            .key(named);
+        out.push(finding.help(format!(
+            "if it fits, write `basemesh {base}`; otherwise export it again for `{base}`"
+        )));
     }
 }

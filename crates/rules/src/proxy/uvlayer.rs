@@ -20,8 +20,14 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     for text in texts(body) {
-        let Some(entry) = text.last("uvLayer") else { continue };
-        let finding = RULE.at(text.file, Place::Span(entry.keyword_span.clone()), "`uvLayer` is never used");
+        let Some(entry) = text.last("uvLayer") else {
+            continue;
+        };
+        let finding = RULE.at(
+            text.file,
+            Place::Span(entry.keyword_span.clone()),
+            "`uvLayer` is never used",
+        );
         out.push(finding.help("remove the line"));
     }
 }

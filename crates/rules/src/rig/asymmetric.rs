@@ -10,10 +10,17 @@ use mhlint_formats::rig::Rig;
 use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
-    breaks: &[(Mpfb, "builds the bones as they are written; poses that are mirrored do not fit")],
+    breaks: &[(
+        Mpfb,
+        "builds the bones as they are written; poses that are mirrored do not fit",
+    )],
     docs: include_str!("asymmetric.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("rig-asymmetric", Level::Info, "a left bone is unlike its right one")
+    ..RuleInfo::new(
+        "rig-asymmetric",
+        Level::Info,
+        "a left bone is unlike its right one",
+    )
 });
 
 /// Nearer than this to each other places mirror one another, metres.
@@ -42,12 +49,17 @@ fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Findin
     };
     // What lies otherwise than it should has findings of its own.
     let swapped = pairs::swapped(bones);
-    let is_told = |one: &Placed<'_>| pairs::is_across(one) || swapped.contains(&one.bone.name.as_str());
+    let is_told =
+        |one: &Placed<'_>| pairs::is_across(one) || swapped.contains(&one.bone.name.as_str());
     let unlike: Vec<(&str, &str, Unlike)> = bones
         .iter()
         .filter_map(|left| {
             let right = pair(left).filter(|right| !is_told(left) && !is_told(right))?;
-            Some((left.bone.name.as_str(), right.bone.name.as_str(), unlike(left, right)?))
+            Some((
+                left.bone.name.as_str(),
+                right.bone.name.as_str(),
+                unlike(left, right)?,
+            ))
         })
         .collect();
     let (left, right, how) = unlike.first()?;
@@ -56,10 +68,16 @@ fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Findin
         Unlike::Head => "does not begin where it mirrors",
         Unlike::Tail => "does not end where it mirrors",
     };
-    let message = format!("bone `{left}` {how} `{right}`{}", such(unlike.len(), "bones"));
+    let message = format!(
+        "bone `{left}` {how} `{right}`{}",
+        such(unlike.len(), "bones")
+    );
     let names: Vec<&str> = unlike.iter().map(|(left, ..)| *left).collect();
     let finding = at_bones(&RULE, file, rig, &names, "", message)?;
-    Some(finding.help("give both bones the same keys, and joints or vertices that mirror each other"))
+    Some(
+        finding
+            .help("give both bones the same keys, and joints or vertices that mirror each other"),
+    )
 }
 
 fn unlike(left: &Placed<'_>, right: &Placed<'_>) -> Option<Unlike> {

@@ -26,10 +26,17 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn finding(file: &RigFile<'_>, rig: &Rig) -> Option<Finding> {
-    let numbers: BTreeMap<&str, usize> =
-        rig.bones.iter().enumerate().map(|(at, bone)| (bone.name.as_str(), at)).collect();
-    let parents: Vec<Option<usize>> =
-        rig.bones.iter().map(|bone| numbers.get(bone.parent.as_deref()?).copied()).collect();
+    let numbers: BTreeMap<&str, usize> = rig
+        .bones
+        .iter()
+        .enumerate()
+        .map(|(at, bone)| (bone.name.as_str(), at))
+        .collect();
+    let parents: Vec<Option<usize>> = rig
+        .bones
+        .iter()
+        .map(|bone| numbers.get(bone.parent.as_deref()?).copied())
+        .collect();
     let of = |parent: &Option<usize>| Defined {
         head: [0.0; 3],
         tail: [0.0; 3],
@@ -38,23 +45,41 @@ fn finding(file: &RigFile<'_>, rig: &Rig) -> Option<Finding> {
         use_connect: false,
     };
     let taken = accepted(&parents.iter().map(of).collect::<Vec<_>>());
-    let closing = parents.iter().zip(&taken).position(|(wanted, taken)| wanted.is_some() && taken.is_none())?;
+    let closing = parents
+        .iter()
+        .zip(&taken)
+        .position(|(wanted, taken)| wanted.is_some() && taken.is_none())?;
     let circle = circle(closing, &parents);
-    let names: Vec<&str> = circle.iter().filter_map(|at| rig.bones.get(*at)).map(|bone| bone.name.as_str()).collect();
+    let names: Vec<&str> = circle
+        .iter()
+        .filter_map(|at| rig.bones.get(*at))
+        .map(|bone| bone.name.as_str())
+        .collect();
     let first = names.first()?;
     let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
     let message = match names.len() {
         1 => format!("bone `{first}` is its own parent"),
-        _ => format!("bones {} hang on each other: `{first}` becomes a root", enumerated(&quoted)),
+        _ => format!(
+            "bones {} hang on each other: `{first}` becomes a root",
+            enumerated(&quoted)
+        ),
     };
-    Some(at_bones(&RULE, file, rig, &names, "parent", message)?.help("correct the parent of one of them"))
+    Some(
+        at_bones(&RULE, file, rig, &names, "parent", message)?
+            .help("correct the parent of one of them"),
+    )
 }
 
 /// The bones of the circle, from the one that closes it up.
 fn circle(closing: usize, parents: &[Option<usize>]) -> Vec<usize> {
     let mut circle = vec![closing];
     let mut at = closing;
-    while let Some(next) = parents.get(at).copied().flatten().filter(|next| *next != closing) {
+    while let Some(next) = parents
+        .get(at)
+        .copied()
+        .flatten()
+        .filter(|next| *next != closing)
+    {
         if circle.len() > parents.len() {
             break;
         }

@@ -11,10 +11,17 @@ use mhlint_formats::rig::{DefaultPosition, Rig};
 use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
-    breaks: &[(Mpfb, "uses the place that the strategy finds; only where it finds none the end lies elsewhere")],
+    breaks: &[(
+        Mpfb,
+        "uses the place that the strategy finds; only where it finds none the end lies elsewhere",
+    )],
     docs: include_str!("default_position_drift.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("rig-default-position-drift", Level::Info, "a default position is far from where the end is found")
+    ..RuleInfo::new(
+        "rig-default-position-drift",
+        Level::Info,
+        "a default position is far from where the end is found",
+    )
 });
 
 /// Rigs in order stay within 0.078 on the base mesh, metres
@@ -37,9 +44,19 @@ struct Known<'r> {
 
 fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Finding> {
     let known = known(bones);
-    let shift: Vec<f64> =
-        (0..3).map(|axis| median(known.iter().map(|one| one.written[axis] - one.found[axis]).collect())).collect();
-    let [x, y, z] = shift.as_slice() else { return None };
+    let shift: Vec<f64> = (0..3)
+        .map(|axis| {
+            median(
+                known
+                    .iter()
+                    .map(|one| one.written[axis] - one.found[axis])
+                    .collect(),
+            )
+        })
+        .collect();
+    let [x, y, z] = shift.as_slice() else {
+        return None;
+    };
     let off = |one: &Known<'_>| apart(sub(one.written, one.found), [*x, *y, *z]);
     let far: Vec<&Known<'_>> = known.iter().filter(|one| off(one) > FAR).collect();
     let worst = far.iter().max_by(|a, b| off(a).total_cmp(&off(b)))?;
@@ -51,23 +68,44 @@ fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Findin
         such(far.len(), "ends")
     );
     let mut names: Vec<&str> = vec![worst.bone];
-    names.extend(far.iter().map(|one| one.bone).filter(|bone| *bone != worst.bone));
+    names.extend(
+        far.iter()
+            .map(|one| one.bone)
+            .filter(|bone| *bone != worst.bone),
+    );
     names.dedup();
     let finding = at_bones(&RULE, file, rig, &names, worst.which, message)?;
-    let meant = place_in_words([0, 1, 2].map(|axis| worst.found[axis] + shift.get(axis).copied().unwrap_or(0.0)));
-    Some(finding.help(format!("save the rig again in MPFB; this one is found at {meant}")))
+    let meant = place_in_words(
+        [0, 1, 2].map(|axis| worst.found[axis] + shift.get(axis).copied().unwrap_or(0.0)),
+    );
+    Some(finding.help(format!(
+        "save the rig again in MPFB; this one is found at {meant}"
+    )))
 }
 
 fn known<'r>(bones: &[Placed<'r>]) -> Vec<Known<'r>> {
     let of_bone = |placed: &Placed<'r>| {
         let bone = placed.bone;
-        let ends = [("head", &bone.head, placed.head), ("tail", &bone.tail, placed.tail)];
-        let known = ends.map(|(which, end, located)| match (end.as_ref()?.default_position, located) {
-            (DefaultPosition::At(written), Located::Found(found)) if written.iter().all(|one| one.is_finite()) => {
-                Some(Known { bone: &bone.name, which, found, written })
-            }
-            _ => None,
-        });
+        let ends = [
+            ("head", &bone.head, placed.head),
+            ("tail", &bone.tail, placed.tail),
+        ];
+        let known =
+            ends.map(
+                |(which, end, located)| match (end.as_ref()?.default_position, located) {
+                    (DefaultPosition::At(written), Located::Found(found))
+                        if written.iter().all(|one| one.is_finite()) =>
+                    {
+                        Some(Known {
+                            bone: &bone.name,
+                            which,
+                            found,
+                            written,
+                        })
+                    }
+                    _ => None,
+                },
+            );
         known.into_iter().flatten()
     };
     bones.iter().flat_map(of_bone).collect()

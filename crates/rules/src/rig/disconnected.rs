@@ -10,10 +10,17 @@ use mhlint_formats::rig::Rig;
 use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
-    breaks: &[(Mpfb, "silently moves the head of the bone to the tail of its parent")],
+    breaks: &[(
+        Mpfb,
+        "silently moves the head of the bone to the tail of its parent",
+    )],
     docs: include_str!("disconnected.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("rig-disconnected", Level::Warning, "a connected bone does not begin where its parent ends")
+    ..RuleInfo::new(
+        "rig-disconnected",
+        Level::Warning,
+        "a connected bone does not begin where its parent ends",
+    )
 });
 
 /// Rounding of coordinates, metres.
@@ -28,14 +35,25 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Finding> {
     let known = by_name(bones);
     let gap = |placed: &Placed<'_>| {
-        let parent = known.get(placed.bone.parent.as_deref().filter(|_| placed.bone.use_connect)?)?;
+        let parent = known.get(
+            placed
+                .bone
+                .parent
+                .as_deref()
+                .filter(|_| placed.bone.use_connect)?,
+        )?;
         let ((head, tail), (_, end)) = (placed.found()?, parent.found()?);
         // A bone that comes to nothing has a finding of its own (`rig-zero-length-bone`).
         Some(apart(head, end)).filter(|_| apart(tail, end) >= NO_LENGTH)
     };
     let found: Vec<(&str, f64)> = bones
         .iter()
-        .filter_map(|placed| Some((placed.bone.name.as_str(), gap(placed).filter(|gap| *gap > GAP)?)))
+        .filter_map(|placed| {
+            Some((
+                placed.bone.name.as_str(),
+                gap(placed).filter(|gap| *gap > GAP)?,
+            ))
+        })
         .collect();
     let (worst, gap) = found.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
     let message = format!(
@@ -44,7 +62,14 @@ fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Findin
         such(found.len(), "bones")
     );
     let mut names = vec![*worst];
-    names.extend(found.iter().map(|(name, _)| *name).filter(|name| name != worst));
+    names.extend(
+        found
+            .iter()
+            .map(|(name, _)| *name)
+            .filter(|name| name != worst),
+    );
     let finding = at_bones(&RULE, file, rig, &names, "use_connect", message)?;
-    Some(finding.help("give `head` the strategy of the parent's `tail`, or write `false` for `use_connect`"))
+    Some(finding.help(
+        "give `head` the strategy of the parent's `tail`, or write `false` for `use_connect`",
+    ))
 }

@@ -9,10 +9,18 @@ use mhlint_repo::mpfb::View;
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
     docs: include_str!("enums.md").trim_ascii_end(),
-    ..RuleInfo::new("rig-enum", Level::Error, "a word in a rig that Blender does not know")
+    ..RuleInfo::new(
+        "rig-enum",
+        Level::Error,
+        "a word in a rig that Blender does not know",
+    )
 });
 
-const KEEPS_ROLL: Case = &[(Mpfb, Level::Warning, "passes over the strategy: the bone keeps the number of `roll`")];
+const KEEPS_ROLL: Case = &[(
+    Mpfb,
+    Level::Warning,
+    "passes over the strategy: the bone keeps the number of `roll`",
+)];
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs() {

@@ -24,16 +24,25 @@ pub(super) struct Placed<'r> {
 impl<'v> Figure<'v> {
     /// The mesh, if it is whole, and the tables of its joints can be read.
     pub(super) fn of(view: &'v View<'v>) -> Option<Self> {
-        let (_, mesh) = view.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0 && view.misplaced.is_none())?;
+        let (_, mesh) = view
+            .mesh
+            .filter(|(_, mesh)| mesh.facts.unreadable_lines == 0 && view.misplaced.is_none())?;
         view.groups?;
-        let positions = mesh.positions.iter().map(|point| in_blender(*point, USUAL_SCALE)).collect();
+        let positions = mesh
+            .positions
+            .iter()
+            .map(|point| in_blender(*point, USUAL_SCALE))
+            .collect();
         Some(Self { positions, view })
     }
 
     /// Its joints.
     pub(super) fn joints(&self) -> Joints<'_> {
         let groups = self.view.groups.iter().flat_map(|groups| &groups.groups);
-        Joints::new(&self.positions, groups.map(|group| (group.name.as_str(), group.ranges.as_slice())))
+        Joints::new(
+            &self.positions,
+            groups.map(|group| (group.name.as_str(), group.ranges.as_slice())),
+        )
     }
 }
 
@@ -54,12 +63,20 @@ pub(super) fn end(end: &End) -> BoneEnd<'_> {
         DefaultPosition::At(place) => Some(place),
         DefaultPosition::Absent | DefaultPosition::Unfit => None,
     };
-    BoneEnd { strategy: how(&end.strategy), offset: end.offset, default_position }
+    BoneEnd {
+        strategy: how(&end.strategy),
+        offset: end.offset,
+        default_position,
+    }
 }
 
 /// The scale of the usual figure by that at which a rig was recorded.
 pub(super) fn relative_scale(rig: &Rig) -> f64 {
-    if rig.scale_factor == 0.0 { 1.0 } else { f64::from(USUAL_SCALE) / rig.scale_factor }
+    if rig.scale_factor == 0.0 {
+        1.0
+    } else {
+        f64::from(USUAL_SCALE) / rig.scale_factor
+    }
 }
 
 /// The bones of a rig of the body where both ends could be read.
@@ -67,15 +84,28 @@ pub(super) fn placed<'r>(rig: &'r Rig, joints: &Joints<'_>) -> Vec<Placed<'r>> {
     let scale = relative_scale(rig);
     let at = |one: &Option<End>| Some(joints.locate(&end(one.as_ref()?), scale));
     let bones = rig.bones.iter();
-    bones.filter_map(|bone| Some(Placed { bone, head: at(&bone.head)?, tail: at(&bone.tail)? })).collect()
+    bones
+        .filter_map(|bone| {
+            Some(Placed {
+                bone,
+                head: at(&bone.head)?,
+                tail: at(&bone.tail)?,
+            })
+        })
+        .collect()
 }
 
 /// The rigs of the body with their bones on the mesh. Those of assets refer to meshes of their own.
 pub(super) fn of_body<'v>(view: &'v View<'v>) -> Vec<(&'v RigFile<'v>, &'v Rig, Vec<Placed<'v>>)> {
-    let Some(figure) = Figure::of(view) else { return Vec::new() };
+    let Some(figure) = Figure::of(view) else {
+        return Vec::new();
+    };
     let joints = figure.joints();
-    let rigs = view.own_rigs().filter(|(file, _)| file.part != RigPart::Asset);
-    rigs.map(|(file, rig)| (file, rig, placed(rig, &joints))).collect()
+    let rigs = view
+        .own_rigs()
+        .filter(|(file, _)| file.part != RigPart::Asset);
+    rigs.map(|(file, rig)| (file, rig, placed(rig, &joints)))
+        .collect()
 }
 
 impl Placed<'_> {
@@ -96,7 +126,10 @@ impl Placed<'_> {
 
 /// Bones by their names, of equal ones the last.
 pub(super) fn by_name<'p, 'r>(bones: &'p [Placed<'r>]) -> BTreeMap<&'r str, &'p Placed<'r>> {
-    bones.iter().map(|placed| (placed.bone.name.as_str(), placed)).collect()
+    bones
+        .iter()
+        .map(|placed| (placed.bone.name.as_str(), placed))
+        .collect()
 }
 
 /// How far two places are from each other.

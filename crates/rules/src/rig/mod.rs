@@ -1,4 +1,5 @@
-//! Rules on rigs of MPFB, and what they share: words for bones, and where these lie on the base mesh.
+//! Rules on rigs of MPFB, and what they share: words for bones, and where these lie on the base
+//! mesh.
 
 mod asymmetric;
 mod bendy_bone;
@@ -85,26 +86,51 @@ pub(super) static RULES: &[&Rule] = &[
 ];
 
 /// What becomes of a rig at which the loader stops.
-pub(super) const STOPS: &str = "fails with an exception when the rig is added: half-made objects stay in the scene";
-const OF_ASSET: Case =
-    &[(Mpfb, Level::Error, "fails with an exception when the asset is added: it stays without its own rig")];
+pub(super) const STOPS: &str =
+    "fails with an exception when the rig is added: half-made objects stay in the scene";
+const OF_ASSET: Case = &[(
+    Mpfb,
+    Level::Error,
+    "fails with an exception when the asset is added: it stays without its own rig",
+)];
 
 /// The words that fit what a rig is added to, for a finding on what stops the loader.
 fn stops(rig: &RigFile<'_>, finding: Finding) -> Finding {
-    if rig.part == RigPart::Asset { finding.case(OF_ASSET) } else { finding }
+    if rig.part == RigPart::Asset {
+        finding.case(OF_ASSET)
+    } else {
+        finding
+    }
 }
 
 /// Whether there is an asset that a sub-rig beside it is added with; others are never read.
 fn has_asset(rig: &RigFile<'_>) -> bool {
     let prefix = format!("{}/{}.", parent(&rig.file.rel), rig.file.stem());
-    ["mhclo", "proxy"].iter().any(|ending| rig.layer.file(&format!("{prefix}{ending}")).is_some())
+    ["mhclo", "proxy"]
+        .iter()
+        .any(|ending| rig.layer.file(&format!("{prefix}{ending}")).is_some())
 }
 
 /// A finding on some bones of a rig, at the key of the first one.
-fn at_bones(rule: &Rule, file: &RigFile<'_>, rig: &Rig, bones: &[&str], key: &str, message: String) -> Option<Finding> {
+fn at_bones(
+    rule: &Rule,
+    file: &RigFile<'_>,
+    rig: &Rig,
+    bones: &[&str],
+    key: &str,
+    message: String,
+) -> Option<Finding> {
     let first = bones.first()?;
-    let steps = if key.is_empty() { rig.steps_to(first) } else { rig.steps_below(first, key) };
-    let place = if key.is_empty() { Place::Key(pointer(&steps)) } else { Place::Pointer(pointer(&steps)) };
+    let steps = if key.is_empty() {
+        rig.steps_to(first)
+    } else {
+        rig.steps_below(first, key)
+    };
+    let place = if key.is_empty() {
+        Place::Key(pointer(&steps))
+    } else {
+        Place::Pointer(pointer(&steps))
+    };
     let evidence = Evidence::of_cases(bones).out_of(rig.bones.len());
     Some(rule.at(file.file, place, message).evidence(evidence))
 }
@@ -114,14 +140,28 @@ const IN_BONES: Wording = Wording { cause, subject };
 
 fn cause(one: &Unfit) -> String {
     let is_name = |step: &String| !step.bytes().all(|byte| byte.is_ascii_digit());
-    let key = steps(&one.pointer).filter(is_name).last().unwrap_or_default();
+    let key = steps(&one.pointer)
+        .filter(is_name)
+        .last()
+        .unwrap_or_default();
     // What a bone lacks stands at the bone: its name is no part of the cause.
-    let key = if is_of_bone(&one.pointer) { String::new() } else { key };
+    let key = if is_of_bone(&one.pointer) {
+        String::new()
+    } else {
+        key
+    };
     format!("{key} {}", sort(one))
 }
 
 /// Keys at the top of a rig that are no bones.
-const HEADER: [&str; 6] = ["version", "scale_factor", "collections", "extra_bones", "rigify_ui", "identifying_bones"];
+const HEADER: [&str; 6] = [
+    "version",
+    "scale_factor",
+    "collections",
+    "extra_bones",
+    "rigify_ui",
+    "identifying_bones",
+];
 
 /// Whether a pointer leads to a bone as a whole.
 fn is_of_bone(pointer: &str) -> bool {
@@ -134,21 +174,37 @@ fn is_of_bone(pointer: &str) -> bool {
 
 /// The bone that a pointer leads into, and the way from there.
 fn split(pointer: &str) -> (Option<String>, &str) {
-    let below = pointer.strip_prefix("/bones").filter(|rest| rest.starts_with('/'));
+    let below = pointer
+        .strip_prefix("/bones")
+        .filter(|rest| rest.starts_with('/'));
     let first = steps(pointer).next().unwrap_or_default();
     if below.is_none() && (HEADER.contains(&first.as_str()) || pointer == "/bones") {
         return (None, pointer);
     }
     let rest = below.unwrap_or(pointer);
-    let Some(rest) = rest.strip_prefix('/') else { return (None, pointer) };
+    let Some(rest) = rest.strip_prefix('/') else {
+        return (None, pointer);
+    };
     let end = rest.find('/').unwrap_or(rest.len());
-    (steps(&format!("/{}", rest.get(..end).unwrap_or_default())).next(), rest.get(end..).unwrap_or_default())
+    (
+        steps(&format!("/{}", rest.get(..end).unwrap_or_default())).next(),
+        rest.get(end..).unwrap_or_default(),
+    )
 }
 
 /// `roll` of bone `hand_l`, `strategy` of `head` of bone `hand_l`.
 fn subject(pointer: &str) -> String {
     let (bone, rest) = split(pointer);
-    let mut words: Vec<String> = names(rest).iter().rev().take(2).map(|name| format!("`{name}`")).collect();
+    let mut words: Vec<String> = names(rest)
+        .iter()
+        .rev()
+        .take(2)
+        .map(|name| format!("`{name}`"))
+        .collect();
     words.extend(bone.map(|bone| format!("bone `{bone}`")));
-    if words.is_empty() { "the file".to_owned() } else { words.join(" of ") }
+    if words.is_empty() {
+        "the file".to_owned()
+    } else {
+        words.join(" of ")
+    }
 }

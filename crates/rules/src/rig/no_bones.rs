@@ -14,7 +14,13 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_empty = |faults: &mhlint_formats::rig::RigFaults| {
         faults.layout.is_empty() && !faults.keys.all().iter().any(|one| one.pointer == "/bones")
     };
-    for (file, _) in view.own_rigs().filter(|(_, rig)| rig.bones.is_empty() && is_empty(&rig.faults)) {
-        out.push(RULE.at(file.file, Place::File, "the rig has no bone").help("export the rig again from MPFB"));
+    for (file, _) in view
+        .own_rigs()
+        .filter(|(_, rig)| rig.bones.is_empty() && is_empty(&rig.faults))
+    {
+        out.push(
+            RULE.at(file.file, Place::File, "the rig has no bone")
+                .help("export the rig again from MPFB"),
+        );
     }
 }

@@ -4,9 +4,12 @@ use super::located::{Placed, apart, by_name};
 use mhlint_diag::{Grouped, grouped};
 use mhlint_eval::side::{self, Side};
 
-/// The side that the name of a bone says, and the name of its partner: also `mixamorig:LeftHand`, `LThumb`.
+/// The side that the name of a bone says, and the name of its partner: also `mixamorig:LeftHand`,
+/// `LThumb`.
 pub(super) fn of(name: &str) -> Option<(Side, String)> {
-    side::of_bone(name).or_else(|| behind_colon(name)).or_else(|| by_capital(name))
+    side::of_bone(name)
+        .or_else(|| behind_colon(name))
+        .or_else(|| by_capital(name))
 }
 
 fn behind_colon(name: &str) -> Option<(Side, String)> {
@@ -17,7 +20,9 @@ fn behind_colon(name: &str) -> Option<(Side, String)> {
 
 /// `LThumb`, `RThumb`: a capital for the side before another one.
 fn by_capital(name: &str) -> Option<(Side, String)> {
-    let rest = name.get(1..).filter(|rest| rest.starts_with(|next: char| next.is_ascii_uppercase()))?;
+    let rest = name
+        .get(1..)
+        .filter(|rest| rest.starts_with(|next: char| next.is_ascii_uppercase()))?;
     match name.as_bytes().first()? {
         b'L' => Some((Side::Left, format!("R{rest}"))),
         b'R' => Some((Side::Right, format!("L{rest}"))),
@@ -30,10 +35,19 @@ const MIDDLE: f64 = 0.01;
 
 /// Whether both ends of a bone are on the side opposite to its name.
 pub(super) fn is_across(placed: &Placed<'_>) -> bool {
-    let Some((side, (head, tail))) = of(&placed.bone.name).map(|(side, _)| side).zip(placed.found()) else {
+    let Some((side, (head, tail))) = of(&placed.bone.name)
+        .map(|(side, _)| side)
+        .zip(placed.found())
+    else {
         return false;
     };
-    [head, tail].iter().all(|end| if side == Side::Left { end[0] < -MIDDLE } else { end[0] > MIDDLE })
+    [head, tail].iter().all(|end| {
+        if side == Side::Left {
+            end[0] < -MIDDLE
+        } else {
+            end[0] > MIDDLE
+        }
+    })
 }
 
 /// Places nearer than this are one, metres.
@@ -45,21 +59,37 @@ const BEYOND: f64 = 1.05;
 pub(super) fn swapped<'r>(bones: &[Placed<'r>]) -> Vec<&'r str> {
     let known = by_name(bones);
     let parent = |placed: &Placed<'_>| known.get(placed.bone.parent.as_deref()?).copied();
-    let children: Grouped<&str, &Placed<'_>> =
-        grouped(bones.iter().filter_map(|child| Some((child.bone.parent.as_deref()?, child))));
+    let children: Grouped<&str, &Placed<'_>> = grouped(
+        bones
+            .iter()
+            .filter_map(|child| Some((child.bone.parent.as_deref()?, child))),
+    );
     let is_swapped = |placed: &&Placed<'_>| {
         let ends = placed.found().zip(parent(placed).and_then(Placed::found));
-        let Some(((head, tail), (parent_head, parent_tail))) = ends else { return false };
+        let Some(((head, tail), (parent_head, parent_tail))) = ends else {
+            return false;
+        };
         let length = apart(parent_head, parent_tail);
-        let begins_there = |child: &&Placed<'_>| child.found().is_some_and(|(head, _)| apart(head, tail) < ONE_PLACE);
-        let own = children.get(placed.bone.name.as_str()).map(Vec::as_slice).unwrap_or_default();
+        let begins_there = |child: &&Placed<'_>| {
+            child
+                .found()
+                .is_some_and(|(head, _)| apart(head, tail) < ONE_PLACE)
+        };
+        let own = children
+            .get(placed.bone.name.as_str())
+            .map(Vec::as_slice)
+            .unwrap_or_default();
         apart(tail, parent_tail) < ONE_PLACE
             && apart(head, tail) > ONE_PLACE
             && length > ONE_PLACE
             && apart(head, parent_head) > BEYOND * length
             && !own.iter().any(begins_there)
     };
-    bones.iter().filter(is_swapped).map(|placed| placed.bone.name.as_str()).collect()
+    bones
+        .iter()
+        .filter(is_swapped)
+        .map(|placed| placed.bone.name.as_str())
+        .collect()
 }
 
 #[cfg(test)]

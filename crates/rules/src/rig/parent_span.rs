@@ -13,10 +13,18 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
     docs: include_str!("parent_span.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("rig-parent-span", Level::Error, "a sub-rig names more than one bone of the rig of the body")
+    ..RuleInfo::new(
+        "rig-parent-span",
+        Level::Error,
+        "a sub-rig names more than one bone of the rig of the body",
+    )
 });
 
-const AS_WRITTEN: Case = &[(Mpfb, Level::Warning, "silently binds the constraint to the `subtarget` as it is written")];
+const AS_WRITTEN: Case = &[(
+    Mpfb,
+    Level::Warning,
+    "silently binds the constraint to the `subtarget` as it is written",
+)];
 
 /// MPFB takes places for one that are nearer than this, metres
 /// (`docs/loaders/mpfb/custom-rigs.md#references-to-the-parent-rig`).
@@ -26,14 +34,26 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let figure = Figure::of(view);
     let joints = figure.as_ref().map(Figure::joints);
     for (file, rig) in view.own_rigs() {
-        let bound = rig.bones.iter().flat_map(|bone| bone.constraints.iter().map(move |one| (bone, one)));
+        let bound = rig
+            .bones
+            .iter()
+            .flat_map(|bone| bone.constraints.iter().map(move |one| (bone, one)));
         let targets = bound.flat_map(|(bone, one)| one.targets.iter().map(move |own| (bone, own)));
         if file.part != RigPart::Asset {
-            let foreign = targets.filter(|(_, (target, _))| matches!(target, Target::Parent | Target::Span(..)));
-            out.extend(in_rig_of_body(file, rig, &foreign.map(|(bone, _)| bone.name.as_str()).collect::<Vec<_>>()));
+            let foreign = targets
+                .filter(|(_, (target, _))| matches!(target, Target::Parent | Target::Span(..)));
+            out.extend(in_rig_of_body(
+                file,
+                rig,
+                &foreign
+                    .map(|(bone, _)| bone.name.as_str())
+                    .collect::<Vec<_>>(),
+            ));
             continue;
         }
-        let Some(joints) = joints.as_ref().filter(|_| has_asset(file)) else { continue };
+        let Some(joints) = joints.as_ref().filter(|_| has_asset(file)) else {
+            continue;
+        };
         for (bone, (target, subtarget)) in targets {
             // Without a bone to replace nothing is looked for.
             if let (Target::Span(_, head, tail), Some(_)) = (target, subtarget) {
@@ -46,7 +66,10 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 fn in_rig_of_body(file: &RigFile<'_>, rig: &Rig, bones: &[&str]) -> Option<Finding> {
     let first = bones.first()?;
-    let message = format!("a constraint of bone `{first}` names another rig{}", such(bones.len(), "constraints"));
+    let message = format!(
+        "a constraint of bone `{first}` names another rig{}",
+        such(bones.len(), "constraints")
+    );
     let finding = at_bones(&RULE, file, rig, bones, "constraints", message)?.key("body");
     Some(finding.help("write `\"target\": true` for the rig itself"))
 }
@@ -60,10 +83,17 @@ fn unknown(
     cx: &RuleCx<'_>,
 ) -> Option<Finding> {
     let name = ends.into_iter().find(|name| joints.cube(name).is_none())?;
-    let message = format!("joint `{name}` in a constraint of bone `{}` does not exist", bone.name);
+    let message = format!(
+        "joint `{name}` in a constraint of bone `{}` does not exist",
+        bone.name
+    );
     let near = cx.suggestions.nearest(name, joints.names());
     let finding = at_bones(&RULE, file, rig, &[&bone.name], "constraints", message)?.key("joint");
-    Some(finding.case(AS_WRITTEN).help(did_you_mean(near, "name a joint of the base mesh")))
+    Some(
+        finding
+            .case(AS_WRITTEN)
+            .help(did_you_mean(near, "name a joint of the base mesh")),
+    )
 }
 
 /// A rig of the body in which several bones lie between the joints, and not one.
@@ -78,7 +108,10 @@ fn several(
     let (from, to) = (joints.cube(head)?, joints.cube(tail)?);
     let of_body = view.rigs.iter().filter(|rig| rig.part == RigPart::Standard);
     let spanned = |of_body: &&RigFile<'_>| {
-        let bones = of_body.definition().map(|rig| placed(rig, joints)).unwrap_or_default();
+        let bones = of_body
+            .definition()
+            .map(|rig| placed(rig, joints))
+            .unwrap_or_default();
         is_chain(&bones, from, to)
     };
     let wrong: Vec<&str> = of_body.filter(spanned).map(|rig| rig.name).collect();
@@ -89,7 +122,10 @@ fn several(
         such(wrong.len(), "rigs")
     );
     let finding = at_bones(&RULE, file, rig, &[&bone.name], "constraints", message)?.key("span");
-    Some(stops(file, finding.help("name the joints at which one bone begins and ends")))
+    Some(stops(
+        file,
+        finding.help("name the joints at which one bone begins and ends"),
+    ))
 }
 
 /// Bones that are followed from joint to joint.
@@ -98,7 +134,11 @@ const LONGEST: usize = 64;
 /// Whether bones lead from one place to another, one behind the other, and none does so alone.
 fn is_chain(bones: &[Placed<'_>], from: Vec3, to: Vec3) -> bool {
     let ends: Vec<(Vec3, Vec3)> = bones.iter().filter_map(Placed::ends).collect();
-    let next = |at: Vec3| ends.iter().filter(move |(head, _)| apart(*head, at) < NEAR).map(|(_, tail)| *tail);
+    let next = |at: Vec3| {
+        ends.iter()
+            .filter(move |(head, _)| apart(*head, at) < NEAR)
+            .map(|(_, tail)| *tail)
+    };
     if next(from).any(|tail| apart(tail, to) < NEAR) {
         return false;
     }
@@ -110,7 +150,11 @@ fn is_chain(bones: &[Placed<'_>], from: Vec3, to: Vec3) -> bool {
         if places.iter().any(|place| apart(*place, to) < NEAR) {
             return true;
         }
-        places = places.iter().flat_map(|place| next(*place)).take(LONGEST).collect();
+        places = places
+            .iter()
+            .flat_map(|place| next(*place))
+            .take(LONGEST)
+            .collect();
     }
     false
 }

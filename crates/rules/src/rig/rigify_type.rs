@@ -9,18 +9,30 @@ use mhlint_repo::mpfb::View;
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
     docs: include_str!("rigify_type.md").trim_ascii_end(),
-    ..RuleInfo::new("rig-rigify-type", Level::Error, "a type or parameter that Rigify does not take")
+    ..RuleInfo::new(
+        "rig-rigify-type",
+        Level::Error,
+        "a type or parameter that Rigify does not take",
+    )
 });
 
-const LATER: Case =
-    &[(Mpfb, Level::Warning, "makes the rig; Rigify fails when it generates one from it, or leaves the parameter out")];
+const LATER: Case = &[(
+    Mpfb,
+    Level::Warning,
+    "makes the rig; Rigify fails when it generates one from it, or leaves the parameter out",
+)];
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs() {
         let found = findings_in(IN_BONES, &RULE, file.file, &rig.faults.rigify, cx);
         out.extend(found.map(|(_, finding)| stops(file, finding)));
-        // Rigify has more parameters than those which are known: one that is like none of them is its own.
+        // Rigify has more parameters than those which are known: one that is like none of them is
+        // its own.
         let found = findings_in(IN_BONES, &RULE, file.file, &rig.faults.ignored_rigify, cx);
-        out.extend(found.filter(|(one, _)| is_misspelt(one, cx)).map(|(_, finding)| finding.case(LATER)));
+        out.extend(
+            found
+                .filter(|(one, _)| is_misspelt(one, cx))
+                .map(|(_, finding)| finding.case(LATER)),
+        );
     }
 }

@@ -10,13 +10,24 @@ use mhlint_formats::rig::{Rig, RigBone};
 use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
-    breaks: &[(Mpfb, "takes the number as radians: the bone is turned about itself otherwise than it was meant")],
+    breaks: &[(
+        Mpfb,
+        "takes the number as radians: the bone is turned about itself otherwise than it was meant",
+    )],
     docs: include_str!("roll.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("rig-roll", Level::Warning, "a roll that is not in radians, or not aligned to anything")
+    ..RuleInfo::new(
+        "rig-roll",
+        Level::Warning,
+        "a roll that is not in radians, or not aligned to anything",
+    )
 });
 
-const NOT_A_NUMBER: Case = &[(Mpfb, Level::Warning, "makes a bone whose axes are not numbers")];
+const NOT_A_NUMBER: Case = &[(
+    Mpfb,
+    Level::Warning,
+    "makes a bone whose axes are not numbers",
+)];
 const UNALIGNED: Case = &[(Mpfb, Level::Warning, "silently keeps the number of `roll`")];
 
 const REFERENCE: &str = "ALIGN_Z_REFERENCE_Z";
@@ -24,20 +35,53 @@ const REFERENCE: &str = "ALIGN_Z_REFERENCE_Z";
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs() {
         let is_turned = |bone: &&RigBone| bone.roll.abs() > std::f64::consts::TAU;
-        out.extend(finding(file, rig, rig.bones.iter().filter(is_turned).collect(), "roll", |bone| {
-            (format!("roll {} of bone `{}` is more than a whole turn in radians", short(bone.roll), bone.name), None)
-        }));
-        out.extend(finding(file, rig, rig.bones.iter().filter(|bone| bone.roll.is_nan()).collect(), "roll", |bone| {
-            (format!("roll of bone `{}` is NaN", bone.name), Some(NOT_A_NUMBER))
-        }));
+        out.extend(finding(
+            file,
+            rig,
+            rig.bones.iter().filter(is_turned).collect(),
+            "roll",
+            |bone| {
+                (
+                    format!(
+                        "roll {} of bone `{}` is more than a whole turn in radians",
+                        short(bone.roll),
+                        bone.name
+                    ),
+                    None,
+                )
+            },
+        ));
+        out.extend(finding(
+            file,
+            rig,
+            rig.bones.iter().filter(|bone| bone.roll.is_nan()).collect(),
+            "roll",
+            |bone| {
+                (
+                    format!("roll of bone `{}` is NaN", bone.name),
+                    Some(NOT_A_NUMBER),
+                )
+            },
+        ));
         let has_none = |bone: &&RigBone| {
-            let reference = bone.roll_reference_z.filter(|reference| length(*reference) > NO_LENGTH);
+            let reference = bone
+                .roll_reference_z
+                .filter(|reference| length(*reference) > NO_LENGTH);
             bone.roll_strategy.as_deref() == Some(REFERENCE) && reference.is_none()
         };
-        out.extend(finding(file, rig, rig.bones.iter().filter(has_none).collect(), "roll_strategy", |bone| {
-            let what = "has no direction of three numbers in `roll_reference_z`";
-            (format!("{REFERENCE} of bone `{}` {what}", bone.name), Some(UNALIGNED))
-        }));
+        out.extend(finding(
+            file,
+            rig,
+            rig.bones.iter().filter(has_none).collect(),
+            "roll_strategy",
+            |bone| {
+                let what = "has no direction of three numbers in `roll_reference_z`";
+                (
+                    format!("{REFERENCE} of bone `{}` {what}", bone.name),
+                    Some(UNALIGNED),
+                )
+            },
+        ));
     }
 }
 
@@ -57,7 +101,13 @@ fn finding(
         Some(case) if std::ptr::eq(case, NOT_A_NUMBER) => "write a number",
         Some(_) => "write the direction that z is to have, or the roll itself",
     };
-    let finding = finding.key(if case.is_some_and(|case| std::ptr::eq(case, NOT_A_NUMBER)) { "nan" } else { key });
+    let finding = finding.key(
+        if case.is_some_and(|case| std::ptr::eq(case, NOT_A_NUMBER)) {
+            "nan"
+        } else {
+            key
+        },
+    );
     Some(
         match case {
             Some(case) => finding.case(case),

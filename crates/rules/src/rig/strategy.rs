@@ -12,7 +12,11 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
     docs: include_str!("strategy.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("rig-strategy", Level::Error, "an end of a bone has a strategy that gives no place")
+    ..RuleInfo::new(
+        "rig-strategy",
+        Level::Error,
+        "an end of a bone has a strategy that gives no place",
+    )
 });
 
 const STRATEGIES: [&str; 4] = ["CUBE", "VERTEX", "MEAN", "XYZ"];
@@ -33,9 +37,18 @@ type IsSo = fn(&Strategy) -> bool;
 
 /// Sorts of strategies that give no place, whatever the mesh.
 const SORTS: [(IsSo, &str); 3] = [
-    (|strategy| matches!(strategy, Strategy::Unknown(_)), "unknown"),
-    (|strategy| matches!(strategy, Strategy::Mean(vertices) if vertices.is_empty()), "empty"),
-    (|strategy| matches!(strategy, Strategy::Xyz(vertices) if vertices.len() < 3), "three"),
+    (
+        |strategy| matches!(strategy, Strategy::Unknown(_)),
+        "unknown",
+    ),
+    (
+        |strategy| matches!(strategy, Strategy::Mean(vertices) if vertices.is_empty()),
+        "empty",
+    ),
+    (
+        |strategy| matches!(strategy, Strategy::Xyz(vertices) if vertices.len() < 3),
+        "three",
+    ),
 ];
 
 fn finding(
@@ -53,20 +66,39 @@ fn finding(
     let subject = format!("`{which}` of bone `{}`", bone.name);
     let (message, help) = match &end.strategy {
         Strategy::Unknown(name) => {
-            let near = STRATEGIES.into_iter().find(|known| known.eq_ignore_ascii_case(name));
+            let near = STRATEGIES
+                .into_iter()
+                .find(|known| known.eq_ignore_ascii_case(name));
             let near = near.or_else(|| cx.suggestions.nearest(name, STRATEGIES));
             let help = did_you_mean(near, "write CUBE, VERTEX, MEAN or XYZ");
             (format!("{subject} has the unknown strategy `{name}`"), help)
         }
         Strategy::Xyz(vertices) => {
             let help = "name three vertices: for x, for y and for z".to_owned();
-            (format!("{subject} has {} vertices for XYZ, expected 3", vertices.len()), help)
+            (
+                format!(
+                    "{subject} has {} vertices for XYZ, expected 3",
+                    vertices.len()
+                ),
+                help,
+            )
         }
-        _ => (format!("{subject} has no vertex for MEAN"), "name the vertices whose mean it is".to_owned()),
+        _ => (
+            format!("{subject} has no vertex for MEAN"),
+            "name the vertices whose mean it is".to_owned(),
+        ),
     };
     let message = format!("{message}{}", super::super::such(found.len(), "ends"));
     let bones: Vec<&str> = found.iter().map(|(bone, ..)| bone.name.as_str()).collect();
     let finding = at_bones(&RULE, file, rig, &bones, which, message)?.help(help);
-    let finding = finding.key(if has_default { key.to_owned() } else { format!("{key} without default") });
-    Some(if has_default { finding.case(AT_DEFAULT) } else { stops(file, finding) })
+    let finding = finding.key(if has_default {
+        key.to_owned()
+    } else {
+        format!("{key} without default")
+    });
+    Some(if has_default {
+        finding.case(AT_DEFAULT)
+    } else {
+        stops(file, finding)
+    })
 }

@@ -9,10 +9,17 @@ use mhlint_formats::rig::Rig;
 use mhlint_repo::mpfb::{RigFile, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
-    breaks: &[(Mpfb, "builds the bone as it is written: it turns about the wrong end")],
+    breaks: &[(
+        Mpfb,
+        "builds the bone as it is written: it turns about the wrong end",
+    )],
     docs: include_str!("swapped_ends.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("rig-swapped-ends", Level::Warning, "head and tail of a bone are swapped")
+    ..RuleInfo::new(
+        "rig-swapped-ends",
+        Level::Warning,
+        "head and tail of a bone are swapped",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -25,8 +32,15 @@ fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Findin
     let swapped = swapped(bones);
     let message = match swapped.as_slice() {
         [one] => format!("bone `{one}` ends where its parent ends, and begins beyond it"),
-        _ => format!("{} end where their parents end, and begin beyond them", bones_in_words(&swapped)),
+        _ => format!(
+            "{} end where their parents end, and begin beyond them",
+            bones_in_words(&swapped)
+        ),
     };
     let finding = at_bones(&RULE, file, rig, &swapped, "", message)?;
-    Some(finding.confidence(Confidence::Medium).help("swap `head` and `tail`"))
+    Some(
+        finding
+            .confidence(Confidence::Medium)
+            .help("swap `head` and `tail`"),
+    )
 }

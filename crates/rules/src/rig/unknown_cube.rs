@@ -13,15 +13,25 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
     docs: include_str!("unknown_cube.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("rig-unknown-cube", Level::Error, "a bone ends at a joint that the base mesh does not have")
+    ..RuleInfo::new(
+        "rig-unknown-cube",
+        Level::Error,
+        "a bone ends at a joint that the base mesh does not have",
+    )
 });
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(groups) = view.groups.filter(|groups| groups.stops.all().is_empty()) else { return };
+    let Some(groups) = view.groups.filter(|groups| groups.stops.all().is_empty()) else {
+        return;
+    };
     let names = groups.groups.iter().map(|group| group.name.as_str());
     let joints: BTreeSet<&str> = names.filter(|name| name.contains("joint")).collect();
     // A joint of the mesh that lost its group is told of the groups (`metadata-table`).
-    let of_mesh = view.mesh.iter().flat_map(|(_, mesh)| &mesh.groups).map(|group| group.name.as_str());
+    let of_mesh = view
+        .mesh
+        .iter()
+        .flat_map(|(_, mesh)| &mesh.groups)
+        .map(|group| group.name.as_str());
     let lost: BTreeSet<&str> = of_mesh.filter(|name| name.starts_with("joint-")).collect();
     if joints.is_empty() {
         return;
@@ -29,7 +39,8 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs() {
         let is_unknown = |end: &End| matches!(&end.strategy, Strategy::Cube(name) if !joints.contains(&**name) && !lost.contains(&**name));
         for has_default in [false, true] {
-            let found = ends(rig).filter(|(.., end)| is_unknown(end) && has_place(end) == has_default);
+            let found =
+                ends(rig).filter(|(.., end)| is_unknown(end) && has_place(end) == has_default);
             let found: Vec<(&RigBone, &'static str, &End)> = found.collect();
             out.extend(finding(file, rig, &found, has_default, &joints, cx));
         }
@@ -45,14 +56,33 @@ fn finding(
     cx: &RuleCx<'_>,
 ) -> Option<Finding> {
     let (bone, which, end) = found.first()?;
-    let Strategy::Cube(name) = &end.strategy else { return None };
+    let Strategy::Cube(name) = &end.strategy else {
+        return None;
+    };
     let more = such(found.len(), "ends");
-    let message = format!("joint `{name}` of `{which}` of bone `{}` does not exist{more}", bone.name);
-    let near = joints.iter().find(|joint| joint.eq_ignore_ascii_case(name)).copied();
+    let message = format!(
+        "joint `{name}` of `{which}` of bone `{}` does not exist{more}",
+        bone.name
+    );
+    let near = joints
+        .iter()
+        .find(|joint| joint.eq_ignore_ascii_case(name))
+        .copied();
     let near = near.or_else(|| cx.suggestions.nearest(name, joints.iter().copied()));
     let bones: Vec<&str> = found.iter().map(|(bone, ..)| bone.name.as_str()).collect();
     let finding = at_bones(&RULE, file, rig, &bones, which, message)?;
-    let finding = finding.help(did_you_mean(near, "name a joint of the base mesh, `joint-…`"));
-    let finding = finding.key(if has_default { "default" } else { "without default" });
-    Some(if has_default { finding.case(AT_DEFAULT) } else { stops(file, finding) })
+    let finding = finding.help(did_you_mean(
+        near,
+        "name a joint of the base mesh, `joint-…`",
+    ));
+    let finding = finding.key(if has_default {
+        "default"
+    } else {
+        "without default"
+    });
+    Some(if has_default {
+        finding.case(AT_DEFAULT)
+    } else {
+        stops(file, finding)
+    })
 }

@@ -9,10 +9,17 @@ use mhlint_formats::rig::{Constraint, Rig, RigBone, Target};
 use mhlint_repo::mpfb::{RigFile, RigPart, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
-    breaks: &[(Mpfb, "makes the constraint, which Blender marks as invalid: it does nothing")],
+    breaks: &[(
+        Mpfb,
+        "makes the constraint, which Blender marks as invalid: it does nothing",
+    )],
     docs: include_str!("unknown_subtarget.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("rig-unknown-subtarget", Level::Warning, "a constraint that is bound to no bone")
+    ..RuleInfo::new(
+        "rig-unknown-subtarget",
+        Level::Warning,
+        "a constraint that is bound to no bone",
+    )
 });
 
 /// What a constraint lacks.
@@ -30,7 +37,9 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs() {
         let bones = rig.bones.iter().map(|bone| bone.name.as_str());
         // Rigify makes some of them later.
-        let known: BTreeSet<&str> = bones.chain(rig.extra_bones.iter().map(String::as_str)).collect();
+        let known: BTreeSet<&str> = bones
+            .chain(rig.extra_bones.iter().map(String::as_str))
+            .collect();
         let of_bone = |bone: &'_ RigBone| bone.constraints.len();
         let bound = rig.bones.iter().filter(|bone| of_bone(bone) > 0);
         let found: Vec<(&RigBone, &Constraint, Lack<'_>)> = bound
@@ -38,7 +47,13 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .filter_map(|(bone, one)| Some((bone, one, lack(bone, one, &known, parents.as_ref())?)))
             .collect();
         let of_parents = parents.iter().flatten().copied();
-        out.extend(finding(file, rig, &found, &known.into_iter().chain(of_parents).collect(), cx));
+        out.extend(finding(
+            file,
+            rig,
+            &found,
+            &known.into_iter().chain(of_parents).collect(),
+            cx,
+        ));
     }
 }
 
@@ -47,7 +62,12 @@ fn bones_of_parents<'v>(view: &'v View<'_>) -> Option<BTreeSet<&'v str>> {
     let mut bones = BTreeSet::new();
     for file in view.rigs.iter().filter(|file| file.part != RigPart::Asset) {
         let rig = file.definition()?;
-        bones.extend(rig.bones.iter().map(|bone| bone.name.as_str()).chain(rig.extra_bones.iter().map(String::as_str)));
+        bones.extend(
+            rig.bones
+                .iter()
+                .map(|bone| bone.name.as_str())
+                .chain(rig.extra_bones.iter().map(String::as_str)),
+        );
     }
     Some(bones).filter(|bones| !bones.is_empty())
 }
@@ -58,16 +78,23 @@ fn lack<'r>(
     known: &BTreeSet<&str>,
     parents: Option<&BTreeSet<&str>>,
 ) -> Option<Lack<'r>> {
-    constraint.targets.iter().find_map(|(target, subtarget)| match (target, subtarget.as_deref()) {
-        (Target::Missing, _) => Some(Lack::Target),
-        (Target::Own, None | Some("")) | (Target::Span(..) | Target::Parent, None) => Some(Lack::Subtarget),
-        (Target::Own, Some(name)) if !known.contains(name) => Some(Lack::Unknown(name)),
-        (Target::Parent, Some(name)) if parents.is_some_and(|bones| !bones.contains(name)) => {
-            Some(Lack::OfParent(name))
-        }
-        (Target::Own, Some(name)) if name == bone.name && constraint.kind != "ARMATURE" => Some(Lack::Itself),
-        _ => None,
-    })
+    constraint
+        .targets
+        .iter()
+        .find_map(|(target, subtarget)| match (target, subtarget.as_deref()) {
+            (Target::Missing, _) => Some(Lack::Target),
+            (Target::Own, None | Some("")) | (Target::Span(..) | Target::Parent, None) => {
+                Some(Lack::Subtarget)
+            }
+            (Target::Own, Some(name)) if !known.contains(name) => Some(Lack::Unknown(name)),
+            (Target::Parent, Some(name)) if parents.is_some_and(|bones| !bones.contains(name)) => {
+                Some(Lack::OfParent(name))
+            }
+            (Target::Own, Some(name)) if name == bone.name && constraint.kind != "ARMATURE" => {
+                Some(Lack::Itself)
+            }
+            _ => None,
+        })
 }
 
 fn finding(
@@ -81,10 +108,14 @@ fn finding(
     let subject = format!("{} of bone `{}`", constraint.kind, bone.name);
     let more = such(found.len(), "constraints");
     let (message, help) = match lack {
-        Lack::Target => {
-            (format!("{subject} has no target{more}"), "write `\"target\": true` for the rig itself".to_owned())
-        }
-        Lack::Subtarget => (format!("{subject} has no `subtarget`{more}"), "name a bone of the rig".to_owned()),
+        Lack::Target => (
+            format!("{subject} has no target{more}"),
+            "write `\"target\": true` for the rig itself".to_owned(),
+        ),
+        Lack::Subtarget => (
+            format!("{subject} has no `subtarget`{more}"),
+            "name a bone of the rig".to_owned(),
+        ),
         Lack::Unknown(name) => {
             let near = cx.suggestions.nearest(name, known.iter().copied());
             (
@@ -95,16 +126,25 @@ fn finding(
         Lack::OfParent(name) => {
             let near = cx.suggestions.nearest(name, known.iter().copied());
             (
-                format!("{subject} is bound to bone `{name}` of the rig of the body, which no rig has{more}"),
+                format!(
+                    "{subject} is bound to bone `{name}` of the rig of the body, which no rig has{more}"
+                ),
                 did_you_mean(near, "name a bone of the rig that the asset is made for"),
             )
         }
-        Lack::Itself => (format!("{subject} is bound to the bone itself{more}"), "name another bone".to_owned()),
+        Lack::Itself => (
+            format!("{subject} is bound to the bone itself{more}"),
+            "name another bone".to_owned(),
+        ),
     };
     let bones: Vec<&str> = found.iter().map(|(bone, ..)| bone.name.as_str()).collect();
     let mut finding = at_bones(&RULE, file, rig, &bones, "constraints", message)?;
     for (_, other, _) in found.iter().skip(1).take(mhlint_diag::EXAMPLES - 1) {
-        finding = finding.related(file.file.path.clone(), Place::Pointer(other.pointer.clone()), "so is this one");
+        finding = finding.related(
+            file.file.path.clone(),
+            Place::Pointer(other.pointer.clone()),
+            "so is this one",
+        );
     }
     Some(finding.help(help))
 }

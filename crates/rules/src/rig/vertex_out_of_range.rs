@@ -12,15 +12,24 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(Mpfb, STOPS)],
     docs: include_str!("vertex_out_of_range.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("rig-vertex-out-of-range", Level::Error, "a bone ends at a vertex that the mesh does not have")
+    ..RuleInfo::new(
+        "rig-vertex-out-of-range",
+        Level::Error,
+        "a bone ends at a vertex that the mesh does not have",
+    )
 });
 
-const FROM_THE_END: Case =
-    &[(Mpfb, Level::Warning, "silently counts from the last vertex: the bone ends somewhere else")];
+const FROM_THE_END: Case = &[(
+    Mpfb,
+    Level::Warning,
+    "silently counts from the last vertex: the bone ends somewhere else",
+)];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs() {
-        let Some(count) = vertices(view, file).and_then(|count| i64::try_from(count).ok()) else { continue };
+        let Some(count) = vertices(view, file).and_then(|count| i64::try_from(count).ok()) else {
+            continue;
+        };
         for key in ["without default", "default", "negative"] {
             let found = ends(rig).filter(|(.., end)| sort(end, count) == Some(key));
             let found: Vec<(&RigBone, &'static str, &End)> = found.collect();
@@ -41,11 +50,16 @@ fn sort(end: &End, count: i64) -> Option<&'static str> {
 /// How many vertices there are to count.
 fn vertices(view: &View<'_>, file: &RigFile<'_>) -> Option<usize> {
     if file.part != RigPart::Asset {
-        let (_, mesh) = view.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
+        let (_, mesh) = view
+            .mesh
+            .filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
         return Some(mesh.facts.vertices);
     }
-    let is_own = |asset: &str, stem: &str| asset == parent(&file.file.rel) && stem == file.file.stem();
-    let asset = view.worn_anywhere().find(|worn| is_own(parent(&worn.file.rel), worn.file.stem()))?;
+    let is_own =
+        |asset: &str, stem: &str| asset == parent(&file.file.rel) && stem == file.file.stem();
+    let asset = view
+        .worn_anywhere()
+        .find(|worn| is_own(parent(&worn.file.rel), worn.file.stem()))?;
     Some(asset.mesh()?.1.facts.vertices)
 }
 
@@ -71,12 +85,24 @@ fn finding(
 ) -> Option<Finding> {
     let (bone, which, end) = found.first()?;
     let is_negative = key == "negative";
-    let vertex =
-        listed(end).find(|vertex| if is_negative { *vertex < 0 } else { *vertex >= count || *vertex < -count })?;
+    let vertex = listed(end).find(|vertex| {
+        if is_negative {
+            *vertex < 0
+        } else {
+            *vertex >= count || *vertex < -count
+        }
+    })?;
     let (more, last) = (such(found.len(), "ends"), count.saturating_sub(1));
-    let whose = if file.part == RigPart::Asset { "the asset" } else { "the base mesh" };
+    let whose = if file.part == RigPart::Asset {
+        "the asset"
+    } else {
+        "the base mesh"
+    };
     let message = if is_negative {
-        format!("vertex {vertex} of `{which}` of bone `{}` is negative{more}", bone.name)
+        format!(
+            "vertex {vertex} of `{which}` of bone `{}` is negative{more}",
+            bone.name
+        )
     } else {
         format!(
             "vertex {vertex} of `{which}` of bone `{}` does not exist; {whose} has vertices 0 to {last}{more}",

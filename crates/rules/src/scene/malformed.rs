@@ -8,13 +8,24 @@ use mhlint_formats::scene::SceneFault;
 use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "fails with `AttributeError` when the scene is chosen")],
+    breaks: &[(
+        Makehuman1,
+        "fails with `AttributeError` when the scene is chosen",
+    )],
     docs: include_str!("malformed.md").trim_ascii_end(),
     ..RuleInfo::new("scene-malformed", Level::Error, "a scene cannot be loaded")
 });
 
-const AT_START: Case = &[(Makehuman1, Level::Error, "stops at start: only the splash picture stays on the screen")];
-const NO_LIGHTS: Case = &[(Makehuman1, Level::Error, "logs a warning and shows a scene without lights")];
+const AT_START: Case = &[(
+    Makehuman1,
+    Level::Error,
+    "stops at start: only the splash picture stays on the screen",
+)];
+const NO_LIGHTS: Case = &[(
+    Makehuman1,
+    Level::Error,
+    "logs a warning and shows a scene without lights",
+)];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if view.is_makehuman1() {
@@ -39,10 +50,18 @@ fn finding(file: &FileFacts) -> Option<Finding> {
 fn words(fault: &SceneFault) -> String {
     match fault {
         SceneFault::NoPickle => "not a scene: it does not begin as one".to_owned(),
-        SceneFault::Pickle(at, fault) => format!("the pickle cannot be read: {} at byte {at}", of_pickle(*fault)),
-        SceneFault::Ends(count, needed) => format!("the file ends after {} of {needed}", counted(*count, "value")),
+        SceneFault::Pickle(at, fault) => format!(
+            "the pickle cannot be read: {} at byte {at}",
+            of_pickle(*fault)
+        ),
+        SceneFault::Ends(count, needed) => format!(
+            "the file ends after {} of {needed}",
+            counted(*count, "value")
+        ),
         SceneFault::Version(found) => format!("its version is {found}, expected 5"),
-        SceneFault::Value(what, expected, found) => format!("{what} is {found}, expected {expected}"),
+        SceneFault::Value(what, expected, found) => {
+            format!("{what} is {found}, expected {expected}")
+        }
     }
 }
 

@@ -8,7 +8,10 @@ use mhlint_formats::pickle::Danger;
 use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman1, "runs the code in the file when the scene is chosen")],
+    breaks: &[(
+        Makehuman1,
+        "runs the code in the file when the scene is chosen",
+    )],
     docs: include_str!("unsafe_pickle.md").trim_ascii_end(),
     counts: "instructions",
     cannot_be_ignored: true,
@@ -19,7 +22,11 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     )
 });
 
-const AT_START: Case = &[(Makehuman1, Level::Error, "runs the code in the file at start")];
+const AT_START: Case = &[(
+    Makehuman1,
+    Level::Error,
+    "runs the code in the file at start",
+)];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if !view.is_makehuman1() {
@@ -35,15 +42,32 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn finding(file: &FileFacts, dangers: &[Danger]) -> Option<Finding> {
     let first = dangers.first()?;
     let what = match &first.import {
-        Some(import) if first.opcode == "STACK_GLOBAL" => format!("imports `{import}` by `STACK_GLOBAL`"),
+        Some(import) if first.opcode == "STACK_GLOBAL" => {
+            format!("imports `{import}` by `STACK_GLOBAL`")
+        }
         Some(import) => format!("imports `{import}`"),
         None => format!("has the instruction `{}`", first.opcode),
     };
-    let message = format!("{what} at byte {}{}", first.offset, and_more(dangers.len(), "instruction"));
-    let words = |danger: &Danger| danger.import.clone().unwrap_or_else(|| danger.opcode.to_owned());
-    let finding = RULE.at(file, Place::File, message).evidence(Evidence::of_cases(dangers.iter().map(words)));
+    let message = format!(
+        "{what} at byte {}{}",
+        first.offset,
+        and_more(dangers.len(), "instruction")
+    );
+    let words = |danger: &Danger| {
+        danger
+            .import
+            .clone()
+            .unwrap_or_else(|| danger.opcode.to_owned())
+    };
+    let finding = RULE
+        .at(file, Place::File, message)
+        .evidence(Evidence::of_cases(dangers.iter().map(words)));
     let is_list = file.kind == Kind::LibraryCache;
-    let finding = if is_list || file.rel == FIRST { finding.case(AT_START) } else { finding };
+    let finding = if is_list || file.rel == FIRST {
+        finding.case(AT_START)
+    } else {
+        finding
+    };
     Some(finding.help(if is_list {
         "do not start the program with it; delete it, and the program makes it again"
     } else {

@@ -16,10 +16,20 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let base = body.default_rig().and_then(|rig| rig.skeleton()?.name.as_deref());
-    let Some(base) = base.filter(|_| body.is_makehuman1()) else { return };
-    for rig in rigs(body).filter(|rig| !rig.own.is_default && rig.skeleton.name.as_deref() == Some(base)) {
-        let finding = RULE.at(rig.file, Place::pointer(["name"]), format!("`{base}` is the name of the base skeleton"));
+    let base = body
+        .default_rig()
+        .and_then(|rig| rig.skeleton()?.name.as_deref());
+    let Some(base) = base.filter(|_| body.is_makehuman1()) else {
+        return;
+    };
+    for rig in
+        rigs(body).filter(|rig| !rig.own.is_default && rig.skeleton.name.as_deref() == Some(base))
+    {
+        let finding = RULE.at(
+            rig.file,
+            Place::pointer(["name"]),
+            format!("`{base}` is the name of the base skeleton"),
+        );
         out.push(finding.help("give the skeleton a name of its own"));
     }
 }

@@ -9,7 +9,11 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: LOST_AND_WEIGHTED,
     docs: include_str!("cycle.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("skeleton-cycle", Level::Error, "the parents of some bones form a cycle")
+    ..RuleInfo::new(
+        "skeleton-cycle",
+        Level::Error,
+        "the parents of some bones form a cycle",
+    )
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

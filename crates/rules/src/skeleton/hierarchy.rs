@@ -40,22 +40,38 @@ enum State {
 /// Follows all parents.
 pub(super) fn hierarchy(skeleton: &Skeleton) -> Hierarchy<'_> {
     let mut hierarchy = Hierarchy::default();
-    let index: BTreeMap<&str, usize> =
-        (skeleton.bones.iter().enumerate()).map(|(at, bone)| (bone.name.as_str(), at)).collect();
+    let index: BTreeMap<&str, usize> = (skeleton.bones.iter().enumerate())
+        .map(|(at, bone)| (bone.name.as_str(), at))
+        .collect();
     for bone in &skeleton.bones {
         match bone.parent.as_deref() {
             None if bone.is_root() => hierarchy.roots.push(&bone.name),
             None => hierarchy.unclear += 1,
             Some(parent) if !index.contains_key(parent) => {
-                hierarchy.unknown_parents.entry(parent).or_default().push(&bone.name);
+                hierarchy
+                    .unknown_parents
+                    .entry(parent)
+                    .or_default()
+                    .push(&bone.name);
             }
             Some(_) => {}
         }
     }
-    let parent = |at: usize| skeleton.bones.get(at).and_then(|bone| index.get(bone.parent.as_deref()?).copied());
+    let parent = |at: usize| {
+        skeleton
+            .bones
+            .get(at)
+            .and_then(|bone| index.get(bone.parent.as_deref()?).copied())
+    };
     let mut states = vec![State::New; skeleton.bones.len()];
     for start in 0..skeleton.bones.len() {
-        follow(&skeleton.bones, start, parent, &mut states, &mut hierarchy.rings);
+        follow(
+            &skeleton.bones,
+            start,
+            parent,
+            &mut states,
+            &mut hierarchy.rings,
+        );
     }
     hierarchy
 }
@@ -83,7 +99,10 @@ fn follow<'a>(
     if end == State::Open {
         end = State::Circles(rings.len());
         let ring = path.iter().skip(ring_start.unwrap_or_default());
-        rings.push(Ring { bones: ring.map(|at| name(*at)).collect(), below: Vec::new() });
+        rings.push(Ring {
+            bones: ring.map(|at| name(*at)).collect(),
+            below: Vec::new(),
+        });
     }
     let below = path.iter().take(ring_start.unwrap_or(path.len()));
     if let State::Circles(ring) = end
@@ -99,10 +118,14 @@ fn follow<'a>(
 }
 
 impl Hierarchy<'_> {
-    /// Whether the fault is that nothing is a root; not, if unknown parents, unreadable bones or a bone that is its own parent explain it.
+    /// Whether the fault is that nothing is a root; not, if unknown parents, unreadable bones or a
+    /// bone that is its own parent explain it.
     pub(super) fn lacks_root(&self) -> bool {
         let is_own_parent = self.rings.iter().any(|ring| ring.bones.len() == 1);
-        self.roots.is_empty() && self.unknown_parents.is_empty() && self.unclear == 0 && !is_own_parent
+        self.roots.is_empty()
+            && self.unknown_parents.is_empty()
+            && self.unclear == 0
+            && !is_own_parent
     }
 }
 
@@ -112,9 +135,14 @@ mod tests {
     use mhlint_formats::mhskel;
 
     fn skeleton(parents: &[(&str, &str)]) -> Skeleton {
-        let bones: Vec<String> =
-            parents.iter().map(|(bone, parent)| format!(r#""{bone}": {{"parent": {parent}}}"#)).collect();
-        mhskel::read(&mhlint_json::parse(format!("{{\"bones\": {{{}}}}}", bones.join(",")).as_bytes()).unwrap())
+        let bones: Vec<String> = parents
+            .iter()
+            .map(|(bone, parent)| format!(r#""{bone}": {{"parent": {parent}}}"#))
+            .collect();
+        mhskel::read(
+            &mhlint_json::parse(format!("{{\"bones\": {{{}}}}}", bones.join(",")).as_bytes())
+                .unwrap(),
+        )
     }
 
     #[test]
@@ -129,8 +157,15 @@ mod tests {
             ("self", "\"self\""),
         ]);
         let hierarchy = hierarchy(&file);
-        let rings: Vec<_> = hierarchy.rings.iter().map(|ring| (ring.bones.clone(), ring.below.clone())).collect();
-        assert_eq!(rings, [(vec!["a", "b"], vec!["x", "y"]), (vec!["self"], vec![])]);
+        let rings: Vec<_> = hierarchy
+            .rings
+            .iter()
+            .map(|ring| (ring.bones.clone(), ring.below.clone()))
+            .collect();
+        assert_eq!(
+            rings,
+            [(vec!["a", "b"], vec!["x", "y"]), (vec!["self"], vec![])]
+        );
         assert_eq!(hierarchy.roots, ["root"]);
     }
 

@@ -16,46 +16,99 @@ const SINGULAR: Case = &[(
 )];
 
 /// Groups of the mesh are joints as well, and one that is nowhere is the origin.
-pub(super) fn unknown_joints(rule: &Rule, body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+pub(super) fn unknown_joints(
+    rule: &Rule,
+    body: &Body<'_>,
+    cx: &RuleCx<'_>,
+    out: &mut Vec<Finding>,
+) {
     let Some((_, mesh)) = body.mesh else { return };
-    let groups: BTreeSet<&str> = mesh.groups.iter().map(|group| group.name.as_str()).collect();
+    let groups: BTreeSet<&str> = mesh
+        .groups
+        .iter()
+        .map(|group| group.name.as_str())
+        .collect();
     // A mesh without any is told itself.
     if !groups.iter().any(|group| group.starts_with("joint-")) {
         return;
     }
     for rig in rigs(body) {
-        let own: BTreeSet<&str> = rig.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
-        let is_known =
-            |name: &str| own.contains(name) || groups.contains(name) || groups.contains(&*format!("joint-{name}"));
+        let own: BTreeSet<&str> = rig
+            .skeleton
+            .joints
+            .iter()
+            .map(|joint| joint.name.as_str())
+            .collect();
+        let is_known = |name: &str| {
+            own.contains(name)
+                || groups.contains(name)
+                || groups.contains(&*format!("joint-{name}"))
+        };
         let mut unknown: BTreeMap<&str, Vec<(Place, String)>> = BTreeMap::new();
         let mut is_singular = false;
-        let parents: BTreeSet<&str> = rig.skeleton.bones.iter().filter_map(|bone| bone.parent.as_deref()).collect();
+        let parents: BTreeSet<&str> = rig
+            .skeleton
+            .bones
+            .iter()
+            .filter_map(|bone| bone.parent.as_deref())
+            .collect();
         for bone in &rig.skeleton.bones {
             let ends = [("head", &bone.head), ("tail", &bone.tail)];
-            let lost = ends.into_iter().filter_map(|(end, name)| Some((end, name.as_deref()?)));
-            let lost: Vec<(&str, &str)> = lost.filter(|(_, name)| !name.is_empty() && !is_known(name)).collect();
+            let lost = ends
+                .into_iter()
+                .filter_map(|(end, name)| Some((end, name.as_deref()?)));
+            let lost: Vec<(&str, &str)> = lost
+                .filter(|(_, name)| !name.is_empty() && !is_known(name))
+                .collect();
             is_singular |= lost.len() == 2 && parents.contains(bone.name.as_str());
             for (end, name) in lost {
                 let place = Place::pointer(["bones", &bone.name, end]);
-                unknown.entry(name).or_default().push((place, format!("`{end}` of bone `{}`", bone.name)));
+                unknown
+                    .entry(name)
+                    .or_default()
+                    .push((place, format!("`{end}` of bone `{}`", bone.name)));
             }
         }
-        let Some((joint, uses)) = unknown.iter().next() else { continue };
-        let Some((place, owner)) = uses.first() else { continue };
+        let Some((joint, uses)) = unknown.iter().next() else {
+            continue;
+        };
+        let Some((place, owner)) = uses.first() else {
+            continue;
+        };
         let more = such(unknown.len(), "joints");
-        let message =
-            format!("{owner} names joint `{joint}`, which is neither in `joints` nor a group of the mesh{more}");
-        let near = cx.suggestions.nearest(joint, own.iter().chain(&groups).copied());
-        let finding = rule.at(rig.file, place.clone(), message).key("joints").parts(unknown.keys().copied());
-        let finding = finding.help(did_you_mean(near, "add it to `joints`, or name an existing joint"));
+        let message = format!(
+            "{owner} names joint `{joint}`, which is neither in `joints` nor a group of the mesh{more}"
+        );
+        let near = cx
+            .suggestions
+            .nearest(joint, own.iter().chain(&groups).copied());
+        let finding = rule
+            .at(rig.file, place.clone(), message)
+            .key("joints")
+            .parts(unknown.keys().copied());
+        let finding = finding.help(did_you_mean(
+            near,
+            "add it to `joints`, or name an existing joint",
+        ));
         let finding = finding.evidence(Evidence::of_cases(unknown.keys()));
-        out.push(if is_singular { finding.case(SINGULAR) } else { finding });
+        out.push(if is_singular {
+            finding.case(SINGULAR)
+        } else {
+            finding
+        });
     }
 }
 
 /// Whether an end of a bone is somewhere: a joint of its skeleton, or a group of the mesh.
 pub(super) fn is_placed(body: &Body<'_>, skeleton: &Skeleton, name: &str) -> bool {
-    let is_joint = skeleton.joints.iter().any(|joint| joint.name == name && joint.listed > 0);
-    let is_group = |group: &Group| group.name == name || group.name.strip_prefix("joint-") == Some(name);
-    is_joint || body.mesh.is_some_and(|(_, mesh)| mesh.groups.iter().any(is_group))
+    let is_joint = skeleton
+        .joints
+        .iter()
+        .any(|joint| joint.name == name && joint.listed > 0);
+    let is_group =
+        |group: &Group| group.name == name || group.name.strip_prefix("joint-") == Some(name);
+    is_joint
+        || body
+            .mesh
+            .is_some_and(|(_, mesh)| mesh.groups.iter().any(is_group))
 }

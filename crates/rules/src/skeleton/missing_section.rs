@@ -13,12 +13,22 @@ use mhlint_repo::{Body, FileFacts};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "rejects the skeleton and logs a line; poses and exports cannot use it"),
-        (Makehuman1, "fails with `KeyError` when the skeleton is chosen"),
+        (
+            Makehuman2,
+            "rejects the skeleton and logs a line; poses and exports cannot use it",
+        ),
+        (
+            Makehuman1,
+            "fails with `KeyError` when the skeleton is chosen",
+        ),
     ],
     docs: include_str!("missing_section.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("skeleton-missing-section", Level::Error, "a required part of a skeleton is missing")
+    ..RuleInfo::new(
+        "skeleton-missing-section",
+        Level::Error,
+        "a required part of a skeleton is missing",
+    )
 });
 
 const EMPTY: Case = &[(Makehuman2, Level::Error, NOT_SCANNED)];
@@ -27,9 +37,20 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
         missing_sections(body, &rig, out);
         for member in ["head", "tail"] {
-            let end = |bone: &Bone| if member == "head" { bone.head.clone() } else { bone.tail.clone() };
-            let is_empty = |bone: &Bone| body.is_makehuman1() && end(bone).is_some_and(|name| name.is_empty());
-            let bones = rig.skeleton.bones.iter().filter(|bone| bone.missing.contains(&member) || is_empty(bone));
+            let end = |bone: &Bone| {
+                if member == "head" {
+                    bone.head.clone()
+                } else {
+                    bone.tail.clone()
+                }
+            };
+            let is_empty =
+                |bone: &Bone| body.is_makehuman1() && end(bone).is_some_and(|name| name.is_empty());
+            let bones = rig
+                .skeleton
+                .bones
+                .iter()
+                .filter(|bone| bone.missing.contains(&member) || is_empty(bone));
             let names: Vec<&str> = bones.map(|bone| bone.name.as_str()).collect();
             let Some(first) = names.first() else { continue };
             let message = match names.len() {
@@ -51,14 +72,29 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 fn missing_sections(body: &Body<'_>, rig: &Rig<'_>, out: &mut Vec<Finding>) {
     if rig.file.json.falsy && !body.is_makehuman1() {
-        let finding = RULE.at(rig.file, Place::File, "the skeleton is empty: `bones` and `joints` are missing");
-        out.push(finding.case(EMPTY).help("remove the file, or export the skeleton again"));
+        let finding = RULE.at(
+            rig.file,
+            Place::File,
+            "the skeleton is empty: `bones` and `joints` are missing",
+        );
+        out.push(
+            finding
+                .case(EMPTY)
+                .help("remove the file, or export the skeleton again"),
+        );
         return;
     }
-    for (name, section) in [("bones", rig.skeleton.bones_section), ("joints", rig.skeleton.joints_section)] {
+    for (name, section) in [
+        ("bones", rig.skeleton.bones_section),
+        ("joints", rig.skeleton.joints_section),
+    ] {
         if section == Section::Absent && (name == "bones" || !body.is_makehuman1()) {
             let message = format!("the skeleton has no `{name}`");
-            out.push(RULE.at(rig.file, Place::File, message).key(name).help(help(rig.file, name)));
+            out.push(
+                RULE.at(rig.file, Place::File, message)
+                    .key(name)
+                    .help(help(rig.file, name)),
+            );
         }
     }
 }

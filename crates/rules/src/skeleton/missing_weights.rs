@@ -23,19 +23,43 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
-        let missing = |reference: &&Reference<'_>| matches!(reference.resolution, Resolution::Missing);
-        let Some(reference) = rig.own.weights.as_ref().filter(missing) else { continue };
-        let folder = reference.rel.strip_suffix(reference.text).unwrap_or_default();
-        let unnamed = if rig.skeleton.weights_file.is_some() { "" } else { "no `weights_file` is named, and " };
-        let message = format!("{unnamed}weights file `{}` does not exist in `{folder}`", reference.text);
+        let missing =
+            |reference: &&Reference<'_>| matches!(reference.resolution, Resolution::Missing);
+        let Some(reference) = rig.own.weights.as_ref().filter(missing) else {
+            continue;
+        };
+        let folder = reference
+            .rel
+            .strip_suffix(reference.text)
+            .unwrap_or_default();
+        let unnamed = if rig.skeleton.weights_file.is_some() {
+            ""
+        } else {
+            "no `weights_file` is named, and "
+        };
+        let message = format!(
+            "{unnamed}weights file `{}` does not exist in `{folder}`",
+            reference.text
+        );
         let help = help(body, &rig, (folder, reference.text), cx);
-        out.push(RULE.at(rig.file, reference.place.clone(), message).help(help));
+        out.push(
+            RULE.at(rig.file, reference.place.clone(), message)
+                .help(help),
+        );
     }
 }
 
 fn help(body: &Body<'_>, rig: &Rig<'_>, (root, text): (&str, &str), cx: &RuleCx<'_>) -> String {
-    let below = rig.file.rel.strip_prefix(root).and_then(|rest| rest.rsplit_once('/'));
-    let all: Vec<&str> = body.weights.iter().filter_map(|own| own.file.rel.strip_prefix(root)).collect();
+    let below = rig
+        .file
+        .rel
+        .strip_prefix(root)
+        .and_then(|rest| rest.rsplit_once('/'));
+    let all: Vec<&str> = body
+        .weights
+        .iter()
+        .filter_map(|own| own.file.rel.strip_prefix(root))
+        .collect();
     if let Some((folder, _)) = below
         && all.iter().any(|name| *name == format!("{folder}/{text}"))
     {

@@ -1,4 +1,5 @@
-//! Rules on `.mhskel`, and what they share: which skeletons count, and what becomes of a user of them.
+//! Rules on `.mhskel`, and what they share: which skeletons count, and what becomes of a user of
+//! them.
 
 mod base_name;
 mod cycle;
@@ -88,7 +89,11 @@ struct Rig<'a> {
 fn rigs<'v>(body: &Body<'v>) -> impl Iterator<Item = Rig<'v>> + use<'v> {
     let rig = |own: &'v repo::Rig<'v>| {
         let skeleton = own.skeleton().filter(|skeleton| skeleton.is_object)?;
-        own.is_found.then_some(Rig { file: own.file, skeleton, own })
+        own.is_found.then_some(Rig {
+            file: own.file,
+            skeleton,
+            own,
+        })
     };
     body.rigs.iter().filter_map(rig)
 }
@@ -96,19 +101,35 @@ fn rigs<'v>(body: &Body<'v>) -> impl Iterator<Item = Rig<'v>> + use<'v> {
 impl<'a> Rig<'a> {
     /// A finding on exceptions, with the time at which they reach the user.
     fn stops_with(&self, exceptions: Case, finding: Finding) -> Finding {
-        let when = if self.own.is_default { "while loading the base mesh" } else { "when the skeleton is chosen" };
-        exceptions.iter().fold(finding, |finding, (application, level, effect)| {
-            finding.level_in(*application, *level).effect_in(*application, format!("{effect} {when}"))
-        })
+        let when = if self.own.is_default {
+            "while loading the base mesh"
+        } else {
+            "when the skeleton is chosen"
+        };
+        exceptions
+            .iter()
+            .fold(finding, |finding, (application, level, effect)| {
+                finding
+                    .level_in(*application, *level)
+                    .effect_in(*application, format!("{effect} {when}"))
+            })
     }
 
     /// Joints that a bone, or a plane that a bone names, asks for.
     fn asked_joints(&self) -> BTreeSet<&'a str> {
         let bones = self.skeleton.bones.iter();
-        let ends = bones.flat_map(|bone| [&bone.head, &bone.tail]).filter_map(Option::as_deref);
+        let ends = bones
+            .flat_map(|bone| [&bone.head, &bone.tail])
+            .filter_map(Option::as_deref);
         let planes = self.asked_planes();
-        let planes = self.skeleton.planes.iter().filter(|plane| planes.contains(plane.name.as_str()));
-        let corners = planes.flat_map(|plane| plane.joints.iter().flatten().take(3)).filter_map(Option::as_deref);
+        let planes = self
+            .skeleton
+            .planes
+            .iter()
+            .filter(|plane| planes.contains(plane.name.as_str()));
+        let corners = planes
+            .flat_map(|plane| plane.joints.iter().flatten().take(3))
+            .filter_map(Option::as_deref);
         ends.chain(corners).collect()
     }
 
@@ -119,9 +140,16 @@ impl<'a> Rig<'a> {
 
     /// Bones that pose mode will look for because the weights mention them.
     fn weighted_bones(&self) -> BTreeSet<&'a str> {
-        let weights = if self.own.is_default { self.own.weights() } else { None };
+        let weights = if self.own.is_default {
+            self.own.weights()
+        } else {
+            None
+        };
         let bones = weights.map(|weights| weights.bones.as_slice());
-        let weighted = bones.unwrap_or_default().iter().filter(|bone| bone.listed > 0);
+        let weighted = bones
+            .unwrap_or_default()
+            .iter()
+            .filter(|bone| bone.listed > 0);
         weighted.map(|bone| bone.name.as_str()).collect()
     }
 }

@@ -23,8 +23,11 @@ pub(super) struct Remapped<'a> {
 
 /// The skeletons without weights of their own.
 pub(super) fn remapped<'v>(body: &Body<'v>) -> Vec<Remapped<'v>> {
-    let Some(base) = body.default_rig().and_then(mhlint_repo::Rig::skeleton) else { return Vec::new() };
-    let others = rigs(body).filter(|rig| !rig.own.is_default && rig.skeleton.weights_file.is_none());
+    let Some(base) = body.default_rig().and_then(mhlint_repo::Rig::skeleton) else {
+        return Vec::new();
+    };
+    let others =
+        rigs(body).filter(|rig| !rig.own.is_default && rig.skeleton.weights_file.is_none());
     others.map(|rig| Remapped::of(base, rig)).collect()
 }
 
@@ -34,16 +37,31 @@ impl<'a> Remapped<'a> {
         let bones: Vec<RemapBone<'_>> = named
             .bones
             .iter()
-            .map(|NamedBones { same_name, references, is_explicit }| RemapBone {
-                same_name: *same_name,
-                references,
-                is_explicit: *is_explicit,
-            })
+            .map(
+                |NamedBones {
+                     same_name,
+                     references,
+                     is_explicit,
+                 }| RemapBone {
+                    same_name: *same_name,
+                    references,
+                    is_explicit: *is_explicit,
+                },
+            )
             .collect();
         let sources = sources(&named.parents, &bones);
         let taken: BTreeSet<usize> = sources.iter().flatten().copied().collect();
-        let untaken = named.base.iter().enumerate().filter(|(place, _)| !taken.contains(place));
+        let untaken = named
+            .base
+            .iter()
+            .enumerate()
+            .filter(|(place, _)| !taken.contains(place));
         let untaken = untaken.map(|(_, name)| *name).collect();
-        Self { rig, sources, untaken, base: named.base }
+        Self {
+            rig,
+            sources,
+            untaken,
+            base: named.base,
+        }
     }
 }

@@ -13,12 +13,22 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "rotates the bone around its far end: the limb tears off at the joint"),
-        (Makehuman1, "rotates the bone around its far end: the limb tears off at the joint"),
+        (
+            Makehuman2,
+            "rotates the bone around its far end: the limb tears off at the joint",
+        ),
+        (
+            Makehuman1,
+            "rotates the bone around its far end: the limb tears off at the joint",
+        ),
     ],
     docs: include_str!("swapped_ends.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("skeleton-swapped-ends", Level::Warning, "head and tail of a bone are swapped")
+    ..RuleInfo::new(
+        "skeleton-swapped-ends",
+        Level::Warning,
+        "head and tail of a bone are swapped",
+    )
 });
 
 /// Joints nearer than this are one, mesh units.
@@ -38,12 +48,18 @@ fn finding(rig: &Measured<'_>) -> Option<Finding> {
             children.push(bone);
         }
     }
-    let swapped = bones.iter().zip(&children).filter(|(bone, children)| is_swapped(bones, bone, children));
+    let swapped = bones
+        .iter()
+        .zip(&children)
+        .filter(|(bone, children)| is_swapped(bones, bone, children));
     let swapped: Vec<&str> = swapped.map(|(bone, _)| bone.name.as_str()).collect();
     let first = swapped.first()?;
     let message = match swapped.len() {
         1 => format!("bone `{first}` ends where its parent ends, and begins beyond it"),
-        _ => format!("{} end where their parents end, and begin beyond them", bones_in_words(&swapped)),
+        _ => format!(
+            "{} end where their parents end, and begin beyond them",
+            bones_in_words(&swapped)
+        ),
     };
     Some(
         RULE.at(rig.file, Place::pointer(["bones", first]), message)
@@ -54,11 +70,15 @@ fn finding(rig: &Measured<'_>) -> Option<Finding> {
 }
 
 fn is_swapped(bones: &[BoneMeasure], bone: &BoneMeasure, children: &[&BoneMeasure]) -> bool {
-    let Some(parent) = bone.parent.and_then(|parent| bones.get(parent)) else { return false };
+    let Some(parent) = bone.parent.and_then(|parent| bones.get(parent)) else {
+        return false;
+    };
     let is_beyond = distance(bone.head, parent.head) > BEYOND * parent.length;
     distance(bone.tail, parent.tail) < ONE_JOINT
         && bone.length > ONE_JOINT
         && parent.length > ONE_JOINT
         && is_beyond
-        && !children.iter().any(|child| distance(child.head, bone.tail) < ONE_JOINT)
+        && !children
+            .iter()
+            .any(|child| distance(child.head, bone.tail) < ONE_JOINT)
 }

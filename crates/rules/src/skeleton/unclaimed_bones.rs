@@ -9,7 +9,10 @@ use mhlint_eval::measures::Measures;
 use mhlint_repo::{Body, Rig};
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "exports these vertices without a bone: they do not move in any pose")],
+    breaks: &[(
+        Makehuman2,
+        "exports these vertices without a bone: they do not move in any pose",
+    )],
     docs: include_str!("unclaimed_bones.md").trim_ascii_end(),
     counts: "vertices",
     ..RuleInfo::new(
@@ -20,17 +23,28 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(default) = body.default_rig().and_then(Rig::skeleton) else { return };
+    let Some(default) = body.default_rig().and_then(Rig::skeleton) else {
+        return;
+    };
     let vertices = body.mesh.map_or(0, |(_, mesh)| mesh.positions.len());
     let rigs = measured(body, measures);
     let defaults: BTreeSet<&String> = default.bones.iter().map(|bone| &bone.name).collect();
-    out.extend(rigs.iter().filter(|rig| knows_its_references(rig, &defaults)).filter_map(|rig| finding(rig, vertices)));
+    out.extend(
+        rigs.iter()
+            .filter(|rig| knows_its_references(rig, &defaults))
+            .filter_map(|rig| finding(rig, vertices)),
+    );
 }
 
 /// A name that does not exist may be that of the lost bone.
 fn knows_its_references(rig: &Measured<'_>, defaults: &BTreeSet<&String>) -> bool {
     let bones = rig.skeleton.bones.iter();
-    let mut names = bones.flat_map(|bone| bone.reference.iter().chain(&bone.weights_reference).flatten());
+    let mut names = bones.flat_map(|bone| {
+        bone.reference
+            .iter()
+            .chain(&bone.weights_reference)
+            .flatten()
+    });
     names.all(|name| defaults.contains(name))
 }
 

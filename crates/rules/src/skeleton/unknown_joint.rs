@@ -32,27 +32,42 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return unknown_joints(&RULE, body, cx, out);
     }
     for rig in rigs(body).filter(|rig| rig.skeleton.joints_section == Section::Present) {
-        let known: BTreeSet<&str> = rig.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
+        let known: BTreeSet<&str> = rig
+            .skeleton
+            .joints
+            .iter()
+            .map(|joint| joint.name.as_str())
+            .collect();
         if known.is_empty() && uses(&rig).len() > 1 {
             out.extend(without_joints(&rig));
             continue;
         }
-        let unknown: BTreeMap<_, _> = uses(&rig).into_iter().filter(|(joint, _)| !known.contains(joint)).collect();
+        let unknown: BTreeMap<_, _> = uses(&rig)
+            .into_iter()
+            .filter(|(joint, _)| !known.contains(joint))
+            .collect();
         if unknown.len() > SINGLE {
             out.extend(many(&rig, &unknown, &known));
             continue;
         }
         for (joint, uses) in unknown {
-            let Some((place, owner)) = uses.first() else { continue };
+            let Some((place, owner)) = uses.first() else {
+                continue;
+            };
             let message = match uses.len() {
                 1 => format!("{owner} names joint `{joint}`, which does not exist"),
-                count => format!("{owner} names joint `{joint}`, which does not exist ({count} uses)"),
+                count => {
+                    format!("{owner} names joint `{joint}`, which does not exist ({count} uses)")
+                }
             };
             let help = did_you_mean(
                 cx.suggestions.nearest(joint, known.iter().copied()),
                 "add it to `joints`, or name an existing joint",
             );
-            let finding = RULE.at(rig.file, place.clone(), message).key(joint).help(help);
+            let finding = RULE
+                .at(rig.file, place.clone(), message)
+                .key(joint)
+                .help(help);
             let finding = finding.evidence(Evidence::of_cases(uses.iter().map(|(_, owner)| owner)));
             out.push(rig.stops_with(STOPS, finding));
         }
@@ -60,35 +75,54 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 /// One finding for more joints than anybody mistypes.
-fn many(rig: &Rig<'_>, unknown: &BTreeMap<&str, Vec<(Place, String)>>, known: &BTreeSet<&str>) -> Option<Finding> {
+fn many(
+    rig: &Rig<'_>,
+    unknown: &BTreeMap<&str, Vec<(Place, String)>>,
+    known: &BTreeSet<&str>,
+) -> Option<Finding> {
     let (first, uses) = unknown.first_key_value()?;
     let (place, _) = uses.first()?;
-    let message = format!("bones and planes name {} joints that do not exist, such as `{first}`", unknown.len());
+    let message = format!(
+        "bones and planes name {} joints that do not exist, such as `{first}`",
+        unknown.len()
+    );
     let help = match other_beginning(unknown.keys().copied(), known) {
         Some((with, "")) => {
             format!("add the prefix `{with}` to the names, as in `joints`")
         }
-        Some((_, without)) => format!("remove the prefix `{without}` from the names, as in `joints`"),
+        Some((_, without)) => {
+            format!("remove the prefix `{without}` from the names, as in `joints`")
+        }
         None => "name existing joints; check that `joints` is not from another skeleton".to_owned(),
     };
-    let finding = RULE.at(rig.file, place.clone(), message).key("joints").help(help);
-    Some(rig.stops_with(STOPS, finding.evidence(Evidence::of_cases(unknown.keys()).out_of(self::uses(rig).len()))))
+    let finding = RULE
+        .at(rig.file, place.clone(), message)
+        .key("joints")
+        .help(help);
+    Some(rig.stops_with(
+        STOPS,
+        finding.evidence(Evidence::of_cases(unknown.keys()).out_of(self::uses(rig).len())),
+    ))
 }
 
-/// What the joints have in front of these names, and what the names have in front of the joints, where that is all that
-/// differs.
+/// What the joints have in front of these names, and what the names have in front of the joints,
+/// where that is all that differs.
 fn other_beginning<'n>(
     names: impl Iterator<Item = &'n str> + Clone,
     known: &BTreeSet<&'n str>,
 ) -> Option<(&'n str, &'n str)> {
     let first = names.clone().next()?;
     let differs = |joint: &&'n str| {
-        joint.strip_suffix(first).map(|with| (with, "")).or_else(|| first.strip_suffix(*joint).map(|own| ("", own)))
+        joint
+            .strip_suffix(first)
+            .map(|with| (with, ""))
+            .or_else(|| first.strip_suffix(*joint).map(|own| ("", own)))
     };
     known.iter().filter_map(differs).find(|(with, without)| {
-        names
-            .clone()
-            .all(|name| name.strip_prefix(without).is_some_and(|rest| known.contains(format!("{with}{rest}").as_str())))
+        names.clone().all(|name| {
+            name.strip_prefix(without)
+                .is_some_and(|rest| known.contains(format!("{with}{rest}").as_str()))
+        })
     })
 }
 
@@ -96,8 +130,14 @@ fn other_beginning<'n>(
 fn without_joints(rig: &Rig<'_>) -> Option<Finding> {
     let uses = uses(rig);
     let (place, _) = uses.values().flatten().next()?;
-    let message = format!("bones and planes name {} joints, but `joints` is empty", uses.len());
-    let finding = RULE.at(rig.file, place.clone(), message).key("joints").help("add the joints to `joints`");
+    let message = format!(
+        "bones and planes name {} joints, but `joints` is empty",
+        uses.len()
+    );
+    let finding = RULE
+        .at(rig.file, place.clone(), message)
+        .key("joints")
+        .help("add the joints to `joints`");
     let finding = finding.evidence(Evidence::of_cases(uses.keys()));
     Some(rig.stops_with(STOPS, finding))
 }
@@ -109,15 +149,24 @@ fn uses<'a>(rig: &Rig<'a>) -> BTreeMap<&'a str, Vec<(Place, String)>> {
         for (member, joint) in [("head", &bone.head), ("tail", &bone.tail)] {
             let Some(joint) = joint else { continue };
             let place = Place::pointer(["bones", &bone.name, member]);
-            uses.entry(joint).or_default().push((place, format!("`{member}` of bone `{}`", bone.name)));
+            uses.entry(joint)
+                .or_default()
+                .push((place, format!("`{member}` of bone `{}`", bone.name)));
         }
     }
     let planes = rig.asked_planes();
-    for plane in rig.skeleton.planes.iter().filter(|plane| planes.contains(plane.name.as_str())) {
+    for plane in rig
+        .skeleton
+        .planes
+        .iter()
+        .filter(|plane| planes.contains(plane.name.as_str()))
+    {
         for (index, joint) in plane.joints.iter().flatten().take(3).enumerate() {
             let Some(joint) = joint else { continue };
             let place = Place::pointer(["planes", &plane.name, &index.to_string()]);
-            uses.entry(joint).or_default().push((place, format!("plane `{}`", plane.name)));
+            uses.entry(joint)
+                .or_default()
+                .push((place, format!("plane `{}`", plane.name)));
         }
     }
     uses

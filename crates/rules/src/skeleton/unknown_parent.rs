@@ -10,16 +10,27 @@ use mhlint_diag::{
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "rejects the skeleton and logs a line"), (Makehuman1, LOST)],
+    breaks: &[
+        (Makehuman2, "rejects the skeleton and logs a line"),
+        (Makehuman1, LOST),
+    ],
     levels: &[(Makehuman1, Level::Warning)],
     docs: include_str!("unknown_parent.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("skeleton-unknown-parent", Level::Error, "a bone names a parent that does not exist")
+    ..RuleInfo::new(
+        "skeleton-unknown-parent",
+        Level::Error,
+        "a bone names a parent that does not exist",
+    )
 });
 
-const LOST: &str = "drops the bone and all below it with a line in the log; other bones get their weights";
-const NO_BONE: Case =
-    &[(Makehuman1, Level::Error, "drops all bones, and fails with `IndexError` when the skeleton is chosen")];
+const LOST: &str =
+    "drops the bone and all below it with a line in the log; other bones get their weights";
+const NO_BONE: Case = &[(
+    Makehuman1,
+    Level::Error,
+    "drops all bones, and fails with `IndexError` when the skeleton is chosen",
+)];
 const OF_BASE: Case = &[(
     Makehuman1,
     Level::Error,
@@ -41,7 +52,11 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 count => format!("parent `{parent}` of {count} bones does not exist"),
             };
             let is_null = matches!(parent, "None" | "none" | "null" | "NULL");
-            let near = if is_null { None } else { cx.suggestions.nearest(parent, names()) };
+            let near = if is_null {
+                None
+            } else {
+                cx.suggestions.nearest(parent, names())
+            };
             let otherwise = if is_null {
                 "write null without quotes for the root"
             } else {
@@ -49,7 +64,11 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             };
             let help = did_you_mean(near, otherwise);
             let finding = RULE
-                .at(rig.file, Place::pointer(["bones", first, "parent"]), message)
+                .at(
+                    rig.file,
+                    Place::pointer(["bones", first, "parent"]),
+                    message,
+                )
                 .key(parent)
                 .help(help)
                 .evidence(Evidence::of_cases(&bones).out_of(rig.skeleton.bones.len()));

@@ -32,7 +32,12 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 const MIRRORED: usize = 3;
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    out.extend(measured(body, measures).iter().filter(|rig| rig.measure.is_centred).filter_map(finding));
+    out.extend(
+        measured(body, measures)
+            .iter()
+            .filter(|rig| rig.measure.is_centred)
+            .filter_map(finding),
+    );
 }
 
 fn finding(rig: &Measured<'_>) -> Option<Finding> {
@@ -44,10 +49,20 @@ fn finding(rig: &Measured<'_>) -> Option<Finding> {
     let bones: Vec<&str> = across.iter().map(|(name, _)| *name).collect();
     let (first, measure) = across.first()?;
     let x = f32::midpoint(measure.head[0], measure.tail[0]);
-    let is_not =
-        if bones.len() == 1 { "is not on the side its name says" } else { "are not on the side their names say" };
-    let message = format!("{} {is_not}: `{first}` is at x = {:.1} cm ({x:.2})", bones_in_words(&bones), centimetres(x));
-    let sided = rig.bones().filter(|(bone, _)| side::of_bone(&bone.name).is_some()).count();
+    let is_not = if bones.len() == 1 {
+        "is not on the side its name says"
+    } else {
+        "are not on the side their names say"
+    };
+    let message = format!(
+        "{} {is_not}: `{first}` is at x = {:.1} cm ({x:.2})",
+        bones_in_words(&bones),
+        centimetres(x)
+    );
+    let sided = rig
+        .bones()
+        .filter(|(bone, _)| side::of_bone(&bone.name).is_some())
+        .count();
     let help = if bones.len() == sided && sided > MIRRORED {
         "check whether base.obj was mirrored when it was exported: every left or right bone is wrong"
     } else {
@@ -62,5 +77,8 @@ fn finding(rig: &Measured<'_>) -> Option<Finding> {
 
 fn is_across(name: &str, bone: &BoneMeasure) -> bool {
     let wrong = side::of_bone(name).map(|(side, _)| side.other());
-    wrong.is_some() && [bone.head, bone.tail].iter().all(|joint| Side::at(joint[0]) == wrong)
+    wrong.is_some()
+        && [bone.head, bone.tail]
+            .iter()
+            .all(|joint| Side::at(joint[0]) == wrong)
 }

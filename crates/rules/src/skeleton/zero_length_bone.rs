@@ -35,13 +35,26 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             let is_at = |name: &String| is_placed(body, rig.skeleton, name);
             !body.is_makehuman1() || end.as_ref().is_some_and(is_at)
         };
-        let short = rig.bones().filter(|(_, measure)| measure.length < NO_LENGTH);
+        let short = rig
+            .bones()
+            .filter(|(_, measure)| measure.length < NO_LENGTH);
         let short = short.filter(|(bone, _)| is_placed(&bone.head) && is_placed(&bone.tail));
         let ends = grouped(short.filter_map(|(bone, measure)| {
-            Some(((bone.head.as_deref()?, bone.tail.as_deref()?), (bone.name.as_str(), measure.length)))
+            Some((
+                (bone.head.as_deref()?, bone.tail.as_deref()?),
+                (bone.name.as_str(), measure.length),
+            ))
         }));
-        let parents: BTreeSet<&str> = rig.skeleton.bones.iter().filter_map(|bone| bone.parent.as_deref()).collect();
-        out.extend(ends.iter().filter_map(|(ends, bones)| finding(&rig, &parents, *ends, bones)));
+        let parents: BTreeSet<&str> = rig
+            .skeleton
+            .bones
+            .iter()
+            .filter_map(|bone| bone.parent.as_deref())
+            .collect();
+        out.extend(
+            ends.iter()
+                .filter_map(|(ends, bones)| finding(&rig, &parents, *ends, bones)),
+        );
     }
 }
 
@@ -60,11 +73,17 @@ fn finding(
         format!("joints `{head}` and `{tail}` coincide")
     };
     let message = format!("{} {have} no length: {why}", bones_in_words(&bones));
-    let evidence = Evidence::of_cases(&bones).out_of(rig.skeleton.bones.len()).with_worst(length, first);
+    let evidence = Evidence::of_cases(&bones)
+        .out_of(rig.skeleton.bones.len())
+        .with_worst(length, first);
     let finding = RULE
         .at(rig.file, Place::key(["bones", first]), message)
         .key(format!("{head}/{tail}"))
         .help("give the bone two joints at different places")
         .evidence(evidence);
-    Some(if bones.iter().any(|bone| parents.contains(bone)) { finding } else { finding.case(OF_LEAF) })
+    Some(if bones.iter().any(|bone| parents.contains(bone)) {
+        finding
+    } else {
+        finding.case(OF_LEAF)
+    })
 }

@@ -6,8 +6,14 @@ use mhlint_diag::{Evidence, Finding, Tally};
 use mhlint_formats::target::TargetFacts;
 use mhlint_repo::FileFacts;
 
-/// MPFB passes over rows for vertices that the mesh lacks, and knows no copies at the seams of the UV map.
-pub(super) fn ignored(rule: &Rule, file: &FileFacts, facts: &TargetFacts, vertices: Option<usize>) -> Option<Finding> {
+/// MPFB passes over rows for vertices that the mesh lacks, and knows no copies at the seams of the
+/// UV map.
+pub(super) fn ignored(
+    rule: &Rule,
+    file: &FileFacts,
+    facts: &TargetFacts,
+    vertices: Option<usize>,
+) -> Option<Finding> {
     let (seam, beyond_all) = (&facts.seam, &facts.out_of_range);
     let count = seam.count + beyond_all.count;
     let first_of = if seam.count > 0 { seam } else { beyond_all };
@@ -21,10 +27,16 @@ pub(super) fn ignored(rule: &Rule, file: &FileFacts, facts: &TargetFacts, vertic
         }
     };
     let rows = seam.first.iter().chain(&beyond_all.first);
-    let mut evidence = Evidence::of_unnamed(rows.map(|(line, index)| format!("line {line}: vertex {index}")));
+    let mut evidence =
+        Evidence::of_unnamed(rows.map(|(line, index)| format!("line {line}: vertex {index}")));
     evidence.count = count;
-    let help = "export the target again from the base mesh; its other rows may be for another mesh, too";
-    Some(rule.at(file, first_row(first_of), message).help(help).evidence(evidence.out_of(facts.rows)))
+    let help =
+        "export the target again from the base mesh; its other rows may be for another mesh, too";
+    Some(
+        rule.at(file, first_row(first_of), message)
+            .help(help)
+            .evidence(evidence.out_of(facts.rows)),
+    )
 }
 
 pub(super) fn first(tally: &Tally) -> i64 {

@@ -1,4 +1,5 @@
-//! Targets that move much farther than those which they belong to: in the folder, or at the other end of the slider.
+//! Targets that move much farther than those which they belong to: in the folder, or at the other
+//! end of the slider.
 
 use std::collections::BTreeSet;
 
@@ -10,11 +11,15 @@ use mhlint_formats::target::{Largest, TargetFacts};
 use mhlint_repo::{Body, FileFacts, ReferenceKind};
 
 fn lengths(facts: &TargetFacts, largest: &Largest) -> Lengths {
-    Lengths { longest: largest.length, median: facts.median_length, tail: facts.tail_length }
+    Lengths {
+        longest: largest.length,
+        median: facts.median_length,
+        tail: facts.tail_length,
+    }
 }
 
-/// Details of a folder are of one kind and of one order: one that goes much farther than all others was exported in
-/// other units.
+/// Details of a folder are of one kind and of one order: one that goes much farther than all others
+/// was exported in other units.
 pub(super) fn beyond_neighbours<'v>(
     rule: &Rule,
     body: &Body<'v>,
@@ -25,12 +30,21 @@ pub(super) fn beyond_neighbours<'v>(
         use ReferenceKind::{Decr, Incr, SliderName, Slot};
         matches!(used_as, Some(Incr | Decr | Slot | SliderName))
     };
-    let details = body.targets.iter().filter(|target| is_detail(target.used_as));
+    let details = body
+        .targets
+        .iter()
+        .filter(|target| is_detail(target.used_as));
     let folders = grouped(details.filter_map(|target| {
         let facts = target.file.target()?;
-        Some((target.file.folder(), (target.file, facts, facts.largest.as_ref()?)))
+        Some((
+            target.file.folder(),
+            (target.file, facts, facts.largest.as_ref()?),
+        ))
     }));
-    folders.into_values().filter_map(|details| beyond(rule, body, details, size, ratio)).collect()
+    folders
+        .into_values()
+        .filter_map(|details| beyond(rule, body, details, size, ratio))
+        .collect()
 }
 
 fn beyond<'v>(
@@ -41,45 +55,91 @@ fn beyond<'v>(
     ratio: f32,
 ) -> Option<(&'v FileFacts, Finding)> {
     details.sort_by(|one, other| other.2.length.total_cmp(&one.2.length));
-    let [(file, facts, largest), (_, _, next), others @ ..] = details.as_slice() else { return None };
+    let [(file, facts, largest), (_, _, next), others @ ..] = details.as_slice() else {
+        return None;
+    };
     let own = lengths(facts, largest);
-    let median = details.iter().skip(1).map(|(_, facts, _)| facts.median_length).fold(0.0, f32::max);
+    let median = details
+        .iter()
+        .skip(1)
+        .map(|(_, facts, _)| facts.median_length)
+        .fold(0.0, f32::max);
     // A single row that stands out is told above.
     let is_told = oversize(own, size, ratio).is_some();
-    if others.len() < 2 || is_told || !stands_out_of_folder(own, Lengths { median, ..lengths(facts, next) }, size) {
+    if others.len() < 2
+        || is_told
+        || !stands_out_of_folder(
+            own,
+            Lengths {
+                median,
+                ..lengths(facts, next)
+            },
+            size,
+        )
+    {
         return None;
     }
     let times = largest.length / next.length;
-    let message = format!("{}, {times:.0} times as far as any other slider target in its folder", moves(body, largest));
-    Some((file, finding(rule, file, facts, largest, message).key("folder").confidence(Confidence::Medium)))
+    let message = format!(
+        "{}, {times:.0} times as far as any other slider target in its folder",
+        moves(body, largest)
+    );
+    Some((
+        file,
+        finding(rule, file, facts, largest, message)
+            .key("folder")
+            .confidence(Confidence::Medium),
+    ))
 }
 
 /// The ends of a slider are made together, in one unit.
-pub(super) fn beyond_opposites(rule: &Rule, body: &Body<'_>, told: &BTreeSet<&str>) -> Vec<Finding> {
-    let known = |file: &FileFacts| body.target(&file.path).is_some() && !told.contains(file.path.as_str());
-    let pairs = body.slider_ends.iter().copied().filter(|ends| ends.iter().all(|file| known(file)));
-    pairs.filter_map(|ends| beyond_opposite(rule, body, ends)).collect()
+pub(super) fn beyond_opposites(
+    rule: &Rule,
+    body: &Body<'_>,
+    told: &BTreeSet<&str>,
+) -> Vec<Finding> {
+    let known =
+        |file: &FileFacts| body.target(&file.path).is_some() && !told.contains(file.path.as_str());
+    let pairs = body
+        .slider_ends
+        .iter()
+        .copied()
+        .filter(|ends| ends.iter().all(|file| known(file)));
+    pairs
+        .filter_map(|ends| beyond_opposite(rule, body, ends))
+        .collect()
 }
 
 fn beyond_opposite(rule: &Rule, body: &Body<'_>, ends: [&FileFacts; 2]) -> Option<Finding> {
-    let [Some(one), Some(other)] = ends.map(|file| Some((file, file.target()?, file.target()?.largest?))) else {
+    let [Some(one), Some(other)] =
+        ends.map(|file| Some((file, file.target()?, file.target()?.largest?)))
+    else {
         return None;
     };
     let is_first = one.2.length >= other.2.length;
-    let ((file, facts, largest), (opposite, by, next)) = if is_first { (one, other) } else { (other, one) };
+    let ((file, facts, largest), (opposite, by, next)) =
+        if is_first { (one, other) } else { (other, one) };
     if !is_out_of_scale(lengths(facts, &largest), lengths(by, &next)) {
         return None;
     }
     let times = largest.length / next.length;
     let name = opposite.stem().trim_end_matches(".target");
-    let message =
-        format!("{}, {times:.0} times as far as `{name}`, the other end of its slider", moves(body, &largest));
-    let finding = finding(rule, file, facts, &largest, message).key("opposite").confidence(Confidence::Medium);
+    let message = format!(
+        "{}, {times:.0} times as far as `{name}`, the other end of its slider",
+        moves(body, &largest)
+    );
+    let finding = finding(rule, file, facts, &largest, message)
+        .key("opposite")
+        .confidence(Confidence::Medium);
     Some(finding.related(&opposite.path, Place::File, "the other end"))
 }
 
 pub(super) fn moves(body: &Body<'_>, largest: &Largest) -> String {
-    format!("{} moves {}", body.vertex(largest.index), length(largest.length))
+    format!(
+        "{} moves {}",
+        body.vertex(largest.index),
+        length(largest.length)
+    )
 }
 
 pub(super) fn finding(
@@ -89,8 +149,15 @@ pub(super) fn finding(
     largest: &Largest,
     message: String,
 ) -> Finding {
-    let place = u64::try_from(largest.index)
-        .map_or(Place::Line(largest.line), |index| Place::Row(largest.line, Element { kind: "vertex", index }));
+    let place = u64::try_from(largest.index).map_or(Place::Line(largest.line), |index| {
+        Place::Row(
+            largest.line,
+            Element {
+                kind: "vertex",
+                index,
+            },
+        )
+    });
     let evidence = Evidence::counted(1);
     rule.at(file, place, message)
         .help("correct the numbers; a decimal point may be missing or the unit wrong: lengths are in decimetres")

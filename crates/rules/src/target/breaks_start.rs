@@ -14,13 +14,21 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     )],
     docs: include_str!("breaks_start.md").trim_ascii_end(),
     counts: "rows",
-    ..RuleInfo::new("target-breaks-start", Level::Error, "an unused target crashes MakeHuman 2 at start")
+    ..RuleInfo::new(
+        "target-breaks-start",
+        Level::Error,
+        "an unused target crashes MakeHuman 2 at start",
+    )
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body).filter(|(target, ..)| target.is_unused) {
-        let Some(mut finding) = unreadable_fields::finding(&RULE, file, facts) else { continue };
-        finding.message.push_str(", and MakeHuman 2 parses this file at start although nothing uses it");
+        let Some(mut finding) = unreadable_fields::finding(&RULE, file, facts) else {
+            continue;
+        };
+        finding
+            .message
+            .push_str(", and MakeHuman 2 parses this file at start although nothing uses it");
         out.push(weigh(target, finding).help(
             "fix the row, or move the file out of the target folder; \
                  after a crash also delete compressedtargets.npz",

@@ -7,11 +7,19 @@ use mhlint_repo::makehuman1::{CustomTarget, View};
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "loses the value of the slider in saved models")],
     docs: include_str!("custom_name.md").trim_ascii_end(),
-    ..RuleInfo::new("target-custom-name", Level::Warning, "a blank in the name of a user's target")
+    ..RuleInfo::new(
+        "target-custom-name",
+        Level::Warning,
+        "a blank in the name of a user's target",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let own = view.targets.custom.iter().filter(|one| view.layers.is_checked(one.file));
+    let own = view
+        .targets
+        .custom
+        .iter()
+        .filter(|one| view.layers.is_checked(one.file));
     let blank = own.filter(|one| has_blank(&one.name));
     for (folder, targets) in grouped(blank.map(|one| (blank_folder(&one.file.rel), one))) {
         match folder {
@@ -23,19 +31,31 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 fn alone(one: &CustomTarget<'_>) -> Finding {
     let message = format!("`{}` has a blank in its name", one.name);
-    RULE.at(one.file, Place::File, message).help(format!("rename it to `{}`", dashed(one.file.file_name())))
+    RULE.at(one.file, Place::File, message)
+        .help(format!("rename it to `{}`", dashed(one.file.file_name())))
 }
 
 /// However many targets are in it, one name is at fault.
 fn in_folder(view: &View<'_>, folder: &str, targets: &[&CustomTarget<'_>]) -> Finding {
     let count = counted(targets.len(), "target");
-    let finding =
-        RULE.in_layer(view.layers.checked, folder, format!("folder `{folder}` of {count} has a blank in its name"));
-    let finding = finding.key(folder).parts_in(targets.iter().map(|one| (one.file.shown(), &one.file.path)));
-    let finding = finding.evidence(Evidence::of_cases(targets.iter().map(|one| one.file.shown())));
+    let finding = RULE.in_layer(
+        view.layers.checked,
+        folder,
+        format!("folder `{folder}` of {count} has a blank in its name"),
+    );
+    let finding = finding
+        .key(folder)
+        .parts_in(targets.iter().map(|one| (one.file.shown(), &one.file.path)));
+    let finding = finding.evidence(Evidence::of_cases(
+        targets.iter().map(|one| one.file.shown()),
+    ));
     let right = dashed(folder.rsplit('/').next().unwrap_or(folder));
     let below = |one: &&CustomTarget<'_>| one.file.rel.get(folder.len()..).is_some_and(has_blank);
-    let more = if targets.iter().any(below) { ", and what is in it without blanks, too" } else { "" };
+    let more = if targets.iter().any(below) {
+        ", and what is in it without blanks, too"
+    } else {
+        ""
+    };
     finding.help(format!("rename it to `{right}`{more}"))
 }
 

@@ -10,7 +10,11 @@ use mhlint_repo::makehuman1::{NamedTarget, View};
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(Makehuman1, "applies both: the slider moves twice as far")],
     docs: include_str!("doubled.md").trim_ascii_end(),
-    ..RuleInfo::new("target-doubled", Level::Warning, "two files that are one target")
+    ..RuleInfo::new(
+        "target-doubled",
+        Level::Warning,
+        "two files that are one target",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -19,7 +23,13 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     let used = &view.modifiers.uses;
     let mut first: BTreeMap<&TargetName, &NamedTarget<'_>> = BTreeMap::new();
-    for (_, target) in view.targets.shipped.iter().enumerate().filter(|(place, _)| used.contains_key(place)) {
+    for (_, target) in view
+        .targets
+        .shipped
+        .iter()
+        .enumerate()
+        .filter(|(place, _)| used.contains_key(place))
+    {
         let Some(earlier) = first.get(&target.name) else {
             first.insert(&target.name, target);
             continue;

@@ -23,11 +23,17 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     let (pairs, asked) = (pairs(base), asked_for(view, base));
     let unlisted = base.modelling.winner().is_none() && !base.modelling.is_broken();
     let folders = [base.user_targets, base.targets.filter(|_| unlisted)];
-    for folder in folders.into_iter().flatten().filter(|folder| std::ptr::eq(folder.layer, view.layers.checked)) {
+    for folder in folders
+        .into_iter()
+        .flatten()
+        .filter(|folder| std::ptr::eq(folder.layer, view.layers.checked))
+    {
         // Whether a folder has both targets of a pair, once asked for.
         let mut with_pair: BTreeMap<(&str, (&str, &str)), bool> = BTreeMap::new();
         for file in folder.targets() {
-            let Some((opposite, pair)) = opposite_of(file, &pairs) else { continue };
+            let Some((opposite, pair)) = opposite_of(file, &pairs) else {
+                continue;
+            };
             let rel = format!("{}/{opposite}.target", parent(&file.rel));
             if folder.layer.file(&rel).is_some() || asked.contains(rel.as_str()) {
                 continue;
@@ -37,11 +43,15 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
                 // A folder of other capitals is another matter.
                 Some(other) if parent(&other.rel) != parent(&rel) => {}
                 // Each lacks the other: once is enough.
-                Some(other) if opposite_of(other, &pairs).is_some() && file.stem().ends_with(pair.0) => {}
+                Some(other)
+                    if opposite_of(other, &pairs).is_some() && file.stem().ends_with(pair.0) => {}
                 Some(other) => out.push(renamed(finding(file, &opposite, pair), &opposite, other)),
                 None => {
                     let path = parent(&file.rel);
-                    if *with_pair.entry((path, pair)).or_insert_with(|| has_pair(folder, path, pair)) {
+                    if *with_pair
+                        .entry((path, pair))
+                        .or_insert_with(|| has_pair(folder, path, pair))
+                    {
                         out.push(finding(file, &opposite, pair));
                     }
                 }
@@ -50,14 +60,28 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     }
 }
 
-const INCREASES: Case = &[(Makehuman2, Level::Warning, "creates a slider that can only increase")];
-const DECREASES: Case =
-    &[(Makehuman2, Level::Warning, "creates a slider that only decreases the shape, when it moves up")];
+const INCREASES: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "creates a slider that can only increase",
+)];
+const DECREASES: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "creates a slider that only decreases the shape, when it moves up",
+)];
 
 fn finding(file: &FileFacts, opposite: &str, (decr, _): (&str, &str)) -> Finding {
     let message = format!("`{}` has no opposite `{opposite}`", file.stem());
-    let case =
-        if file.stem().strip_suffix(decr).is_some_and(|stem| stem.ends_with('-')) { DECREASES } else { INCREASES };
+    let case = if file
+        .stem()
+        .strip_suffix(decr)
+        .is_some_and(|stem| stem.ends_with('-'))
+    {
+        DECREASES
+    } else {
+        INCREASES
+    };
     RULE.at(file, Place::File, message).case(case).help(format!(
         "leave it if one direction is meant; otherwise add `{opposite}.target`, before models are saved with the slider"
     ))
@@ -70,27 +94,52 @@ fn renamed(finding: Finding, opposite: &str, other: &FileFacts) -> Finding {
         "rename `{name}` to `{opposite}.target` if it is the other direction, before models are saved with the slider"
     );
     let related = format!("`{name}` becomes a slider of its own");
-    finding.help(help).related(other.path.clone(), Place::File, related)
+    finding
+        .help(help)
+        .related(other.path.clone(), Place::File, related)
 }
 
-/// A target beside `file` that looks like its opposite `rel` and has lost its ending, or has a misspelt one. Only of
-/// `decr` and `incr`: the scan makes pairs of no others, and a plain name beside other endings may be meant.
-fn misnamed<'a>(folder: TargetFolder<'a>, file: &FileFacts, rel: &str, pair: (&str, &str)) -> Option<&'a FileFacts> {
-    let (stem, ending) = rel.strip_suffix(".target")?.rsplit_once('-').filter(|_| pair == ("decr", "incr"))?;
+/// A target beside `file` that looks like its opposite `rel` and has lost its ending, or has a
+/// misspelt one. Only of `decr` and `incr`: the scan makes pairs of no others, and a plain name
+/// beside other endings may be meant.
+fn misnamed<'a>(
+    folder: TargetFolder<'a>,
+    file: &FileFacts,
+    rel: &str,
+    pair: (&str, &str),
+) -> Option<&'a FileFacts> {
+    let (stem, ending) = rel
+        .strip_suffix(".target")?
+        .rsplit_once('-')
+        .filter(|_| pair == ("decr", "incr"))?;
     let plain = folder.layer.file(&format!("{stem}.target"));
     let path = parent(&file.rel);
     let alike = folder.layer.beginning_with(format!("{stem}-"));
-    let mut misspelt = alike.filter(|other| other.kind == Kind::Target && parent(&other.rel) == path).filter(|other| {
-        let word = other.rel.strip_prefix(stem).and_then(|rest| rest.strip_prefix('-')?.strip_suffix(".target"));
-        word.is_some_and(|word| word != pair.0 && word != pair.1 && nearest(word, [ending]).is_some())
-    });
+    let mut misspelt = alike
+        .filter(|other| other.kind == Kind::Target && parent(&other.rel) == path)
+        .filter(|other| {
+            let word = other
+                .rel
+                .strip_prefix(stem)
+                .and_then(|rest| rest.strip_prefix('-')?.strip_suffix(".target"));
+            word.is_some_and(|word| {
+                word != pair.0 && word != pair.1 && nearest(word, [ending]).is_some()
+            })
+        });
     plain.or_else(|| misspelt.next())
 }
 
-/// Pairs of endings, negative first. The scan of user targets knows decr and incr without being told.
+/// Pairs of endings, negative first. The scan of user targets knows decr and incr without being
+/// told.
 fn pairs<'a>(base: &Base<'a>) -> Vec<(&'a str, &'a str)> {
-    let opposites = base.settings().map(|(_, settings)| settings.opposites.as_slice()).unwrap_or_default();
-    let mut pairs: Vec<(&str, &str)> = opposites.iter().map(|(decr, incr)| (decr.as_str(), incr.as_str())).collect();
+    let opposites = base
+        .settings()
+        .map(|(_, settings)| settings.opposites.as_slice())
+        .unwrap_or_default();
+    let mut pairs: Vec<(&str, &str)> = opposites
+        .iter()
+        .map(|(decr, incr)| (decr.as_str(), incr.as_str()))
+        .collect();
     if base.settings().is_none() {
         pairs.push(("decr", "incr"));
     }
@@ -98,18 +147,34 @@ fn pairs<'a>(base: &Base<'a>) -> Vec<(&'a str, &'a str)> {
 }
 
 /// The name of the opposite target and the pair of endings, if the name has such an ending.
-fn opposite_of<'a>(file: &FileFacts, pairs: &[(&'a str, &'a str)]) -> Option<(String, (&'a str, &'a str))> {
+fn opposite_of<'a>(
+    file: &FileFacts,
+    pairs: &[(&'a str, &'a str)],
+) -> Option<(String, (&'a str, &'a str))> {
     let stem = file.stem();
     pairs.iter().find_map(|pair| {
         let (decr, incr) = *pair;
-        let swap = |from: &str, to: &str| Some(format!("{}-{to}", stem.strip_suffix(from)?.strip_suffix('-')?));
+        let swap = |from: &str, to: &str| {
+            Some(format!(
+                "{}-{to}",
+                stem.strip_suffix(from)?.strip_suffix('-')?
+            ))
+        };
         Some((swap(decr, incr).or_else(|| swap(incr, decr))?, *pair))
     })
 }
 
 /// Whether a folder holds both targets of a pair.
 fn has_pair(folder: TargetFolder<'_>, path: &str, (decr, incr): (&str, &str)) -> bool {
-    let own = folder.layer.below(path).filter(|file| parent(&file.rel) == path);
+    let own = folder
+        .layer
+        .below(path)
+        .filter(|file| parent(&file.rel) == path);
     let mut stems = own.filter_map(|file| file.rel.strip_suffix(&format!("-{decr}.target")));
-    stems.any(|stem| folder.layer.file(&format!("{stem}-{incr}.target")).is_some())
+    stems.any(|stem| {
+        folder
+            .layer
+            .file(&format!("{stem}-{incr}.target"))
+            .is_some()
+    })
 }

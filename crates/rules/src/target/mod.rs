@@ -80,34 +80,57 @@ pub(super) static RULES: &[&Rule] = &[
     &zero_delta::RULE,
 ];
 
-/// The targets of a body that can be decoded. For others the encoding is the one fault to name. A byte order mark is a
-/// fault of the first line only; all are checked as they are without it.
-fn targets<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = (&'b Target<'v>, &'v FileFacts, &'v TargetFacts)> {
-    body.targets.iter().filter_map(|target| Some((target, target.file, target.file.target()?)))
+/// The targets of a body that can be decoded. For others the encoding is the one fault to name. A
+/// byte order mark is a fault of the first line only; all are checked as they are without it.
+fn targets<'b, 'v>(
+    body: &'b Body<'v>,
+) -> impl Iterator<Item = (&'b Target<'v>, &'v FileFacts, &'v TargetFacts)> {
+    body.targets
+        .iter()
+        .filter_map(|target| Some((target, target.file, target.file.target()?)))
 }
 
-/// What MPFB splits at single blanks, with what becomes of rows at which it stops: of a slider, of the macros, or of a
-/// target that is loaded by hand.
+/// What MPFB splits at single blanks, with what becomes of rows at which it stops: of a slider, of
+/// the macros, or of a target that is loaded by hand.
 fn split_at_blanks<'b, 'v>(
     body: &'b Body<'v>,
 ) -> impl Iterator<Item = (&'v FileFacts, &'v TargetFacts, Case)> + use<'b, 'v> {
-    let case = |used_as| if used_as == Some(ReferenceKind::MacroTarget) { MACRO_ROWS } else { &[] };
+    let case = |used_as| {
+        if used_as == Some(ReferenceKind::MacroTarget) {
+            MACRO_ROWS
+        } else {
+            &[]
+        }
+    };
     let own = targets(body).map(move |(target, file, facts)| (file, facts, case(target.used_as)));
-    let of_parts = body.part_targets.iter().filter_map(|file| Some((*file, file.target()?, BY_HAND)));
+    let of_parts = body
+        .part_targets
+        .iter()
+        .filter_map(|file| Some((*file, file.target()?, BY_HAND)));
     own.chain(of_parts).filter(|_| body.is_mpfb())
 }
 
 /// The first row of a tally.
 fn first_row(tally: &Tally) -> Place {
     match tally.first.first() {
-        Some((line, index)) => u64::try_from(*index)
-            .map_or(Place::Line(*line), |index| Place::Row(*line, Element { kind: "vertex", index })),
+        Some((line, index)) => u64::try_from(*index).map_or(Place::Line(*line), |index| {
+            Place::Row(
+                *line,
+                Element {
+                    kind: "vertex",
+                    index,
+                },
+            )
+        }),
         None => Place::File,
     }
 }
 
-/// Paths of the targets that something refers to, found or not: where one is missing, that is the fault to name.
+/// Paths of the targets that something refers to, found or not: where one is missing, that is the
+/// fault to name.
 fn asked_for<'v>(view: &'v View<'_>, base: &Base<'_>) -> BTreeSet<&'v str> {
-    let references = view.references_of(base).filter(|reference| reference.kind.is_target());
+    let references = view
+        .references_of(base)
+        .filter(|reference| reference.kind.is_target());
     references.map(|reference| reference.rel.as_str()).collect()
 }

@@ -25,12 +25,17 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("target-negative-index", Level::Error, "a vertex index in a target is negative")
 });
 
-const BEFORE_ALL: Case =
-    &[(Mpfb, Level::Error, "fails with `IndexError` when the slider moves, and leaves an empty shape key")];
+const BEFORE_ALL: Case = &[(
+    Mpfb,
+    Level::Error,
+    "fails with `IndexError` when the slider moves, and leaves an empty shape key",
+)];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body) {
-        let Some((_, index)) = facts.negative.first.first() else { continue };
+        let Some((_, index)) = facts.negative.first.first() else {
+            continue;
+        };
         let message = match facts.negative.count {
             1 => format!("vertex index {index} is negative"),
             count => format!("{count} vertex indices are negative, first {index}"),
@@ -41,10 +46,27 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             "correct the index (vertices are counted from 0), or remove the row; \
              after a crash also delete compressedtargets.npz"
         };
-        let vertices = body.mesh.and_then(|(_, mesh)| i64::try_from(mesh.facts.vertices).ok());
-        let is_before = vertices.is_some_and(|count| facts.negative.first.iter().any(|(_, index)| *index < -count));
-        let finding =
-            RULE.at(file, first_row(&facts.negative), message).help(help).evidence(facts.negative.evidence(facts.rows));
-        out.push(weigh(target, if is_before { finding.case(BEFORE_ALL) } else { finding }));
+        let vertices = body
+            .mesh
+            .and_then(|(_, mesh)| i64::try_from(mesh.facts.vertices).ok());
+        let is_before = vertices.is_some_and(|count| {
+            facts
+                .negative
+                .first
+                .iter()
+                .any(|(_, index)| *index < -count)
+        });
+        let finding = RULE
+            .at(file, first_row(&facts.negative), message)
+            .help(help)
+            .evidence(facts.negative.evidence(facts.rows));
+        out.push(weigh(
+            target,
+            if is_before {
+                finding.case(BEFORE_ALL)
+            } else {
+                finding
+            },
+        ));
     }
 }

@@ -32,7 +32,9 @@ const OUTDATED: Case = &[(
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body) {
-        let Some((_, index)) = facts.non_finite.first.first() else { continue };
+        let Some((_, index)) = facts.non_finite.first.first() else {
+            continue;
+        };
         let vertex = body.vertex(*index);
         let message = match facts.non_finite.count {
             1 => format!("the displacement of {vertex} is NaN or infinite"),
@@ -43,6 +45,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .help("export the target again, or correct the numbers")
             .evidence(facts.non_finite.evidence(facts.rows));
         let is_outdated = target.is_outdated();
-        out.push(if is_outdated { finding.case(OUTDATED) } else { with_setting(finding, body, file) });
+        out.push(if is_outdated {
+            finding.case(OUTDATED)
+        } else {
+            with_setting(finding, body, file)
+        });
     }
 }

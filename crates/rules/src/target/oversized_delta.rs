@@ -12,16 +12,27 @@ use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Confidence, Finding, Grows, Level, MeasureKind, OptionInfo, RuleInfo,
 };
-use mhlint_eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, is_torn_out, oversize, standing_out};
+use mhlint_eval::proportion::{
+    Lengths, MEDIAN_RATIO, Oversize, extent, is_torn_out, oversize, standing_out,
+};
 use mhlint_eval::tears::Neighbours;
 use mhlint_formats::target::{Largest, TargetFacts};
 use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "tears the vertex out of the mesh when the target is applied"),
-        (Makehuman1, "tears the vertex out of the mesh when the target is applied"),
-        (Mpfb, "tears the vertex out of the mesh when the target is applied"),
+        (
+            Makehuman2,
+            "tears the vertex out of the mesh when the target is applied",
+        ),
+        (
+            Makehuman1,
+            "tears the vertex out of the mesh when the target is applied",
+        ),
+        (
+            Mpfb,
+            "tears the vertex out of the mesh when the target is applied",
+        ),
     ],
     docs: include_str!("oversized_delta.md").trim_ascii_end(),
     options: &[OptionInfo {
@@ -31,13 +42,19 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     }],
     counts: "rows",
     grows: Grows::more(MeasureKind::Distance),
-    ..RuleInfo::new("target-oversized-delta", Level::Warning, "a displacement is out of proportion to mesh and target")
+    ..RuleInfo::new(
+        "target-oversized-delta",
+        Level::Warning,
+        "a displacement is out of proportion to mesh and target",
+    )
 });
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // A mesh in another unit is told itself.
     let mesh = body.mesh.filter(|_| body.doubt.is_none());
-    let Some(size) = mesh.and_then(|(_, mesh)| extent(&mesh.positions)) else { return };
+    let Some(size) = mesh.and_then(|(_, mesh)| extent(&mesh.positions)) else {
+        return;
+    };
     #[expect(clippy::cast_possible_truncation, reason = "a factor set by people")]
     let ratio = cx.option(&RULE, "ratio") as f32;
     let neighbours = LazyCell::new(|| {
@@ -46,21 +63,36 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     });
     let is_torn = |facts: &TargetFacts, index| {
         let neighbours = neighbours.as_ref();
-        neighbours.is_none_or(|neighbours| is_torn_out(&facts.longest, facts.tail_length, index, neighbours))
+        neighbours.is_none_or(|neighbours| {
+            is_torn_out(&facts.longest, facts.tail_length, index, neighbours)
+        })
     };
     let mut told: BTreeSet<&str> = BTreeSet::new();
     for (_, file, facts) in targets(body) {
         // A vertex that does not exist has a finding of its own.
         let exists = |largest: &Largest| facts.out_of_range.count == 0 || is_vertex(body, largest);
-        let Some(largest) = facts.largest.filter(exists) else { continue };
-        let lengths = Lengths { longest: largest.length, median: facts.median_length, tail: facts.tail_length };
+        let Some(largest) = facts.largest.filter(exists) else {
+            continue;
+        };
+        let lengths = Lengths {
+            longest: largest.length,
+            median: facts.median_length,
+            tail: facts.tail_length,
+        };
         let (what, confidence) = match oversize(lengths, size, ratio) {
-            Some(Oversize::BeyondMesh) => {
-                (format!("more than the whole base mesh ({:.1} cm)", centimetres(size)), Confidence::High)
-            }
+            Some(Oversize::BeyondMesh) => (
+                format!(
+                    "more than the whole base mesh ({:.1} cm)",
+                    centimetres(size)
+                ),
+                Confidence::High,
+            ),
             Some(Oversize::Outlier) if is_torn(facts, largest.index) => {
                 let times = largest.length / facts.median_length;
-                (format!("{times:.0} times the median of this target"), Confidence::Medium)
+                (
+                    format!("{times:.0} times the median of this target"),
+                    Confidence::Medium,
+                )
             }
             _ => continue,
         };
@@ -80,5 +112,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 /// Whether the row that goes farthest moves a vertex of the mesh.
 fn is_vertex(body: &Body<'_>, largest: &Largest) -> bool {
-    body.mesh.is_some_and(|(_, mesh)| usize::try_from(largest.index).is_ok_and(|vertex| vertex < mesh.facts.vertices))
+    body.mesh.is_some_and(|(_, mesh)| {
+        usize::try_from(largest.index).is_ok_and(|vertex| vertex < mesh.facts.vertices)
+    })
 }

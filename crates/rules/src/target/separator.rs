@@ -17,14 +17,28 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, facts, case) in split_at_blanks(body) {
-        let Some(blanks) = &facts.blanks else { continue };
+        let Some(blanks) = &facts.blanks else {
+            continue;
+        };
         let tally = &blanks.separators;
-        let Some((line, _)) = tally.first.first() else { continue };
-        let what = if blanks.has_tab { "separated by a tab" } else { "not separated by one blank" };
-        let message = format!("the fields of the row are {what}{}", such(tally.count, "rows"));
-        let mut evidence = Evidence::of_unnamed(tally.first.iter().map(|(line, _)| format!("line {line}")));
+        let Some((line, _)) = tally.first.first() else {
+            continue;
+        };
+        let what = if blanks.has_tab {
+            "separated by a tab"
+        } else {
+            "not separated by one blank"
+        };
+        let message = format!(
+            "the fields of the row are {what}{}",
+            such(tally.count, "rows")
+        );
+        let mut evidence =
+            Evidence::of_unnamed(tally.first.iter().map(|(line, _)| format!("line {line}")));
         evidence.count = tally.count;
-        let finding = RULE.at(file, Place::Line(*line), message).help("write one blank between the fields");
+        let finding = RULE
+            .at(file, Place::Line(*line), message)
+            .help("write one blank between the fields");
         out.push(finding.evidence(evidence.out_of(facts.rows)).case(case));
     }
 }

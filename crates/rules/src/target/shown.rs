@@ -7,7 +7,10 @@ use mhlint_repo::{Body, FileFacts, Shown};
 pub(super) fn with_setting(finding: Finding, body: &Body<'_>, file: &FileFacts) -> Finding {
     let setting = match body.shown_at(file) {
         Some(Shown::At(sliders)) => {
-            let sliders: Vec<String> = sliders.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+            let sliders: Vec<String> = sliders
+                .iter()
+                .map(|(name, value)| format!("{name} = {value}"))
+                .collect();
             format!("set `{}` to see it", sliders.join(", "))
         }
         Some(Shown::Combination(name)) => format!("set the macro sliders to `{name}` to see it"),

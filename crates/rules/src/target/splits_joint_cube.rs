@@ -28,15 +28,29 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let torn: usize = measures.targets.iter().map(|target| target.torn.len()).sum();
+    let torn: usize = measures
+        .targets
+        .iter()
+        .map(|target| target.torn.len())
+        .sum();
     let rigid: usize = measures.targets.iter().map(|target| target.rigid).sum();
     if torn as f64 > cx.option(&RULE, "share") * (torn + rigid) as f64 {
         return;
     }
-    out.extend(measures.targets.iter().filter_map(|target| finding(body, measures, target, rigid)));
+    out.extend(
+        measures
+            .targets
+            .iter()
+            .filter_map(|target| finding(body, measures, target, rigid)),
+    );
 }
 
-fn finding(body: &Body<'_>, measures: &Measures, target: &TargetMeasure, rigid: usize) -> Option<Finding> {
+fn finding(
+    body: &Body<'_>,
+    measures: &Measures,
+    target: &TargetMeasure,
+    rigid: usize,
+) -> Option<Finding> {
     let (cube, apart) = target.torn.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
     let file = body.target(&target.path)?.file;
     let name = |cube: usize| measures.cubes.get(cube).map_or("", String::as_str);

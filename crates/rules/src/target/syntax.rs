@@ -32,7 +32,10 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.is_mpfb() {
-        out.extend(split_at_blanks(body).filter_map(|(file, facts, case)| Some(of_blanks(file, facts)?.case(case))));
+        out.extend(
+            split_at_blanks(body)
+                .filter_map(|(file, facts, case)| Some(of_blanks(file, facts)?.case(case))),
+        );
         return;
     }
     for (target, file, facts) in targets(body).filter(|(target, ..)| !target.is_unused) {
@@ -40,16 +43,20 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-const ROW: &str =
-    "write the row as `INDEX X Y Z`: an integer and three decimal numbers with a point; remarks begin with `#`";
+const ROW: &str = "write the row as `INDEX X Y Z`: an integer and three decimal numbers with a point; remarks begin with `#`";
 const NO_MARK: &str = "save the text as UTF-8 without a byte order mark, and pack it again";
 
 /// What a loader stops at that splits at single blanks.
 fn of_blanks(file: &FileFacts, facts: &TargetFacts) -> Option<Finding> {
     let first = facts.blanks.as_ref()?.unreadable.as_ref()?;
-    let lines = facts.blanks.as_ref().map_or(0, |blanks| blanks.unreadable_lines);
+    let lines = facts
+        .blanks
+        .as_ref()
+        .map_or(0, |blanks| blanks.unreadable_lines);
     let message = match lines {
-        _ if first.field.starts_with('\u{feff}') => "the packed text begins with a byte order mark".to_owned(),
+        _ if first.field.starts_with('\u{feff}') => {
+            "the packed text begins with a byte order mark".to_owned()
+        }
         1 => format!("`{}` is not a number", first.field),
         count => format!("`{}` is not a number ({count} such lines)", first.field),
     };
@@ -61,7 +68,9 @@ fn of_blanks(file: &FileFacts, facts: &TargetFacts) -> Option<Finding> {
     let help = match first.field.as_str() {
         field if field.starts_with('\u{feff}') => NO_MARK,
         field if field.starts_with('<') => "download the file again: this is a web page",
-        _ if file.file_name().starts_with("._") => "delete it: macOS left it when it packed a folder",
+        _ if file.file_name().starts_with("._") => {
+            "delete it: macOS left it when it packed a folder"
+        }
         _ => ROW,
     };
     Some(RULE.at(file, place, message).help(help))

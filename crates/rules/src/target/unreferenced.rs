@@ -11,35 +11,70 @@ use mhlint_diag::{
 use mhlint_repo::makehuman2::{Base, View};
 use mhlint_repo::{FileFacts, Layer};
 
-pub(crate) static RULE: Rule = Check::Libraries(run, |view, cx, out| shipped_unused::unused(&RULE, view, cx, out))
-    .rule(RuleInfo {
-        told_apart: true,
-        breaks: &[
-            (Makehuman2, "packs it whenever it builds the archive, but never applies it"),
-            (Makehuman1, "never applies it: no modifier asks for its group"),
-        ],
-        docs: include_str!("unreferenced.md").trim_ascii_end(),
-        counts: "targets",
-        of_whole: true,
-        ..RuleInfo::new("target-unreferenced", Level::Warning, "no slider and no macro uses a target")
-    });
+pub(crate) static RULE: Rule = Check::Libraries(run, |view, cx, out| {
+    shipped_unused::unused(&RULE, view, cx, out)
+})
+.rule(RuleInfo {
+    told_apart: true,
+    breaks: &[
+        (
+            Makehuman2,
+            "packs it whenever it builds the archive, but never applies it",
+        ),
+        (
+            Makehuman1,
+            "never applies it: no modifier asks for its group",
+        ),
+    ],
+    docs: include_str!("unreferenced.md").trim_ascii_end(),
+    counts: "targets",
+    of_whole: true,
+    ..RuleInfo::new(
+        "target-unreferenced",
+        Level::Warning,
+        "no slider and no macro uses a target",
+    )
+});
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    view.bases.iter().for_each(|base| of_base(view, base, cx, out));
+    view.bases
+        .iter()
+        .for_each(|base| of_base(view, base, cx, out));
 }
 
 fn of_base(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(folder) = base.targets else { return };
-    let named = |file: &&FileFacts| folder.name_of(file).is_some_and(|name| !base.keeps_for_macros(name));
-    let own = |file: &&FileFacts| folder.layer.file(&file.rel).is_some_and(|own| std::ptr::eq(own, *file));
-    let unused: Vec<&FileFacts> = view.unused(base).iter().copied().filter(own).filter(named).collect();
+    let named = |file: &&FileFacts| {
+        folder
+            .name_of(file)
+            .is_some_and(|name| !base.keeps_for_macros(name))
+    };
+    let own = |file: &&FileFacts| {
+        folder
+            .layer
+            .file(&file.rel)
+            .is_some_and(|own| std::ptr::eq(own, *file))
+    };
+    let unused: Vec<&FileFacts> = view
+        .unused(base)
+        .iter()
+        .copied()
+        .filter(own)
+        .filter(named)
+        .collect();
     let meant = meant_by_missing(view, base, &unused, &cx.suggestions);
-    let idle = unused.into_iter().filter(|file| !meant.contains(file.rel.as_str()) && !breaks_start(file));
+    let idle = unused
+        .into_iter()
+        .filter(|file| !meant.contains(file.rel.as_str()) && !breaks_start(file));
     let folders = grouped(idle.map(|file| (parent(&file.rel), file)));
     let without_decr = without_decr(base);
     let is_lost = lost_macrodefs(base) || base.lacks_macrodef();
     for (path, files) in folders {
-        let all = folder.layer.below(path).filter(|file| file.target().is_some()).count();
+        let all = folder
+            .layer
+            .below(path)
+            .filter(|file| file.target().is_some())
+            .count();
         if files.len() > 1 && files.len() == all {
             // Probably the folder of a definition that cannot be read.
             if is_lost {
@@ -49,25 +84,43 @@ fn of_base(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Find
         } else {
             out.extend(in_pairs(base, &files).into_iter().map(|(file, decr)| {
                 let name = folder.name_of(file).unwrap_or_default();
-                let finding = decr
-                    .and_then(|decr| folder.name_of(decr))
-                    .map_or_else(|| single(base, &without_decr, file, name), |decr| pair(file, name, decr));
-                part_of(finding, folder.layer, path, std::iter::once(file).chain(decr))
+                let finding = decr.and_then(|decr| folder.name_of(decr)).map_or_else(
+                    || single(base, &without_decr, file, name),
+                    |decr| pair(file, name, decr),
+                );
+                part_of(
+                    finding,
+                    folder.layer,
+                    path,
+                    std::iter::once(file).chain(decr),
+                )
             }));
         }
     }
 }
 
-/// Whether `macro.json` has no definition at all, or one that is not read: that finding speaks for its folder, too.
+/// Whether `macro.json` has no definition at all, or one that is not read: that finding speaks for
+/// its folder, too.
 fn lost_macrodefs(base: &Base<'_>) -> bool {
-    let Some((file, macros)) = base.macro_file() else { return false };
-    let whole = |pointer: &str| pointer.strip_prefix("/macrodef").is_some_and(|rest| rest.matches('/').count() <= 1);
-    let is_lost = |fault: &mhlint_json::SchemaFault| {
-        let number = fault.pointer.strip_prefix("/macrodef/").and_then(|number| number.parse::<usize>().ok());
-        let own = number.and_then(|number| macros.macrodefs.get(number));
-        whole(&fault.pointer) && own.is_none_or(|own| own.effective_folder.is_none() || own.links.is_empty())
+    let Some((file, macros)) = base.macro_file() else {
+        return false;
     };
-    macros.macrodefs.is_empty() && !macros.components.is_empty() || file.schema.faults.iter().any(is_lost)
+    let whole = |pointer: &str| {
+        pointer
+            .strip_prefix("/macrodef")
+            .is_some_and(|rest| rest.matches('/').count() <= 1)
+    };
+    let is_lost = |fault: &mhlint_json::SchemaFault| {
+        let number = fault
+            .pointer
+            .strip_prefix("/macrodef/")
+            .and_then(|number| number.parse::<usize>().ok());
+        let own = number.and_then(|number| macros.macrodefs.get(number));
+        whole(&fault.pointer)
+            && own.is_none_or(|own| own.effective_folder.is_none() || own.links.is_empty())
+    };
+    macros.macrodefs.is_empty() && !macros.components.is_empty()
+        || file.schema.faults.iter().any(is_lost)
 }
 
 /// What cannot be parsed is worse than unused.
@@ -77,21 +130,39 @@ fn breaks_start(file: &FileFacts) -> bool {
 }
 
 /// Each target, and the two of a pair of opposites as one: a slider that is gone leaves both.
-fn in_pairs<'a>(base: &Base<'_>, files: &[&'a FileFacts]) -> Vec<(&'a FileFacts, Option<&'a FileFacts>)> {
-    let opposites = base.settings().map(|(_, settings)| settings.opposites.as_slice()).unwrap_or_default();
+fn in_pairs<'a>(
+    base: &Base<'_>,
+    files: &[&'a FileFacts],
+) -> Vec<(&'a FileFacts, Option<&'a FileFacts>)> {
+    let opposites = base
+        .settings()
+        .map(|(_, settings)| settings.opposites.as_slice())
+        .unwrap_or_default();
     let mut by_stem: BTreeMap<&str, &'a FileFacts> = BTreeMap::new();
     for file in files {
         by_stem.entry(file.stem()).or_insert(file);
     }
     let decr_of = |file: &FileFacts| {
-        let stems = opposites
-            .iter()
-            .filter_map(|(decr, incr)| Some(format!("{}{decr}", file.stem().strip_suffix(incr.as_str())?)));
-        stems.into_iter().find_map(|stem| by_stem.get(stem.as_str()).copied())
+        let stems = opposites.iter().filter_map(|(decr, incr)| {
+            Some(format!(
+                "{}{decr}",
+                file.stem().strip_suffix(incr.as_str())?
+            ))
+        });
+        stems
+            .into_iter()
+            .find_map(|stem| by_stem.get(stem.as_str()).copied())
     };
     let pairs: Vec<_> = files.iter().map(|file| (*file, decr_of(file))).collect();
-    let told: BTreeSet<&str> = pairs.iter().filter_map(|(_, decr)| Some(decr.as_ref()?.path.as_str())).collect();
-    pairs.iter().copied().filter(|(file, _)| !told.contains(file.path.as_str())).collect()
+    let told: BTreeSet<&str> = pairs
+        .iter()
+        .filter_map(|(_, decr)| Some(decr.as_ref()?.path.as_str()))
+        .collect();
+    pairs
+        .iter()
+        .copied()
+        .filter(|(file, _)| !told.contains(file.path.as_str()))
+        .collect()
 }
 
 fn pair(file: &FileFacts, incr: &str, decr: &str) -> Finding {
@@ -101,19 +172,46 @@ fn pair(file: &FileFacts, incr: &str, decr: &str) -> Finding {
 }
 
 fn whole_folder(layer: &Layer, path: &str, files: &[&FileFacts]) -> Finding {
-    let message = format!("no slider and no macro uses any of the {} targets in this folder", files.len());
-    let evidence = Evidence::of_cases(files.iter().map(|file| file.file_name())).out_of(files.len());
-    let finding = part_of(RULE.in_layer(layer, path, message), layer, path, files.iter().copied());
-    finding.help("add sliders to modelling.json, or keep the folder outside of the data").evidence(evidence)
+    let message = format!(
+        "no slider and no macro uses any of the {} targets in this folder",
+        files.len()
+    );
+    let evidence =
+        Evidence::of_cases(files.iter().map(|file| file.file_name())).out_of(files.len());
+    let finding = part_of(
+        RULE.in_layer(layer, path, message),
+        layer,
+        path,
+        files.iter().copied(),
+    );
+    finding
+        .help("add sliders to modelling.json, or keep the folder outside of the data")
+        .evidence(evidence)
 }
 
 /// Files of a folder are told one by one or all together, as it comes.
-fn part_of<'f>(finding: Finding, layer: &Layer, folder: &str, files: impl Iterator<Item = &'f FileFacts>) -> Finding {
-    finding.asset(layer.display(folder)).parts_in(files.map(|file| (file.file_name(), &file.path)))
+fn part_of<'f>(
+    finding: Finding,
+    layer: &Layer,
+    folder: &str,
+    files: impl Iterator<Item = &'f FileFacts>,
+) -> Finding {
+    finding
+        .asset(layer.display(folder))
+        .parts_in(files.map(|file| (file.file_name(), &file.path)))
 }
 
-fn single(base: &Base<'_>, sliders: &BTreeMap<&str, &str>, file: &FileFacts, name: &str) -> Finding {
-    let finding = RULE.at(file, Place::File, format!("no slider and no macro uses `{name}`"));
+fn single(
+    base: &Base<'_>,
+    sliders: &BTreeMap<&str, &str>,
+    file: &FileFacts,
+    name: &str,
+) -> Finding {
+    let finding = RULE.at(
+        file,
+        Place::File,
+        format!("no slider and no macro uses `{name}`"),
+    );
     finding.help(match slider_without(base, sliders, name) {
         // A slider with a space in its name cannot be saved.
         _ if name.contains(char::is_whitespace) => "remove the file, or remove the spaces from its name".to_owned(),
@@ -128,14 +226,29 @@ fn single(base: &Base<'_>, sliders: &BTreeMap<&str, &str>, file: &FileFacts, nam
 
 /// Keys of the sliders without `decr`, by what they have as `incr`; of several the first.
 fn without_decr<'b>(base: &'b Base<'_>) -> BTreeMap<&'b str, &'b str> {
-    let sliders = base.sliders.iter().rev().map(|bound| bound.slider).filter(|slider| slider.decr.is_none());
-    sliders.filter_map(|slider| Some((slider.incr.as_deref()?, slider.key.as_str()))).collect()
+    let sliders = base
+        .sliders
+        .iter()
+        .rev()
+        .map(|bound| bound.slider)
+        .filter(|slider| slider.decr.is_none());
+    sliders
+        .filter_map(|slider| Some((slider.incr.as_deref()?, slider.key.as_str())))
+        .collect()
 }
 
 /// The slider that has the opposite of a target and lacks the target itself.
-fn slider_without<'b>(base: &Base<'_>, sliders: &BTreeMap<&str, &'b str>, decr: &str) -> Option<&'b str> {
-    let opposites = base.settings().map(|(_, settings)| settings.opposites.as_slice()).unwrap_or_default();
-    let mut names =
-        opposites.iter().filter_map(|(less, more)| Some(decr.strip_suffix(less.as_str())?.to_owned() + more));
+fn slider_without<'b>(
+    base: &Base<'_>,
+    sliders: &BTreeMap<&str, &'b str>,
+    decr: &str,
+) -> Option<&'b str> {
+    let opposites = base
+        .settings()
+        .map(|(_, settings)| settings.opposites.as_slice())
+        .unwrap_or_default();
+    let mut names = opposites
+        .iter()
+        .filter_map(|(less, more)| Some(decr.strip_suffix(less.as_str())?.to_owned() + more));
     names.find_map(|name| sliders.get(name.as_str()).copied())
 }

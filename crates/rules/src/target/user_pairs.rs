@@ -20,21 +20,45 @@ const ONE_SIDE: Case = &[(
 
 /// Findings on the user's pairs of which no slider with two directions is made.
 pub(super) fn findings(rule: &Rule, view: &View<'_>, base: &Base<'_>) -> Vec<Finding> {
-    let is_own = base.user_targets.is_some_and(|folder| std::ptr::eq(folder.layer, view.layers.checked));
-    let targets = if is_own { user_scan::targets(base) } else { Vec::new() };
-    targets.iter().filter_map(|target| of_target(rule, base, &targets, target)).collect()
+    let is_own = base
+        .user_targets
+        .is_some_and(|folder| std::ptr::eq(folder.layer, view.layers.checked));
+    let targets = if is_own {
+        user_scan::targets(base)
+    } else {
+        Vec::new()
+    };
+    targets
+        .iter()
+        .filter_map(|target| of_target(rule, base, &targets, target))
+        .collect()
 }
 
-fn of_target(rule: &Rule, base: &Base<'_>, all: &[UserTarget<'_>], target: &UserTarget<'_>) -> Option<Finding> {
-    let begin = target.stem.strip_suffix("incr").filter(|begin| !begin.is_empty())?;
+fn of_target(
+    rule: &Rule,
+    base: &Base<'_>,
+    all: &[UserTarget<'_>],
+    target: &UserTarget<'_>,
+) -> Option<Finding> {
+    let begin = target
+        .stem
+        .strip_suffix("incr")
+        .filter(|begin| !begin.is_empty())?;
     let other = format!("{begin}decr");
-    let partner = all.iter().find(|one| one.folder == target.folder && one.stem == other)?;
+    let partner = all
+        .iter()
+        .find(|one| one.folder == target.folder && one.stem == other)?;
     let (one, other) = (target.stem, partner.stem);
     if begin.contains("incr") {
         let looked_for = target.stem.replace("incr", "decr");
-        let message = format!("`{one}` and `{other}` are not a pair: MakeHuman 2 looks for `{looked_for}`");
+        let message =
+            format!("`{one}` and `{other}` are not a pair: MakeHuman 2 looks for `{looked_for}`");
         let help = "rename both without `incr` before the ending";
-        return Some(finding(rule, target.file, partner.file, message).case(NO_PAIR).help(help));
+        return Some(
+            finding(rule, target.file, partner.file, message)
+                .case(NO_PAIR)
+                .help(help),
+        );
     }
     if begin.ends_with('-') || is_listed(base, target.file) {
         return None;
@@ -42,15 +66,22 @@ fn of_target(rule: &Rule, base: &Base<'_>, all: &[UserTarget<'_>], target: &User
     let message = format!("`{one}` and `{other}` have no `-` before their ending");
     let name = begin.trim_end_matches(['_', ' ', '.']);
     let help = format!("rename them to `{name}-incr.target` and `{name}-decr.target`");
-    Some(finding(rule, target.file, partner.file, message).case(ONE_SIDE).help(help))
+    Some(
+        finding(rule, target.file, partner.file, message)
+            .case(ONE_SIDE)
+            .help(help),
+    )
 }
 
 /// Whether the generated sliders have it already: `modelling-opposites` says the same of these.
 fn is_listed(base: &Base<'_>, file: &FileFacts) -> bool {
     let name = base.user_targets.and_then(|folder| folder.name_of(file));
-    base.sliders.iter().any(|bound| bound.slider.user && bound.slider.incr.as_deref() == name)
+    base.sliders
+        .iter()
+        .any(|bound| bound.slider.user && bound.slider.incr.as_deref() == name)
 }
 
 fn finding(rule: &Rule, file: &FileFacts, other: &FileFacts, message: String) -> Finding {
-    rule.at(file, Place::File, message).related(other.path.clone(), Place::File, "the opposite")
+    rule.at(file, Place::File, message)
+        .related(other.path.clone(), Place::File, "the opposite")
 }

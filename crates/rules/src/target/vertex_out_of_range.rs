@@ -13,7 +13,10 @@ use mhlint_repo::{Body, Doubt, FileFacts, ReferenceKind, Target};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "crashes with `IndexError` when the target is applied"),
+        (
+            Makehuman2,
+            "crashes with `IndexError` when the target is applied",
+        ),
         (Makehuman1, NEVER_APPLIED),
         (Mpfb, "silently ignores the row"),
     ],
@@ -27,8 +30,7 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     )
 });
 
-const NEVER_APPLIED: &str =
-    "fails with `IndexError` each time the target is applied, and stops in the middle of the update";
+const NEVER_APPLIED: &str = "fails with `IndexError` each time the target is applied, and stops in the middle of the update";
 
 const OVERFLOW: Case = &[(
     Makehuman2,
@@ -41,19 +43,39 @@ const OUTDATED: Case = &[(
     "applies the archive; crashes with `IndexError` once the archive is deleted and rebuilt",
 )];
 const UNUSED: Case = &[
-    (Makehuman2, Level::Warning, "loads it, but crashes with `IndexError` once something uses the target"),
-    (Makehuman1, Level::Warning, "fails with `IndexError` once something uses the target"),
+    (
+        Makehuman2,
+        Level::Warning,
+        "loads it, but crashes with `IndexError` once something uses the target",
+    ),
+    (
+        Makehuman1,
+        Level::Warning,
+        "fails with `IndexError` once something uses the target",
+    ),
 ];
-const WRAPPED: Case = &[(Makehuman2, Level::Error, "moves another vertex or crashes with `IndexError`")];
+const WRAPPED: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "moves another vertex or crashes with `IndexError`",
+)];
 const OF_A_MACRO: Case = &[
-    (Makehuman2, Level::Error, "crashes with `IndexError` at start, when the macro applies it"),
+    (
+        Makehuman2,
+        Level::Error,
+        "crashes with `IndexError` at start, when the macro applies it",
+    ),
     (
         Makehuman1,
         Level::Error,
         "stops at start if the neutral figure has this target, else at the first setting that needs it",
     ),
 ];
-const OF_A_SLIDER: Case = &[(Makehuman2, Level::Error, "crashes with `IndexError` when the slider moves")];
+const OF_A_SLIDER: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes with `IndexError` when the slider moves",
+)];
 const SEAM: Case = &[(
     Makehuman2,
     Level::Warning,
@@ -89,11 +111,17 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// Rows for vertices that there are not. MakeHuman 1 has no copies at seams.
 fn beyond_mesh<'f>(body: &Body<'_>, facts: &'f TargetFacts) -> Option<&'f Tally> {
     let seam = Some(&facts.seam).filter(|_| body.is_makehuman1());
-    [Some(&facts.out_of_range), seam].into_iter().flatten().find(|tally| tally.count > 0)
+    [Some(&facts.out_of_range), seam]
+        .into_iter()
+        .flatten()
+        .find(|tally| tally.count > 0)
 }
 
 fn overflow(file: &FileFacts, facts: &TargetFacts) -> Finding {
-    let message = format!("vertex index {} does not fit into 32 bits", first(&facts.overflow));
+    let message = format!(
+        "vertex index {} does not fit into 32 bits",
+        first(&facts.overflow)
+    );
     RULE.at(file, first_row(&facts.overflow), message)
         .key("overflow")
         .help("write the index that the base mesh has, or remove the row")
@@ -101,7 +129,12 @@ fn overflow(file: &FileFacts, facts: &TargetFacts) -> Finding {
         .case(OVERFLOW)
 }
 
-fn beyond(file: &FileFacts, facts: &TargetFacts, tally: &Tally, vertices: Option<usize>) -> Finding {
+fn beyond(
+    file: &FileFacts,
+    facts: &TargetFacts,
+    tally: &Tally,
+    vertices: Option<usize>,
+) -> Finding {
     let mesh = mesh_has(file, vertices);
     let message = match tally.count {
         1 => format!("vertex {} does not exist: {mesh}", first(tally)),
@@ -127,8 +160,15 @@ fn with_consequence(finding: Finding, target: &Target<'_>, facts: &TargetFacts) 
 fn seam(file: &FileFacts, facts: &TargetFacts, vertices: Option<usize>) -> Finding {
     let tally = &facts.seam;
     let message = match tally.count {
-        1 => format!("vertex {} is a UV-seam duplicate and does not move: {}", first(tally), mesh_has(file, vertices)),
-        count => format!("{count} rows name UV-seam duplicates and move nothing: {}", mesh_has(file, vertices)),
+        1 => format!(
+            "vertex {} is a UV-seam duplicate and does not move: {}",
+            first(tally),
+            mesh_has(file, vertices)
+        ),
+        count => format!(
+            "{count} rows name UV-seam duplicates and move nothing: {}",
+            mesh_has(file, vertices)
+        ),
     };
     RULE.at(file, first_row(tally), message)
         .key("seam")

@@ -16,7 +16,11 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ],
     docs: include_str!("without_effect.md").trim_ascii_end(),
     counts: "rows, by vertex",
-    ..RuleInfo::new("target-without-effect", Level::Warning, "a target moves nothing")
+    ..RuleInfo::new(
+        "target-without-effect",
+        Level::Warning,
+        "a target moves nothing",
+    )
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

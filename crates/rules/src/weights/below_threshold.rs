@@ -16,16 +16,28 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, USUAL), (Makehuman1, USUAL)],
     docs: include_str!("below_threshold.md").trim_ascii_end(),
     counts: "entries",
-    ..RuleInfo::new("weights-below-threshold", Level::Info, "a weight is too small to have an effect")
+    ..RuleInfo::new(
+        "weights-below-threshold",
+        Level::Info,
+        "a weight is too small to have an effect",
+    )
 });
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Where the loss can be seen, the same entries are told by `weights-lost-after-threshold`.
     let told = noticeable_loss(body, cx).map(|loss| loss.file);
     let is_told = |file: &FileFacts| told.is_some_and(|told| std::ptr::eq(told, file));
-    let of_body = tallied(body, |facts| &facts.below_threshold).filter(|one| one.own.name.is_some());
-    for Tallied { own, weights, tally, bone, vertex, weight, place } in
-        of_body.filter(|one| !is_told(one.own.file) && !has_unusable_entries(one.weights))
+    let of_body =
+        tallied(body, |facts| &facts.below_threshold).filter(|one| one.own.name.is_some());
+    for Tallied {
+        own,
+        weights,
+        tally,
+        bone,
+        vertex,
+        weight,
+        place,
+    } in of_body.filter(|one| !is_told(one.own.file) && !has_unusable_entries(one.weights))
     {
         let message = match tally.count {
             1 => format!("bone `{bone}` has weight {weight} for {vertex}, too small to be kept"),
@@ -37,6 +49,11 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let fix = Fix::new(RULE.info.fix, "remove the entries");
         let fix = fix.step(&own.file.path, Change::Rewrite(Rewrite::DropSmallWeights));
         let evidence = tally.evidence(weights.facts.pairs);
-        out.push(RULE.at(own.file, place, message).help("remove the entries").evidence(evidence).fix(fix));
+        out.push(
+            RULE.at(own.file, place, message)
+                .help("remove the entries")
+                .evidence(evidence)
+                .fix(fix),
+        );
     }
 }

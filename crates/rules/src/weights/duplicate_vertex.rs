@@ -26,19 +26,42 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for Tallied { own, weights, tally, bone, vertex, place, .. } in tallied(body, |facts| &facts.duplicate) {
+    for Tallied {
+        own,
+        weights,
+        tally,
+        bone,
+        vertex,
+        place,
+        ..
+    } in tallied(body, |facts| &facts.duplicate)
+    {
         let message = match tally.count {
             1 => format!("bone `{bone}` lists {vertex} twice"),
-            count => format!("{count} entries repeat a vertex of their bone, first {vertex} in bone `{bone}`"),
+            count => format!(
+                "{count} entries repeat a vertex of their bone, first {vertex} in bone `{bone}`"
+            ),
         };
-        let finding =
-            RULE.at(own.file, place, message).help("replace the entries with one that has the sum of their weights");
-        let mut fix = Fix::new(RULE.info.fix, "replace the entries with one that has their sum");
-        // What a negative or malformed entry beside them should have been changes the sum, and one beyond float32 cannot be
-        // written.
-        if weights.facts.negative.count == 0 && !weights.facts.may_overflow && !has_unusable_entries(weights) {
+        let finding = RULE
+            .at(own.file, place, message)
+            .help("replace the entries with one that has the sum of their weights");
+        let mut fix = Fix::new(
+            RULE.info.fix,
+            "replace the entries with one that has their sum",
+        );
+        // What a negative or malformed entry beside them should have been changes the sum, and one
+        // beyond float32 cannot be written.
+        if weights.facts.negative.count == 0
+            && !weights.facts.may_overflow
+            && !has_unusable_entries(weights)
+        {
             fix = fix.step(&own.file.path, Change::Rewrite(Rewrite::MergeWeights));
         }
-        out.push(weigh(own, finding.evidence(tally.evidence(weights.facts.pairs)).fix(fix)));
+        out.push(weigh(
+            own,
+            finding
+                .evidence(tally.evidence(weights.facts.pairs))
+                .fix(fix),
+        ));
     }
 }

@@ -26,10 +26,13 @@ pub(super) struct Loss<'a> {
     pub(super) pull: f64,
 }
 
-/// The loss in the weights of the default rig, if it is large enough to be seen: from a tenth of `distance`.
+/// The loss in the weights of the default rig, if it is large enough to be seen: from a tenth of
+/// `distance`.
 pub(super) fn noticeable_loss<'v>(body: &Body<'v>, cx: &RuleCx<'_>) -> Option<Loss<'v>> {
     let file = body.default_weights()?;
-    let weights = file.weights().filter(|weights| !has_unusable_entries(weights))?;
+    let weights = file
+        .weights()
+        .filter(|weights| !has_unusable_entries(weights))?;
     let mesh = body.whole_mesh()?;
     let losses = weights.facts.lost.iter().filter_map(|(vertex, share)| {
         let place = mesh.positions.get(*vertex as usize)?.map(f64::from);
@@ -37,7 +40,17 @@ pub(super) fn noticeable_loss<'v>(body: &Body<'v>, cx: &RuleCx<'_>) -> Option<Lo
         Some((*vertex, *share, pull))
     });
     let (vertex, share, pull) = losses.max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let loss =
-        Loss { file, vertices: weights.facts.lost.iter().map(|(vertex, _)| *vertex).collect(), vertex, share, pull };
+    let loss = Loss {
+        file,
+        vertices: weights
+            .facts
+            .lost
+            .iter()
+            .map(|(vertex, _)| *vertex)
+            .collect(),
+        vertex,
+        share,
+        pull,
+    };
     (pull >= cx.option_of(ID, &DISTANCE) / 10.0).then_some(loss)
 }

@@ -10,22 +10,35 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "stores `name` and `version` without using them, and never reads `license`"),
+        (
+            Makehuman2,
+            "stores `name` and `version` without using them, and never reads `license`",
+        ),
         (Makehuman1, "stores these keys without using them"),
     ],
     docs: include_str!("metadata.md").trim_ascii_end(),
-    ..RuleInfo::new("weights-metadata", Level::Info, "a weights file has no name, version or licence")
+    ..RuleInfo::new(
+        "weights-metadata",
+        Level::Info,
+        "a weights file has no name, version or licence",
+    )
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (own, weights) in readable(body) {
-        let missing = EXPECTED.iter().filter(|key| !weights.metadata.iter().any(|known| known == *key));
+        let missing = EXPECTED
+            .iter()
+            .filter(|key| !weights.metadata.iter().any(|known| known == *key));
         let missing: Vec<String> = missing.map(|key| format!("`{key}`")).collect();
         if missing.is_empty() {
             continue;
         }
         let message = format!("the weights file has no {}", either(&missing));
-        out.push(RULE.at(own.file, Place::File, message).parts(&missing).help("add them next to `weights`"));
+        out.push(
+            RULE.at(own.file, Place::File, message)
+                .parts(&missing)
+                .help("add them next to `weights`"),
+        );
     }
 }
 

@@ -12,7 +12,11 @@ const USUAL: &str = "drops the weight, so that the other bones pull the vertex t
     left";
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, USUAL), (Makehuman1, USUAL), (Mpfb, "reads the weight as 0")],
+    breaks: &[
+        (Makehuman2, USUAL),
+        (Makehuman1, USUAL),
+        (Mpfb, "reads the weight as 0"),
+    ],
     levels: &[(Mpfb, Level::Warning), (Makehuman1, Level::Warning)],
     docs: include_str!("negative.md").trim_ascii_end(),
     counts: "entries",
@@ -23,23 +27,44 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 /// Of an asset's own weights.
 const OF_ASSET: Case = &[
     (Makehuman2, Level::Error, USUAL),
-    (Makehuman1, Level::Warning, "makes the other weights of the vertex larger than 1: it moves too far in poses"),
+    (
+        Makehuman1,
+        Level::Warning,
+        "makes the other weights of the vertex larger than 1: it moves too far in poses",
+    ),
 ];
-const ALONE: Case = &[(Makehuman2, Level::Info, BY_NEGATIVE), (Makehuman1, Level::Info, BY_NEGATIVE)];
-const BY_NEGATIVE: &str = "divides the weight by the negative sum of its vertex, which gives the right share";
+const ALONE: Case = &[
+    (Makehuman2, Level::Info, BY_NEGATIVE),
+    (Makehuman1, Level::Info, BY_NEGATIVE),
+];
+const BY_NEGATIVE: &str =
+    "divides the weight by the negative sum of its vertex, which gives the right share";
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for Tallied { own, weights, tally, bone, vertex, weight, place } in tallied(body, |facts| &facts.negative) {
+    for Tallied {
+        own,
+        weights,
+        tally,
+        bone,
+        vertex,
+        weight,
+        place,
+    } in tallied(body, |facts| &facts.negative)
+    {
         let message = match tally.count {
             1 => format!("bone `{bone}` has the negative weight {weight} for {vertex}"),
             count => {
-                let first = format!("{count} weights are negative, first {weight} for {vertex} in bone `{bone}`");
+                let first = format!(
+                    "{count} weights are negative, first {weight} for {vertex} in bone `{bone}`"
+                );
                 first + &at_worst(tally, weight)
             }
         };
         let evidence = worst(tally.evidence(weights.facts.pairs), tally);
-        let finding =
-            RULE.at(own.file, place, message).help("remove the entry, or paint the weight again").evidence(evidence);
+        let finding = RULE
+            .at(own.file, place, message)
+            .help("remove the entry, or paint the weight again")
+            .evidence(evidence);
         let is_harmless = weights.facts.negative_alone == tally.count;
         let finding = match own.name {
             _ if is_harmless => finding.case(ALONE),

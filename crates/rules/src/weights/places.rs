@@ -1,4 +1,5 @@
-//! Where on a body vertices are, and the worst of them: one of the visible body counts before one of helpers.
+//! Where on a body vertices are, and the worst of them: one of the visible body counts before one
+//! of helpers.
 
 use std::collections::BTreeMap;
 
@@ -14,12 +15,18 @@ pub(super) struct Worst {
 }
 
 /// Costs what the vertices are, not the size of the mesh.
-pub(super) fn worst(body: &Body<'_>, all: &[(u32, f32)], badness: impl Fn(f32) -> f32) -> Option<Worst> {
+pub(super) fn worst(
+    body: &Body<'_>,
+    all: &[(u32, f32)],
+    badness: impl Fn(f32) -> f32,
+) -> Option<Worst> {
     let mut counts: BTreeMap<Region, usize> = BTreeMap::new();
     let mut worst: Option<(Option<Region>, u32, f32)> = None;
     for (vertex, value) in all {
         let region = body.region(*vertex);
-        region.into_iter().for_each(|region| *counts.entry(region).or_default() += 1);
+        region
+            .into_iter()
+            .for_each(|region| *counts.entry(region).or_default() += 1);
         let is_worse = |(other, _, most): &(Option<Region>, u32, f32)| {
             region < *other || region == *other && badness(*value) > badness(*most)
         };
@@ -27,5 +34,9 @@ pub(super) fn worst(body: &Body<'_>, all: &[(u32, f32)], badness: impl Fn(f32) -
             worst = Some((region, *vertex, *value));
         }
     }
-    worst.map(|(_, vertex, value)| Worst { vertex, value, places: in_words(&counts) })
+    worst.map(|(_, vertex, value)| Worst {
+        vertex,
+        value,
+        places: in_words(&counts),
+    })
 }

@@ -19,8 +19,15 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((weights, file)) = measures.weights.as_ref().zip(body.default_weights()) else { return };
-    let Some(Worst { vertex, value: share, places }) = places::worst(body, &weights.over, |share| share) else {
+    let Some((weights, file)) = measures.weights.as_ref().zip(body.default_weights()) else {
+        return;
+    };
+    let Some(Worst {
+        vertex,
+        value: share,
+        places,
+    }) = places::worst(body, &weights.over, |share| share)
+    else {
         return;
     };
     let vertices = body.mesh.map_or(0, |(_, mesh)| mesh.positions.len());
@@ -28,15 +35,27 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     let message = match (over, places) {
         (1, _) => format!("{} has weights of {most} bones", body.vertex(vertex)),
         (_, Some(places)) => {
-            format!("{over} vertices ({places}) have weights of more than {ENGINE_INFLUENCES} bones, up to {most}")
+            format!(
+                "{over} vertices ({places}) have weights of more than {ENGINE_INFLUENCES} bones, up to {most}"
+            )
         }
-        (_, None) => format!("{over} vertices have weights of more than {ENGINE_INFLUENCES} bones, up to {most}"),
+        (_, None) => format!(
+            "{over} vertices have weights of more than {ENGINE_INFLUENCES} bones, up to {most}"
+        ),
     };
     let most_lost = match over {
-        1 => format!("vertex {vertex} loses {lost} of its weight if only {ENGINE_INFLUENCES} bones are kept"),
-        _ => format!("{} loses most if only {ENGINE_INFLUENCES} bones are kept: {lost}", body.vertex(vertex)),
+        1 => format!(
+            "vertex {vertex} loses {lost} of its weight if only {ENGINE_INFLUENCES} bones are kept"
+        ),
+        _ => format!(
+            "{} loses most if only {ENGINE_INFLUENCES} bones are kept: {lost}",
+            body.vertex(vertex)
+        ),
     };
-    let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });
+    let place = Place::Element(Element {
+        kind: "vertex",
+        index: u64::from(vertex),
+    });
     let evidence = Evidence::counted(weights.over.len()).out_of(vertices);
     out.push(
         RULE.at(file, place, message)

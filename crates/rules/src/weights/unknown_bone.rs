@@ -23,31 +23,55 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("weights-unknown-bone", Level::Error, "weights for a bone that the skeleton does not have")
 });
 
-const NEVER_APPLIED: Case =
-    &[(Makehuman2, Level::Warning, "never applies these weights: another skeleton poses the base")];
+const NEVER_APPLIED: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "never applies these weights: another skeleton poses the base",
+)];
 
-const NOTHING_MOVES: Case =
-    &[(Mpfb, Level::Error, "makes the rig without any weights: the body does not move with it")];
+const NOTHING_MOVES: Case = &[(
+    Mpfb,
+    Level::Error,
+    "makes the rig without any weights: the body does not move with it",
+)];
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (BodyWeights { file, .. }, weights) in readable_own(body) {
-        let Some(Binding { known, takers, is_posed, skeleton }) = binding(body, file) else { continue };
+        let Some(Binding {
+            known,
+            takers,
+            is_posed,
+            skeleton,
+        }) = binding(body, file)
+        else {
+            continue;
+        };
         let leads = |group: &str| known.contains(group) || takers.iter().any(|own| own.take(group));
-        let unknown = weights.bones.iter().filter(|bone| bone.listed > 0 && !leads(&bone.name));
+        let unknown = weights
+            .bones
+            .iter()
+            .filter(|bone| bone.listed > 0 && !leads(&bone.name));
         let unknown: Vec<&str> = unknown.map(|bone| bone.name.as_str()).collect();
-        let Some(first) = unknown.first() else { continue };
+        let Some(first) = unknown.first() else {
+            continue;
+        };
         let of = if body.is_mpfb() { "rig" } else { "skeleton" };
         let message = match unknown.len() {
             1 => format!("bone `{first}` does not exist in the {of}"),
             count => {
-                format!("{count} of {} bones do not exist in the {of}, first `{first}`", weights.bones.len())
+                format!(
+                    "{count} of {} bones do not exist in the {of}, first `{first}`",
+                    weights.bones.len()
+                )
             }
         };
         let help = did_you_mean(
             cx.suggestions.nearest(first, known.iter().copied()),
             match unknown.len() {
                 1 => {
-                    format!("name a bone of the {of} that uses these weights, or remove it if its vertices have others")
+                    format!(
+                        "name a bone of the {of} that uses these weights, or remove it if its vertices have others"
+                    )
                 }
                 _ => format!("use the weights that were made for this {of}, or rename the bones"),
             },
@@ -58,8 +82,16 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .against(&skeleton.path)
             .evidence(Evidence::of_cases(&unknown).out_of(weights.bones.len()));
         let is_all = unknown.len() == weights.bones.iter().filter(|bone| bone.listed > 0).count();
-        let finding = if is_all { finding.case(NOTHING_MOVES) } else { finding };
-        out.push(if is_posed || body.is_mpfb() { finding } else { finding.case(NEVER_APPLIED) });
+        let finding = if is_all {
+            finding.case(NOTHING_MOVES)
+        } else {
+            finding
+        };
+        out.push(if is_posed || body.is_mpfb() {
+            finding
+        } else {
+            finding.case(NEVER_APPLIED)
+        });
     }
 }
 
@@ -74,7 +106,10 @@ struct Binding<'a> {
 
 /// The rigs that use a weights file; of these the one for poses alone, if it is among them.
 fn binding<'v>(body: &Body<'v>, file: &FileFacts) -> Option<Binding<'v>> {
-    let binds = |rig: &&Rig<'_>| rig.weights_file().is_some_and(|found| std::ptr::eq(found, file));
+    let binds = |rig: &&Rig<'_>| {
+        rig.weights_file()
+            .is_some_and(|found| std::ptr::eq(found, file))
+    };
     let users: Vec<&Rig<'v>> = body.rigs.iter().filter(binds).collect();
     let (chosen, is_posed) = match users.iter().find(|rig| rig.is_default) {
         Some(default) => (vec![*default], true),
@@ -89,10 +124,22 @@ fn binding<'v>(body: &Body<'v>, file: &FileFacts) -> Option<Binding<'v>> {
             continue;
         }
         // Without the bones of every user nothing can be said.
-        let skeleton = user.skeleton().filter(|skeleton| !skeleton.bones.is_empty())?;
+        let skeleton = user
+            .skeleton()
+            .filter(|skeleton| !skeleton.bones.is_empty())?;
         known.extend(skeleton.bones.iter().map(|bone| bone.name.as_str()));
         // A bone that is missing as a parent is reported as such (`skeleton-unknown-parent`).
-        known.extend(skeleton.bones.iter().filter_map(|bone| bone.parent.as_deref()));
+        known.extend(
+            skeleton
+                .bones
+                .iter()
+                .filter_map(|bone| bone.parent.as_deref()),
+        );
     }
-    (!known.is_empty()).then_some(Binding { known, takers, is_posed, skeleton })
+    (!known.is_empty()).then_some(Binding {
+        known,
+        takers,
+        is_posed,
+        skeleton,
+    })
 }

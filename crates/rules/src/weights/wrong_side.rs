@@ -27,17 +27,27 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let own = measures.weights.as_ref().zip(body.default_weights());
     out.extend(own.and_then(|(weights, file)| finding(file, &weights.wrong_side, measures)));
-    let worn = body.weights.iter().filter(|weights| weights.name.is_none() && weights.used == WeightsUse::Applied);
-    let worn = worn.filter_map(|weights| Some((weights.file, measures.exchanged.get(&weights.file.path)?)));
+    let worn = body
+        .weights
+        .iter()
+        .filter(|weights| weights.name.is_none() && weights.used == WeightsUse::Applied);
+    let worn = worn
+        .filter_map(|weights| Some((weights.file, measures.exchanged.get(&weights.file.path)?)));
     out.extend(worn.filter_map(|(file, bones)| finding(file, bones, measures)));
 }
 
 fn finding(file: &FileFacts, bones: &[usize], measures: &Measures) -> Option<Finding> {
-    let bones: Vec<&str> = bones.iter().filter_map(|bone| measures.bones.get(*bone)).map(String::as_str).collect();
+    let bones: Vec<&str> = bones
+        .iter()
+        .filter_map(|bone| measures.bones.get(*bone))
+        .map(String::as_str)
+        .collect();
     let first = bones.first()?;
     let message = match bones.len() {
         1 => format!("the weights of bone `{first}` are on the opposite half of the mesh"),
-        count => format!("the weights of {count} bones are on the opposite half of the mesh, first `{first}`"),
+        count => format!(
+            "the weights of {count} bones are on the opposite half of the mesh, first `{first}`"
+        ),
     };
     let finding = RULE.at(file, Place::key(["weights", first]), message);
     let finding = finding.help("swap the weights of the left and right bones");

@@ -1,6 +1,7 @@
 //! The list of members at the end of a zip, as Python's `zipfile` reads it.
 //!
-//! The `zip` library joins members of one name and hides what a name says in bytes, so the list is read here.
+//! The `zip` library joins members of one name and hides what a name says in bytes, so the list is
+//! read here.
 
 use super::PackFault;
 
@@ -53,14 +54,21 @@ pub(super) fn records(zip: &[u8]) -> Result<Vec<Record>, PackFault> {
     Ok(records)
 }
 
-/// The bytes of the list, and how far everything lies behind where the zip says: there may be something in front of it.
+/// The bytes of the list, and how far everything lies behind where the zip says: there may be
+/// something in front of it.
 fn list(zip: &[u8]) -> Result<(&[u8], u64), PackFault> {
     let end = end(zip).ok_or(PackFault::NoZip)?;
-    let (size, offset) = (u64::from(u32_at(zip, end + 12).unwrap_or(0)), u64::from(u32_at(zip, end + 16).unwrap_or(0)));
+    let (size, offset) = (
+        u64::from(u32_at(zip, end + 12).unwrap_or(0)),
+        u64::from(u32_at(zip, end + 16).unwrap_or(0)),
+    );
     let (size, offset, end) = large(zip, end).unwrap_or((size, offset, end));
     let start = (end as u64).checked_sub(size).ok_or(PackFault::List)?;
     let shift = start.checked_sub(offset).ok_or(PackFault::List)?;
-    let rows = usize::try_from(start).ok().and_then(|start| zip.get(start..end)).ok_or(PackFault::List)?;
+    let rows = usize::try_from(start)
+        .ok()
+        .and_then(|start| zip.get(start..end))
+        .ok_or(PackFault::List)?;
     Ok((rows, shift))
 }
 
@@ -68,13 +76,17 @@ fn list(zip: &[u8]) -> Result<(&[u8], u64), PackFault> {
 fn end(zip: &[u8]) -> Option<usize> {
     let last = zip.len().checked_sub(END_BYTES)?;
     let first = last.saturating_sub(LONGEST_COMMENT);
-    (first..=last).rev().find(|at| zip.get(*at..).is_some_and(|rest| rest.starts_with(&END)))
+    (first..=last)
+        .rev()
+        .find(|at| zip.get(*at..).is_some_and(|rest| rest.starts_with(&END)))
 }
 
 /// The same of a zip with large numbers: size and place of the list, and where the list ends.
 fn large(zip: &[u8], end: usize) -> Option<(u64, u64, usize)> {
     let locator = end.checked_sub(LARGE_LOCATOR_BYTES)?;
-    zip.get(locator..)?.starts_with(&LARGE_LOCATOR).then_some(())?;
+    zip.get(locator..)?
+        .starts_with(&LARGE_LOCATOR)
+        .then_some(())?;
     let record = locator.checked_sub(LARGE_END_BYTES)?;
     zip.get(record..)?.starts_with(&LARGE_END).then_some(())?;
     Some((u64_at(zip, record + 40)?, u64_at(zip, record + 48)?, record))
@@ -87,7 +99,10 @@ fn row(rows: &[u8], at: usize, shift: u64) -> Option<(Record, usize)> {
     let [name, extra, comment] = [28, 30, 32].map(|at| u16_at(row, at).map(usize::from));
     let (name_end, extra_end) = (ROW_BYTES + name?, ROW_BYTES + name? + extra?);
     let sizes = [24, 20, 42].map(|at| u32_at(row, at).map(u64::from));
-    let [size, packed, offset] = wide([sizes[0]?, sizes[1]?, sizes[2]?], row.get(name_end..extra_end)?);
+    let [size, packed, offset] = wide(
+        [sizes[0]?, sizes[1]?, sizes[2]?],
+        row.get(name_end..extra_end)?,
+    );
     let record = Record {
         name: row.get(ROW_BYTES..name_end)?.to_vec(),
         is_utf8: flags & 0x800 != 0,
@@ -110,7 +125,10 @@ fn wide(mut numbers: [u64; 3], mut extra: &[u8]) -> [u64; 3] {
         let field = extra.get(4..end).unwrap_or_default();
         if id == 1 {
             let mut at = 0;
-            for number in numbers.iter_mut().filter(|number| **number == u64::from(u32::MAX)) {
+            for number in numbers
+                .iter_mut()
+                .filter(|number| **number == u64::from(u32::MAX))
+            {
                 *number = u64_at(field, at).unwrap_or(*number);
                 at += 8;
             }
@@ -124,26 +142,46 @@ fn wide(mut numbers: [u64; 3], mut extra: &[u8]) -> [u64; 3] {
 /// The packed bytes of a member: its own header must name it as the list does.
 pub(super) fn packed<'z>(zip: &'z [u8], record: &Record) -> Result<&'z [u8], &'static str> {
     const CUT: &str = "its data is missing";
-    let header = usize::try_from(record.at).ok().and_then(|at| zip.get(at..)).ok_or(CUT)?;
+    let header = usize::try_from(record.at)
+        .ok()
+        .and_then(|at| zip.get(at..))
+        .ok_or(CUT)?;
     let lengths = [26, 28].map(|at| u16_at(header, at).map(usize::from));
-    let [Some(name), Some(extra)] = lengths else { return Err(CUT) };
+    let [Some(name), Some(extra)] = lengths else {
+        return Err(CUT);
+    };
     let named = header.get(HEADER_BYTES..HEADER_BYTES + name).ok_or(CUT)?;
     if !header.starts_with(&HEADER) || named != record.name {
         return Err("its header does not match the list of members");
     }
     let start = HEADER_BYTES + name + extra;
     let length = usize::try_from(record.packed).map_err(|_| CUT)?;
-    start.checked_add(length).and_then(|end| header.get(start..end)).ok_or(CUT)
+    start
+        .checked_add(length)
+        .and_then(|end| header.get(start..end))
+        .ok_or(CUT)
 }
 
 fn u16_at(bytes: &[u8], at: usize) -> Option<u16> {
-    bytes.get(at..at.checked_add(2)?)?.try_into().ok().map(u16::from_le_bytes)
+    bytes
+        .get(at..at.checked_add(2)?)?
+        .try_into()
+        .ok()
+        .map(u16::from_le_bytes)
 }
 
 fn u32_at(bytes: &[u8], at: usize) -> Option<u32> {
-    bytes.get(at..at.checked_add(4)?)?.try_into().ok().map(u32::from_le_bytes)
+    bytes
+        .get(at..at.checked_add(4)?)?
+        .try_into()
+        .ok()
+        .map(u32::from_le_bytes)
 }
 
 fn u64_at(bytes: &[u8], at: usize) -> Option<u64> {
-    bytes.get(at..at.checked_add(8)?)?.try_into().ok().map(u64::from_le_bytes)
+    bytes
+        .get(at..at.checked_add(8)?)?
+        .try_into()
+        .ok()
+        .map(u64::from_le_bytes)
 }

@@ -1,7 +1,7 @@
 //! A zip as a listing of files and their bytes, without unpacking it to disk.
 //!
-//! Members that no file may be made of are faults. The sizes in the list of members are what is unpacked at most, and
-//! what they come to is bounded.
+//! Members that no file may be made of are faults. The sizes in the list of members are what is
+//! unpacked at most, and what they come to is bounded.
 
 mod directory;
 mod name;
@@ -89,7 +89,8 @@ pub struct PackFacts {
     pub faults: Vec<(String, MemberFault)>,
     /// Paths of the files whose names have `\` for a separator.
     pub backslashes: Vec<String>,
-    /// Paths of the files whose names are UTF-8 but not marked as such, with the names that Python makes of them.
+    /// Paths of the files whose names are UTF-8 but not marked as such, with the names that Python
+    /// makes of them.
     pub unmarked: BTreeMap<String, String>,
 }
 
@@ -119,23 +120,39 @@ impl Pack {
             Vec::new()
         });
         let hash = xxh3_64(&zip);
-        let mut pack = Self { zip: zip.into(), hash, files: BTreeMap::new(), folders: Vec::new() };
+        let mut pack = Self {
+            zip: zip.into(),
+            hash,
+            files: BTreeMap::new(),
+            folders: Vec::new(),
+        };
         facts.names = records.iter().map(shown).collect();
         for record in records {
             if let Err(fault) = pack.add(&record, &mut facts) {
                 let path = name(&record).map(|name| name.path);
-                facts.faults.push((path.unwrap_or_else(|_| shown(&record)), fault));
+                facts
+                    .faults
+                    .push((path.unwrap_or_else(|_| shown(&record)), fault));
             }
         }
         pack.drop_files_below_files(&mut facts);
-        facts.backslashes.retain(|path| pack.files.contains_key(path));
-        facts.unmarked.retain(|path, _| pack.files.contains_key(path));
+        facts
+            .backslashes
+            .retain(|path| pack.files.contains_key(path));
+        facts
+            .unmarked
+            .retain(|path, _| pack.files.contains_key(path));
         facts.faults.sort();
         (pack, facts)
     }
 
     fn add(&mut self, record: &Record, facts: &mut PackFacts) -> Result<(), MemberFault> {
-        let Name { path, read_as, has_backslash, is_folder } = name(record)?;
+        let Name {
+            path,
+            read_as,
+            has_backslash,
+            is_folder,
+        } = name(record)?;
         if is_folder {
             self.folders.push(path);
             return Ok(());
@@ -150,7 +167,9 @@ impl Pack {
         if has_backslash {
             facts.backslashes.push(path.clone());
         }
-        facts.unmarked.extend(read_as.map(|read_as| (path.clone(), read_as)));
+        facts
+            .unmarked
+            .extend(read_as.map(|read_as| (path.clone(), read_as)));
         let before = self.files.insert(path.clone(), record.clone());
         if before.is_some_and(|before| (before.crc, before.size) != (record.crc, record.size)) {
             facts.faults.push((path, MemberFault::Replaced));
@@ -167,23 +186,34 @@ impl Pack {
         let to = String::from_utf8_lossy(&to).into_owned();
         let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
         let is_inside = !to.starts_with('/') && normalized(&format!("{folder}/{to}")).is_some();
-        if is_inside { MemberFault::Link { to } } else { MemberFault::LinkLeaves { to } }
+        if is_inside {
+            MemberFault::Link { to }
+        } else {
+            MemberFault::LinkLeaves { to }
+        }
     }
 
     /// Whoever unpacks it fails at a file that is to lie in another file.
     fn drop_files_below_files(&mut self, facts: &mut PackFacts) {
-        let taken = |folder: Option<&str>| folder.is_some_and(|folder| self.files.contains_key(folder));
-        let is_below = |path: &&String| path.match_indices('/').any(|(at, _)| taken(path.get(..at)));
+        let taken =
+            |folder: Option<&str>| folder.is_some_and(|folder| self.files.contains_key(folder));
+        let is_below =
+            |path: &&String| path.match_indices('/').any(|(at, _)| taken(path.get(..at)));
         let below: Vec<String> = self.files.keys().filter(is_below).cloned().collect();
         for path in below {
             self.files.remove(&path);
-            facts.faults.push((path, MemberFault::Damaged("another member has the name of its folder")));
+            facts.faults.push((
+                path,
+                MemberFault::Damaged("another member has the name of its folder"),
+            ));
         }
     }
 
     /// The files with their sizes.
     pub(super) fn files(&self) -> impl Iterator<Item = (&str, u64)> {
-        self.files.iter().map(|(path, record)| (path.as_str(), record.size))
+        self.files
+            .iter()
+            .map(|(path, record)| (path.as_str(), record.size))
     }
 
     /// Members that are folders.
@@ -201,6 +231,12 @@ impl Pack {
 fn within(zip: &[u8], limits: &Limits) -> Result<Vec<Record>, PackFault> {
     let records = records(zip)?;
     let packed = zip.len() as u64;
-    let unpacked = records.iter().fold(0_u64, |sum, record| sum.saturating_add(record.size));
-    if unpacked > limits.unpacked_limit(packed) { Err(PackFault::Bomb { packed, unpacked }) } else { Ok(records) }
+    let unpacked = records
+        .iter()
+        .fold(0_u64, |sum, record| sum.saturating_add(record.size));
+    if unpacked > limits.unpacked_limit(packed) {
+        Err(PackFault::Bomb { packed, unpacked })
+    } else {
+        Ok(records)
+    }
 }

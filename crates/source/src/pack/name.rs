@@ -14,7 +14,8 @@ pub(super) struct Name {
     pub(super) is_folder: bool,
 }
 
-/// The letters of bytes from 128 on in names that are not marked as UTF-8, whatever system has written them.
+/// The letters of bytes from 128 on in names that are not marked as UTF-8, whatever system has
+/// written them.
 const CODE_PAGE_437: &str = "\
     ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜ¢£¥₧ƒ\
     áíóúñÑªº¿⌐¬½¼¡«»░▒▓│┤╡╢╖╕╣║╗╝╜╛┐\
@@ -23,7 +24,11 @@ const CODE_PAGE_437: &str = "\
 
 /// The name as Python reads it: for people, where nothing else can be made of it.
 pub(super) fn shown(record: &Record) -> String {
-    if record.is_utf8 { String::from_utf8_lossy(&record.name).into_owned() } else { in_code_page(&record.name) }
+    if record.is_utf8 {
+        String::from_utf8_lossy(&record.name).into_owned()
+    } else {
+        in_code_page(&record.name)
+    }
 }
 
 /// The path of a member.
@@ -52,22 +57,36 @@ pub(super) fn name(record: &Record) -> Result<Name, MemberFault> {
         return Err(MemberFault::Damaged("it has no name"));
     }
     let read_as = read.map(|read| plain(&read.replace('\\', "/")));
-    Ok(Name { path, read_as, has_backslash, is_folder })
+    Ok(Name {
+        path,
+        read_as,
+        has_backslash,
+        is_folder,
+    })
 }
 
 /// Whether a path begins at a root or a drive, or has `..` in it.
 fn leads_out(slashed: &str) -> bool {
-    slashed.starts_with('/') || slashed.get(1..2) == Some(":") || slashed.split('/').any(|part| part == "..")
+    slashed.starts_with('/')
+        || slashed.get(1..2) == Some(":")
+        || slashed.split('/').any(|part| part == "..")
 }
 
 fn plain(slashed: &str) -> String {
-    slashed.split('/').filter(|part| !part.is_empty() && *part != ".").collect::<Vec<_>>().join("/")
+    slashed
+        .split('/')
+        .filter(|part| !part.is_empty() && *part != ".")
+        .collect::<Vec<_>>()
+        .join("/")
 }
 
 fn in_code_page(bytes: &[u8]) -> String {
     let letter = |byte: &u8| match byte.checked_sub(128) {
         None => char::from(*byte),
-        Some(place) => CODE_PAGE_437.chars().nth(usize::from(place)).unwrap_or(char::REPLACEMENT_CHARACTER),
+        Some(place) => CODE_PAGE_437
+            .chars()
+            .nth(usize::from(place))
+            .unwrap_or(char::REPLACEMENT_CHARACTER),
     };
     bytes.iter().map(letter).collect()
 }
@@ -99,15 +118,32 @@ mod tests {
 
     #[test]
     fn names_are_what_was_meant_and_what_is_read() {
-        let path = |bytes: &[u8], is_utf8| named(bytes, is_utf8).map(|name| (name.path, name.read_as));
-        assert_eq!(path("a/h\u{fc}t".as_bytes(), true), Ok(("a/h\u{fc}t".to_owned(), None)));
-        assert_eq!(path(b"a/h\x81t", false), Ok(("a/h\u{fc}t".to_owned(), None)));
+        let path =
+            |bytes: &[u8], is_utf8| named(bytes, is_utf8).map(|name| (name.path, name.read_as));
+        assert_eq!(
+            path("a/h\u{fc}t".as_bytes(), true),
+            Ok(("a/h\u{fc}t".to_owned(), None))
+        );
+        assert_eq!(
+            path(b"a/h\x81t", false),
+            Ok(("a/h\u{fc}t".to_owned(), None))
+        );
         let read_as = Some("a/h\u{251c}\u{255d}t".to_owned());
-        assert_eq!(path("a/h\u{fc}t".as_bytes(), false), Ok(("a/h\u{fc}t".to_owned(), read_as)));
+        assert_eq!(
+            path("a/h\u{fc}t".as_bytes(), false),
+            Ok(("a/h\u{fc}t".to_owned(), read_as))
+        );
         assert_eq!(path(b"a/h\x81t", true), Err(MemberFault::NameNotUtf8));
         assert_eq!(path(b"./a//b\\c/", true), Ok(("a/b/c".to_owned(), None)));
         assert!(named(b"a\\b", true).unwrap().has_backslash);
-        for name in [&b"../a"[..], b"a/../../b", b"/a", b"C:\\a", b"c:a", b"..\\a"] {
+        for name in [
+            &b"../a"[..],
+            b"a/../../b",
+            b"/a",
+            b"C:\\a",
+            b"c:a",
+            b"..\\a",
+        ] {
             assert_eq!(path(name, false), Err(MemberFault::Escapes), "{name:?}");
         }
         assert!(matches!(path(b"", false), Err(MemberFault::Damaged(_))));

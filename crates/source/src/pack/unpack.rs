@@ -28,7 +28,11 @@ pub(super) fn unpack(zip: &[u8], record: &Record) -> Result<Vec<u8>, MemberFault
 
 fn unpack_to(zip: &[u8], record: &Record, out: impl Write) -> Result<(), MemberFault> {
     let packed = packed(zip, record).map_err(MemberFault::Damaged)?;
-    let mut out = Summed { out, crc: Crc::new(), size: 0 };
+    let mut out = Summed {
+        out,
+        crc: Crc::new(),
+        size: 0,
+    };
     // One more, to see that there is more.
     let most = record.size.saturating_add(1);
     let copied = match record.method {
@@ -38,10 +42,14 @@ fn unpack_to(zip: &[u8], record: &Record, out: impl Write) -> Result<(), MemberF
     };
     copied.map_err(|_| MemberFault::Damaged("its content is damaged"))?;
     if out.size != record.size {
-        return Err(MemberFault::Damaged("it does not have the size in the list of members"));
+        return Err(MemberFault::Damaged(
+            "it does not have the size in the list of members",
+        ));
     }
     if out.crc.sum() != record.crc {
-        return Err(MemberFault::Damaged("its content does not match its checksum"));
+        return Err(MemberFault::Damaged(
+            "its content does not match its checksum",
+        ));
     }
     Ok(())
 }

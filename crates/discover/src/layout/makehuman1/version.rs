@@ -1,10 +1,12 @@
-//! The version that data of MakeHuman 1 are of (`docs/loaders/versions.md#versions-of-makehuman-1`).
+//! The version that data of MakeHuman 1 are of
+//! (`docs/loaders/versions.md#versions-of-makehuman-1`).
 
 use std::collections::BTreeSet;
 
 use super::super::super::paths::Paths;
 
-/// Told by what came with it, or else by the base mesh: what is missing says nothing of data for another one.
+/// Told by what came with it, or else by the base mesh: what is missing says nothing of data for
+/// another one.
 pub(super) fn version(paths: &Paths<'_>) -> Option<&'static str> {
     if paths.has("targets/bodyshapes/") || paths.has("modifiers/bodyshapes_") {
         return Some("1.3");
@@ -16,7 +18,9 @@ pub(super) fn version(paths: &Paths<'_>) -> Option<&'static str> {
         (19158, 21333) if paths.has("costumes/") || paths.has("mhx/") => Some("alpha 8"),
         (19158, 21333) => Some("1.0"),
         (19158, 21334) if paths.says("VERSION", "{") || is_of_2020(paths) => Some("1.2"),
-        (19158, 21334) if is_older_build(paths) || has_all() && !paths.has("targets.npz") => Some("1.1"),
+        (19158, 21334) if is_older_build(paths) || has_all() && !paths.has("targets.npz") => {
+            Some("1.1")
+        }
         (19158, 21334) => None,
         // Of another mesh nobody knows.
         _ if !paths.has_kind("rigs/", ".mhskel")
@@ -25,7 +29,8 @@ pub(super) fn version(paths: &Paths<'_>) -> Option<&'static str> {
             Some(old)
         }
         _ if is_older_build(paths) => Some("1.1"),
-        // One folder may be gone; all of what came with 1.3 is not. In an archive nobody looks for names.
+        // One folder may be gone; all of what came with 1.3 is not. In an archive nobody looks for
+        // names.
         _ if has_all() || paths.has("targets.npz") && paths.has("modifiers/") => Some("1.2"),
         _ => None,
     }
@@ -44,19 +49,28 @@ fn version_without_skeletons(paths: &Paths<'_>) -> Option<&'static str> {
 
 /// Whether a build wrote its version as a text, `number:hash`; from 1.2 on it is JSON.
 fn is_older_build(paths: &Paths<'_>) -> bool {
-    paths.first("VERSION").is_some_and(|rel| rel == "VERSION" && paths.says(rel, ":") && !paths.says(rel, "{"))
+    paths
+        .first("VERSION")
+        .is_some_and(|rel| rel == "VERSION" && paths.says(rel, ":") && !paths.says(rel, "{"))
 }
 
 /// Whether the headers of its targets are those of the autumn of 2020.
 fn is_of_2020(paths: &Paths<'_>) -> bool {
-    paths.first("targets/").is_some_and(|rel| paths.says(rel, "september 2020"))
+    paths
+        .first("targets/")
+        .is_some_and(|rel| paths.says(rel, "september 2020"))
 }
 
 /// Whether most of what is worn, or all targets, come compiled
 /// (`docs/loaders/versions.md#whose-data-a-folder-is`).
 pub(super) fn is_release(paths: &Paths<'_>) -> bool {
-    let stems =
-        |suffix: &'static str| -> BTreeSet<&str> { paths.all().filter_map(|path| path.strip_suffix(suffix)).collect() };
+    let stems = |suffix: &'static str| -> BTreeSet<&str> {
+        paths
+            .all()
+            .filter_map(|path| path.strip_suffix(suffix))
+            .collect()
+    };
     let (texts, packed) = (stems(".mhclo"), stems(".mhpxy"));
-    paths.has("targets.npz") && paths.has("images.list") || packed.difference(&texts).count() > texts.len()
+    paths.has("targets.npz") && paths.has("images.list")
+        || packed.difference(&texts).count() > texts.len()
 }

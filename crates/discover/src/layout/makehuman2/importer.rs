@@ -17,7 +17,8 @@ const SHADERS: &str = "shader_";
 /// The third folder of assets gets this name, whatever it is called.
 pub(crate) const THIRD_FOLDER: &str = "materials";
 
-/// Where the file at a path of a pack is put below the user's data, for a base mesh; `None` if it is ignored.
+/// Where the file at a path of a pack is put below the user's data, for a base mesh; `None` if it
+/// is ignored.
 pub fn import(path: &str, base: &str) -> Option<String> {
     let parts: Vec<&str> = path.split('/').collect();
     let (category, below) = parts.split_first()?;
@@ -27,9 +28,11 @@ pub fn import(path: &str, base: &str) -> Option<String> {
         "base" | "models" => Some(format!("{category}/{base}/{file}")),
         "contarget" => Some(format!("contarget/{base}/{}", below.join("/"))),
         "themes" => Some(format!("themes/{file}")),
-        "shader_floor" | "shader_litspheres" | "shader_skybox" => {
-            Some(format!("shaders/{}/{}", category.trim_start_matches(SHADERS), below.join("/")))
-        }
+        "shader_floor" | "shader_litspheres" | "shader_skybox" => Some(format!(
+            "shaders/{}/{}",
+            category.trim_start_matches(SHADERS),
+            below.join("/")
+        )),
         _ if takes(category) => Some(format!("{category}/{base}/{}", renamed(below))),
         _ => None,
     }
@@ -52,7 +55,10 @@ pub enum Loss {
 /// What is lost with the file at a path of a pack, if it is ignored.
 pub fn loss(path: &str) -> Option<Loss> {
     let top = top_folder(path);
-    let is_asset = matches!(extension(path), "mhskel" | "mhw" | "bvh" | "proxy" | "target");
+    let is_asset = matches!(
+        extension(path),
+        "mhskel" | "mhw" | "bvh" | "proxy" | "target"
+    );
     if is_asset || is_asset_anywhere(path) {
         return Some(Loss::Asset);
     }
@@ -71,15 +77,20 @@ fn renamed(below: &[&str]) -> String {
 /// The base mesh that a pack brings with it, by the name of the zip.
 pub fn new_base(file: &str) -> Option<&str> {
     let (stem, extension) = file.rsplit_once('.')?;
-    stem.strip_prefix("newbase_").filter(|base| !base.is_empty() && extension.eq_ignore_ascii_case("zip"))
+    stem.strip_prefix("newbase_")
+        .filter(|base| !base.is_empty() && extension.eq_ignore_ascii_case("zip"))
 }
 
-/// The folder of a pack that a path is in as the importer sees it: of `shaders` each folder in it is one of its own.
+/// The folder of a pack that a path is in as the importer sees it: of `shaders` each folder in it
+/// is one of its own.
 pub fn top_folder(path: &str) -> &str {
     let mut ends = path.match_indices('/').map(|(at, _)| at);
     let Some(first) = ends.next() else { return "" };
-    let is_shaders = path.get(..first).is_some_and(|top| top.eq_ignore_ascii_case("shaders"));
-    path.get(..ends.next().filter(|_| is_shaders).unwrap_or(first)).unwrap_or_default()
+    let is_shaders = path
+        .get(..first)
+        .is_some_and(|top| top.eq_ignore_ascii_case("shaders"));
+    path.get(..ends.next().filter(|_| is_shaders).unwrap_or(first))
+        .unwrap_or_default()
 }
 
 /// A folder that would be read if it had the name behind it.
@@ -98,10 +109,17 @@ pub fn meant_for(folder: &str) -> Option<&'static str> {
         ("floor", "shader_floor"),
     ];
     let lower = folder.to_lowercase();
-    let row = known.iter().find(|(name, _)| *name == lower).map(|(_, right)| *right);
+    let row = known
+        .iter()
+        .find(|(name, _)| *name == lower)
+        .map(|(_, right)| *right);
     let right = |name: &&&str| name.eq_ignore_ascii_case(folder);
     row.or_else(|| {
-        WORN.iter().chain(&OTHERS).chain(&[PACKED_TOPOLOGIES, "contarget", "base", "models"]).find(right).copied()
+        WORN.iter()
+            .chain(&OTHERS)
+            .chain(&[PACKED_TOPOLOGIES, "contarget", "base", "models"])
+            .find(right)
+            .copied()
     })
 }
 
@@ -114,9 +132,18 @@ mod tests {
         for (path, put) in [
             ("clothes/x.mhclo", Some("clothes/b/x.mhclo")),
             ("clothes/x/x.mhclo", Some("clothes/b/x/x.mhclo")),
-            ("clothes/x/textures/x.png", Some("clothes/b/x/materials/x.png")),
-            ("clothes/x/textures/deep/x.png", Some("clothes/b/x/materials/deep/x.png")),
-            ("clothes/hm08/x/x.mhclo", Some("clothes/b/hm08/materials/x.mhclo")),
+            (
+                "clothes/x/textures/x.png",
+                Some("clothes/b/x/materials/x.png"),
+            ),
+            (
+                "clothes/x/textures/deep/x.png",
+                Some("clothes/b/x/materials/deep/x.png"),
+            ),
+            (
+                "clothes/hm08/x/x.mhclo",
+                Some("clothes/b/hm08/materials/x.mhclo"),
+            ),
             ("proxymeshes/p/p.proxy", Some("proxy/b/p/p.proxy")),
             ("proxy/p/p.proxy", None),
             ("base/deep/base.obj", Some("base/b/base.obj")),
@@ -134,7 +161,12 @@ mod tests {
 
     #[test]
     fn a_new_base_stands_in_the_name() {
-        let names = ["newbase_imp.zip", "newbase_.zip", "imp.zip", "newbase_imp.ZIP"];
+        let names = [
+            "newbase_imp.zip",
+            "newbase_.zip",
+            "imp.zip",
+            "newbase_imp.ZIP",
+        ];
         assert_eq!(names.map(new_base), [Some("imp"), None, None, Some("imp")]);
     }
 }

@@ -1,22 +1,30 @@
-//! Which names the loaders of MakeHuman 2 look for (`docs/loaders/makehuman2/folders.md#lookup-order`,
+//! Which names the loaders of MakeHuman 2 look for
+//! (`docs/loaders/makehuman2/folders.md#lookup-order`,
 //! `docs/loaders/makehuman2/text-and-json.md#json`, `docs/loaders/makehuman2/libraries.md#scan`).
 
 use super::super::super::kind::extension;
 use super::super::{Single, WORN};
 use super::{is_filtered, is_scanned_folder};
 
-/// Decided for the folders of base meshes, targets and rigs; everything else counts as opened. Tools of the program
-/// count as loaders.
+/// Decided for the folders of base meshes, targets and rigs; everything else counts as opened.
+/// Tools of the program count as loaders.
 pub(super) fn opens(rel: &str) -> bool {
     let parts: Vec<&str> = rel.split('/').collect();
     match parts.as_slice() {
         // All targets below are packed, those among the icons as well.
-        ["target" | "contarget", _, "icons", .., icon] => matches!(extension(icon), "png" | "target"),
-        ["target" | "contarget", _, "macro.json" | "modelling.json" | "target_cat.json" | "compressedtargets.npz"]
+        ["target" | "contarget", _, "icons", .., icon] => {
+            matches!(extension(icon), "png" | "target")
+        }
+        [
+            "target" | "contarget",
+            _,
+            "macro.json" | "modelling.json" | "target_cat.json" | "compressedtargets.npz",
+        ]
         | ["rigs", _, "icons", ..] => true,
         ["target" | "contarget", _, .., target] => extension(target) == "target",
         ["rigs", _, .., file] => {
-            *file == "selection_filter.json" || matches!(extension(file), "mhskel" | "mhw" | "thumb")
+            *file == "selection_filter.json"
+                || matches!(extension(file), "mhskel" | "mhw" | "thumb")
         }
         ["base", _, file] => is_base_file(file),
         _ => true,
@@ -25,10 +33,20 @@ pub(super) fn opens(rel: &str) -> bool {
 
 /// Beside the files that the program opens by name, a base folder holds what its start model needs.
 fn is_base_file(file: &str) -> bool {
-    let named = ["base.json", "base.obj", "base.mhbin", "geometry.json", "face-poses.json", "body-poses.json"];
+    let named = [
+        "base.json",
+        "base.obj",
+        "base.mhbin",
+        "geometry.json",
+        "face-poses.json",
+        "body-poses.json",
+    ];
     named.contains(&file)
         || file.ends_with("_target.json")
-        || matches!(extension(file), "mhm" | "mhmat" | "png" | "jpg" | "jpeg" | "thumb")
+        || matches!(
+            extension(file),
+            "mhm" | "mhmat" | "png" | "jpg" | "jpeg" | "thumb"
+        )
 }
 
 pub(super) fn is_scanned(rel: &str) -> bool {
@@ -46,8 +64,8 @@ pub(super) fn is_scanned(rel: &str) -> bool {
     wanted && is_scanned_folder(folder) && matches!(rel.split('/').count(), 3 | 4)
 }
 
-/// Which folder's list shows a file, if any: the scan goes one folder below that of the base mesh, and takes suffixes as
-/// they are written.
+/// Which folder's list shows a file, if any: the scan goes one folder below that of the base mesh,
+/// and takes suffixes as they are written.
 pub fn listed_in(rel: &str) -> Option<&str> {
     let folder = rel.split('/').next().unwrap_or_default();
     let is_listed = match extension(rel) {
@@ -74,7 +92,8 @@ pub fn in_place_of(suffix: &str) -> &'static [&'static str] {
 
 /// Whether a file of a skybox has the name of one of its sides.
 fn is_side(file: &str) -> bool {
-    file.rsplit_once('.').is_some_and(|(side, suffix)| SKY_SIDES.contains(&side) && matches!(suffix, "png" | "jpg"))
+    file.rsplit_once('.')
+        .is_some_and(|(side, suffix)| SKY_SIDES.contains(&side) && matches!(suffix, "png" | "jpg"))
 }
 
 /// The sides of a skybox, by their names.
@@ -107,13 +126,23 @@ pub struct MaterialUse<'p> {
     pub is_worn: bool,
 }
 
-/// What the application has a material of this path for: skins, one folder deep, the base mesh, and what is worn
-/// (`docs/loaders/makehuman2/materials.md#alternative-materials`); a topology wears the skin.
+/// What the application has a material of this path for: skins, one folder deep, the base mesh, and
+/// what is worn (`docs/loaders/makehuman2/materials.md#alternative-materials`); a topology wears
+/// the skin.
 pub fn material_of(rel: &str) -> Option<MaterialUse<'_>> {
     match rel.split('/').collect::<Vec<_>>().as_slice() {
-        ["skins" | "base", _, _] | ["skins", _, _, _] => Some(MaterialUse { folder: "skins", is_worn: false }),
-        [folder, _, "materials", _, ..] if WORN.contains(folder) => Some(MaterialUse { folder, is_worn: false }),
-        [folder, _, _, ..] if WORN.contains(folder) => Some(MaterialUse { folder, is_worn: true }),
+        ["skins" | "base", _, _] | ["skins", _, _, _] => Some(MaterialUse {
+            folder: "skins",
+            is_worn: false,
+        }),
+        [folder, _, "materials", _, ..] if WORN.contains(folder) => Some(MaterialUse {
+            folder,
+            is_worn: false,
+        }),
+        [folder, _, _, ..] if WORN.contains(folder) => Some(MaterialUse {
+            folder,
+            is_worn: true,
+        }),
         _ => None,
     }
 }
@@ -122,7 +151,9 @@ pub(super) fn misnamed(rel: &str, exists: &dyn Fn(&str) -> bool) -> Option<Strin
     let (folder, name) = rel.rsplit_once('/')?;
     let lower = name.to_lowercase();
     let is_wanted = match folder.split('/').collect::<Vec<_>>().as_slice() {
-        ["target" | "contarget", _] => matches!(&*lower, "macro.json" | "modelling.json" | "target_cat.json"),
+        ["target" | "contarget", _] => {
+            matches!(&*lower, "macro.json" | "modelling.json" | "target_cat.json")
+        }
         // With one of both the other is not missed.
         ["base", _] if lower == "base.obj" => !exists(&format!("{folder}/base.mhbin")),
         ["base", _] if lower == "base.mhbin" => !exists(&format!("{folder}/base.obj")),
@@ -184,7 +215,11 @@ mod tests {
             ("clothes/x.mhmat", None),
             ("proxy/b/a/x.mhmat", None),
         ] {
-            assert_eq!(material_of(rel).map(|use_of| (use_of.folder, use_of.is_worn)), found, "{rel}");
+            assert_eq!(
+                material_of(rel).map(|use_of| (use_of.folder, use_of.is_worn)),
+                found,
+                "{rel}"
+            );
         }
     }
 

@@ -1,23 +1,36 @@
 //! What MakeHuman 1 does with a file that it cannot read or find.
 //!
-//! From `docs/loaders/makehuman1/text-and-json.md#encodings`, `docs/loaders/makehuman1/libraries.md#why-a-library-is-empty`,
-//! `docs/loaders/makehuman1/program.md#files-that-the-start-needs`, and the faults of each format beside these.
+//! From `docs/loaders/makehuman1/text-and-json.md#encodings`,
+//! `docs/loaders/makehuman1/libraries.md#why-a-library-is-empty`,
+//! `docs/loaders/makehuman1/program.md#files-that-the-start-needs`, and the faults of each format
+//! beside these.
 
 use super::table::At::{self, Scanned};
-use super::table::{Cell, LOST, LOST_WHOLE, Row, Table, UNREAD, anywhere, cell, cells, nothing, row};
+use super::table::{
+    Cell, LOST, LOST_WHOLE, Row, Table, UNREAD, anywhere, cell, cells, nothing, row,
+};
 use super::{Consequence, Damage, Moment};
-use Damage::{Closed, Dangling, Empty, MarkedComment, MarkedRow, MarkedWord, NotUtf8, Pointer, Special, TooDeep};
+use Damage::{
+    Closed, Dangling, Empty, MarkedComment, MarkedRow, MarkedWord, NotUtf8, Pointer, Special,
+    TooDeep,
+};
 use Moment::{Scan, Start, Use};
 use mhlint_diag::Level::{Error, Info, Warning};
 use mhlint_discover::{Kind, Single};
 use mhlint_repo::ReferenceKind::{
-    AssetMaterial, AssetMesh, AssetWeights, ModelExpression, ModelMaterial, ModelPose, ModelSkeleton, Skin, Texture,
-    UvMap, WeightsFile,
+    AssetMaterial, AssetMesh, AssetWeights, ModelExpression, ModelMaterial, ModelPose,
+    ModelSkeleton, Skin, Texture, UvMap, WeightsFile,
 };
 
-pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_general: LOST, unfound: UNFOUND };
+pub(super) static TABLE: Table = Table {
+    rows: ROWS,
+    at_moment: AT_MOMENT,
+    in_general: LOST,
+    unfound: UNFOUND,
+};
 
-pub(crate) const STOPS_AT_START: &str = "stops at start: only the splash picture stays on the screen";
+pub(crate) const STOPS_AT_START: &str =
+    "stops at start: only the splash picture stays on the screen";
 const NOT_WORN: &str = "lists the asset and does not put it on";
 const WHITE: &str = "draws the surface with the default white material";
 const NO_SKINS: &str = "lists no skin at all: one file that cannot be read empties the list";
@@ -25,7 +38,8 @@ const NO_POSES: &str = "lists no pose at all: one file that cannot be read empti
 const NO_POSE: &str = "lists the pose and does not show it";
 const NO_SHADER: &str = "logs an error and draws the surface without a shader";
 const NO_MAP: &str = "fails when the material is used";
-pub(crate) const NO_FRAME: &str = "stops drawing each frame at the default skin, which blends this picture";
+pub(crate) const NO_FRAME: &str =
+    "stops drawing each frame at the default skin, which blends this picture";
 const NO_THUMBNAIL: &str = "shows an empty picture in the library";
 const PLACEHOLDER: &str = "shows a placeholder instead of the picture";
 
@@ -39,7 +53,8 @@ const NO_RIGS: &str = "lists no skeleton at all: one file that cannot be read em
 const NO_RIG: &str = "fails when the skeleton with these weights is chosen";
 const ENGLISH: &str = "logs an error and stays English";
 const NO_EXPRESSION: &str = "lists the expressions and shows none of them";
-pub(super) const NO_EXPRESSIONS: &str = "lists no expression at all: one file that cannot be read empties the list";
+pub(super) const NO_EXPRESSIONS: &str =
+    "lists no expression at all: one file that cannot be read empties the list";
 
 const FROM_TEXTS: &str = "takes its targets from the texts";
 const MADE_AGAIN: &str = "makes it again";
@@ -52,8 +67,16 @@ const NO_SCENE: &str = "fails with `AttributeError` when the scene is chosen";
 const NO_MODELS: &str = "lists no model at all: one file that cannot be read empties the list";
 pub(super) const RESET: &str = "fails because the version is missing, and leaves the default human";
 
-const COMMENT: Cell = cell(MarkedComment, Info, "ignores the first line, which is only a comment");
-const KEYWORD: Cell = cell(MarkedWord, Warning, "does not recognise the first keyword and ignores its line");
+const COMMENT: Cell = cell(
+    MarkedComment,
+    Info,
+    "ignores the first line, which is only a comment",
+);
+const KEYWORD: Cell = cell(
+    MarkedWord,
+    Warning,
+    "does not recognise the first keyword and ignores its line",
+);
 
 #[rustfmt::skip]
 const ROWS: &[Row] = &[
@@ -261,7 +284,14 @@ const ROWS: &[Row] = &[
 ];
 
 const AT_MOMENT: &[(Moment, Cell)] = &[
-    (Scan, cell(Dangling, Error, "lists nothing of this library: a link to nothing empties the list")),
+    (
+        Scan,
+        cell(
+            Dangling,
+            Error,
+            "lists nothing of this library: a link to nothing empties the list",
+        ),
+    ),
     // Nothing names it.
     (Use, cell(Dangling, Info, "never opens it")),
 ];

@@ -1,7 +1,9 @@
 //! What becomes of a value that does not fit its schema in MakeHuman 1.
 //!
-//! From `docs/loaders/makehuman1/modifiers.md#faults-of-sliders`, `docs/loaders/makehuman1/skeletons.md#faults-of-skeletons`,
-//! `docs/loaders/makehuman1/weights.md#faults-of-weights`, `docs/loaders/makehuman1/expressions.md#faults-of-expressions`,
+//! From `docs/loaders/makehuman1/modifiers.md#faults-of-sliders`,
+//! `docs/loaders/makehuman1/skeletons.md#faults-of-skeletons`,
+//! `docs/loaders/makehuman1/weights.md#faults-of-weights`,
+//! `docs/loaders/makehuman1/expressions.md#faults-of-expressions`,
 //! `docs/loaders/makehuman1/program.md#languages`.
 
 use super::makehuman1::{NO_EXPRESSIONS, NO_PROGRAM, STOPS_AT_START};
@@ -13,7 +15,8 @@ use mhlint_formats::python_float;
 use mhlint_json::{Found, SchemaFault};
 use mhlint_repo::FileFacts;
 
-const NO_SET: &str = "fails at start: no further modifiers of the file are loaded, and none of its tabs is shown";
+const NO_SET: &str =
+    "fails at start: no further modifiers of the file are loaded, and none of its tabs is shown";
 const NO_TABS: &str = "shows neither the rest of the tab nor the tabs behind it in the file";
 const NO_RIG: &str = "fails with an exception when the skeleton is chosen";
 const NO_RIGS: &str = "lists no skeleton at all: one file that cannot be read empties the list";
@@ -53,12 +56,19 @@ static ROWS: [Row; 29] = [
     row(Kind::ProgramSettings, "/type", ANY, Error, NO_PROGRAM),
 ];
 
-/// Planes may be lists, null or numbers (`docs/loaders/makehuman1/skeletons.md#bones`), and values of units texts and truths
-/// (`docs/loaders/makehuman1/expressions.md#faults-of-expressions`).
+/// Planes may be lists, null or numbers (`docs/loaders/makehuman1/skeletons.md#bones`), and values
+/// of units texts and truths (`docs/loaders/makehuman1/expressions.md#faults-of-expressions`).
 pub(super) fn is_accepted(file: &FileFacts, fault: &SchemaFault) -> bool {
     match file.kind {
-        Kind::Skeleton => fault.keyword.starts_with("/$defs/bone/properties/rotation_plane"),
-        Kind::Pose => fault.keyword.starts_with("/properties/unit_poses/additionalProperties") && is_number(fault),
+        Kind::Skeleton => fault
+            .keyword
+            .starts_with("/$defs/bone/properties/rotation_plane"),
+        Kind::Pose => {
+            fault
+                .keyword
+                .starts_with("/properties/unit_poses/additionalProperties")
+                && is_number(fault)
+        }
         _ => false,
     }
 }
@@ -73,7 +83,11 @@ fn is_number(fault: &SchemaFault) -> bool {
 }
 
 /// What a fault comes to.
-pub(super) fn of_value(layout: &mhlint_discover::Layout, file: &FileFacts, fault: &SchemaFault) -> Option<Consequence> {
+pub(super) fn of_value(
+    layout: &mhlint_discover::Layout,
+    file: &FileFacts,
+    fault: &SchemaFault,
+) -> Option<Consequence> {
     if (layout.single)(&file.rel) == Some(Single::FirstRig) && file.kind == Kind::Weights {
         return Some(Consequence::new(Error, STOPS_AT_START));
     }

@@ -1,27 +1,32 @@
 //! What MakeHuman 2 does with a file that it cannot read or find.
 //!
 //! `docs/loaders/makehuman2/folders.md#overlays`, `docs/loaders/makehuman2/text-and-json.md#json`,
-//! `docs/loaders/makehuman2/macros.md#special-cases`, `docs/loaders/makehuman2/sliders.md#faults-of-sliders`,
-//! `docs/loaders/makehuman2/user-targets.md#scan-of-the-folder`, `docs/loaders/makehuman2/base.md#keys`,
-//! `docs/loaders/makehuman2/base.md#geometryjson`, `docs/loaders/makehuman2/base-mesh.md#which-file-is-read`,
-//! `docs/loaders/makehuman2/skeletons.md#faults-of-skeletons`, `docs/loaders/makehuman2/weights.md#faults-of-weights`,
+//! `docs/loaders/makehuman2/macros.md#special-cases`,
+//! `docs/loaders/makehuman2/sliders.md#faults-of-sliders`,
+//! `docs/loaders/makehuman2/user-targets.md#scan-of-the-folder`,
+//! `docs/loaders/makehuman2/base.md#keys`, `docs/loaders/makehuman2/base.md#geometryjson`,
+//! `docs/loaders/makehuman2/base-mesh.md#which-file-is-read`,
+//! `docs/loaders/makehuman2/skeletons.md#faults-of-skeletons`,
+//! `docs/loaders/makehuman2/weights.md#faults-of-weights`,
 //! `docs/loaders/makehuman2/poses.md#pose-units`, `docs/loaders/makehuman2/materials.md#lines`,
 //! `docs/loaders/makehuman2/libraries.md#scan`, `docs/loaders/makehuman2/libraries.md#filters`,
-//! `docs/loaders/makehuman2/program.md#version-and-settings`, `docs/loaders/makehuman2/program.md#sky-boxes`,
-//! `docs/loaders/makehuman2/program.md#lamp-symbol`, `docs/loaders/makehuman2/program.md#newer-program`.
+//! `docs/loaders/makehuman2/program.md#version-and-settings`,
+//! `docs/loaders/makehuman2/program.md#sky-boxes`,
+//! `docs/loaders/makehuman2/program.md#lamp-symbol`,
+//! `docs/loaders/makehuman2/program.md#newer-program`.
 
 use super::super::overlay::{SystemFolder, system_folder};
 use super::table::At::{self, Generated, Replaced, Scanned};
 use super::table::{Cell, LOST_WHOLE, Row, Table, anywhere, cell, cells, level, nothing, row};
 use super::{Consequence, Damage, Moment};
 use Damage::{
-    Absent, Closed, Dangling, Empty, MarkedComment, MarkedRow, MarkedWord, Needless, NotUtf8, Packed, Pointer, Refused,
-    Special, Syntax, TooDeep,
+    Absent, Closed, Dangling, Empty, MarkedComment, MarkedRow, MarkedWord, Needless, NotUtf8,
+    Packed, Pointer, Refused, Special, Syntax, TooDeep,
 };
 use Moment::{Never, Scan, Start, Tools, Use};
 use ReferenceKind::{
-    AssetMaterial, AssetMesh, AssetWeights, Decr, Icon, Incr, MacroTarget, Model, ModelMaterial, ModelSkeleton,
-    PoseSkeleton, Skin, Texture, WeightsFile,
+    AssetMaterial, AssetMesh, AssetWeights, Decr, Icon, Incr, MacroTarget, Model, ModelMaterial,
+    ModelSkeleton, PoseSkeleton, Skin, Texture, WeightsFile,
 };
 use Single::{BesideBase, Expressions, LampSymbol, Poses, ScriptedRanges, SkySide, Thumbnail};
 use mhlint_diag::Level::{Error, Info, Warning};
@@ -30,27 +35,38 @@ use mhlint_discover::{Kind, Layout, Single};
 use mhlint_repo::ReferenceKind;
 use mhlint_repo::makehuman2::{Base, View};
 
-pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_general: IN_GENERAL, unfound: UNFOUND };
+pub(super) static TABLE: Table = Table {
+    rows: ROWS,
+    at_moment: AT_MOMENT,
+    in_general: IN_GENERAL,
+    unfound: UNFOUND,
+};
 
 /// What a text that crashes the program does while an archive stands for it.
-pub(crate) const ARCHIVED: Case =
-    &[(Makehuman2, Warning, "crashes at start once the archive of the folder is deleted and rebuilt")];
+pub(crate) const ARCHIVED: Case = &[(
+    Makehuman2,
+    Warning,
+    "crashes at start once the archive of the folder is deleted and rebuilt",
+)];
 
 /// What a mesh does that an archive is read in place of.
 pub(crate) const UNREAD_MESH: Case = &[(Makehuman2, Info, UNREAD)];
-const UNREAD: &str = "reads base.mhbin instead; the fault takes effect once the archive is rebuilt from this mesh";
+const UNREAD: &str =
+    "reads base.mhbin instead; the fault takes effect once the archive is rebuilt from this mesh";
 
 pub(super) const NOT_READ: &str = "never reads this file; the scripts that align joint cubes crash";
-pub(crate) const NEVER_OPENED: &str = "never opens it; its scripts open only the geometry.json of `hm08`";
+pub(crate) const NEVER_OPENED: &str =
+    "never opens it; its scripts open only the geometry.json of `hm08`";
 pub(super) const REFUSED_ASSET: &str = "refuses the asset with a message: it cannot be put on";
-pub(super) const NO_WEIGHTS_LOADED: &str = "loads no weights: in pose mode the mesh collapses to the origin";
+pub(super) const NO_WEIGHTS_LOADED: &str =
+    "loads no weights: in pose mode the mesh collapses to the origin";
 /// What becomes of a base without a skeleton for poses.
 pub(crate) const NO_POSE_SKELETON: &str = "has no poses and no bone weights for assets, shows a message whenever \
     poses or rigs are opened, and crashes with `AttributeError` in the editors, up to 2026-08-05 also in the glTF export";
 const TYPE_ERROR: &str = "crashes at start with `TypeError`";
 const NO_BASE: &str = "does not load the base mesh";
-/// What becomes of a `.mhskel` or `.mhpose` of which the scan of assets makes nothing; since 08f975c it does not stop there
-/// (`docs/loaders/makehuman2/program.md#newer-program`).
+/// What becomes of a `.mhskel` or `.mhpose` of which the scan of assets makes nothing; since
+/// 08f975c it does not stop there (`docs/loaders/makehuman2/program.md#newer-program`).
 pub(crate) const NOT_SCANNED: &str = "up to 2026-08-05 crashes at start with `AttributeError` while scanning \
     the assets; since 2026-08-14 logs a line and does not list the file";
 const SCAN_SYNTAX: Cell = cell(Syntax, Error, NOT_SCANNED);
@@ -58,7 +74,8 @@ const TOOLS: &str = "never reads it; the tools that read it crash";
 const DROPS: Cell = cell(NotUtf8, Warning, "drops the bytes that are not UTF-8");
 const NO_EXPRESSIONS: &str = "offers no expressions for the base";
 const NO_POSES: &str = "offers no pose editor for the base";
-const NO_FILTER: &str = "logs a line and uses the filter of the system data; if there is none, tags lead to no label";
+const NO_FILTER: &str =
+    "logs a line and uses the filter of the system data; if there is none, tags lead to no label";
 const NO_VERSION: &str = "exits at start with code 20";
 const NO_SHADERS: &str = "exits at start with code 21";
 const NO_WEIGHTS: &[Cell] = &[
@@ -69,8 +86,7 @@ const NO_WEIGHTS: &[Cell] = &[
 ];
 const WHITE: &str = "shows the default white material";
 const NO_ATTACHMENT: Cell = cell(Empty, Error, "cannot attach the asset");
-const EMPTY_ARCHIVE: &str =
-    "crashes at start while scanning the assets; beside a newer text it lists the asset and cannot put it on";
+const EMPTY_ARCHIVE: &str = "crashes at start while scanning the assets; beside a newer text it lists the asset and cannot put it on";
 const NO_PICTURE: &[Cell] = &[
     level(Closed, Warning),
     level(Pointer, Warning),
@@ -81,12 +97,14 @@ const NO_PICTURE: &[Cell] = &[
     exports if a material names it",
     ),
 ];
-/// The symbol of a lamp is loaded while OpenGL is made ready (`docs/loaders/makehuman2/program.md#lamp-symbol`).
+/// The symbol of a lamp is loaded while OpenGL is made ready
+/// (`docs/loaders/makehuman2/program.md#lamp-symbol`).
 pub(crate) const NO_LAMP: &str = "crashes at every start with a segmentation fault";
 /// A side is handed to OpenGL as it is (`docs/loaders/makehuman2/program.md#sky-boxes`).
 const NO_SKY: &str = "crashes with a segmentation fault when the skybox is shown, at every start if it is that of \
     `shader.json`";
-const NO_USER_ICON: &str = "crashes at start with `FileNotFoundError` if the picture is a broken link";
+const NO_USER_ICON: &str =
+    "crashes at start with `FileNotFoundError` if the picture is a broken link";
 const BINARY: Cell = level(Pointer, Warning);
 
 #[rustfmt::skip]
@@ -249,9 +267,26 @@ const ROWS: &[Row] = &[
 ];
 
 const AT_MOMENT: &[(Moment, Cell)] = &[
-    (Start, cell(NotUtf8, Error, "crashes at start with `UnicodeDecodeError`")),
-    (Scan, cell(NotUtf8, Error, "crashes at start with `UnicodeDecodeError` while scanning the assets")),
-    (Scan, cell(Dangling, Error, "crashes at start with `FileNotFoundError` while scanning the assets")),
+    (
+        Start,
+        cell(NotUtf8, Error, "crashes at start with `UnicodeDecodeError`"),
+    ),
+    (
+        Scan,
+        cell(
+            NotUtf8,
+            Error,
+            "crashes at start with `UnicodeDecodeError` while scanning the assets",
+        ),
+    ),
+    (
+        Scan,
+        cell(
+            Dangling,
+            Error,
+            "crashes at start with `FileNotFoundError` while scanning the assets",
+        ),
+    ),
     (Scan, cell(Refused, Error, NOT_SCANNED)),
     (Tools, cell(NotUtf8, Warning, TOOLS)),
     (Tools, cell(Refused, Warning, TOOLS)),
@@ -260,12 +295,36 @@ const AT_MOMENT: &[(Moment, Cell)] = &[
 const IN_GENERAL: &[Cell] = &[
     level(Closed, Error),
     level(Pointer, Error),
-    cell(Refused, Warning, "treats it as missing, if it reads it at all"),
-    cell(MarkedRow, Error, "reads the first line as a row and crashes at start with `ValueError`"),
-    cell(MarkedWord, Warning, "does not recognise the first word and ignores its line"),
-    cell(MarkedComment, Info, "ignores the first line, which is only a comment"),
-    cell(NotUtf8, Error, "crashes with `UnicodeDecodeError` when the file is used"),
-    cell(Syntax, Warning, "treats it as missing, if it reads it at all"),
+    cell(
+        Refused,
+        Warning,
+        "treats it as missing, if it reads it at all",
+    ),
+    cell(
+        MarkedRow,
+        Error,
+        "reads the first line as a row and crashes at start with `ValueError`",
+    ),
+    cell(
+        MarkedWord,
+        Warning,
+        "does not recognise the first word and ignores its line",
+    ),
+    cell(
+        MarkedComment,
+        Info,
+        "ignores the first line, which is only a comment",
+    ),
+    cell(
+        NotUtf8,
+        Error,
+        "crashes with `UnicodeDecodeError` when the file is used",
+    ),
+    cell(
+        Syntax,
+        Warning,
+        "treats it as missing, if it reads it at all",
+    ),
     cell(Special, Warning, "accepts it and calculates with it"),
     level(TooDeep, Error),
     cell(Packed, Info, "never opens it"),
@@ -297,11 +356,19 @@ pub(crate) fn is_opened_by_scripts(rel: &str) -> bool {
     (Layout::of(Makehuman2).single)(rel) == Some(ScriptedRanges)
 }
 
-/// What becomes of a base whose override of this name is ignored, with or without a file of the system's behind it.
-pub(crate) fn ignored_override(view: &View<'_>, base: &Base<'_>, name: &str, has_system: bool) -> String {
+/// What becomes of a base whose override of this name is ignored, with or without a file of the
+/// system's behind it.
+pub(crate) fn ignored_override(
+    view: &View<'_>,
+    base: &Base<'_>,
+    name: &str,
+    has_system: bool,
+) -> String {
     let folder = system_folder(view, base);
     let instead = match (has_system, folder) {
-        (true, _) => "ignores the override with only a log line, and uses the file of the system data",
+        (true, _) => {
+            "ignores the override with only a log line, and uses the file of the system data"
+        }
         (false, SystemFolder::Unknown) => {
             "ignores the override with only a log line, and uses the file of the system data if it exists"
         }

@@ -1,5 +1,6 @@
 //! What becomes of what a misspelt key was meant for: a table by format and key
-//! (`docs/loaders/makehuman2/macros.md#structure`, `docs/loaders/makehuman2/sliders.md#keys-of-a-slider`,
+//! (`docs/loaders/makehuman2/macros.md#structure`,
+//! `docs/loaders/makehuman2/sliders.md#keys-of-a-slider`,
 //! `docs/loaders/makehuman2/sliders.md#categories`, `docs/loaders/makehuman2/base.md#keys`).
 
 use super::{Consequence, NO_POSE_SKELETON};
@@ -20,14 +21,18 @@ struct Row {
 }
 
 const fn row(kind: Kind, meant: &'static str, level: Level, effect: &'static str) -> Row {
-    Row { kind, meant, consequence: Consequence::new(level, effect) }
+    Row {
+        kind,
+        meant,
+        consequence: Consequence::new(level, effect),
+    }
 }
 
 const NO_HINT: &str = "ignores the key; nothing else is lost";
-const NO_PARTNER: &str = "ignores the key: the slider has no left/right counterpart, so symmetry changes one side only";
+const NO_PARTNER: &str =
+    "ignores the key: the slider has no left/right counterpart, so symmetry changes one side only";
 const ONE_SIDED: &str = "ignores the key: the sliders have only one direction";
-const RANDOM_STOPS: &str =
-    "ignores the key and crashes with `KeyError` when it makes a random character; the sliders have only one direction";
+const RANDOM_STOPS: &str = "ignores the key and crashes with `KeyError` when it makes a random character; the sliders have only one direction";
 
 #[rustfmt::skip]
 static ROWS: [Row; 22] = [
@@ -56,24 +61,43 @@ static ROWS: [Row; 22] = [
     row(BaseJson, "numverts", Info, NO_HINT),
 ];
 
-pub(super) fn of_misspelt(view: &View<'_>, file: &FileFacts, unknown: &UnknownKey) -> Option<Consequence> {
+pub(super) fn of_misspelt(
+    view: &View<'_>,
+    file: &FileFacts,
+    unknown: &UnknownKey,
+) -> Option<Consequence> {
     let meant = unknown.nearest.as_deref()?;
     if file.kind == BaseJson && meant == "target-opposites" {
         return Some(without_opposites(view, file));
     }
-    let row = ROWS.iter().find(|row| row.kind == file.kind && row.meant == meant);
+    let row = ROWS
+        .iter()
+        .find(|row| row.kind == file.kind && row.meant == meant);
     let matters = matches!(file.kind, ModellingJson | TargetCategories | BaseJson);
-    let usual = matters.then_some(Consequence { level: Warning, effect: None });
+    let usual = matters.then_some(Consequence {
+        level: Warning,
+        effect: None,
+    });
     row.map(|row| row.consequence).or(usual)
 }
 
 /// The random character view looks a partner up by the pattern that a pair would have.
 fn without_opposites(view: &View<'_>, file: &FileFacts) -> Consequence {
-    let mut own = view.bases.iter().filter(|base| base.own_json.is_some_and(|(json, _)| std::ptr::eq(json, file)));
+    let mut own = view.bases.iter().filter(|base| {
+        base.own_json
+            .is_some_and(|(json, _)| std::ptr::eq(json, file))
+    });
     let has_partner = own.any(|base| {
-        let mut pairs = base.sliders.iter().filter(|bound| bound.is_undeclared_pair());
+        let mut pairs = base
+            .sliders
+            .iter()
+            .filter(|bound| bound.is_undeclared_pair());
         pairs.any(|bound| bound.slider.lsym.is_some() || bound.slider.rsym.is_some())
     });
-    let (level, effect) = if has_partner { (Error, RANDOM_STOPS) } else { (Warning, ONE_SIDED) };
+    let (level, effect) = if has_partner {
+        (Error, RANDOM_STOPS)
+    } else {
+        (Warning, ONE_SIDED)
+    };
     Consequence::new(level, effect)
 }

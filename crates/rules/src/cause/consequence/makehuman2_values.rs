@@ -1,10 +1,15 @@
-//! What becomes of a value that does not fit its schema, where it is not the usual exception: a table by schema place
-//! (`docs/loaders/makehuman2/macros.md#structure`, `docs/loaders/makehuman2/sliders.md#keys-of-a-slider`,
+//! What becomes of a value that does not fit its schema, where it is not the usual exception: a
+//! table by schema place (`docs/loaders/makehuman2/macros.md#structure`,
+//! `docs/loaders/makehuman2/sliders.md#keys-of-a-slider`,
 //! `docs/loaders/makehuman2/sliders.md#categories`, `docs/loaders/makehuman2/base.md#keys`,
-//! `docs/loaders/makehuman2/base.md#geometryjson`, `docs/loaders/makehuman2/skeletons.md#keys-of-a-skeleton`,
-//! `docs/loaders/makehuman2/weights.md#faults-of-weights`, `docs/loaders/makehuman2/libraries.md#scan`).
+//! `docs/loaders/makehuman2/base.md#geometryjson`,
+//! `docs/loaders/makehuman2/skeletons.md#keys-of-a-skeleton`,
+//! `docs/loaders/makehuman2/weights.md#faults-of-weights`,
+//! `docs/loaders/makehuman2/libraries.md#scan`).
 
-use super::makehuman2::{NEVER_OPENED, NO_WEIGHTS_LOADED, NOT_READ, REFUSED_ASSET, is_opened_by_scripts};
+use super::makehuman2::{
+    NEVER_OPENED, NO_WEIGHTS_LOADED, NOT_READ, REFUSED_ASSET, is_opened_by_scripts,
+};
 use super::values::{ANY, NULL, Row, TEXT, Test, row};
 use super::{Consequence, values};
 use mhlint_diag::Level;
@@ -30,11 +35,14 @@ const EMPTY: Test = |found| match found {
 const SKIPPED: &str = "silently skips the combination";
 const SCAN_TYPE: &str = "crashes at start with `TypeError` while scanning the assets";
 const IGNORED_BONE: &str = "ignores the entry: no bone has this name";
-const OF_DEFAULT: Consequence = Consequence::new(Level::Info, "never reads the references of the default skeleton");
+const OF_DEFAULT: Consequence = Consequence::new(
+    Level::Info,
+    "never reads the references of the default skeleton",
+);
 
 use Kind::{
-    BaseJson, Geometry, MacroJson, ModellingJson, Pose, PoseUnits, SelectionFilter, Shaders, Skeleton,
-    TargetCategories, Version, Weights,
+    BaseJson, Geometry, MacroJson, ModellingJson, Pose, PoseUnits, SelectionFilter, Shaders,
+    Skeleton, TargetCategories, Version, Weights,
 };
 use Level::{Error, Warning};
 
@@ -144,7 +152,10 @@ static ROWS: [Row; 86] = [
 
 /// Whether the value is, or is in, a list of bones of the default skeleton.
 fn is_reference(fault: &SchemaFault) -> bool {
-    let lists = ["/$defs/bone/properties/reference/", "/$defs/bone/properties/weights_reference/"];
+    let lists = [
+        "/$defs/bone/properties/reference/",
+        "/$defs/bone/properties/weights_reference/",
+    ];
     lists.iter().any(|list| fault.keyword.starts_with(list))
 }
 
@@ -155,9 +166,16 @@ fn is_for_poses(view: &View<'_>, file: &FileFacts) -> bool {
 }
 
 /// What a value of a file comes to, where it is not what `json-schema` says in general.
-pub(super) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -> Option<Consequence> {
+pub(super) fn of_value(
+    view: &View<'_>,
+    file: &FileFacts,
+    fault: &SchemaFault,
+) -> Option<Consequence> {
     if is_note(file.kind, fault) {
-        return Some(Consequence::new(Level::Info, "treats the note as an entry that no window shows"));
+        return Some(Consequence::new(
+            Level::Info,
+            "treats the note as an entry that no window shows",
+        ));
     }
     if file.kind == Geometry && !is_opened_by_scripts(&file.rel) {
         return Some(Consequence::new(Level::Info, NEVER_OPENED));
@@ -166,8 +184,14 @@ pub(super) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -
     if kind == Skeleton && is_reference(fault) && is_for_poses(view, file) {
         return Some(OF_DEFAULT);
     }
-    if kind == MacroJson && fault.keyword.starts_with("/$defs/target/required") && is_lost(file, fault) {
-        return Some(Consequence::new(Error, "never applies the macrodef: none of its combinations has a file"));
+    if kind == MacroJson
+        && fault.keyword.starts_with("/$defs/target/required")
+        && is_lost(file, fault)
+    {
+        return Some(Consequence::new(
+            Error,
+            "never applies the macrodef: none of its combinations has a file",
+        ));
     }
     let of = |kind| values::first_fit(&ROWS, kind, fault);
     let general = || (kind == Kind::AssetWeights).then(|| of(Weights)).flatten();
@@ -176,23 +200,44 @@ pub(super) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -
 
 /// What numbers come to that JSON does not have, where a slider is reset to one.
 pub(super) fn of_special(file: &FileFacts) -> Option<Consequence> {
-    let Content::Modelling(model) = &*file.content else { return None };
-    let is_reset_to_one = model.sliders.iter().any(|slider| slider.default.is_some_and(|default| !default.is_finite()));
-    let effect =
-        "resets the slider to a value that is NaN or infinite; then the size information crashes with `ValueError`";
+    let Content::Modelling(model) = &*file.content else {
+        return None;
+    };
+    let is_reset_to_one = model
+        .sliders
+        .iter()
+        .any(|slider| slider.default.is_some_and(|default| !default.is_finite()));
+    let effect = "resets the slider to a value that is NaN or infinite; then the size information crashes with `ValueError`";
     is_reset_to_one.then(|| Consequence::new(Error, effect))
 }
 
 /// Whether the macro definition of an incomplete combination has no complete one.
 fn is_lost(file: &FileFacts, fault: &SchemaFault) -> bool {
-    let Content::Macro(macros) = &*file.content else { return false };
-    let rest = fault.pointer.strip_prefix("/macrodef/").and_then(|rest| rest.split('/').next());
-    let Some(index) = rest.and_then(|index| index.parse::<usize>().ok()) else { return false };
-    macros.macrodefs.get(index).is_some_and(|own| !own.has_target)
+    let Content::Macro(macros) = &*file.content else {
+        return false;
+    };
+    let rest = fault
+        .pointer
+        .strip_prefix("/macrodef/")
+        .and_then(|rest| rest.split('/').next());
+    let Some(index) = rest.and_then(|index| index.parse::<usize>().ok()) else {
+        return false;
+    };
+    macros
+        .macrodefs
+        .get(index)
+        .is_some_and(|own| !own.has_target)
 }
 
-/// Whether it is a text that somebody wrote among the sliders for people, under a key such as `_comment`.
+/// Whether it is a text that somebody wrote among the sliders for people, under a key such as
+/// `_comment`.
 fn is_note(kind: Kind, fault: &SchemaFault) -> bool {
-    let is_top = fault.pointer.strip_prefix("/_").is_some_and(|key| !key.contains('/'));
-    kind == ModellingJson && fault.keyword.starts_with("/$defs/entry/type") && is_top && TEXT_OR_LIST(fault.found())
+    let is_top = fault
+        .pointer
+        .strip_prefix("/_")
+        .is_some_and(|key| !key.contains('/'));
+    kind == ModellingJson
+        && fault.keyword.starts_with("/$defs/entry/type")
+        && is_top
+        && TEXT_OR_LIST(fault.found())
 }

@@ -1,4 +1,5 @@
-//! What becomes of a file that an application cannot read: one table an application, with a row for each role of files.
+//! What becomes of a file that an application cannot read: one table an application, with a row for
+//! each role of files.
 //!
 //! `file-*`, `json-*` and `overlay-*` ask here how bad a damage is and what a user sees of it.
 
@@ -14,7 +15,8 @@ mod values;
 
 pub(crate) use makehuman1::{NO_FRAME, STOPS_AT_START};
 pub(crate) use makehuman2::{
-    ARCHIVED, NEVER_OPENED, NO_LAMP, NO_POSE_SKELETON, NOT_SCANNED, UNREAD_MESH, ignored_override, is_opened_by_scripts,
+    ARCHIVED, NEVER_OPENED, NO_LAMP, NO_POSE_SKELETON, NOT_SCANNED, UNREAD_MESH, ignored_override,
+    is_opened_by_scripts,
 };
 use table::{Row, Spot, Standing, Table};
 pub use unread::Unread;
@@ -61,7 +63,8 @@ pub(crate) enum Damage {
     Empty,
     /// Nothing is in it, and nothing needs it.
     Needless,
-    /// A JSON that is rejected before its syntax matters: nothing is in it, or a byte order mark before it.
+    /// A JSON that is rejected before its syntax matters: nothing is in it, or a byte order mark
+    /// before it.
     Refused,
     /// A byte order mark before a line of data.
     MarkedRow,
@@ -81,7 +84,8 @@ pub(crate) enum Damage {
     Packed,
 }
 
-/// How bad a damage is, and what the user sees where that is not what the rule says of it in general.
+/// How bad a damage is, and what the user sees where that is not what the rule says of it in
+/// general.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Consequence {
     pub(crate) level: Level,
@@ -90,13 +94,20 @@ pub(crate) struct Consequence {
 
 impl Consequence {
     const fn new(level: Level, effect: &'static str) -> Self {
-        Self { level, effect: Some(effect) }
+        Self {
+            level,
+            effect: Some(effect),
+        }
     }
 
     /// The finding with this level and effect in the application of the view.
     pub(crate) fn of(self, view: &View<'_>, finding: Finding) -> Finding {
         let finding = finding.level_in(view.application(), self.level);
-        if let Some(effect) = self.effect { finding.effect_in(view.application(), effect) } else { finding }
+        if let Some(effect) = self.effect {
+            finding.effect_in(view.application(), effect)
+        } else {
+            finding
+        }
     }
 }
 
@@ -117,7 +128,11 @@ fn asked(view: &View<'_>, rel: &str) -> (&'static Table, &'static Row, Moment) {
         false if view.is_replaced(rel) => Standing::Replaced,
         false => Standing::Usual,
     };
-    let spot = Spot { layout: view.layout(), rel, standing };
+    let spot = Spot {
+        layout: view.layout(),
+        rel,
+        standing,
+    };
     let row = table.row(view.kind_at(rel), spot);
     (table, row, row.moment(spot))
 }
@@ -127,25 +142,40 @@ pub(crate) fn moment(view: &View<'_>, rel: &str) -> Moment {
     asked(view, rel).2
 }
 
-/// What a damage of the file at a path comes to; `None` where nothing happens, or nobody needs what is lost.
+/// What a damage of the file at a path comes to; `None` where nothing happens, or nobody needs what
+/// is lost.
 pub(crate) fn consequence(view: &View<'_>, rel: &str, damage: Damage) -> Option<Consequence> {
     let is_of_macros = |file: &FileFacts| view.composes_name_of(file);
-    let of_macros = view.layers().checked.file(rel).filter(|file| is_of_macros(file));
+    let of_macros = view
+        .layers()
+        .checked
+        .file(rel)
+        .filter(|file| is_of_macros(file));
     if let Some(own) = of_macros.and_then(|_| mpfb::of_macro_target(damage)) {
         return Some(own);
     }
-    // Of macros an empty file is the shape that changes nothing; what is one is not known without the modifiers.
+    // Of macros an empty file is the shape that changes nothing; what is one is not known without
+    // the modifiers.
     let is_identity = |file: &FileFacts| match view.target(file) {
-        Target { used_as: None, is_unused, .. } => {
-            !is_unused || TargetName::of(&file.rel).is_ok_and(|name| name.is_macro())
-        }
+        Target {
+            used_as: None,
+            is_unused,
+            ..
+        } => !is_unused || TargetName::of(&file.rel).is_ok_and(|name| name.is_macro()),
         target => target.used_as == Some(ReferenceKind::MacroTarget),
     };
-    let is_empty_target = damage == Damage::Empty && view.is_makehuman1() && view.kind_at(rel) == Kind::Target;
+    let is_empty_target =
+        damage == Damage::Empty && view.is_makehuman1() && view.kind_at(rel) == Kind::Target;
     if is_empty_target && view.layers().checked.file(rel).is_some_and(is_identity) {
         return None;
     }
-    if damage == Damage::MarkedWord && view.layers().checked.file(rel).is_some_and(|file| hides_version(view, file)) {
+    if damage == Damage::MarkedWord
+        && view
+            .layers()
+            .checked
+            .file(rel)
+            .is_some_and(|file| hides_version(view, file))
+    {
         return Some(Consequence::new(Level::Error, makehuman1::RESET));
     }
     if is_list_without_archive(view, rel) {
@@ -155,26 +185,49 @@ pub(crate) fn consequence(view: &View<'_>, rel: &str, damage: Damage) -> Option<
     table.consequence(row, moment, damage)
 }
 
-/// Whether a path is that of the list of pictures, which MakeHuman 1 reads only beside an archive that it can open.
+/// Whether a path is that of the list of pictures, which MakeHuman 1 reads only beside an archive
+/// that it can open.
 fn is_list_without_archive(view: &View<'_>, rel: &str) -> bool {
-    let Some(own) = view.as_makehuman1().filter(|_| view.kind_at(rel) == Kind::PictureList) else { return false };
-    own.targets.archive.as_ref().is_none_or(|archive| archive.unused == Some(Unused::Closed))
+    let Some(own) = view
+        .as_makehuman1()
+        .filter(|_| view.kind_at(rel) == Kind::PictureList)
+    else {
+        return false;
+    };
+    own.targets
+        .archive
+        .as_ref()
+        .is_none_or(|archive| archive.unused == Some(Unused::Closed))
 }
 
-/// Whether a byte order mark hides the version of a model, without which MakeHuman 1 does not read it.
+/// Whether a byte order mark hides the version of a model, without which MakeHuman 1 does not read
+/// it.
 fn hides_version(view: &View<'_>, file: &FileFacts) -> bool {
-    let is_version = || file.encoding.marked_words.first().is_some_and(|word| &**word == "version");
+    let is_version = || {
+        file.encoding
+            .marked_words
+            .first()
+            .is_some_and(|word| &**word == "version")
+    };
     view.is_makehuman1() && view.kind_at(&file.rel) == Kind::Model && is_version()
 }
 
 /// What the application does if a name leads to no file; `None` for a name that it does not have.
 pub(crate) fn unfound(view: &View<'_>, kind: ReferenceKind) -> Option<Consequence> {
     let names = table(view.application()).unfound;
-    names.iter().find(|(kinds, _)| kinds.contains(&kind)).map(|(_, consequence)| *consequence)
+    names
+        .iter()
+        .find(|(kinds, _)| kinds.contains(&kind))
+        .map(|(_, consequence)| *consequence)
 }
 
-/// What a value comes to that does not fit the schema, where it is not what `json-schema` says in general.
-pub(crate) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -> Option<Consequence> {
+/// What a value comes to that does not fit the schema, where it is not what `json-schema` says in
+/// general.
+pub(crate) fn of_value(
+    view: &View<'_>,
+    file: &FileFacts,
+    fault: &SchemaFault,
+) -> Option<Consequence> {
     match view {
         View::Makehuman2(view) => makehuman2_values::of_value(view, file, fault),
         View::Mpfb(_) => mpfb::of_value(file, fault),
@@ -193,12 +246,20 @@ pub(crate) fn is_accepted(view: &View<'_>, file: &FileFacts, fault: &SchemaFault
 
 /// What numbers come to that JSON does not have.
 pub(crate) fn of_special(view: &View<'_>, file: &FileFacts) -> Option<Consequence> {
-    let own = if let View::Makehuman2(_) = view { makehuman2_values::of_special(file) } else { None };
+    let own = if let View::Makehuman2(_) = view {
+        makehuman2_values::of_special(file)
+    } else {
+        None
+    };
     own.or_else(|| consequence(view, &file.rel, Damage::Special))
 }
 
 /// What becomes of what a misspelt key was meant for; nothing if the key is like no other.
-pub(crate) fn of_misspelt(view: &View<'_>, file: &FileFacts, unknown: &UnknownKey) -> Option<Consequence> {
+pub(crate) fn of_misspelt(
+    view: &View<'_>,
+    file: &FileFacts,
+    unknown: &UnknownKey,
+) -> Option<Consequence> {
     match view {
         View::Makehuman2(view) => makehuman2_keys::of_misspelt(view, file, unknown),
         View::Makehuman1(_) | View::Mpfb(_) => None,
@@ -214,23 +275,40 @@ mod tests {
 
     /// A path that no loader knows.
     fn spot(application: Application) -> Spot<'static> {
-        Spot { layout: Layout::of(application), rel: "x", standing: Standing::Usual }
+        Spot {
+            layout: Layout::of(application),
+            rel: "x",
+            standing: Standing::Usual,
+        }
     }
 
     #[test]
     fn every_kind_that_is_read_has_a_consequence_in_every_application() {
-        for (format, application) in FORMATS.iter().flat_map(|format| Application::ALL.map(|one| (format, one))) {
+        for (format, application) in FORMATS
+            .iter()
+            .flat_map(|format| Application::ALL.map(|one| (format, one)))
+        {
             let table = table(application);
             let spot = spot(application);
             let row = table.row(format.kind, spot);
-            let lost = if format.is_json() { Damage::Syntax } else { Damage::Packed };
+            let lost = if format.is_json() {
+                Damage::Syntax
+            } else {
+                Damage::Packed
+            };
             for damage in [Damage::Closed, Damage::Pointer, Damage::NotUtf8, lost] {
                 let found = table.consequence(row, row.moment(spot), damage);
                 // It never opens a packed target.
-                let is_never = (application, format.kind, damage) == (Makehuman2, Kind::PackedTarget, Damage::Pointer);
+                let is_never = (application, format.kind, damage)
+                    == (Makehuman2, Kind::PackedTarget, Damage::Pointer);
                 // What a compiler of shaders makes of other letters is not known.
-                let is_open = (application, format.kind, damage) == (Makehuman1, Kind::ShaderSource, Damage::NotUtf8);
-                assert!(found.is_some() || is_never || is_open, "{application:?} {:?} {damage:?}", format.kind);
+                let is_open = (application, format.kind, damage)
+                    == (Makehuman1, Kind::ShaderSource, Damage::NotUtf8);
+                assert!(
+                    found.is_some() || is_never || is_open,
+                    "{application:?} {:?} {damage:?}",
+                    format.kind
+                );
             }
         }
     }
@@ -240,9 +318,17 @@ mod tests {
         let own = table::anywhere(Kind::Json, Moment::Use, NOT_MINDED);
         let unknown = &table::UNKNOWN;
         assert_eq!(unknown.consequence(&own, Moment::Use, Damage::Syntax), None);
-        assert!(unknown.consequence(&own, Moment::Use, Damage::NotUtf8).is_some());
+        assert!(
+            unknown
+                .consequence(&own, Moment::Use, Damage::NotUtf8)
+                .is_some()
+        );
         let special = |kind| {
-            makehuman2::TABLE.consequence(makehuman2::TABLE.row(kind, spot(Makehuman2)), Moment::Use, Damage::Special)
+            makehuman2::TABLE.consequence(
+                makehuman2::TABLE.row(kind, spot(Makehuman2)),
+                Moment::Use,
+                Damage::Special,
+            )
         };
         assert!(special(Kind::AssetWeights).is_none() && special(Kind::Skeleton).is_some());
     }

@@ -1,6 +1,9 @@
-//! What MPFB does with a file that it cannot read or find (`docs/loaders/mpfb/sliders.md#faults-of-the-catalogue`,
-//! `docs/loaders/mpfb/macros.md#faults-of-macros`, `docs/loaders/mpfb/expressions.md#faults-of-expressions`,
-//! `docs/loaders/mpfb/models.md#saved-characters`, `docs/loaders/mpfb/materials.md#settings-of-skins`).
+//! What MPFB does with a file that it cannot read or find
+//! (`docs/loaders/mpfb/sliders.md#faults-of-the-catalogue`,
+//! `docs/loaders/mpfb/macros.md#faults-of-macros`,
+//! `docs/loaders/mpfb/expressions.md#faults-of-expressions`,
+//! `docs/loaders/mpfb/models.md#saved-characters`,
+//! `docs/loaders/mpfb/materials.md#settings-of-skins`).
 
 use super::table::{Cell, LOST, Table, anywhere, cell, nothing};
 use super::{Consequence, Damage, Moment};
@@ -10,7 +13,9 @@ use mhlint_diag::Level::{Error, Info, Warning};
 use mhlint_discover::Kind;
 use mhlint_json::{Found, SchemaFault};
 use mhlint_repo::FileFacts;
-use mhlint_repo::ReferenceKind::{AssetMaterial, AssetMesh, SkinTexture, SliderName, Slot, Texture};
+use mhlint_repo::ReferenceKind::{
+    AssetMaterial, AssetMesh, SkinTexture, SliderName, Slot, Texture,
+};
 
 pub(super) static TABLE: Table = Table {
     rows: &[
@@ -55,11 +60,32 @@ pub(super) static TABLE: Table = Table {
     at_moment: &[],
     in_general: LOST,
     unfound: &[
-        (&[Slot, SliderName], Consequence::new(Error, "does not find the target and fails when its slider moves")),
-        (&[AssetMesh], Consequence::new(Error, "fails with `OSError` when the asset is loaded")),
-        (&[AssetMaterial], Consequence::new(Error, "fails with `FileNotFoundError` when it puts the asset on")),
-        (&[Texture], Consequence::new(Warning, "makes the material without this picture")),
-        (&[SkinTexture], Consequence::new(Error, "fails when the skin is used as a layered one")),
+        (
+            &[Slot, SliderName],
+            Consequence::new(
+                Error,
+                "does not find the target and fails when its slider moves",
+            ),
+        ),
+        (
+            &[AssetMesh],
+            Consequence::new(Error, "fails with `OSError` when the asset is loaded"),
+        ),
+        (
+            &[AssetMaterial],
+            Consequence::new(
+                Error,
+                "fails with `FileNotFoundError` when it puts the asset on",
+            ),
+        ),
+        (
+            &[Texture],
+            Consequence::new(Warning, "makes the material without this picture"),
+        ),
+        (
+            &[SkinTexture],
+            Consequence::new(Error, "fails when the skin is used as a layered one"),
+        ),
     ],
 };
 
@@ -100,17 +126,37 @@ const NOT_WORN: &[Cell] = &[
         Error,
         "fits the asset, and fails with an exception where the bytes are in the author or the description",
     ),
-    cell(Damage::MarkedWord, Warning, "does not recognise the first keyword and ignores its line"),
-    cell(Damage::MarkedComment, Info, "ignores the first line, which is only a comment"),
+    cell(
+        Damage::MarkedWord,
+        Warning,
+        "does not recognise the first keyword and ignores its line",
+    ),
+    cell(
+        Damage::MarkedComment,
+        Info,
+        "ignores the first line, which is only a comment",
+    ),
 ];
 const NO_MESH: &[Cell] = &[
     cell(Damage::Closed, Error, NOT_LOADED_ASSET),
     cell(Damage::Pointer, Error, NOT_LOADED_ASSET),
     cell(Damage::Empty, Error, NOT_LOADED_ASSET),
     // Names alone can have such bytes, and names in it are not used.
-    cell(Damage::NotUtf8, Info, "reads the mesh all the same: names in it are not used"),
-    cell(Damage::MarkedWord, Warning, "does not recognise the first line"),
-    cell(Damage::MarkedComment, Info, "ignores the first line, which is only a comment"),
+    cell(
+        Damage::NotUtf8,
+        Info,
+        "reads the mesh all the same: names in it are not used",
+    ),
+    cell(
+        Damage::MarkedWord,
+        Warning,
+        "does not recognise the first line",
+    ),
+    cell(
+        Damage::MarkedComment,
+        Info,
+        "ignores the first line, which is only a comment",
+    ),
 ];
 const BROKEN: &str = "loads it as a broken picture, without a message";
 const NO_PICTURE: &[Cell] = &[
@@ -119,33 +165,67 @@ const NO_PICTURE: &[Cell] = &[
     cell(Damage::Empty, Warning, BROKEN),
 ];
 const NO_SURFACE: &[Cell] = &[
-    cell(Damage::Closed, Error, "fails with an exception when the material is used"),
-    cell(Damage::Pointer, Warning, "makes a material without any picture or colour of its own"),
-    cell(Damage::Empty, Warning, "makes a material without any picture or colour of its own"),
-    cell(Damage::NotUtf8, Error, "fails with `UnicodeDecodeError` when the material is used"),
-    cell(Damage::MarkedWord, Warning, "does not recognise the first keyword and ignores its line"),
-    cell(Damage::MarkedComment, Info, "does not recognise the first line, which it does not need"),
+    cell(
+        Damage::Closed,
+        Error,
+        "fails with an exception when the material is used",
+    ),
+    cell(
+        Damage::Pointer,
+        Warning,
+        "makes a material without any picture or colour of its own",
+    ),
+    cell(
+        Damage::Empty,
+        Warning,
+        "makes a material without any picture or colour of its own",
+    ),
+    cell(
+        Damage::NotUtf8,
+        Error,
+        "fails with `UnicodeDecodeError` when the material is used",
+    ),
+    cell(
+        Damage::MarkedWord,
+        Warning,
+        "does not recognise the first keyword and ignores its line",
+    ),
+    cell(
+        Damage::MarkedComment,
+        Info,
+        "does not recognise the first line, which it does not need",
+    ),
 ];
 
-const NO_CHARACTER: &[Cell] = &stopped("lists the character, and fails with an exception when it is loaded");
-const NO_PRESET: &[Cell] = &stopped("lists the preset, and fails with an exception when it is loaded");
-const NO_LOOK: &[Cell] = &stopped("fails with an exception when it makes a material with these settings");
-const NO_MATERIAL: &[Cell] = &stopped("fails with an exception when it makes a material of this kind");
+const NO_CHARACTER: &[Cell] =
+    &stopped("lists the character, and fails with an exception when it is loaded");
+const NO_PRESET: &[Cell] =
+    &stopped("lists the preset, and fails with an exception when it is loaded");
+const NO_LOOK: &[Cell] =
+    &stopped("fails with an exception when it makes a material with these settings");
+const NO_MATERIAL: &[Cell] =
+    &stopped("fails with an exception when it makes a material of this kind");
 
-const NO_DIMENSIONS: &[Cell] =
-    &stopped("fails with an exception after it fits an asset that has a scale: this one is left half-made");
+const NO_DIMENSIONS: &[Cell] = &stopped(
+    "fails with an exception after it fits an asset that has a scale: this one is left half-made",
+);
 const NO_CORRECTIONS: &[Cell] = &stopped(
     "fails with an exception when a saved character with a topology is loaded: the character is left half-made",
 );
 const NO_MIRROR: &[Cell] = &stopped("fails with an exception when a target is made symmetric");
 const NO_INK: &[Cell] = &stopped("fails with an exception when the layer is put on");
 const NO_RIG: &[Cell] = &stopped("fails with an exception when the rig is added");
-const NOT_A_LISTED_RIG: &[Cell] = &stopped("skips the file with a line in the log: the rig is not listed");
-const NO_SUBRIG: &[Cell] = &stopped("fails with an exception when the asset is added: it stays without its own rig");
-const NO_WEIGHTS: &[Cell] = &stopped("fails with an exception after the rig is made: it has no weights at all");
+const NOT_A_LISTED_RIG: &[Cell] =
+    &stopped("skips the file with a line in the log: the rig is not listed");
+const NO_SUBRIG: &[Cell] =
+    &stopped("fails with an exception when the asset is added: it stays without its own rig");
+const NO_WEIGHTS: &[Cell] =
+    &stopped("fails with an exception after the rig is made: it has no weights at all");
 const NO_POSE: &[Cell] = &stopped("lists the pose, and fails with an exception when it is loaded");
-const NO_UV_LAYER: &[Cell] = &unpacked("fails with an exception when an ink layer with this `focus` is put on");
-const NO_DELETE_GROUP: &[Cell] = &unpacked("fails with an exception when an asset that hides vertices is put on");
+const NO_UV_LAYER: &[Cell] =
+    &unpacked("fails with an exception when an ink layer with this `focus` is put on");
+const NO_DELETE_GROUP: &[Cell] =
+    &unpacked("fails with an exception when an asset that hides vertices is put on");
 
 const NO_MOTION: &[Cell] = &[
     cell(Damage::Closed, Error, NOT_SHOWN),
@@ -172,17 +252,21 @@ const NO_PACKS: &[Cell] = &stopped(
      lists before this one",
 );
 
-const NO_BODY: &[Cell] = &stopped("fails with an exception whenever a character is made: none can be made");
+const NO_BODY: &[Cell] =
+    &stopped("fails with an exception whenever a character is made: none can be made");
 
-/// All macro targets are set to 0 before the first one is loaded (`docs/loaders/mpfb/macros.md#faults-of-macros`).
-const MACRO_LOST: &str =
-    "fails where a setting comes near the target: the whole macro shape disappears, and no such character can be made";
+/// All macro targets are set to 0 before the first one is loaded
+/// (`docs/loaders/mpfb/macros.md#faults-of-macros`).
+const MACRO_LOST: &str = "fails where a setting comes near the target: the whole macro shape disappears, and no such character can be made";
 /// What a macro target comes to whose rows cannot be read.
 pub(crate) const MACRO_ROWS: Case = &[(Mpfb, Error, MACRO_LOST)];
 
 /// A value of gender or age that no part has.
-pub(crate) const NO_PART: Case =
-    &[(Mpfb, Error, "makes the character without any shape key: no part of the setting has this value")];
+pub(crate) const NO_PART: Case = &[(
+    Mpfb,
+    Error,
+    "makes the character without any shape key: no part of the setting has this value",
+)];
 
 /// What becomes of a macro target; of an empty one nothing.
 pub(super) fn of_macro_target(damage: Damage) -> Option<Consequence> {
@@ -191,13 +275,17 @@ pub(super) fn of_macro_target(damage: Damage) -> Option<Consequence> {
 }
 
 /// The shape key is made before the rows are read.
-const NOT_A_ROW: &str =
-    "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part";
-const UNDECODABLE: &str = "fails whenever its slider moves; saved characters with it load only in part";
+const NOT_A_ROW: &str = "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part";
+const UNDECODABLE: &str =
+    "fails whenever its slider moves; saved characters with it load only in part";
 
-/// What becomes of rows of a target that is loaded by hand (`docs/loaders/mpfb/targets.md#proxy-targets`).
-pub(crate) const BY_HAND: Case =
-    &[(Mpfb, Error, "fails when it is loaded by hand, and leaves an empty shape key behind")];
+/// What becomes of rows of a target that is loaded by hand
+/// (`docs/loaders/mpfb/targets.md#proxy-targets`).
+pub(crate) const BY_HAND: Case = &[(
+    Mpfb,
+    Error,
+    "fails when it is loaded by hand, and leaves an empty shape key behind",
+)];
 const NOT_LOADED: &[Cell] = &stopped("fails when it is loaded by hand");
 
 const NO_SHAPE: &[Cell] = &[
@@ -207,31 +295,53 @@ const NO_SHAPE: &[Cell] = &[
     cell(Damage::MarkedWord, Error, NOT_A_ROW),
     cell(Damage::MarkedComment, Error, NOT_A_ROW),
     cell(Damage::NotUtf8, Error, UNDECODABLE),
-    cell(Damage::Empty, Warning, "makes a slider that changes nothing"),
+    cell(
+        Damage::Empty,
+        Warning,
+        "makes a slider that changes nothing",
+    ),
 ];
 
-const MODEL: &[Cell] =
-    &[cell(Damage::MarkedComment, Info, "does not recognise the first line, which it does not need")];
+const MODEL: &[Cell] = &[cell(
+    Damage::MarkedComment,
+    Info,
+    "does not recognise the first line, which it does not need",
+)];
 
 const NO_FIGURE: &str = "crashes whenever a character is made: none can be made";
-const NO_NAME: &str = "crashes where a setting comes into the part; if that is 0.5, no character can be made";
+const NO_NAME: &str =
+    "crashes where a setting comes into the part; if that is 0.5, no character can be made";
 
-/// What a value of the macro settings comes to: beginning of its place in the schema; the first that fits counts.
+/// What a value of the macro settings comes to: beginning of its place in the schema; the first
+/// that fits counts.
 static MACRO_PARTS: [(&str, Consequence); 2] = [
-    ("/$defs/part/properties/low/", Consequence::new(Error, NO_NAME)),
-    ("/$defs/part/properties/high/", Consequence::new(Error, NO_NAME)),
+    (
+        "/$defs/part/properties/low/",
+        Consequence::new(Error, NO_NAME),
+    ),
+    (
+        "/$defs/part/properties/high/",
+        Consequence::new(Error, NO_NAME),
+    ),
 ];
 
 /// What a value of the catalogue comes to where it does not stop the add-on, likewise.
 static CATALOG: [(&str, Consequence); 4] = [
-    ("/$defs/category/properties/targets/", Consequence::new(Error, NO_PANEL)),
-    ("/$defs/category/properties/full_path/", Consequence::new(Error, DEAD)),
+    (
+        "/$defs/category/properties/targets/",
+        Consequence::new(Error, NO_PANEL),
+    ),
+    (
+        "/$defs/category/properties/full_path/",
+        Consequence::new(Error, DEAD),
+    ),
     ("/$defs/opposites/", Consequence::new(Error, DEAD)),
     ("/$defs/slot/", Consequence::new(Error, DEAD)),
 ];
 
 const NO_PANEL: &str = "fails with an exception whenever the panel of the slider is drawn";
-const DEAD: &str = "fails with an exception, on the console alone, when the slider is shown or moved";
+const DEAD: &str =
+    "fails with an exception, on the console alone, when the slider is shown or moved";
 
 /// What a value comes to that does not fit its schema.
 pub(super) fn of_value(file: &FileFacts, fault: &SchemaFault) -> Option<Consequence> {
@@ -242,10 +352,14 @@ pub(super) fn of_value(file: &FileFacts, fault: &SchemaFault) -> Option<Conseque
             Some(row.map_or_else(|| usual_part(fault), |(_, consequence)| *consequence))
         }
         Kind::Weights => Some(match fault.found() {
-            Some(Found::Null) if fault.pointer.starts_with("/weights/") => {
-                Consequence::new(Warning, "silently makes no group for the bone: it moves nothing")
-            }
-            _ => Consequence::new(Error, "fails with an exception after the rig is made: weights are missing"),
+            Some(Found::Null) if fault.pointer.starts_with("/weights/") => Consequence::new(
+                Warning,
+                "silently makes no group for the bone: it moves nothing",
+            ),
+            _ => Consequence::new(
+                Error,
+                "fails with an exception after the rig is made: weights are missing",
+            ),
         }),
         Kind::TargetCatalog => Some(match (CATALOG.iter().find(begins), fault.missing()) {
             (Some((_, consequence)), _) => *consequence,

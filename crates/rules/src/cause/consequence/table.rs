@@ -79,8 +79,13 @@ impl Damages {
 }
 
 /// What keeps a JSON from being read.
-pub(super) const UNREAD: &[Damage] =
-    &[Damage::Closed, Damage::Pointer, Damage::Refused, Damage::Syntax, Damage::NotUtf8];
+pub(super) const UNREAD: &[Damage] = &[
+    Damage::Closed,
+    Damage::Pointer,
+    Damage::Refused,
+    Damage::Syntax,
+    Damage::NotUtf8,
+];
 /// What keeps any other file from being read, whatever is in it.
 pub(super) const LOST_WHOLE: &[Damage] = &[Damage::Closed, Damage::Pointer, Damage::Empty];
 
@@ -91,32 +96,57 @@ pub(super) const fn anywhere(kind: Kind, opened: Moment, cells: &'static [Cell])
 
 /// A row of files at a place.
 pub(super) const fn row(kind: Kind, at: At, opened: Moment, cells: &'static [Cell]) -> Row {
-    Row { kind, at, opened, cells }
+    Row {
+        kind,
+        at,
+        opened,
+        cells,
+    }
 }
 
 /// A cell with a level and an effect of its own.
 pub(super) const fn cell(damage: Damage, level: Level, effect: &'static str) -> Cell {
-    Cell { damage: Damages::One(damage), consequence: Some(Consequence::new(level, effect)) }
+    Cell {
+        damage: Damages::One(damage),
+        consequence: Some(Consequence::new(level, effect)),
+    }
 }
 
 /// The same for several damages that come to one.
 pub(super) const fn cells(damages: &'static [Damage], level: Level, effect: &'static str) -> Cell {
-    Cell { damage: Damages::Any(damages), consequence: Some(Consequence::new(level, effect)) }
+    Cell {
+        damage: Damages::Any(damages),
+        consequence: Some(Consequence::new(level, effect)),
+    }
 }
 
 /// A cell with a level of its own; the effect is what the rule says in general.
 pub(super) const fn level(damage: Damage, level: Level) -> Cell {
-    Cell { damage: Damages::One(damage), consequence: Some(Consequence { level, effect: None }) }
+    Cell {
+        damage: Damages::One(damage),
+        consequence: Some(Consequence {
+            level,
+            effect: None,
+        }),
+    }
 }
 
 /// A cell for a damage that does nothing, whatever is said of it in general.
 pub(super) const fn nothing(damage: Damage) -> Cell {
-    Cell { damage: Damages::One(damage), consequence: None }
+    Cell {
+        damage: Damages::One(damage),
+        consequence: None,
+    }
 }
 
 /// An application of which nothing more is known: what cannot be read is missing where it is used.
 #[cfg(test)]
-pub(super) static UNKNOWN: Table = Table { rows: &[], at_moment: &[], in_general: LOST, unfound: &[] };
+pub(super) static UNKNOWN: Table = Table {
+    rows: &[],
+    at_moment: &[],
+    in_general: LOST,
+    unfound: &[],
+};
 
 /// What is lost with a file that cannot be read, where the application says no more.
 pub(super) const LOST: &[Cell] = &[
@@ -138,17 +168,40 @@ static USED: Row = anywhere(Kind::Other, Moment::Use, &[]);
 impl Table {
     /// The row for a file. One of which nothing more is known is opened when it is used.
     pub(super) fn row(&self, kind: Kind, spot: Spot<'_>) -> &Row {
-        self.rows.iter().find(|row| row.kind == kind && row.at.holds(spot)).unwrap_or(&USED)
+        self.rows
+            .iter()
+            .find(|row| row.kind == kind && row.at.holds(spot))
+            .unwrap_or(&USED)
     }
 
-    pub(super) fn consequence(&self, row: &Row, moment: Moment, damage: Damage) -> Option<Consequence> {
+    pub(super) fn consequence(
+        &self,
+        row: &Row,
+        moment: Moment,
+        damage: Damage,
+    ) -> Option<Consequence> {
         // A link to nothing is closed as any other file, where its role does not say more.
         let is_told = |cell: &Cell| cell.damage.has(damage);
-        let is_own =
-            row.cells.iter().any(is_told) || self.at_moment.iter().any(|(at, cell)| *at == moment && is_told(cell));
-        let damage = if damage == Damage::Dangling && !is_own { Damage::Closed } else { damage };
-        let at_moment = self.at_moment.iter().filter(|(at, _)| *at == moment).map(|(_, cell)| cell);
-        at_moment.chain(row.cells).chain(self.in_general).find(|cell| cell.damage.has(damage))?.consequence
+        let is_own = row.cells.iter().any(is_told)
+            || self
+                .at_moment
+                .iter()
+                .any(|(at, cell)| *at == moment && is_told(cell));
+        let damage = if damage == Damage::Dangling && !is_own {
+            Damage::Closed
+        } else {
+            damage
+        };
+        let at_moment = self
+            .at_moment
+            .iter()
+            .filter(|(at, _)| *at == moment)
+            .map(|(_, cell)| cell);
+        at_moment
+            .chain(row.cells)
+            .chain(self.in_general)
+            .find(|cell| cell.damage.has(damage))?
+            .consequence
     }
 }
 

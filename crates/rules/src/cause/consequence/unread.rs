@@ -23,12 +23,25 @@ pub struct Unread {
 /// where the table has no words of its own for the kind.
 pub fn unread(application: Application, kind: Kind) -> Vec<Unread> {
     let (table, mut all) = (table(application), Vec::new());
-    let damage = if Format::of(kind).is_json() { Damage::Syntax } else { Damage::Closed };
+    let damage = if Format::of(kind).is_json() {
+        Damage::Syntax
+    } else {
+        Damage::Closed
+    };
     for row in table.rows.iter().filter(|row| row.kind == kind) {
-        let Some(consequence) = table.consequence(row, row.opened, damage) else { continue };
-        let Some(effect) = consequence.effect else { continue };
+        let Some(consequence) = table.consequence(row, row.opened, damage) else {
+            continue;
+        };
+        let Some(effect) = consequence.effect else {
+            continue;
+        };
         let (role, opened) = (role(&row.at), words(row.opened));
-        all.push(Unread { role, opened, level: consequence.level, effect });
+        all.push(Unread {
+            role,
+            opened,
+            level: consequence.level,
+            effect,
+        });
     }
     all
 }

@@ -21,12 +21,25 @@ pub(super) const ANY: Test = |_| true;
 pub(super) const TEXT: Test = |found| matches!(found, Some(Found::Text(_)));
 pub(super) const NULL: Test = |found| found == Some(&Found::Null);
 
-pub(super) const fn row(kind: Kind, keyword: &'static str, found: Test, level: Level, effect: &'static str) -> Row {
-    Row { kind, keyword, found, consequence: Consequence::new(level, effect) }
+pub(super) const fn row(
+    kind: Kind,
+    keyword: &'static str,
+    found: Test,
+    level: Level,
+    effect: &'static str,
+) -> Row {
+    Row {
+        kind,
+        keyword,
+        found,
+        consequence: Consequence::new(level, effect),
+    }
 }
 
 /// What the first row for a kind of file that fits a fault comes to.
 pub(super) fn first_fit(rows: &[Row], kind: Kind, fault: &SchemaFault) -> Option<Consequence> {
-    let fits = |row: &&Row| row.kind == kind && fault.keyword.starts_with(row.keyword) && (row.found)(fault.found());
+    let fits = |row: &&Row| {
+        row.kind == kind && fault.keyword.starts_with(row.keyword) && (row.found)(fault.found())
+    };
     rows.iter().find(fits).map(|row| row.consequence)
 }

@@ -15,17 +15,27 @@ pub(in super::super) fn faults(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
         let short: Vec<ShortLine> = model.lines.all.iter().filter_map(short).collect();
         let effect = "fails with `IndexError` at the line, and loads the model without it";
         out.extend(finding(rule, model.file, &short).map(|finding| finding.effect(effect)));
-        out.extend(model.lines.of("camera").filter_map(|line| camera(rule, model.file, line)));
+        out.extend(
+            model
+                .lines
+                .of("camera")
+                .filter_map(|line| camera(rule, model.file, line)),
+        );
     }
 }
 
 /// The first six values of the camera are numbers.
 fn camera(rule: &Rule, file: &FileFacts, line: &Line) -> Option<Finding> {
     let numbers = line.values.get(..6)?;
-    let word = numbers.iter().find(|word| python_float(word.text.as_bytes()).is_none())?;
+    let word = numbers
+        .iter()
+        .find(|word| python_float(word.text.as_bytes()).is_none())?;
     let message = format!("`{}` of `camera` is not a number", word.text);
-    let finding = rule.at(file, Place::Span(word.span.clone()), message).key("camera");
-    let finding = finding.effect("fails with `ValueError` at the line, and loads the model without it");
+    let finding = rule
+        .at(file, Place::Span(word.span.clone()), message)
+        .key("camera");
+    let finding =
+        finding.effect("fails with `ValueError` at the line, and loads the model without it");
     Some(finding.help("write six numbers with decimal points, or remove the line"))
 }
 
@@ -38,5 +48,9 @@ fn short(line: &Line) -> Option<ShortLine> {
         _ => 0,
     };
     let found = 1 + line.values.len();
-    (found < needed).then(|| ShortLine { keyword: line.keyword.clone(), found, needed })
+    (found < needed).then(|| ShortLine {
+        keyword: line.keyword.clone(),
+        found,
+        needed,
+    })
 }

@@ -5,43 +5,69 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::super::cause::library::{FIRST_EYES, FIRST_SKIN};
 use super::super::super::{Rule, RuleCx, did_you_mean, such};
 use super::own;
-use mhlint_diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped, nearest};
+use mhlint_diag::{
+    Application::Makehuman1, Case, Evidence, Finding, Level, Place, grouped, nearest,
+};
 use mhlint_discover::{Kind, archive_library_of, extension, library_extension, library_of};
 use mhlint_formats::mhm::CATEGORIES;
 use mhlint_formats::mhm_lines::Line;
 use mhlint_repo::makehuman1::{SavedModel, View, uuid_of};
 use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution, Worn};
 
-pub(in super::super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+pub(in super::super) fn faults(
+    rule: &Rule,
+    view: &View<'_>,
+    cx: &RuleCx<'_>,
+    out: &mut Vec<Finding>,
+) {
     // Without the system nobody knows what there is.
     if view.layers.system.is_none() {
         return;
     }
     let lines = own(view).flat_map(|model| model.lines.all.iter().map(move |line| (model, line)));
-    let worn = lines.filter(|(_, line)| CATEGORIES.contains(&&*line.keyword.text) && !line.values.is_empty());
+    let worn = lines
+        .filter(|(_, line)| CATEGORIES.contains(&&*line.keyword.text) && !line.values.is_empty());
     let known = Known::of(view);
     let lost = worn.filter(|(_, line)| known.is_lost(line));
-    let by_asset = grouped(lost.map(|one| ((&*one.1.keyword.text, one.1.value(0), one.1.value(1)), one)));
-    out.extend(by_asset.into_values().filter_map(|lines| unknown(rule, view, &known, &lines, cx)));
+    let by_asset =
+        grouped(lost.map(|one| ((&*one.1.keyword.text, one.1.value(0), one.1.value(1)), one)));
+    out.extend(
+        by_asset
+            .into_values()
+            .filter_map(|lines| unknown(rule, view, &known, &lines, cx)),
+    );
     let missing = own(view).flat_map(|model| view.references.of_file(model.file));
     let missing: Vec<&Reference<'_>> = missing.collect();
     out.extend(missing.iter().filter_map(|one| of_other_kind(rule, one)));
-    let missing = missing.into_iter().filter(|one| matches!(one.resolution, Resolution::Missing));
+    let missing = missing
+        .into_iter()
+        .filter(|one| matches!(one.resolution, Resolution::Missing));
     // What the program misses itself, and what is there and not listed, has a finding of its own.
-    let missing =
-        missing.filter(|one| one.text.trim_start_matches("data/") != FIRST_SKIN && !is_unlisted_file(view, one));
+    let missing = missing.filter(|one| {
+        one.text.trim_start_matches("data/") != FIRST_SKIN && !is_unlisted_file(view, one)
+    });
     let by_file = grouped(missing.map(|one| ((one.kind, one.text), one)));
-    out.extend(by_file.into_values().filter_map(|references| file(rule, view, &references, cx)));
+    out.extend(
+        by_file
+            .into_values()
+            .filter_map(|references| file(rule, view, &references, cx)),
+    );
 }
 
 /// The library of a category.
 fn library(category: &str) -> &str {
-    if category == "proxy" { "proxymeshes" } else { category }
+    if category == "proxy" {
+        "proxymeshes"
+    } else {
+        category
+    }
 }
 
 /// The assets that are listed where a category is looked for.
 fn listed<'v, 'a>(view: &'v View<'a>, category: &str) -> impl Iterator<Item = &'v Worn<'a>> {
-    view.worn().iter().filter(move |worn| shelf(worn) == Some(library(category)))
+    view.worn()
+        .iter()
+        .filter(move |worn| shelf(worn) == Some(library(category)))
 }
 
 /// The library that lists an asset, or the archive that is all there is of it.
@@ -52,7 +78,11 @@ fn shelf<'a>(worn: &Worn<'a>) -> Option<&'a str> {
 fn name_of<'a>(worn: &Worn<'a>) -> Option<&'a str> {
     match worn.packed_proxy() {
         Some(proxy) => proxy.identity.first().map(|name| &**name),
-        None => worn.clothes()?.all("name").next_back().map(|entry| &*entry.value),
+        None => worn
+            .clothes()?
+            .all("name")
+            .next_back()
+            .map(|entry| &*entry.value),
     }
 }
 
@@ -79,8 +109,13 @@ struct Known<'v> {
 
 impl<'v> Known<'v> {
     fn of(view: &'v View<'_>) -> Self {
-        let (mut uuids, mut names, mut unread) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
-        for (shelf, worn) in view.worn().iter().filter_map(|worn| Some((shelf(worn)?, worn))) {
+        let (mut uuids, mut names, mut unread) =
+            (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
+        for (shelf, worn) in view
+            .worn()
+            .iter()
+            .filter_map(|worn| Some((shelf(worn)?, worn)))
+        {
             let own = name_of(worn).into_iter().chain([worn.file.stem()]);
             // Of two uuids nobody knows which will stay.
             if worn.file.encoding.is_unmerged() {
@@ -102,60 +137,99 @@ impl<'v> Known<'v> {
                 by_uuid.entry(uuid).or_insert((0, shelf)).0 += 1;
             }
         }
-        let worn: BTreeSet<&str> = view.worn().iter().map(|worn| worn.file.path.as_str()).collect();
-        let files = view.layers.strongest_first().flat_map(|layer| layer.files.values());
+        let worn: BTreeSet<&str> = view
+            .worn()
+            .iter()
+            .map(|worn| worn.file.path.as_str())
+            .collect();
+        let files = view
+            .layers
+            .strongest_first()
+            .flat_map(|layer| layer.files.values());
         let others = files.filter(|file| !worn.contains(file.path.as_str()));
         let unlisted = others.map(|file| file.file_name().to_lowercase()).collect();
-        Self { uuids, names, unread, unlisted, by_name, by_uuid }
+        Self {
+            uuids,
+            names,
+            unread,
+            unlisted,
+            by_name,
+            by_uuid,
+        }
     }
 
-    /// Assets are known by their uuid. One that cannot be read, or has none, has a finding of its own.
+    /// Assets are known by their uuid. One that cannot be read, or has none, has a finding of its
+    /// own.
     fn is_lost(&self, line: &Line) -> bool {
         let (name, uuid, own) = (line.value(0), line.value(1), library(&line.keyword.text));
-        let is_listed =
-            self.uuids.contains(&(own, uuid)) || self.names.contains(&(own, name)) || self.unread.contains(own);
+        let is_listed = self.uuids.contains(&(own, uuid))
+            || self.names.contains(&(own, name))
+            || self.unread.contains(own);
         let is_first = FIRST_EYES == format!("{own}/{name}/{name}.mhclo");
         !is_listed && !is_first && !self.is_unlisted(name)
     }
 
-    /// Whether an asset of this name is there and not listed: in another folder, or with another suffix.
+    /// Whether an asset of this name is there and not listed: in another folder, or with another
+    /// suffix.
     fn is_unlisted(&self, name: &str) -> bool {
         [".mhclo", ".proxy"].iter().any(|suffix| {
             let start = format!("{name}{suffix}").to_lowercase();
-            self.unlisted.range(start.clone()..).next().is_some_and(|file| file.starts_with(&start))
+            self.unlisted
+                .range(start.clone()..)
+                .next()
+                .is_some_and(|file| file.starts_with(&start))
         })
     }
 }
 
-/// The same of a file that a character names. Materials may lie anywhere, and none has a finding for that.
+/// The same of a file that a character names. Materials may lie anywhere, and none has a finding
+/// for that.
 fn is_unlisted_file(view: &View<'_>, reference: &Reference<'_>) -> bool {
     if reference.kind == ReferenceKind::Skin {
-        return view
-            .layers
-            .strongest_first()
-            .any(|layer| layer.files.values().any(|file| is_in_misspelt(file, reference)));
+        return view.layers.strongest_first().any(|layer| {
+            layer
+                .files
+                .values()
+                .any(|file| is_in_misspelt(file, reference))
+        });
     }
     let name = reference.text.rsplit('/').next().unwrap_or_default();
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
     let suffix = extension(name);
     view.layers.strongest_first().any(|layer| {
-        layer.files.values().filter(|file| file.stem() == stem && library_of(&file.rel).is_none()).any(|file| {
-            let is_whole = extension(&file.rel) == suffix;
-            let is_pictured = || {
-                layer
-                    .file(&format!("{}.thumb", file.rel.trim_end_matches(extension(&file.rel)).trim_end_matches('.')))
-                    .is_some()
-            };
-            let is_old = || extension(&file.rel) == "mhupb";
-            is_whole || (is_old() || is_pictured()) && !matches!(file.kind, Kind::Image | Kind::MotionMeta)
-        })
+        layer
+            .files
+            .values()
+            .filter(|file| file.stem() == stem && library_of(&file.rel).is_none())
+            .any(|file| {
+                let is_whole = extension(&file.rel) == suffix;
+                let is_pictured = || {
+                    layer
+                        .file(&format!(
+                            "{}.thumb",
+                            file.rel
+                                .trim_end_matches(extension(&file.rel))
+                                .trim_end_matches('.')
+                        ))
+                        .is_some()
+                };
+                let is_old = || extension(&file.rel) == "mhupb";
+                is_whole
+                    || (is_old() || is_pictured())
+                        && !matches!(file.kind, Kind::Image | Kind::MotionMeta)
+            })
     })
 }
 
 /// Whether a skin lies in a folder that is called nearly as that of skins, which has a finding.
 fn is_in_misspelt(file: &FileFacts, reference: &Reference<'_>) -> bool {
-    let Some((top, rest)) = file.rel.split_once('/') else { return false };
-    let meant = reference.text.trim_start_matches("data/").strip_prefix("skins/");
+    let Some((top, rest)) = file.rel.split_once('/') else {
+        return false;
+    };
+    let meant = reference
+        .text
+        .trim_start_matches("data/")
+        .strip_prefix("skins/");
     library_extension(top).is_none() && nearest(top, ["skins"]).is_some() && meant == Some(rest)
 }
 
@@ -171,7 +245,11 @@ fn unknown(
     let own = library(category);
     let more = such(lines.len(), "models");
     let same = known.by_name.get(&(own, name)).copied().flatten();
-    let elsewhere = known.by_uuid.get(uuid).filter(|_| !uuid.is_empty()).and_then(|(_, shelf)| *shelf);
+    let elsewhere = known
+        .by_uuid
+        .get(uuid)
+        .filter(|_| !uuid.is_empty())
+        .and_then(|(_, shelf)| *shelf);
     let last = line.values.last().map_or("", |word| &word.text);
     let is_cut = line.values.len() > 2 && known.by_uuid.contains_key(last);
     let (message, help) = match (same, elsewhere) {
@@ -191,29 +269,58 @@ fn unknown(
             let help = format!("give `{name}` a uuid of its own again: `{uuid}`");
             (format!("the asset `{name}` has another uuid{more}"), help)
         }
-        (Some(same), _) => {
-            (format!("the asset `{name}` has another uuid{more}"), format!("write `{category} {name} {same}`"))
-        }
+        (Some(same), _) => (
+            format!("the asset `{name}` has another uuid{more}"),
+            format!("write `{category} {name} {same}`"),
+        ),
         (None, Some(other)) => {
-            let right = if other == "proxymeshes" { "proxy" } else { other };
-            (format!("`{name}` is not listed in `{own}`, but in `{other}`{more}"), format!("write `{right}`"))
+            let right = if other == "proxymeshes" {
+                "proxy"
+            } else {
+                other
+            };
+            (
+                format!("`{name}` is not listed in `{own}`, but in `{other}`{more}"),
+                format!("write `{right}`"),
+            )
         }
         (None, None) => {
-            let near = cx.suggestions.nearest(name, listed(view, category).filter_map(name_of));
+            let near = cx
+                .suggestions
+                .nearest(name, listed(view, category).filter_map(name_of));
             let otherwise = "add the asset, or check it together with the pack that has it; otherwise remove the line";
-            (format!("no asset in `{own}` has uuid `{uuid}` (`{name}`){more}"), did_you_mean(near, otherwise))
+            (
+                format!("no asset in `{own}` has uuid `{uuid}` (`{name}`){more}"),
+                did_you_mean(near, otherwise),
+            )
         }
     };
-    let place =
-        |line: &Line| Place::Span(line.values.first().map_or(line.keyword.span.clone(), |one| one.span.clone()));
-    let finding = rule.at(model.file, place(line), message).key(format!("{category} {name}")).help(help);
-    let parts = lines.iter().map(|(model, line)| (model.file.shown(), &model.file.path, place(line)));
+    let place = |line: &Line| {
+        Place::Span(
+            line.values
+                .first()
+                .map_or(line.keyword.span.clone(), |one| one.span.clone()),
+        )
+    };
+    let finding = rule
+        .at(model.file, place(line), message)
+        .key(format!("{category} {name}"))
+        .help(help);
+    let parts = lines
+        .iter()
+        .map(|(model, line)| (model.file.shown(), &model.file.path, place(line)));
     let finding = finding.parts_at(parts);
-    let finding = finding.evidence(Evidence::of_cases(lines.iter().map(|(model, _)| model.file.shown())));
+    let finding = finding.evidence(Evidence::of_cases(
+        lines.iter().map(|(model, _)| model.file.shown()),
+    ));
     Some(finding.effect("loads the model without it, with a line in the log"))
 }
 
-const UNFIT: Case = &[(Makehuman1, Level::Error, "fails when it reads the file, and loads the model without it")];
+const UNFIT: Case = &[(
+    Makehuman1,
+    Level::Error,
+    "fails when it reads the file, and loads the model without it",
+)];
 
 /// A file that is there and something else than the line asks for.
 fn of_other_kind(rule: &Rule, reference: &Reference<'_>) -> Option<Finding> {
@@ -224,9 +331,14 @@ fn of_other_kind(rule: &Rule, reference: &Reference<'_>) -> Option<Finding> {
         ReferenceKind::ModelExpression => ("an expression", "mhpose"),
         _ => return None,
     };
-    let file = reference.found().filter(|file| !extension(&file.rel).eq_ignore_ascii_case(suffix))?;
+    let file = reference
+        .found()
+        .filter(|file| !extension(&file.rel).eq_ignore_ascii_case(suffix))?;
     let message = format!("`{}` is not {what}", reference.text);
-    let finding = rule.at(reference.from, reference.place.clone(), message).key(reference.text).case(UNFIT);
+    let finding = rule
+        .at(reference.from, reference.place.clone(), message)
+        .key(reference.text)
+        .case(UNFIT);
     Some(
         finding
             .related(file.path.clone(), Place::File, "this file")
@@ -235,37 +347,93 @@ fn of_other_kind(rule: &Rule, reference: &Reference<'_>) -> Option<Finding> {
 }
 
 /// A file that characters name and that is not there.
-fn file(rule: &Rule, view: &View<'_>, references: &[&Reference<'_>], cx: &RuleCx<'_>) -> Option<Finding> {
+fn file(
+    rule: &Rule,
+    view: &View<'_>,
+    references: &[&Reference<'_>],
+    cx: &RuleCx<'_>,
+) -> Option<Finding> {
     let reference = references.first()?;
     let (what, folder, suffix, effect) = match reference.kind {
-        ReferenceKind::Skin => ("skin", "skins", ".mhmat", "loads the model with the default skin"),
-        ReferenceKind::ModelSkeleton => ("skeleton", "rigs", ".mhskel", "loads the model without a skeleton"),
-        ReferenceKind::ModelPose => {
-            ("pose", "poses", ".bvh", "logs an error, and loads the model without its pose and in another shape")
-        }
-        ReferenceKind::ModelExpression => ("expression", "expressions", ".mhpose", "loads the model without it"),
+        ReferenceKind::Skin => (
+            "skin",
+            "skins",
+            ".mhmat",
+            "loads the model with the default skin",
+        ),
+        ReferenceKind::ModelSkeleton => (
+            "skeleton",
+            "rigs",
+            ".mhskel",
+            "loads the model without a skeleton",
+        ),
+        ReferenceKind::ModelPose => (
+            "pose",
+            "poses",
+            ".bvh",
+            "logs an error, and loads the model without its pose and in another shape",
+        ),
+        ReferenceKind::ModelExpression => (
+            "expression",
+            "expressions",
+            ".mhpose",
+            "loads the model without it",
+        ),
         _ => return None,
     };
-    let files: Vec<&FileFacts> = view.layers.strongest_first().flat_map(|layer| layer.below(folder)).collect();
+    let files: Vec<&FileFacts> = view
+        .layers
+        .strongest_first()
+        .flat_map(|layer| layer.below(folder))
+        .collect();
     let written = |file: &FileFacts| match reference.kind {
         ReferenceKind::Skin => Some(file.rel.clone()),
         _ => Some(file.rel.strip_prefix(folder)?.strip_prefix('/')?.to_owned()),
     };
-    let names: Vec<String> =
-        files.iter().filter(|file| file.rel.ends_with(suffix)).filter_map(|file| written(file)).collect();
-    let near = cx.suggestions.nearest_file(reference.text, names.iter().map(String::as_str));
+    let names: Vec<String> = files
+        .iter()
+        .filter(|file| file.rel.ends_with(suffix))
+        .filter_map(|file| written(file))
+        .collect();
+    let near = cx
+        .suggestions
+        .nearest_file(reference.text, names.iter().map(String::as_str));
     let elsewhere = || {
         let name = format!("/{}", reference.text.rsplit('/').next()?);
-        let is_same = |file: &&FileFacts| reference.kind == ReferenceKind::Skin && file.rel.ends_with(&name);
-        view.layers.strongest_first().find_map(|layer| layer.files.values().find(is_same))
+        let is_same =
+            |file: &&FileFacts| reference.kind == ReferenceKind::Skin && file.rel.ends_with(&name);
+        view.layers
+            .strongest_first()
+            .find_map(|layer| layer.files.values().find(is_same))
     };
     let help = match elsewhere().filter(|_| near.is_none()) {
-        Some(file) => format!("move `{}` with its pictures to `{folder}`, or name one that exists", file.rel),
-        None => did_you_mean(near, format!("add the file to `{folder}`, or name one that exists")),
+        Some(file) => format!(
+            "move `{}` with its pictures to `{folder}`, or name one that exists",
+            file.rel
+        ),
+        None => did_you_mean(
+            near,
+            format!("add the file to `{folder}`, or name one that exists"),
+        ),
     };
-    let message = format!("{what} `{}` does not exist{}", reference.text, such(references.len(), "models"));
-    let finding = rule.at(reference.from, reference.place.clone(), message).key(reference.text).help(help);
-    let parts = references.iter().map(|one| (one.from.shown(), &one.from.path, one.place.clone()));
+    let message = format!(
+        "{what} `{}` does not exist{}",
+        reference.text,
+        such(references.len(), "models")
+    );
+    let finding = rule
+        .at(reference.from, reference.place.clone(), message)
+        .key(reference.text)
+        .help(help);
+    let parts = references
+        .iter()
+        .map(|one| (one.from.shown(), &one.from.path, one.place.clone()));
     let finding = finding.parts_at(parts);
-    Some(finding.evidence(Evidence::of_cases(references.iter().map(|one| one.from.shown()))).effect(effect))
+    Some(
+        finding
+            .evidence(Evidence::of_cases(
+                references.iter().map(|one| one.from.shown()),
+            ))
+            .effect(effect),
+    )
 }

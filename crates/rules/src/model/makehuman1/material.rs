@@ -9,32 +9,57 @@ use mhlint_formats::mhm::{CATEGORIES, Word};
 use mhlint_repo::makehuman1::{SavedModel, View, material, uuid_of};
 use mhlint_repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
 
-pub(in super::super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+pub(in super::super) fn faults(
+    rule: &Rule,
+    view: &View<'_>,
+    cx: &RuleCx<'_>,
+    out: &mut Vec<Finding>,
+) {
     let shared = shared_uuids(view);
     for model in own(view) {
         out.extend(astray(rule, model));
         if view.layers.system.is_none() {
             continue;
         }
-        let lines = model.lines.all.iter().filter(|line| &*line.keyword.text == "material").filter_map(material);
-        let unsure: BTreeSet<&str> =
-            lines.filter(|(_, uuid, _)| shared.contains(*uuid)).map(|(.., path)| &*path.text).collect();
-        let named = view.references.of_file(model.file).filter(|one| one.kind == ReferenceKind::ModelMaterial);
-        let missing = named.filter(|one| matches!(one.resolution, Resolution::Missing) && !unsure.contains(one.text));
+        let lines = model
+            .lines
+            .all
+            .iter()
+            .filter(|line| &*line.keyword.text == "material")
+            .filter_map(material);
+        let unsure: BTreeSet<&str> = lines
+            .filter(|(_, uuid, _)| shared.contains(*uuid))
+            .map(|(.., path)| &*path.text)
+            .collect();
+        let named = view
+            .references
+            .of_file(model.file)
+            .filter(|one| one.kind == ReferenceKind::ModelMaterial);
+        let missing = named.filter(|one| {
+            matches!(one.resolution, Resolution::Missing) && !unsure.contains(one.text)
+        });
         out.extend(missing.map(|one| unfound(rule, view, one, cx)));
     }
 }
 
-/// The uuids of several assets: whose material is meant nobody knows, and that has a finding of its own.
+/// The uuids of several assets: whose material is meant nobody knows, and that has a finding of its
+/// own.
 fn shared_uuids<'v>(view: &'v View<'_>) -> BTreeSet<&'v str> {
     let mut seen = BTreeSet::new();
-    view.worn().iter().filter_map(uuid_of).filter(|uuid| !seen.insert(*uuid)).collect()
+    view.worn()
+        .iter()
+        .filter_map(uuid_of)
+        .filter(|uuid| !seen.insert(*uuid))
+        .collect()
 }
 
 /// Lines for what is not worn, or not yet.
 fn astray(rule: &Rule, model: &SavedModel<'_>) -> Vec<Finding> {
     let lines = &model.lines.all;
-    let worn = lines.iter().enumerate().filter(|(_, line)| CATEGORIES.contains(&&*line.keyword.text));
+    let worn = lines
+        .iter()
+        .enumerate()
+        .filter(|(_, line)| CATEGORIES.contains(&&*line.keyword.text));
     let (mut by_uuid, mut by_name) = (BTreeMap::new(), BTreeMap::new());
     for (at, line) in worn {
         let ends = by_uuid.entry(line.value(1)).or_insert((at, at));
@@ -42,14 +67,24 @@ fn astray(rule: &Rule, model: &SavedModel<'_>) -> Vec<Finding> {
         by_name.entry(line.value(0)).or_insert(line);
     }
     let mut found = Vec::new();
-    for (at, line) in lines.iter().enumerate().filter(|(_, line)| &*line.keyword.text == "material") {
-        let Some((_, uuid, path)) = material(line) else { continue };
+    for (at, line) in lines
+        .iter()
+        .enumerate()
+        .filter(|(_, line)| &*line.keyword.text == "material")
+    {
+        let Some((_, uuid, path)) = material(line) else {
+            continue;
+        };
         let ends = by_uuid.get(uuid);
         if ends.is_some_and(|(first, _)| *first < at) {
             continue;
         }
         let later = ends.is_some_and(|(_, last)| *last > at);
-        let name = if line.values.len() > 2 { line.value(0) } else { uuid };
+        let name = if line.values.len() > 2 {
+            line.value(0)
+        } else {
+            uuid
+        };
         let (message, help) = match by_name.get(name) {
             _ if later => (
                 format!("the material of `{name}` stands above the line that puts it on"),
@@ -65,7 +100,9 @@ fn astray(rule: &Rule, model: &SavedModel<'_>) -> Vec<Finding> {
             ),
         };
         found.push(
-            at_word(rule, model, line.values.first().unwrap_or(path), message).key(format!("stray {uuid}")).help(help),
+            at_word(rule, model, line.values.first().unwrap_or(path), message)
+                .key(format!("stray {uuid}"))
+                .help(help),
         );
     }
     found
@@ -77,11 +114,26 @@ fn at_word(rule: &Rule, model: &SavedModel<'_>, word: &Word, message: String) ->
 
 fn unfound(rule: &Rule, view: &View<'_>, reference: &Reference<'_>, cx: &RuleCx<'_>) -> Finding {
     let folder = parent(&reference.rel);
-    let files: Vec<&FileFacts> = view.layers.strongest_first().flat_map(|layer| layer.below(folder)).collect();
+    let files: Vec<&FileFacts> = view
+        .layers
+        .strongest_first()
+        .flat_map(|layer| layer.below(folder))
+        .collect();
     let names = files.iter().filter(|file| file.rel.ends_with(".mhmat"));
-    let near = cx.suggestions.nearest_file(reference.text, names.map(|file| file.file_name()));
-    let message = format!("material `{}` of `{}` does not exist", reference.text, reference.owner);
-    let finding = rule.at(reference.from, reference.place.clone(), message).key(format!("file {}", reference.owner));
-    let finding = finding.effect("logs an error, and shows the asset with the default white material");
-    finding.help(did_you_mean(near, "name a material that exists, or remove the line"))
+    let near = cx
+        .suggestions
+        .nearest_file(reference.text, names.map(|file| file.file_name()));
+    let message = format!(
+        "material `{}` of `{}` does not exist",
+        reference.text, reference.owner
+    );
+    let finding = rule
+        .at(reference.from, reference.place.clone(), message)
+        .key(format!("file {}", reference.owner));
+    let finding =
+        finding.effect("logs an error, and shows the asset with the default white material");
+    finding.help(did_you_mean(
+        near,
+        "name a material that exists, or remove the line",
+    ))
 }

@@ -1,5 +1,6 @@
 //! Saved characters as MakeHuman 1 reads them (`docs/loaders/makehuman1/models.md#model-keywords`,
-//! `docs/loaders/makehuman1/models.md#version-of-a-model`, `docs/loaders/makehuman1/models.md#faults-of-models`).
+//! `docs/loaders/makehuman1/models.md#version-of-a-model`,
+//! `docs/loaders/makehuman1/models.md#faults-of-models`).
 
 pub(super) mod arity;
 pub(super) mod assets;
@@ -12,7 +13,9 @@ use mhlint_repo::makehuman1::{SavedModel, Version, View};
 
 /// The characters that are checked, as far as their version lets the program read them.
 fn own<'v, 'a>(view: &'v View<'a>) -> impl Iterator<Item = &'v SavedModel<'a>> {
-    view.models.iter().filter(|model| view.layers.is_checked(model.file) && model.version.is_read())
+    view.models
+        .iter()
+        .filter(|model| view.layers.is_checked(model.file) && model.version.is_read())
 }
 
 /// Those of them whose lines are those of today.

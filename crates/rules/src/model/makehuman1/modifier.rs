@@ -11,16 +11,36 @@ use mhlint_formats::mhm_lines::Line;
 use mhlint_formats::python_float;
 use mhlint_repo::makehuman1::{KnownModifier, SavedModel, VARIABLES, Version, View, category};
 
-const LOST: Case = &[(Makehuman1, Level::Error, "fails with an exception at the line, and loads the model without it")];
-const UNKNOWN: Case = &[(Makehuman1, Level::Warning, "loads the model without it, with a line in the log")];
-const BLANK: Case =
-    &[(Makehuman1, Level::Warning, "takes the first word for the name: loses the value, with a line in the log")];
+const LOST: Case = &[(
+    Makehuman1,
+    Level::Error,
+    "fails with an exception at the line, and loads the model without it",
+)];
+const UNKNOWN: Case = &[(
+    Makehuman1,
+    Level::Warning,
+    "loads the model without it, with a line in the log",
+)];
+const BLANK: Case = &[(
+    Makehuman1,
+    Level::Warning,
+    "takes the first word for the name: loses the value, with a line in the log",
+)];
 const NAN: Case = &[(Makehuman1, Level::Warning, "sets the slider to its maximum")];
 const LIMITED: Case = &[(Makehuman1, Level::Warning, "sets the slider to its limit")];
 const REPEATED: Case = &[(Makehuman1, Level::Warning, "uses the last value")];
-const UNBALANCED: Case = &[(Makehuman1, Level::Warning, "makes other values of them, which add up to 1")];
+const UNBALANCED: Case = &[(
+    Makehuman1,
+    Level::Warning,
+    "makes other values of them, which add up to 1",
+)];
 
-pub(in super::super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+pub(in super::super) fn faults(
+    rule: &Rule,
+    view: &View<'_>,
+    cx: &RuleCx<'_>,
+    out: &mut Vec<Finding>,
+) {
     let known = Known::of(view);
     for model in own(view) {
         out.extend(broken(rule, model, &known));
@@ -54,15 +74,39 @@ struct Known<'v, 'a> {
 
 impl<'v, 'a> Known<'v, 'a> {
     fn of(view: &'v View<'a>) -> Self {
-        let tables = view.layers.system.into_iter().flat_map(|system| system.files.values());
-        let tables =
-            tables.filter(|file| file.kind == Kind::ModifierMapping).filter_map(|file| file.modifier_mapping());
+        let tables = view
+            .layers
+            .system
+            .into_iter()
+            .flat_map(|system| system.files.values());
+        let tables = tables
+            .filter(|file| file.kind == Kind::ModifierMapping)
+            .filter_map(|file| file.modifier_mapping());
         Self {
-            by_name: view.modifiers.all.iter().map(|one| (one.name.as_str(), one)).collect(),
-            custom: view.targets.custom.iter().map(|one| one.name.as_str()).collect(),
-            longest: view.targets.custom.iter().map(|one| one.name.len()).max().unwrap_or_default(),
+            by_name: view
+                .modifiers
+                .all
+                .iter()
+                .map(|one| (one.name.as_str(), one))
+                .collect(),
+            custom: view
+                .targets
+                .custom
+                .iter()
+                .map(|one| one.name.as_str())
+                .collect(),
+            longest: view
+                .targets
+                .custom
+                .iter()
+                .map(|one| one.name.len())
+                .max()
+                .unwrap_or_default(),
             asked: view.modifiers.with_slider(),
-            older: tables.flat_map(|table| &table.rows).map(|row| row.old.as_str()).collect(),
+            older: tables
+                .flat_map(|table| &table.rows)
+                .map(|row| row.old.as_str())
+                .collect(),
             is_whole: view.modifiers.is_whole(),
         }
     }
@@ -92,9 +136,14 @@ impl<'v, 'a> Known<'v, 'a> {
     /// Whether a name is that of a macro whose variable is spelt in another way in its own file.
     fn is_misspelt(&self, name: &str) -> bool {
         let is_bad = |one: &KnownModifier<'_>| {
-            one.modifier.variable.as_ref().is_some_and(|variable| category(&variable.name).is_none())
+            one.modifier
+                .variable
+                .as_ref()
+                .is_some_and(|variable| category(&variable.name).is_none())
         };
-        self.by_name.values().any(|one| one.name.eq_ignore_ascii_case(name) && is_bad(one))
+        self.by_name
+            .values()
+            .any(|one| one.name.eq_ignore_ascii_case(name) && is_bad(one))
     }
 
     /// From where to where the values of a modifier go.
@@ -131,60 +180,109 @@ fn told(rule: &Rule, model: &SavedModel<'_>, faulty: &[&Line], message: String) 
 fn broken(rule: &Rule, model: &SavedModel<'_>, known: &Known<'_, '_>) -> Option<Finding> {
     // An unknown name is looked for first.
     let is_asked = |line: &&Line| {
-        line.values.len() < 2 || known.has(line.value(0)) || !known.is_whole && name_with_blanks(line).is_none()
+        line.values.len() < 2
+            || known.has(line.value(0))
+            || !known.is_whole && name_with_blanks(line).is_none()
     };
-    let faulty: Vec<&Line> =
-        lines(model).filter(is_asked).filter(|line| value(line).is_none() && !known.is_cut(line)).collect();
+    let faulty: Vec<&Line> = lines(model)
+        .filter(is_asked)
+        .filter(|line| value(line).is_none() && !known.is_cut(line))
+        .collect();
     let first = faulty.first()?;
     let more = such(faulty.len(), "lines");
     let (message, help) = match first.values.len() {
-        0 | 1 => ("`modifier` needs a name and a number".to_owned() + &more, "write both, or remove the line"),
-        _ => (format!("`{}` is not a number{more}", first.value(1)), "write the number with a decimal point"),
+        0 | 1 => (
+            "`modifier` needs a name and a number".to_owned() + &more,
+            "write both, or remove the line",
+        ),
+        _ => (
+            format!("`{}` is not a number{more}", first.value(1)),
+            "write the number with a decimal point",
+        ),
     };
-    // Every modifier has a group, and `/` behind it: without both the program finds none and asks for no number.
+    // Every modifier has a group, and `/` behind it: without both the program finds none and asks
+    // for no number.
     let is_none = |line: &&Line| line.values.len() > 1 && !line.value(0).contains('/');
-    let case = if faulty.iter().all(is_none) { UNKNOWN } else { LOST };
+    let case = if faulty.iter().all(is_none) {
+        UNKNOWN
+    } else {
+        LOST
+    };
     told(rule, model, &faulty, message).map(|finding| finding.case(case).help(help))
 }
 
 /// The name of a modifier in several words with a number behind them.
 fn name_with_blanks(line: &Line) -> Option<String> {
     let is_number = |at: &usize| python_float(line.value(*at).as_bytes()).is_some();
-    let end = (1..line.values.len()).find(is_number).filter(|end| *end > 1)?;
-    let words: Vec<&str> = line.values.iter().take(end).map(|word| &*word.text).collect();
+    let end = (1..line.values.len())
+        .find(is_number)
+        .filter(|end| *end > 1)?;
+    let words: Vec<&str> = line
+        .values
+        .iter()
+        .take(end)
+        .map(|word| &*word.text)
+        .collect();
     Some(words.join(" ")).filter(|name| name.contains('/'))
 }
 
-/// Names with blanks, of which the first word is looked for alone. Those of a target of the user have a finding of their own.
+/// Names with blanks, of which the first word is looked for alone. Those of a target of the user
+/// have a finding of their own.
 fn blanks(rule: &Rule, model: &SavedModel<'_>, known: &Known<'_, '_>) -> Option<Finding> {
-    let is_blank = |line: &&Line| !known.has(line.value(0)) && !known.is_cut(line) && name_with_blanks(line).is_some();
+    let is_blank = |line: &&Line| {
+        !known.has(line.value(0)) && !known.is_cut(line) && name_with_blanks(line).is_some()
+    };
     let faulty: Vec<&Line> = lines(model).filter(is_blank).collect();
     let name = name_with_blanks(faulty.first()?)?;
-    let message = format!("modifier `{name}` has a blank in its name{}", such(faulty.len(), "lines"));
-    let finding = told(rule, model, &faulty, message)?.key("blank").case(BLANK);
-    let finding = finding.evidence(Evidence::of_cases(faulty.iter().filter_map(|line| name_with_blanks(line))));
-    Some(finding.help("remove the line, or name the modifier without blanks where it is made, and here"))
+    let message = format!(
+        "modifier `{name}` has a blank in its name{}",
+        such(faulty.len(), "lines")
+    );
+    let finding = told(rule, model, &faulty, message)?
+        .key("blank")
+        .case(BLANK);
+    let finding = finding.evidence(Evidence::of_cases(
+        faulty.iter().filter_map(|line| name_with_blanks(line)),
+    ));
+    Some(
+        finding.help(
+            "remove the line, or name the modifier without blanks where it is made, and here",
+        ),
+    )
 }
 
 fn non_finite(rule: &Rule, model: &SavedModel<'_>, known: &Known<'_, '_>) -> Option<Finding> {
     let is_bad = |line: &&Line| value(line).is_some_and(f64::is_nan) && known.has(line.value(0));
     let faulty: Vec<&Line> = lines(model).filter(is_bad).collect();
-    let message = format!("the value of `{}` is NaN{}", faulty.first()?.value(0), such(faulty.len(), "lines"));
-    let finding = told(rule, model, &faulty, message)?.key("non-finite").case(NAN);
+    let message = format!(
+        "the value of `{}` is NaN{}",
+        faulty.first()?.value(0),
+        such(faulty.len(), "lines")
+    );
+    let finding = told(rule, model, &faulty, message)?
+        .key("non-finite")
+        .case(NAN);
     Some(finding.help("write a number, or remove the line"))
 }
 
 fn out_of_range(rule: &Rule, model: &SavedModel<'_>, known: &Known<'_, '_>) -> Option<Finding> {
     let is_outside = |line: &&Line| {
-        let range = known.range(line.value(0)).zip(value(line).filter(|value| !value.is_nan()));
+        let range = known
+            .range(line.value(0))
+            .zip(value(line).filter(|value| !value.is_nan()));
         range.is_some_and(|([least, most], value)| value < least || value > most)
     };
     let faulty: Vec<&Line> = lines(model).filter(is_outside).collect();
     let first = faulty.first()?;
     let ([least, most], value) = known.range(first.value(0)).zip(value(first))?;
     let more = such(faulty.len(), "lines");
-    let message = format!("`{}` is set to {value}, outside {least} to {most}{more}", first.value(0));
-    let finding = told(rule, model, &faulty, message)?.key("range").case(LIMITED);
+    let message = format!(
+        "`{}` is set to {value}, outside {least} to {most}{more}",
+        first.value(0)
+    );
+    let finding = told(rule, model, &faulty, message)?
+        .key("range")
+        .case(LIMITED);
     let of_percent = value / 100.0;
     let help = if value.abs() >= 2.0 && (least..=most).contains(&of_percent) {
         format!("write {of_percent} if you meant per cent")
@@ -200,37 +298,76 @@ fn repeated(rule: &Rule, model: &SavedModel<'_>) -> Option<Finding> {
     let mut lost = Vec::new();
     for line in lines(model).filter(|line| value(line).is_some()) {
         let earlier = known.insert(line.value(0), line);
-        lost.extend(earlier.filter(|earlier| earlier.value(1) != line.value(1)).map(|earlier| (earlier, line)));
+        lost.extend(
+            earlier
+                .filter(|earlier| earlier.value(1) != line.value(1))
+                .map(|earlier| (earlier, line)),
+        );
     }
     let (first, other) = lost.first()?;
-    let message = format!("`{}` is set more than once{}", first.value(0), such(lost.len(), "lines"));
-    let finding = rule.at(model.file, place(other), message).key("repeated").case(REPEATED);
+    let message = format!(
+        "`{}` is set more than once{}",
+        first.value(0),
+        such(lost.len(), "lines")
+    );
+    let finding = rule
+        .at(model.file, place(other), message)
+        .key("repeated")
+        .case(REPEATED);
     let finding = finding.related(model.file.path.clone(), place(first), "set here before");
     let evidence = Evidence::of_cases(lost.iter().map(|(line, _)| line.value(0)));
-    Some(finding.evidence(evidence).help("remove the lines that do not count"))
+    Some(
+        finding
+            .evidence(evidence)
+            .help("remove the lines that do not count"),
+    )
 }
 
 /// The races, which the program makes add up to 1; one that is not set counts with a third
 /// (`docs/loaders/makehuman1/macros.md#races`).
 fn unbalanced(rule: &Rule, model: &SavedModel<'_>) -> Option<Finding> {
-    let races: Vec<&str> = VARIABLES.iter().skip(VARIABLES.len() - 3).copied().collect();
-    let race = |line: &Line| races.iter().find(|race| line.value(0).rsplit('/').next() == Some(**race)).copied();
-    let set: Vec<(&str, &Line)> = lines(model).filter_map(|line| Some((race(line)?, line))).collect();
+    let races: Vec<&str> = VARIABLES
+        .iter()
+        .skip(VARIABLES.len() - 3)
+        .copied()
+        .collect();
+    let race = |line: &Line| {
+        races
+            .iter()
+            .find(|race| line.value(0).rsplit('/').next() == Some(**race))
+            .copied()
+    };
+    let set: Vec<(&str, &Line)> = lines(model)
+        .filter_map(|line| Some((race(line)?, line)))
+        .collect();
     let (_, first) = set.first()?;
     let mut values: BTreeMap<&str, f64> = races.iter().map(|race| (*race, 1.0 / 3.0)).collect();
-    values.extend(set.iter().filter_map(|(race, line)| Some((*race, value(line)?.clamp(0.0, 1.0)))));
+    values.extend(
+        set.iter()
+            .filter_map(|(race, line)| Some((*race, value(line)?.clamp(0.0, 1.0)))),
+    );
     let sum: f64 = values.values().sum();
     // Values are saved with six decimals.
     if (sum - 1.0).abs() < 1e-3 {
         return None;
     }
-    let missing: Vec<&str> = races.iter().copied().filter(|race| set.iter().all(|(own, _)| own != race)).collect();
+    let missing: Vec<&str> = races
+        .iter()
+        .copied()
+        .filter(|race| set.iter().all(|(own, _)| own != race))
+        .collect();
     let help = match missing.as_slice() {
         [] => "write values that add up to 1".to_owned(),
-        missing => format!("write lines for {}, and values that add up to 1", missing.join(" and ")),
+        missing => format!(
+            "write lines for {}, and values that add up to 1",
+            missing.join(" and ")
+        ),
     };
     let message = format!("African, Asian and Caucasian add up to {sum:.3}, expected 1");
-    let finding = rule.at(model.file, place(first), message).key("races").case(UNBALANCED);
+    let finding = rule
+        .at(model.file, place(first), message)
+        .key("races")
+        .case(UNBALANCED);
     Some(finding.help(help))
 }
 
@@ -249,14 +386,21 @@ fn unknown(rule: &Rule, view: &View<'_>, known: &Known<'_, '_>, cx: &RuleCx<'_>)
             && name_with_blanks(line).is_none()
     });
     // Where the modifier itself is what is wrong, that is told.
-    let lost =
-        lost.filter(|(_, line)| meant.modifier(line.value(0), cx).is_none() && !known.is_misspelt(line.value(0)));
+    let lost = lost.filter(|(_, line)| {
+        meant.modifier(line.value(0), cx).is_none() && !known.is_misspelt(line.value(0))
+    });
     let by_name = grouped(lost.map(|(model, line)| (line.value(0), (model, line))));
     let models = |lines: &[(&SavedModel<'_>, &Line)]| -> Vec<String> {
-        lines.iter().map(|(model, _)| model.file.path.clone()).collect()
+        lines
+            .iter()
+            .map(|(model, _)| model.file.path.clone())
+            .collect()
     };
     let by_models = grouped(by_name.into_values().map(|lines| (models(&lines), lines)));
-    by_models.into_values().filter_map(|names| unknown_in(rule, view, &names, cx)).collect()
+    by_models
+        .into_values()
+        .filter_map(|names| unknown_in(rule, view, &names, cx))
+        .collect()
 }
 
 fn unknown_in(
@@ -274,10 +418,24 @@ fn unknown_in(
         count => format!("{count} modifiers do not exist, first `{name}`{models}"),
     };
     let custom = view.targets.custom.iter().map(|one| one.name.as_str());
-    let near = cx.suggestions.nearest(name, view.modifiers.names().chain(custom));
-    let all = names.iter().flatten().map(|(model, line)| (line.value(0), &model.file.path, place(line)));
-    let finding = rule.at(model.file, place(first), message).key("unknown").parts_at(all).case(UNKNOWN);
+    let near = cx
+        .suggestions
+        .nearest(name, view.modifiers.names().chain(custom));
+    let all = names
+        .iter()
+        .flatten()
+        .map(|(model, line)| (line.value(0), &model.file.path, place(line)));
+    let finding = rule
+        .at(model.file, place(first), message)
+        .key("unknown")
+        .parts_at(all)
+        .case(UNKNOWN);
     let evidence = Evidence::of_cases(names.iter().flatten().map(|(_, line)| line.value(0)));
-    let otherwise = "write the full name of a modifier, such as `head/head-oval`, or remove the line";
-    Some(finding.evidence(evidence).help(did_you_mean(near, otherwise)))
+    let otherwise =
+        "write the full name of a modifier, such as `head/head-oval`, or remove the line";
+    Some(
+        finding
+            .evidence(evidence)
+            .help(did_you_mean(near, otherwise)),
+    )
 }

@@ -27,7 +27,9 @@ fn counted<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Text<'b, 'v>> {
 
 /// Where rows are lost.
 fn lost_rows(flow: &Flow) -> Option<&Gap> {
-    flow.gaps.iter().find(|gap| gap.ended == Some(Part::Rows) && gap.lines > 0 && !is_list(&gap.word))
+    flow.gaps
+        .iter()
+        .find(|gap| gap.ended == Some(Part::Rows) && gap.lines > 0 && !is_list(&gap.word))
 }
 
 /// Whether a word opens the list of vertices to hide, or is meant to.
@@ -38,7 +40,8 @@ fn is_list(word: &str) -> bool {
 
 /// Whether a word begins like a row, and is no plain number.
 fn is_number(word: &str) -> bool {
-    word.trim_start_matches(['+', '-', '.']).starts_with(|first: char| first.is_ascii_digit())
+    word.trim_start_matches(['+', '-', '.'])
+        .starts_with(|first: char| first.is_ascii_digit())
 }
 
 fn at(line: u32) -> Place {

@@ -1,4 +1,5 @@
-//! Weights of assets for bones that a rig of MPFB does not have (`docs/loaders/mpfb/clothes.md#files-beside-an-asset`).
+//! Weights of assets for bones that a rig of MPFB does not have
+//! (`docs/loaders/mpfb/clothes.md#files-beside-an-asset`).
 
 use std::collections::BTreeMap;
 
@@ -8,9 +9,13 @@ use mhlint_diag::{Evidence, Finding, Place};
 use mhlint_formats::mhw::{BoneWeights, Weights};
 use mhlint_repo::{Body, BodyWeights, FileFacts, WeightsUse, parent};
 
-/// Weights for bones that no rig has, or that no rig has all of. Nothing where a rig cannot be read.
+/// Weights for bones that no rig has, or that no rig has all of. Nothing where a rig cannot be
+/// read.
 pub(in crate::proxy) fn findings(rule: &Rule, body: &Body<'_>, cx: &RuleCx<'_>) -> Vec<Finding> {
-    let rigs = body.rigs.iter().filter_map(|rig| Some((rig.file, groups::of(rig.file)?)));
+    let rigs = body
+        .rigs
+        .iter()
+        .filter_map(|rig| Some((rig.file, groups::of(rig.file)?)));
     let rigs: Vec<(&FileFacts, Groups<'_>)> = rigs.collect();
     if rigs.is_empty() || rigs.len() < body.rigs.len() {
         return Vec::new();
@@ -21,27 +26,46 @@ pub(in crate::proxy) fn findings(rule: &Rule, body: &Body<'_>, cx: &RuleCx<'_>) 
             Some(file) => Some(groups::of(file)?),
             None => None,
         };
-        let bones: Vec<&BoneWeights> = weights.bones.iter().filter(|bone| bone.listed > 0).collect();
+        let bones: Vec<&BoneWeights> = weights
+            .bones
+            .iter()
+            .filter(|bone| bone.listed > 0)
+            .collect();
         let left_by = |takes: &dyn Fn(&str) -> bool| -> Vec<&str> {
-            bones.iter().map(|bone| bone.name.as_str()).filter(|name| !takes(name)).collect()
+            bones
+                .iter()
+                .map(|bone| bone.name.as_str())
+                .filter(|name| !takes(name))
+                .collect()
         };
         let is_of_subrig = |name: &str| subrig.as_ref().is_some_and(|rig| rig.take(name));
-        let unknown = left_by(&|name| is_of_subrig(name) || rigs.iter().any(|(_, rig)| rig.take(name)));
+        let unknown =
+            left_by(&|name| is_of_subrig(name) || rigs.iter().any(|(_, rig)| rig.take(name)));
         if let Some(first) = unknown.first() {
-            let near = cx.suggestions.nearest(first, rigs.iter().flat_map(|(_, rig)| rig.names()));
+            let near = cx
+                .suggestions
+                .nearest(first, rigs.iter().flat_map(|(_, rig)| rig.names()));
             let help = did_you_mean(near, "export the weights for a rig of MPFB");
             return Some(told(rule, own.file, &unknown, weights, "any rig").help(help));
         }
-        let left = rigs.iter().map(|(file, rig)| (*file, left_by(&|name| is_of_subrig(name) || rig.take(name))));
+        let left = rigs
+            .iter()
+            .map(|(file, rig)| (*file, left_by(&|name| is_of_subrig(name) || rig.take(name))));
         let (file, left) = left.min_by_key(|(_, left)| left.len())?;
         if left.is_empty() || serves_several_rigs(&bones) {
             return None;
         }
-        let rig = format!("rig `{}`, which has the others", file.stem().trim_start_matches("rig."));
+        let rig = format!(
+            "rig `{}`, which has the others",
+            file.stem().trim_start_matches("rig.")
+        );
         let finding = told(rule, own.file, &left, weights, &rig).against(&file.path);
         Some(finding.help("export the weights with one rig on the figure"))
     };
-    let own = body.weights.iter().filter(|own| own.name.is_none() && own.used != WeightsUse::Unread);
+    let own = body
+        .weights
+        .iter()
+        .filter(|own| own.name.is_none() && own.used != WeightsUse::Unread);
     own.filter_map(finding).collect()
 }
 
@@ -49,7 +73,10 @@ fn told(rule: &Rule, file: &FileFacts, lost: &[&str], weights: &Weights, which: 
     let first = lost.first().copied().unwrap_or_default();
     let message = match lost.len() {
         1 => format!("bone `{first}` does not exist in {which}"),
-        count => format!("{count} of {} bones do not exist in {which}, first `{first}`", weights.bones.len()),
+        count => format!(
+            "{count} of {} bones do not exist in {which}, first `{first}`",
+            weights.bones.len()
+        ),
     };
     let finding = rule.at(file, Place::key(["weights", first]), message);
     finding.evidence(Evidence::of_cases(lost.iter().copied()))
@@ -58,7 +85,9 @@ fn told(rule: &Rule, file: &FileFacts, lost: &[&str], weights: &Weights, which: 
 /// The sub-rig beside the asset, which has bones of its own.
 fn subrig<'v>(body: &Body<'v>, weights: &FileFacts) -> Option<&'v FileFacts> {
     let name = weights.file_name().split('.').next().unwrap_or_default();
-    body.layers.checked.file(&format!("{}/{name}.mpfbskel", parent(&weights.rel)))
+    body.layers
+        .checked
+        .file(&format!("{}/{name}.mpfbskel", parent(&weights.rel)))
 }
 
 /// Whether most vertices have weights for more than one rig: those of one come to 1.
