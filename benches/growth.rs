@@ -473,7 +473,7 @@ fn lines_of_model(count: usize) -> Files {
             lines,
             "clothes c{number} {number}\nmaterial c{number} {number} a.mhmat"
         )
-        .unwrap()
+        .unwrap();
     });
     makehuman1()
         .into_iter()

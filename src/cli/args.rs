@@ -14,7 +14,8 @@ use mhlint_config::MOST_SAMPLES;
 use mhlint_diag::{Application, Edition, EditionFault, Level, Version};
 
 const AFTER_HELP: &str = "\
-Exit codes: 0 passed, 1 findings at or above --fail-on, 2 could not run, 3 nothing was checked in a PATH.
+Exit codes: 0 passed, 1 findings at or above --fail-on, 2 could not run, 3 nothing was checked in \
+a PATH.
 
 Examples:
   mhlint data/                                     check a data folder

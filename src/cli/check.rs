@@ -155,7 +155,8 @@ fn refuse_without_human(args: &CheckArgs, targets: &[Target]) -> Result<(), Fail
     match options.into_iter().find(|(_, is_set)| *is_set) {
         Some((option, _)) if !targets.iter().any(|target| target.format == Format::Human) => {
             Err(Failure::Usage(format!(
-                "`{option}` changes the human report, which is not written; add `--report human`, or leave it out"
+                "`{option}` changes the human report, which is not written; add `--report human`, \
+                    or leave it out"
             )))
         }
         _ => Ok(()),

@@ -86,7 +86,8 @@ fn staged(repository: &Repository) -> Result<Result<Compare, &'static str>, Fail
     if let Some(first) = unmerged.first() {
         let shown = first.display();
         let text = format!(
-            "`--staged`: `{shown}` has unresolved merge conflicts; resolve them and `git add` the file"
+            "`--staged`: `{shown}` has unresolved merge conflicts; resolve them and `git add` the \
+                file"
         );
         return Err(Failure::Usage(text));
     }
@@ -119,7 +120,8 @@ fn around_all(paths: &[PathBuf], option: &str) -> Result<Repository, Failure> {
     if let Some(pack) = paths.iter().find(|path| is_pack(path)) {
         let pack = pack.display();
         let text = format!(
-            "`{option}` compares files that git knows, and `{pack}` is a zip; use `--against OLD.zip`"
+            "`{option}` compares files that git knows, and `{pack}` is a zip; use `--against \
+                OLD.zip`"
         );
         return Err(Failure::Usage(text));
     }
@@ -129,7 +131,8 @@ fn around_all(paths: &[PathBuf], option: &str) -> Result<Repository, Failure> {
         if around(path, option)?.top() != repository.top() {
             let (first, path) = (first.display(), path.display());
             let text = format!(
-                "`{option}`: `{path}` and `{first}` are in different repositories; run mhlint once for each"
+                "`{option}`: `{path}` and `{first}` are in different repositories; run mhlint \
+                    once for each"
             );
             return Err(Failure::Usage(text));
         }
@@ -176,7 +179,8 @@ fn failed(option: &str, refusal: &Refusal) -> Failure {
 }
 
 fn unknown(repository: &Repository, revision: &str, said: &str) -> Failure {
-    let advice = "use a commit, a tag or a branch (`git branch --all` lists branches; `git fetch` downloads new ones)";
+    let advice = "use a commit, a tag or a branch (`git branch --all` lists branches; `git fetch` \
+        downloads new ones)";
     let shallow = if repository.is_shallow() {
         format!("; this is a shallow clone, which may lack it: {FETCH}")
     } else {

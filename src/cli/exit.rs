@@ -79,7 +79,8 @@ impl fmt::Display for Failure {
             Self::Io(error) => {
                 write!(
                     f,
-                    "cannot write to standard output: {error}; redirect it to a file or another program"
+                    "cannot write to standard output: {error}; redirect it to a file or another \
+                        program"
                 )
             }
         }

@@ -92,7 +92,8 @@ pub(super) fn sweep(
         let told = match asked.fixes.fix.then(|| left.remove()) {
             Some(Err(error)) => {
                 format!(
-                    "a `--fix` that was interrupted left {files} in `{folder}`, which cannot be removed: {error}"
+                    "a `--fix` that was interrupted left {files} in `{folder}`, which cannot be \
+                        removed: {error}"
                 )
             }
             _ if asked.quiet => continue,
@@ -100,7 +101,8 @@ pub(super) fn sweep(
                 format!("{files} of a `--fix` that was interrupted removed from `{folder}`")
             }
             None => format!(
-                "a `--fix` that was interrupted left {files} in `{folder}`; the next `--fix` removes them"
+                "a `--fix` that was interrupted left {files} in `{folder}`; the next `--fix` \
+                    removes them"
             ),
         };
         writeln!(err, "mhlint: {}", printable(&told))?;
@@ -214,7 +216,8 @@ pub(super) fn tell(all: &Fixed, asked: &CheckArgs, err: &mut dyn Write) -> Resul
     if risky > 0 && !args.unsafe_fixes {
         writeln!(
             err,
-            "mhlint: {risky} more can be fixed with `--unsafe-fixes`; check `--diff --unsafe-fixes` first"
+            "mhlint: {risky} more can be fixed with `--unsafe-fixes`; check `--diff \
+                --unsafe-fixes` first"
         )?;
     }
     Ok(())

@@ -54,7 +54,8 @@ pub(super) fn targets(asked: &[Target], config: &Config) -> Result<Vec<Target>, 
     let to_stdout = asked.iter().filter(|target| target.file.is_none()).count();
     if to_stdout > 1 {
         return Err(Failure::Usage(format!(
-            "{to_stdout} reports go to standard output; write all but one to a file with `--report FORMAT=FILE`"
+            "{to_stdout} reports go to standard output; write all but one to a file with \
+                `--report FORMAT=FILE`"
         )));
     }
     let files: Vec<&PathBuf> = asked
@@ -136,7 +137,8 @@ pub(super) fn refuse_unwritable(what: &str, file: &Path) -> Result<(), Failure> 
             ""
         };
         return Err(Failure::Usage(format!(
-            "cannot write {what} to `{shown}`: folder `{folder}`{whose} does not exist; create it first"
+            "cannot write {what} to `{shown}`: folder `{folder}`{whose} does not exist; create it \
+                first"
         )));
     }
     Ok(())

@@ -33,9 +33,37 @@ const LIBRARIES: [(&str, &[&str]); 8] = [
 ];
 
 /// Hard bounds in lines without tests.
-const RULE_LINES: usize = 150;
-const FILE_LINES: usize = 400;
+const RULE_LINES: usize = 200;
+const FILE_LINES: usize = 600;
 const MAIN_LINES: usize = 40;
+
+/// Files that were longer when lines became shorter: they may only shrink, and leave the table.
+const STILL_LONG: [(&str, usize); 24] = [
+    ("rules/base/geometry_range.rs", 209),
+    ("rules/base/unknown_equipment.rs", 238),
+    ("rules/base/unknown_preset.rs", 206),
+    ("rules/bvh/frames.rs", 220),
+    ("rules/catalog/breaks_start.rs", 214),
+    ("rules/catalog/missing_target.rs", 219),
+    ("rules/file/unreferenced.rs", 216),
+    ("rules/macros/influence_mismatch.rs", 217),
+    ("rules/macros/unexpected_combination.rs", 220),
+    ("rules/material/blender.rs", 618),
+    ("rules/mesh/stale_binary.rs", 216),
+    ("rules/model/modifier.rs", 242),
+    ("rules/model/unknown_asset.rs", 242),
+    ("rules/modelling/unknown_group.rs", 229),
+    ("rules/modifiers/no_target.rs", 216),
+    ("rules/overlay/partial_override.rs", 228),
+    ("rules/overlay/shadowed_asset.rs", 208),
+    ("rules/parts/missing_target.rs", 216),
+    ("rules/proxy/scale.rs", 207),
+    ("rules/proxy/stale_binary.rs", 204),
+    ("rules/skeleton/joint_off_cube.rs", 209),
+    ("rules/skeleton/unknown_reference.rs", 220),
+    ("rules/target/unreferenced.rs", 266),
+    ("rules/uv/layer.rs", 228),
+];
 
 /// The wings of `engine`, and what each may import of the others.
 const WINGS: &[(&str, &[&str])] = &[
@@ -130,9 +158,9 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         if path.is_dir() {
-            files.extend(files_below(&path))
+            files.extend(files_below(&path));
         } else {
-            files.push(path)
+            files.push(path);
         }
     }
     files.sort();
@@ -446,7 +474,14 @@ fn files_stay_short() {
             _ => FILE_LINES,
         };
         let lines = source.code.lines().count();
-        if lines > bound {
+        let known = STILL_LONG.iter().find(|(path, _)| *path == source.path);
+        if known.is_some_and(|_| lines <= bound) {
+            faults.push(format!(
+                "{}: {lines} lines, take it out of the table",
+                source.path
+            ));
+        }
+        if lines > known.map_or(bound, |(_, long)| *long) {
             faults.push(format!("{}: {lines} lines, bound {bound}", source.path));
         }
     }

@@ -247,7 +247,7 @@ fn fixing_one_fault_and_making_another_does_not_cancel_out() {
                 OVAL,
                 "338 .001 .001 .001",
                 "338 .001 .001 .001\n338 .001 .001 .001",
-            )
+            );
         },
         |root| edit(root, OVAL, "337 .002 0 0", "337 .002 0 0\n337 .002 0 0"),
     );
@@ -626,7 +626,7 @@ fn errors_hide_what_the_baseline_knows() {
                     root.join(file),
                     [b"\xef\xbb\xbf", whole.as_slice()].concat(),
                 )
-                .unwrap()
+                .unwrap();
             },
             &|| fs::remove_file(root.join(file)).unwrap(),
         ];

@@ -207,6 +207,7 @@ fn options_of_rules_are_set() {
 }
 
 #[test]
+#[expect(clippy::too_many_lines, reason = "a table")]
 fn what_is_wrong_with_the_file_is_told_with_place_and_remedy() {
     for (config, words) in [
         (

@@ -397,7 +397,7 @@ fn files_without_permission_are_named_each() {
         let root = example();
         let path = root.path().join("data").join(file);
         let set = |path: &Path, mode| {
-            std::fs::set_permissions(path, PermissionsExt::from_mode(mode)).unwrap()
+            std::fs::set_permissions(path, PermissionsExt::from_mode(mode)).unwrap();
         };
         set(root.path(), 0o755);
         set(&path, 0o000);

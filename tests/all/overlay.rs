@@ -205,7 +205,7 @@ const ROWS: &[Row<'_>] = &[
         },
     ),
     no_macros("macro.json empty: as if absent", |contarget| {
-        write(contarget, "macro.json", "{}")
+        write(contarget, "macro.json", "{}");
     }),
     no_sliders(
         "modelling.json malformed: the system's sliders over contarget's targets",
@@ -229,7 +229,7 @@ const ROWS: &[Row<'_>] = &[
             remove_all(
                 contarget,
                 &["macro.json", "modelling.json", "target_cat.json"],
-            )
+            );
         },
         over_system: &[DEAD_TARGETS, SYSTEM_SLIDERS],
         alone: &[DEAD_TARGETS],
@@ -243,19 +243,19 @@ const ROWS: &[Row<'_>] = &[
         one_root: &[MACRO_PROBE, SHADOWED_MACRO],
     },
     no_macros("macro.json is an empty list: as if absent", |contarget| {
-        write(contarget, "macro.json", "[]")
+        write(contarget, "macro.json", "[]");
     }),
     no_macros("macro.json is null: as if absent", |contarget| {
-        write(contarget, "macro.json", "null")
+        write(contarget, "macro.json", "null");
     }),
     no_macros("macro.json is false: as if absent", |contarget| {
-        write(contarget, "macro.json", "false")
+        write(contarget, "macro.json", "false");
     }),
     no_macros("macro.json is a zero: as if absent", |contarget| {
-        write(contarget, "macro.json", "0")
+        write(contarget, "macro.json", "0");
     }),
     no_macros("macro.json is an empty text: as if absent", |contarget| {
-        write(contarget, "macro.json", "\"\"")
+        write(contarget, "macro.json", "\"\"");
     }),
     no_sliders(
         "modelling.json empty: the system's sliders over contarget's targets",

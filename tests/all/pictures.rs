@@ -358,7 +358,7 @@ fn images(text: &str) -> Vec<(String, String)> {
             }
             Event::End(pulldown_cmark::TagEnd::Image) => is_inside = false,
             Event::Text(words) | Event::Code(words) if is_inside => {
-                all.last_mut().unwrap().1.push_str(&words)
+                all.last_mut().unwrap().1.push_str(&words);
             }
             _ => {}
         }

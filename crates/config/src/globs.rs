@@ -94,7 +94,7 @@ impl FromIterator<PathGlob> for Globs {
         for (number, glob) in all.list.iter().enumerate() {
             match glob.wild() {
                 _ if glob.is_plain() => {
-                    all.plain.entry(glob.text.clone()).or_default().push(number)
+                    all.plain.entry(glob.text.clone()).or_default().push(number);
                 }
                 Some(compiled) => wild.push((number, compiled)),
                 None => all.alone.push(number),

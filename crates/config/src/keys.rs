@@ -100,7 +100,8 @@ pub(super) static FILE: &[Key] = &[
     key(
         "system",
         Shape::Paths,
-        "Data of the applications themselves, one folder or a list: read to resolve references, not reported.",
+        "Data of the applications themselves, one folder or a list: read to resolve references, \
+            not reported.",
     ),
     key(
         "apps",

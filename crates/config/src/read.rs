@@ -143,7 +143,7 @@ impl Reader<'_> {
                     self.config.fail_on = self.take(level).unwrap_or_default();
                 }
                 "max-warnings" => {
-                    self.config.max_warnings = self.take(value::number(key.name, value))
+                    self.config.max_warnings = self.take(value::number(key.name, value));
                 }
                 "select" => self.file.select = self.selectors(key.name, value),
                 "skip" => self.file.skip = self.selectors(key.name, value),
@@ -251,7 +251,8 @@ impl Reader<'_> {
                 .iter()
                 .any(|rule| rule.id == text && rule.cannot_be_ignored)
         {
-            let why = "it protects against running foreign code, leaving the data folder or filling the memory";
+            let why = "it protects against running foreign code, leaving the data folder or \
+                filling the memory";
             let message = format!("`{text}` cannot be ignored or lowered: {why}");
             self.fault((
                 span.clone(),
@@ -472,11 +473,12 @@ impl Reader<'_> {
                 .insert(format!("eval.{}", key.name), value.span());
             match key.name {
                 "samples" => {
-                    self.config.samples = self.take(value::number_to(MOST_SAMPLES, key.name, value))
+                    self.config.samples =
+                        self.take(value::number_to(MOST_SAMPLES, key.name, value));
                 }
                 _ => {
                     self.config.exhaustive =
-                        self.take(value::flag(key.name, value)).unwrap_or_default()
+                        self.take(value::flag(key.name, value)).unwrap_or_default();
                 }
             }
         }

@@ -77,7 +77,8 @@ pub fn template_for(applications: &[&str], system: Option<&str>) -> String {
                 .to_owned()
         }
         DATA_COMMENT if system.is_none() => {
-            format!("{line}\n# Not found near this folder: without it nothing is compared with the base mesh.")
+            format!("{line}\n# Not found near this folder: without it nothing is compared with \
+                the base mesh.")
         }
         SYSTEM => found.clone().unwrap_or_else(|| line.to_owned()),
         APPS => apps.clone(),
@@ -87,7 +88,8 @@ pub fn template_for(applications: &[&str], system: Option<&str>) -> String {
     TEMPLATE.lines().map(|text| line(text) + "\n").collect()
 }
 
-const ALL_COMMENTED: &str = "# Settings of mhlint for this repository, all commented out: remove the `#` of a line to set it.";
+const ALL_COMMENTED: &str = "# Settings of mhlint for this repository, all commented out: remove \
+    the `#` of a line to set it.";
 const DATA_COMMENT: &str = "# MakeHuman's own data: read to resolve references, not reported.";
 const SYSTEM: &str = "#system = \"../makehuman2/data\"";
 const APPS: &str = "#apps = [\"makehuman2\"]";

@@ -449,6 +449,7 @@ mod tests {
     }
 
     #[test]
+    #[expect(clippy::too_many_lines, reason = "a table")]
     fn a_library_is_that_of_two_applications_where_the_other_one_is_at_hand() {
         let both = |path: &str| {
             [

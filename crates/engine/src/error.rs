@@ -141,7 +141,8 @@ impl fmt::Display for Error {
             ),
             Self::FixPack { path } => write!(
                 f,
-                "`{path}` is a zip, which mhlint reads and never writes; unpack it, fix the folder, and pack it again"
+                "`{path}` is a zip, which mhlint reads and never writes; unpack it, fix the \
+                    folder, and pack it again"
             ),
             Self::Baseline { path, fault } => write!(f, "the baseline `{path}` {fault}"),
             Self::Selector { text, fault } => write!(f, "`{text}` {fault}"),
@@ -167,7 +168,8 @@ impl fmt::Display for PathFault {
             Self::SecondSystem { application, first } => {
                 write!(
                     f,
-                    "and `{first}` are both given with `--system` as data of {application}; name one of them"
+                    "and `{first}` are both given with `--system` as data of {application}; name \
+                        one of them"
                 )
             }
         }
@@ -206,7 +208,8 @@ impl fmt::Display for BaselineFault {
             Self::TooLarge => f.write_str("is too large; use another file with `--baseline`"),
             Self::Conflict => write!(
                 f,
-                "has an unresolved merge conflict; keep the entries of both sides, or remove the file and {anew}"
+                "has an unresolved merge conflict; keep the entries of both sides, or remove the \
+                    file and {anew}"
             ),
             Self::Damaged(reason) => write!(
                 f,
@@ -215,7 +218,8 @@ impl fmt::Display for BaselineFault {
             Self::Format { found, read } => {
                 write!(
                     f,
-                    "has the format `{found}`, but this version reads `{read}`; remove it and {anew}"
+                    "has the format `{found}`, but this version reads `{read}`; remove it and \
+                        {anew}"
                 )
             }
             Self::Other => {

@@ -388,7 +388,7 @@ fn edits(text: &mut Text, changes: &[&Change]) -> Option<Vec<Edit>> {
                 edits.push(json::set_value(finder.as_mut()?, pointer, text.as_deref())?);
             }
             Change::Key { pointer, key } => {
-                edits.push(json::set_key(finder.as_mut()?, pointer, key)?)
+                edits.push(json::set_key(finder.as_mut()?, pointer, key)?);
             }
             Change::Element(pointer) => elements.push(pointer.as_str()),
             Change::Rewrite(rewrite) => edits.extend(rewritten(*rewrite, bytes)),

@@ -110,7 +110,7 @@ impl Dimension {
     fn put(&self, setting: &mut Setting, corner: usize) {
         match self {
             Self::Steps { place, steps } => {
-                setting.put(*place, steps.get(corner).copied().unwrap_or(0.0))
+                setting.put(*place, steps.get(corner).copied().unwrap_or(0.0));
             }
             Self::Corners(places) => {
                 for (number, place) in places.iter().enumerate() {

@@ -123,38 +123,74 @@ impl fmt::Display for Error {
             Self::NoData(path) => {
                 let titles: Vec<&str> = evaluated().map(Application::title).collect();
                 let titles = match titles.as_slice() {
-                    [others @ .., last] if !others.is_empty() => format!("{} or {last}", others.join(", ")),
+                    [others @ .., last] if !others.is_empty() => {
+                        format!("{} or {last}", others.join(", "))
+                    }
                     other => other.concat(),
                 };
                 write!(
                     f,
-                    "`{path}` contains no {titles} data (expected base/<name>/base.obj, base.mhbin or 3dobjs/base.obj in it)"
+                    "`{path}` contains no {titles} data (expected base/<name>/base.obj, \
+                        base.mhbin or 3dobjs/base.obj in it)"
                 )
             }
             Self::SeveralRoots(paths) => {
-                write!(f, "several data folders contain this base mesh; use one of: {}", paths.join(", "))
+                write!(
+                    f,
+                    "several data folders contain this base mesh; use one of: {}",
+                    paths.join(", ")
+                )
             }
-            Self::BaseNeeded { known, .. } if known.is_empty() => {
-                f.write_str("the data folder has no base mesh (base.obj or base.mhbin); give the data of the program with `--system`")
-            }
+            Self::BaseNeeded { known, .. } if known.is_empty() => f.write_str(
+                "the data folder has no base mesh (base.obj or base.mhbin); give the \
+                    data of the program with `--system`",
+            ),
             Self::BaseNeeded { known, .. } => {
-                write!(f, "the data folder has several base meshes; choose one with `--base`: {}", known.join(", "))
+                write!(
+                    f,
+                    "the data folder has several base meshes; choose one with `--base`: {}",
+                    known.join(", ")
+                )
             }
-            Self::UnknownBase { name, nearest, known } => {
+            Self::UnknownBase {
+                name,
+                nearest,
+                known,
+            } => {
                 write!(f, "unknown base mesh `{name}`{}", meant(nearest))?;
-                if known.is_empty() { Ok(()) } else { write!(f, " (known: {})", known.join(", ")) }
+                if known.is_empty() {
+                    Ok(())
+                } else {
+                    write!(f, " (known: {})", known.join(", "))
+                }
             }
-            Self::NoMacros { base, reason } => write!(f, "base mesh `{base}` has no usable macros: {reason}"),
-            Self::UnknownSlider { name, nearest } => write!(f, "unknown slider `{name}`{}", meant(nearest)),
+            Self::NoMacros { base, reason } => write!(
+                f,
+                "base mesh `{base}` has no usable \
+                macros: {reason}"
+            ),
+            Self::UnknownSlider { name, nearest } => {
+                write!(f, "unknown slider `{name}`{}", meant(nearest))
+            }
             Self::Setting { text, reason } => write!(f, "setting `{text}`: {reason}"),
             Self::MissingTarget { application, name } => {
-                write!(f, "this setting needs target `{name}`, which does not exist; {application} would crash")
+                write!(
+                    f,
+                    "this setting needs target `{name}`, which does not exist; \
+                    {application} would crash"
+                )
             }
             Self::File { path, reason } => write!(f, "cannot use `{path}`: {reason}"),
             Self::NoSkeleton { base, reason } => write!(f, "base mesh `{base}`: {reason}"),
-            Self::UnknownBone { name, nearest } => write!(f, "unknown bone `{name}`{}", meant(nearest)),
+            Self::UnknownBone { name, nearest } => {
+                write!(f, "unknown bone `{name}`{}", meant(nearest))
+            }
             Self::Input(what) => f.write_str(what),
-            Self::Stops { application, exception, reason } => {
+            Self::Stops {
+                application,
+                exception,
+                reason,
+            } => {
                 write!(f, "{application} would crash with `{exception}`: {reason}")
             }
         }

@@ -144,7 +144,8 @@ mod tests {
 
     #[test]
     fn lines_keep_their_ends() {
-        let expected = "--- a/a/b.target\n+++ b/a/b.target\n@@ -1,3 +1,2 @@\n 1\r\n-2\r\n 3\n\\ No newline at end of file\n";
+        let expected = "--- a/a/b.target\n+++ b/a/b.target\n@@ -1,3 +1,2 @@\n 1\r\n-2\r\n 3\n\\ \
+            No newline at end of file\n";
         assert_eq!(shown("1\r\n2\r\n3", Some("1\r\n3")), expected);
         assert_eq!(shown("1\n", Some("1\n")), "");
     }
@@ -159,7 +160,8 @@ mod tests {
 
     #[test]
     fn a_carriage_return_alone_ends_no_line() {
-        let expected = "--- a/a/b.target\n+++ b/a/b.target\n@@ -1,2 +1 @@\n 1\r2\n-3\r\n\\ No newline at end of file\n";
+        let expected = "--- a/a/b.target\n+++ b/a/b.target\n@@ -1,2 +1 @@\n 1\r2\n-3\r\n\\ No \
+            newline at end of file\n";
         assert_eq!(shown("1\r2\n3\r", Some("1\r2\n")), expected);
     }
 

@@ -82,7 +82,7 @@ impl Journal {
 impl Drop for Journal {
     fn drop(&mut self) {
         self.pending.done(&self.file, || {
-            fs::remove_file(&self.file).unwrap_or_default()
+            fs::remove_file(&self.file).unwrap_or_default();
         });
     }
 }

@@ -308,7 +308,8 @@ mod tests {
             (Some((0, 4)), 1, None)
         );
         let fan = of(
-            "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 4 0 0\nv 5 0 0\nv 6 0 0\nf 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 6\nf 1 6 7\n",
+            "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 4 0 0\nv 5 0 0\nv 6 0 0\nf 1 2 3\nf 1 3 4\nf 1 \
+                4 5\nf 1 5 6\nf 1 6 7\n",
         );
         assert_eq!((fan.pole, fan.neighbours), (Some((0, 5)), Some((0, 6))));
         assert_eq!((of(FACES).pole, of(FACES).repeated), (None, 0));

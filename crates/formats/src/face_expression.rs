@@ -53,7 +53,7 @@ pub fn read(document: &Document) -> FaceExpression {
     if let Some(tags) = root.get("tags") {
         match &tags.value {
             Value::Number(..) | Value::Bool(_) => {
-                expression.empties.add_type("/tags", tags, "a list")
+                expression.empties.add_type("/tags", tags, "a list");
             }
             Value::String(text) => expression.has_letters_for_tags = !text.is_empty(),
             Value::Null | Value::Array(_) | Value::Object(_) => {}
@@ -64,7 +64,7 @@ pub fn read(document: &Document) -> FaceExpression {
         members.iter().for_each(|member| {
             expression
                 .unread
-                .add(&below("", &member.key), Why::Key(&["face_units"]))
+                .add(&below("", &member.key), Why::Key(&["face_units"]));
         });
     }
     match root.get("face_units") {
@@ -72,7 +72,7 @@ pub fn read(document: &Document) -> FaceExpression {
         Some(units) if !units.is_falsy() => {
             expression
                 .empties
-                .add_type("/face_units", units, "an object")
+                .add_type("/face_units", units, "an object");
         }
         Some(_) | None => {}
     }
@@ -89,7 +89,7 @@ impl FaceExpression {
                     None => self.no_numbers.add_type(&pointer, &member.node, "a number"),
                 },
                 Some(value) if !(0.0..=1.0).contains(&value) => {
-                    self.out_of_range.add(&pointer, Why::Range(value))
+                    self.out_of_range.add(&pointer, Why::Range(value));
                 }
                 Some(_) => {}
             }

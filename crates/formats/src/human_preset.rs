@@ -250,17 +250,17 @@ impl HumanPreset {
         match &clothes.value {
             // It is read letter by letter, and no letter is a file.
             Value::String(text) if !text.is_empty() => {
-                self.ignored.add_type("/clothes", clothes, "a list")
+                self.ignored.add_type("/clothes", clothes, "a list");
             }
             Value::Null | Value::Number(..) | Value::Bool(_) => {
-                self.stops.add_type("/clothes", clothes, "a list")
+                self.stops.add_type("/clothes", clothes, "a list");
             }
             _ => {}
         }
         for (at, entry) in clothes.elements().iter().enumerate() {
             match &entry.value {
                 Value::String(name) if !name.is_empty() => {
-                    keep(&mut self.worn, &nth("/clothes", at), name)
+                    keep(&mut self.worn, &nth("/clothes", at), name);
                 }
                 Value::Number(..) => self.stops.add_type(&nth("/clothes", at), entry, "a string"),
                 _ => {}

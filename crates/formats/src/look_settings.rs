@@ -139,7 +139,7 @@ impl LoaderFaults {
             Some(false) if !is_number(node) => self.stops.add_type(pointer, node, "a number"),
             Some(false) => {}
             Some(true) if !node.is_array() => {
-                self.stops.add_type(pointer, node, "a list of 4 numbers")
+                self.stops.add_type(pointer, node, "a list of 4 numbers");
             }
             Some(true) if node.elements().len() != 4 => {
                 self.stops

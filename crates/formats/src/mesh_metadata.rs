@@ -71,7 +71,7 @@ pub fn groups(document: &Document) -> VertexGroups {
                 None => {
                     found
                         .stops
-                        .add_type(&nth(&pointer, at), range, "a list of two whole numbers")
+                        .add_type(&nth(&pointer, at), range, "a list of two whole numbers");
                 }
             }
         }

@@ -59,7 +59,7 @@ pub fn read(text: &[u8]) -> Meta {
             b"name" | b"tag" | b"author" if words.len() < 2 => {}
             b"name" => meta.name = Some(name(&rest().collect::<Vec<_>>().join("_"), number)),
             b"tag" if meta.tags.len() < MOST => {
-                meta.tags.push(rest().collect::<Vec<_>>().join(" "))
+                meta.tags.push(rest().collect::<Vec<_>>().join(" "));
             }
             word => {
                 let Some(meant) = meant(word) else { continue };

@@ -364,7 +364,8 @@ mod tests {
     }
 
     fn header(counts: [i32; 4]) -> Vec<u8> {
-        let descr = "[('objname', '|S3'), ('numverts', '<i4'), ('prnt', '<i4'), ('fcnt', '<i4'), ('ucnt', '<i4')]";
+        let descr = "[('objname', '|S3'), ('numverts', '<i4'), ('prnt', '<i4'), ('fcnt', '<i4'), \
+            ('ucnt', '<i4')]";
         npy(descr, "(1,)", &[b"imp".as_slice(), &ints(&counts)].concat())
     }
 

@@ -269,7 +269,8 @@ mod tests {
 
     fn members() -> Vec<(&'static str, Vec<u8>)> {
         let asset = "[('name', '|S3'), ('uuid', '|S2'), ('author', '|S1'), ('description', '|S1'), ('meshtype', '|S1'), \
-            ('refverts', '<i4'), ('version', '<i4'), ('zdepth', '<i4'), ('license', '|S1'), ('tags', '|S1')]";
+            ('refverts', '<i4'), ('version', '<i4'), ('zdepth', '<i4'), ('license', '|S1'), \
+            ('tags', '|S1')]";
         let row = [b"hatu1ade".as_slice(), &ints(&[3, 110, 60]), b"lt"].concat();
         let files = npy("[('material', '|S2'), ('weight', '|S1')]", "(1,)", b"m\0\0");
         vec![

@@ -285,7 +285,8 @@ mod tests {
     use super::*;
 
     const TEXT: &str = "# clothes no\nversion v2\r\nname well dressed\ntags a;b c\nmodifier a/b|c 0.5\nmodifier a/b 0,5\n\
-        modifier x\n clothes vest 12\nmaterial vest 12 red.mhmat more\nskinMaterial a.mhmat\nskinMaterial skins/b.mhmat\n\
+        modifier x\n clothes vest 12\nmaterial vest 12 red.mhmat more\nskinMaterial \
+        a.mhmat\nskinMaterial skins/b.mhmat\n\
         skeleton\nhair bob\nCloths vest 12\nnote x\n";
 
     #[test]
@@ -351,7 +352,8 @@ mod tests {
 
         #[test]
         fn every_modifier_is_found_again(values in prop::collection::vec(("[a-z/|]{1,9}", -2.0..2.0f64), 0..20)) {
-            let lines: Vec<String> = values.iter().map(|(name, value)| format!("modifier {name} {value}")).collect();
+            let lines: Vec<String> = values.iter().map(|(name, value)| format!("modifier {name} \
+                {value}")).collect();
             let text = lines.join("\n");
             let found = read(text.as_bytes()).modifiers;
             let found: Vec<_> = found.into_iter().map(|one| (one.pattern.text.to_string(), one.value.unwrap())).collect();

@@ -110,12 +110,12 @@ pub fn read(text: &[u8]) -> Columns {
             "name" => columns.has_name |= !rest.trim().is_empty(),
             "modifier" => keep(&mut columns.modifiers, setting(rest, at)),
             "skinMaterial" => {
-                columns.skin = Some(word(rest.trim_end(), at)).filter(|skin| !skin.text.is_empty())
+                columns.skin = Some(word(rest.trim_end(), at)).filter(|skin| !skin.text.is_empty());
             }
             "clothes" if rest.trim().is_empty() => keep(&mut columns.bare, word(keyword, start)),
             "skeleton" => {
                 columns.skeleton =
-                    Some(word(rest.trim_end(), at)).filter(|one| !one.text.is_empty())
+                    Some(word(rest.trim_end(), at)).filter(|one| !one.text.is_empty());
             }
             other => {
                 let Some(category) = CATEGORIES.into_iter().find(|category| *category == other)
@@ -186,7 +186,8 @@ mod tests {
     use super::*;
 
     const TEXT: &str = "version v1\r\nname well dressed\nmodifier a/b|c -0.5 \nmodifier user target 1\nmodifier a/b 1 # x\n\
-        modifier a\t1\nclothes\nclothes red_cape 12-3\neyes high\n clothes indented 1\nskinMaterial skins/a/b.mhmat\n";
+        modifier a\t1\nclothes\nclothes red_cape 12-3\neyes high\n clothes indented \
+        1\nskinMaterial skins/a/b.mhmat\n";
 
     #[test]
     fn lines_are_split_at_the_first_blank() {

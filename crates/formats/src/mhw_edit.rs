@@ -372,15 +372,18 @@ mod tests {
 
     #[test]
     fn only_vertices_that_are_off_are_written() {
-        let text = "{\"weights\": {\n\t\"a\": [[0, 0.250], [1, 0.25],\n\t\t[2, 2], [3, 1e-1]],\n\t\"b\": [[1,0.5], [0, 0.75]]}}";
-        let expected = "{\"weights\": {\n\t\"a\": [[0, 0.250], [1, 0.33333334],\n\t\t[2, 2], [3, 1]],\n\t\"b\": [[1,0.6666667], [0, 0.75]]}}";
+        let text = "{\"weights\": {\n\t\"a\": [[0, 0.250], [1, 0.25],\n\t\t[2, 2], [3, \
+            1e-1]],\n\t\"b\": [[1,0.5], [0, 0.75]]}}";
+        let expected = "{\"weights\": {\n\t\"a\": [[0, 0.250], [1, 0.33333334],\n\t\t[2, 2], [3, \
+            1]],\n\t\"b\": [[1,0.6666667], [0, 0.75]]}}";
         assert_eq!(by(normalize_weights, text), expected);
         assert_eq!(by(normalize_weights, expected), expected);
     }
 
     #[test]
     fn small_entries_go_and_emptied_bones_with_them() {
-        let text = "{\"weights\": {\n  \"a\": [[0, 0.5], [1, 0.0],\n    [2, 1]],\n  \"b\": [[1, 0.0001]],\n  \"c\": [[0, 0.5], [1, 1]]}}";
+        let text = "{\"weights\": {\n  \"a\": [[0, 0.5], [1, 0.0],\n    [2, 1]],\n  \"b\": [[1, \
+            0.0001]],\n  \"c\": [[0, 0.5], [1, 1]]}}";
         let expected =
             "{\"weights\": {\n  \"a\": [[0, 0.5],\n    [2, 1]],\n  \"c\": [[0, 0.5], [1, 1]]}}";
         assert_eq!(by(drop_small_weights, text), expected);

@@ -278,7 +278,7 @@ impl Parser {
         let name = |_: &Mesh| row_name(&fields(line));
         match fault {
             Some(BadCorner::Number(number)) => {
-                self.mesh.facts.face_out_of_range.add(self.line, number)
+                self.mesh.facts.face_out_of_range.add(self.line, number);
             }
             Some(BadCorner::Text) => {
                 self.bad(
@@ -419,7 +419,8 @@ mod tests {
     #[test]
     fn faces_of_a_reopened_group_stay_in_the_last_one() {
         let text = format!(
-            "{SQUARE}g body\nf 1 2 3\ng helper\nf 1 2 4\ng body\nf 2 3 4\nf 1 3 4\ng body\nf 1 2 3\n"
+            "{SQUARE}g body\nf 1 2 3\ng helper\nf 1 2 4\ng body\nf 2 3 4\nf 1 3 4\ng body\nf 1 2 \
+                3\n"
         );
         let mesh = parse(text.as_bytes());
         let groups: Vec<_> = mesh
@@ -514,7 +515,8 @@ mod tests {
     #[test]
     fn second_uvs_of_a_vertex_make_seam_duplicates() {
         let text = format!(
-            "{SQUARE}vt 0 0\nvt 0.0005 0\nvt 0.5 0\nvt 0.5 0\nf 1/1 2/1 3/1\nf 1/2 3/3 4/1\nf 1/1 3/4 4/1\n"
+            "{SQUARE}vt 0 0\nvt 0.0005 0\nvt 0.5 0\nvt 0.5 0\nf 1/1 2/1 3/1\nf 1/2 3/3 4/1\nf 1/1 \
+                3/4 4/1\n"
         );
         assert_eq!(parse(text.as_bytes()).facts.seam_duplicates, 2);
     }
@@ -547,7 +549,8 @@ mod tests {
 
         #[test]
         fn hostile_faces_stay_inside_the_text(
-            words in proptest::collection::vec("(v|vt|f|g|o|s)( (-?[0-9]{1,20}|nan|[0-9]/[0-9]|//|x)){0,5}", 0..20),
+            words in proptest::collection::vec("(v|vt|f|g|o|s)( \
+                (-?[0-9]{1,20}|nan|[0-9]/[0-9]|//|x)){0,5}", 0..20),
         ) {
             let text = words.join("\n");
             let mesh = parse(text.as_bytes());
@@ -557,7 +560,8 @@ mod tests {
 
         #[test]
         fn a_truncated_mesh_has_no_more_elements(cut in 0usize..120) {
-            let text = format!("{SQUARE}vt 0 0\nvt 1 0\nvt 1 1\ng body\nf 1/1 2/2 3/3\nf 1/1 3/3 4/1\ng helper\nf 4/1 2/2 1/1\n");
+            let text = format!("{SQUARE}vt 0 0\nvt 1 0\nvt 1 1\ng body\nf 1/1 2/2 3/3\nf 1/1 3/3 \
+                4/1\ng helper\nf 4/1 2/2 1/1\n");
             let whole = parse(text.as_bytes());
             let part = parse(&text.as_bytes()[..cut.min(text.len())]);
             prop_assert!(part.positions.len() <= whole.positions.len() && part.faces.len() <= whole.faces.len());

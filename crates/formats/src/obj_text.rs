@@ -54,7 +54,8 @@ mod tests {
 
     #[test]
     fn a_mesh_comes_back_from_its_text() {
-        let text = "v 0 0.1 -3\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 0.25 1\nvt 1 1\ng a\nf 1/1 2/2 3/3\ng b\nf 1 3 4 2\n";
+        let text = "v 0 0.1 -3\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 0.25 1\nvt 1 1\ng a\nf 1/1 \
+            2/2 3/3\ng b\nf 1 3 4 2\n";
         let mesh = obj::parse(text.as_bytes());
         let again = obj::parse(text_of(&mesh).as_bytes());
         assert!(MeshDifference::between(&mesh, &again).is_none());

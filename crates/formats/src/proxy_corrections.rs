@@ -29,7 +29,7 @@ pub fn read(document: &Document) -> ProxyCorrections {
         // One looks in vain for a key in them.
         Value::Array(_) | Value::String(_) => found.ignored.add_type("", root, "an object"),
         Value::Null | Value::Bool(_) | Value::Number(..) => {
-            found.stops.add_type("", root, "an object")
+            found.stops.add_type("", root, "an object");
         }
     }
     for member in root.effective_members() {
@@ -50,7 +50,7 @@ impl ProxyCorrections {
             Value::Array(names) if names.iter().any(|name| name.as_str() == Some(FLAG)) => {}
             Value::String(_) | Value::Array(_) => self.ignored.add_type(pointer, node, "an object"),
             Value::Null | Value::Bool(_) | Value::Number(..) => {
-                self.stops.add_type(pointer, node, "an object")
+                self.stops.add_type(pointer, node, "an object");
             }
         }
     }

@@ -222,10 +222,14 @@ mod tests {
 
     use super::*;
 
-    const SOURCE: &[u8] = b"#version 120\n/* uniform float no;\n#ifdef IN_COMMENT\n*/\n// uniform float neither;\n\
-        #ifdef DIFFUSE\n  uniform sampler2D diffuseTexture;\n#endif\n # ifdef NOT\n#endif\n#if defined(NOR)\n#endif\n\
-        uniform highp vec3 tint = vec3(1.0, 0.5, 0), edge;\nuniform float glow, unused;\nuniform mat4 bones[20];\n\
-        uniform sampler2D ball;\nvoid main() { x = tint * glow * edge * bones[0] + ball; y = diffuseTexture; }\n";
+    const SOURCE: &[u8] =
+        b"#version 120\n/* uniform float no;\n#ifdef IN_COMMENT\n*/\n// uniform float neither;\n\
+        #ifdef DIFFUSE\n  uniform sampler2D diffuseTexture;\n#endif\n # ifdef NOT\n#endif\n#if \
+        defined(NOR)\n#endif\n\
+        uniform highp vec3 tint = vec3(1.0, 0.5, 0), edge;\nuniform float glow, unused;\nuniform \
+        mat4 bones[20];\n\
+        uniform sampler2D ball;\nvoid main() { x = tint * glow * edge * bones[0] + ball; y = \
+        diffuseTexture; }\n";
 
     #[test]
     fn names_are_found_as_the_application_finds_them() {

@@ -601,7 +601,8 @@ mod tests {
 
         #[test]
         fn rows_of_any_shape_agree_on_both_paths(
-            text in "([0-9]{1,11}|[-+]?[0-9.]{1,12}|[ \t]|[0-9]{1,3} -?[0-9]{0,3}\\.?[0-9]{0,7} -?\\.[0-9]{1,9} 0(\r\n|\r|\n)|[-#.e_ \n\r]){0,40}"
+            text in "([0-9]{1,11}|[-+]?[0-9.]{1,12}|[ \t]|[0-9]{1,3} -?[0-9]{0,3}\\.?[0-9]{0,7} \
+                -?\\.[0-9]{1,9} 0(\r\n|\r|\n)|[-#.e_ \n\r]){0,40}"
         ) {
             let mesh = Some(MeshSize { vertices: 500, with_seams: 600 });
             prop_assert_eq!(seen(&parse(text.as_bytes(), mesh)), seen(&by_the_slow_path(text.as_bytes(), mesh)));

@@ -222,7 +222,8 @@ mod tests {
     proptest! {
         #[test]
         fn what_is_read_line_by_line_is_what_the_whole_text_says(
-            text in "([0-9]{1,4}|-?\\.[0-9]{1,3}|[ \t#\"\n\u{c}\u{2028}\u{a0}]|[0-9]{1,3} 0 0 1\n|#  x\n|1 2  3 4\n){0,30}"
+            text in "([0-9]{1,4}|-?\\.[0-9]{1,3}|[ \t#\"\n\u{c}\u{2028}\u{a0}]|[0-9]{1,3} 0 0 \
+                1\n|#  x\n|1 2  3 4\n){0,30}"
         ) {
             let found = parse(text.as_bytes(), None).facts.blanks;
             prop_assert_eq!(found.map(|blanks| *blanks).unwrap_or_default(), read(text.as_bytes()));

@@ -131,7 +131,8 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_parser_agrees(text in "([0-3] (0|-0|\\.1|x) 0 0(\n|\r|\r\n| 1\n)|# 0 0 0\n| ?\n){0,12}") {
+        fn the_parser_agrees(text in "([0-3] (0|-0|\\.1|x) 0 0(\n|\r|\r\n| 1\n)|# 0 0 0\n| \
+            ?\n){0,12}") {
             let parsed = |text: &str| target::parse(text.as_bytes(), None);
             let single = edited(&text, keep_last_rows(text.as_bytes()));
             prop_assert_eq!(parsed(&single).facts.duplicate.count, 0);

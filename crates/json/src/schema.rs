@@ -192,7 +192,7 @@ fn empty_objects_once(root: &Plain, faults: Vec<SchemaFault>) -> Vec<SchemaFault
             .filter(|first| first.pointer == fault.pointer && fault.missing().is_some());
         match first.map(|first| &mut first.fault) {
             Some(Misfit::Missing { and_more, .. }) if *and_more || is_empty(&fault.pointer) => {
-                *and_more = true
+                *and_more = true;
             }
             _ => once.push(fault),
         }

@@ -102,7 +102,8 @@ mod tests {
         (finding.location.line, finding.location.column) = (Some(3), Some(4));
         assert_eq!(
             command(&finding),
-            "::notice file=a%2Cb%3Ac%25 d,line=3,col=4,title=mhlint%3A a-rule::50%25 of \u{fffd}::error::x"
+            "::notice file=a%2Cb%3Ac%25 d,line=3,col=4,title=mhlint%3A a-rule::50%25 of \
+                \u{fffd}::error::x"
         );
     }
 }

@@ -40,7 +40,8 @@ pub use wrap::{count, hang, paragraphs};
 /// The tool that reports name: that of the command.
 pub const NAME: &str = "mhlint";
 /// What it is, in a sentence.
-pub const DESCRIPTION: &str = "Checks and evaluates the assets of MakeHuman 2, MakeHuman 1 and MPFB: targets, macros, meshes, rigs, weights, clothes";
+pub const DESCRIPTION: &str = "Checks and evaluates the assets of MakeHuman 2, MakeHuman 1 and \
+    MPFB: targets, macros, meshes, rigs, weights, clothes";
 
 /// What a report writer may know besides the outcome.
 #[derive(Debug, Clone, Copy)]

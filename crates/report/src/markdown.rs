@@ -101,7 +101,8 @@ impl Body {
 
 fn left_out(number: usize) -> String {
     format!(
-        "\n**{number} more findings** do not fit here; the gravest are shown, the other reports list all.\n"
+        "\n**{number} more findings** do not fit here; the gravest are shown, the other reports \
+            list all.\n"
     )
 }
 

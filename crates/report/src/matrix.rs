@@ -112,7 +112,7 @@ pub(super) fn tallies(outcome: &Outcome) -> Tallies {
         row.by.iter().for_each(|one| {
             all.entry((row.group, one.application))
                 .or_default()
-                .add(one)
+                .add(one);
         });
     }
     all

@@ -28,7 +28,8 @@ pub fn note(note: &Note) -> String {
         }
         Note::StandsAlone { path, application } => {
             format!(
-                "{path} is the data of {application} itself, and was checked without those of `--system`"
+                "{path} is the data of {application} itself, and was checked without those of \
+                    `--system`"
             )
         }
         Note::NothingFor { applications } => {

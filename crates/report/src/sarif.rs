@@ -48,7 +48,8 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
         // As Python counts lines, and with it the applications.
         "newlineSequences": ["\r\n", "\n", "\r"],
         "originalUriBaseIds": { "%SRCROOT%": {
-            "description": { "text": "The top of the repository where the CI system names it, the folder in which mhlint was run elsewhere." },
+            "description": { "text": "The top of the repository where the CI system names it, the \
+                folder in which mhlint was run elsewhere." },
         }},
     });
     let runs = [Run {

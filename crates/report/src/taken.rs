@@ -108,7 +108,8 @@ mod tests {
                 full,
             )
         };
-        let expected = "`mine` was taken for a user's folder of MakeHuman 1: custom/, .mhpxy; not MakeHuman 2: no base.json.";
+        let expected = "`mine` was taken for a user's folder of MakeHuman 1: custom/, .mhpxy; not \
+            MakeHuman 2: no base.json.";
         assert_eq!(of(vec![root(identity.clone())], false), [expected]);
         let certain = Identity {
             kind: Some(PlaceKind::Program),

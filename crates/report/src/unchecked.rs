@@ -105,7 +105,8 @@ fn clause(entry: &NotChecked) -> String {
         }
         Unchecked::Helpers => {
             format!(
-                "{files} of an add-on that makes assets (no assets; name their folder to check them)"
+                "{files} of an add-on that makes assets (no assets; name their folder to check \
+                    them)"
             )
         }
         Unchecked::Tests => format!("{files} of test data (name their folder to check them)"),
@@ -230,7 +231,8 @@ mod tests {
         ];
         assert_eq!(
             line(Unchecked::Kind, &paths),
-            "Not checked: 2 .bvh poses, 1 without extension, 1 .1, 1 .2, 1 .3 and 2 more files (no rules yet)."
+            "Not checked: 2 .bvh poses, 1 without extension, 1 .1, 1 .2, 1 .3 and 2 more files \
+                (no rules yet)."
         );
         assert_eq!(unchecked_line(&Outcome::default()), None);
     }

@@ -223,15 +223,22 @@ pub fn why_nothing(outcome: &Outcome, what: Option<Unchecked>) -> String {
             format!("this version cannot check {} data yet", titles(&others))
         }
         Some(Unchecked::Outside) => format!(
-            "these files are in no {} data folder; name the folder that contains `clothes/`, `rigs/` or `target/`",
+            "these files are in no {} data folder; name the folder that contains `clothes/`, \
+                `rigs/` or `target/`",
             titles(&outcome.looked_for)
         ),
         Some(Unchecked::Unused) => {
             "these files are parts of assets; name the folder that contains the assets".to_owned()
         }
         Some(_) => "there are no rules for files of these kinds yet".to_owned(),
-        None if outcome.nothing_in.iter().all(|one| one.path.to_lowercase().ends_with(".zip")) => {
-            "nothing in it can be read as an asset; in a pack assets are in folders such as `clothes/`, `hair/` or `rigs/`".to_owned()
+        None if outcome
+            .nothing_in
+            .iter()
+            .all(|one| one.path.to_lowercase().ends_with(".zip")) =>
+        {
+            "nothing in it can be read as an asset; in a pack assets are in folders such as \
+                `clothes/`, `hair/` or `rigs/`"
+                .to_owned()
         }
         None => format!(
             "no data of {} found; name the data folder ({}); folders whose names begin with a dot are searched only if PATH \

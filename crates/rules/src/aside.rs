@@ -7,7 +7,8 @@ use mhlint_discover::extension;
 use mhlint_repo::View;
 
 /// What happens to them today.
-const NOT_YET: &str = "reads nothing in this folder of the pack; this takes effect once the file is moved to where it is read";
+const NOT_YET: &str = "reads nothing in this folder of the pack; this takes effect once the file \
+    is moved to where it is read";
 
 /// Lowers what is found there.
 pub fn lower_aside(view: &View<'_>, findings: &mut [Finding]) {

@@ -31,7 +31,8 @@ const DIFFERING: [Differing; 3] = [
     },
     Differing {
         application: Makehuman2,
-        any: "the glTF export crashes up to 2026-08-05 for a model with a skeleton, newer ones leave out the weights",
+        any: "the glTF export crashes up to 2026-08-05 for a model with a skeleton, newer ones \
+            leave out the weights",
         before: &[(
             "2026-08-20",
             "the glTF export crashes for a model with a skeleton",

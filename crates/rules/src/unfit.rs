@@ -218,7 +218,7 @@ pub(super) fn names(pointer: &str) -> Vec<String> {
     for step in steps(pointer) {
         match names.last_mut() {
             Some(name) if step.bytes().all(|byte| byte.is_ascii_digit()) => {
-                *name = format!("{name}[{step}]")
+                *name = format!("{name}[{step}]");
             }
             _ => names.push(quoted(&step)),
         }

@@ -75,7 +75,8 @@ fn by_makehuman2(args: &FitArgs) -> Result<Done, Error> {
 fn by_makehuman1(args: &FitArgs) -> Result<Done, Error> {
     let asset = makehuman1::read_asset(&args.file)?;
     if !args.setting.set.is_empty() || args.setting.settings.is_some() {
-        let reason = "the sliders of MakeHuman 1 cannot be set yet; without `--set` its base mesh is used as it is";
+        let reason = "the sliders of MakeHuman 1 cannot be set yet; without `--set` its base mesh \
+            is used as it is";
         return Err(Error::Input(reason.to_owned()));
     }
     let base = &args.base_mesh;

@@ -154,7 +154,8 @@ const fn fix(kind: FixKind) -> &'static str {
         FixKind::None => "none; only you can decide what was meant.",
         FixKind::Safe => "`--fix`, where the finding says so; changes nothing else in the asset.",
         FixKind::Unsafe => {
-            "`--fix --unsafe-fixes`, where the finding says so; check with `--diff`, it may not do what you want."
+            "`--fix --unsafe-fixes`, where the finding says so; check with `--diff`, it may not \
+                do what you want."
         }
     }
 }

@@ -240,7 +240,7 @@ fn run_rule(rule: &Rule, checked: &Checked<'_>, options: &Config, out: &mut Vec<
         }
         (Check::Makehuman2Library(run), View::Makehuman2(view)) => run(view, cx, out),
         (Check::Libraries(run, _) | Check::LibrariesOfAll(run, ..), View::Makehuman2(view)) => {
-            run(view, cx, out)
+            run(view, cx, out);
         }
         (
             Check::Libraries(_, run)

@@ -71,7 +71,7 @@ pub(super) fn packed<'t>(
     };
     match places.as_mut_slice() {
         [only] if layouts.len() == 1 => {
-            only.pack.get_or_insert_default().faults = Some(Arc::clone(facts))
+            only.pack.get_or_insert_default().faults = Some(Arc::clone(facts));
         }
         _ => places.push(Place::of_pack(
             &input.tree,

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
-use super::copy::{certain, faults, is_copy, meant};
+use super::copy::{Certain, certain, faults, is_copy, meant};
 use super::found::{leave_to_homes, roots_beside, roots_of};
 use super::identify::is_pack;
 use super::input::Input;
@@ -103,6 +103,54 @@ pub(super) fn beside_root(tree: &Tree, root: &str, layouts: &[&'static Layout]) 
         .collect()
 }
 
+/// The places in packs, each with the applications that may be meant by what is in it.
+fn in_packs<'t>(
+    packs: &[(&'t Input, Certain)],
+    systems: &[Place<'t>],
+    options: &Config,
+    applications: &[Application],
+) -> Result<Vec<(Place<'t>, Vec<String>)>, Error> {
+    let given = Given::of(systems, options);
+    let bases_of = |application| {
+        let own = systems
+            .iter()
+            .filter(move |system| system.is_of(application));
+        own.flat_map(base_meshes).collect()
+    };
+    let all = asked(applications, systems, options).into_iter();
+    let all: Vec<_> = all.map(|one| (one, bases_of(one))).collect();
+    let mut found = Vec::new();
+    for (pack, certain) in packs {
+        let of_pack = meant(certain, &all, options);
+        let places = packed(pack, &of_pack, options)?;
+        let is_left = |one: &Application| !places.iter().any(|place| place.is_of(*one));
+        let rest = of_pack.iter().filter(|(one, _)| is_left(one));
+        found.extend(unpacked_singly(pack, rest, systems, &given)?);
+        found.extend(places.into_iter().map(|place| (place, Vec::new())));
+    }
+    Ok(found)
+}
+
+/// The layouts of all roots of an input, each once.
+fn layouts_of(
+    roots: &BTreeMap<String, Vec<&'static Layout>>,
+    applications: &[Application],
+) -> Vec<&'static Layout> {
+    let all = roots.values().flatten();
+    let all: BTreeMap<_, _> = all.map(|one| (one.application, *one)).collect();
+    let is_checked = |one: &&Layout| applications.contains(&one.application);
+    all.into_values().filter(is_checked).collect()
+}
+
+/// The data root of all inputs, where there is one.
+fn the_only_root(found: &[Found<'_>]) -> Option<String> {
+    let shown = |(input, roots): &Found<'_>| -> Vec<String> {
+        roots.keys().map(|root| input.tree.shown(root)).collect()
+    };
+    let mut all = found.iter().flat_map(shown);
+    all.next().filter(|first| all.all(|other| other == *first))
+}
+
 impl<'t> Roots<'t> {
     /// Looks for them: data roots, and files outside of any.
     pub(crate) fn of(
@@ -149,43 +197,15 @@ impl<'t> Roots<'t> {
             applications,
         };
         let found = taken.all(found);
-        let of_packs = asked(applications, &systems, options);
-        let bases_of = |application| {
-            systems
-                .iter()
-                .filter(move |system| system.is_of(application))
-                .flat_map(base_meshes)
-        };
         let given = Given::of(&systems, options);
-        let mut packed_places = Vec::new();
-        let of_packs: Vec<_> = of_packs
-            .into_iter()
-            .map(|one| (one, bases_of(one).collect()))
-            .collect();
-        for (pack, certain) in packs {
-            let of_pack = meant(&certain, &of_packs, options);
-            let places = packed(pack, &of_pack, options)?;
-            let rest = of_pack
-                .iter()
-                .filter(|(one, _)| !places.iter().any(|place| place.is_of(*one)));
-            packed_places.extend(unpacked_singly(pack, rest, &systems, &given)?);
-            packed_places.extend(places.into_iter().map(|place| (place, Vec::new())));
-        }
+        let mut packed_places = in_packs(&packs, &systems, options, applications)?;
         let asked: Vec<Application> = applications
             .iter()
             .copied()
             .filter(|application| options.asks_for(*application))
             .collect();
         for (input, roots) in &found {
-            let layouts: BTreeMap<_, _> = roots
-                .values()
-                .flatten()
-                .map(|one| (one.application, *one))
-                .collect();
-            let layouts: Vec<_> = layouts
-                .into_values()
-                .filter(|one| applications.contains(&one.application))
-                .collect();
+            let layouts = layouts_of(roots, applications);
             packed_places.extend(faults(input, &layouts).map(|place| (place, Vec::new())));
         }
         // What belongs to data roots, and what is no asset.
@@ -204,12 +224,7 @@ impl<'t> Roots<'t> {
             outside.iter().map(|(place, _)| place),
             outcome,
         );
-        let mut given = found
-            .iter()
-            .flat_map(|(input, roots)| roots.keys().map(|root| input.tree.shown(root)));
-        let all_given = given
-            .next()
-            .filter(|first| given.all(|other| other == *first));
+        let all_given = the_only_root(&found);
         for all in systems.extract_if(.., |system| all_given == Some(system.path())) {
             outcome.notes.push(Note::SystemIsChecked {
                 path: shown(&all.path()).to_owned(),

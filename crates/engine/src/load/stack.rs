@@ -87,10 +87,10 @@ impl<'p> Owners<'p> {
             };
             match one.kind {
                 Kind::BaseJson | Kind::BaseMesh | Kind::MeshArchive => {
-                    drop(owners.has.insert(owner))
+                    owners.has.insert(owner);
                 }
                 Kind::Target | Kind::ModellingJson | Kind::TargetCategories => {
-                    drop(owners.adds_to.insert(owner))
+                    owners.adds_to.insert(owner);
                 }
                 _ => {}
             }

@@ -35,7 +35,7 @@ pub(crate) fn place_and_sort(
         )
     });
     caught(FailedStep::Places, failed, || {
-        locate(findings, trees, limits)
+        locate(findings, trees, limits);
     });
     findings.sort_by_cached_key(
         |Finding {
@@ -116,7 +116,7 @@ fn symbolic(place: &Place) -> Location {
         Place::Pointer(pointer) | Place::Key(pointer) => location.pointer = Some(pointer.clone()),
         Place::Line(line) => location.line = Some(*line),
         Place::Row(line, element) => {
-            (location.line, location.element) = (Some(*line), Some(*element))
+            (location.line, location.element) = (Some(*line), Some(*element));
         }
         Place::Element(element) => location.element = Some(*element),
         Place::File | Place::Span(_) => {}

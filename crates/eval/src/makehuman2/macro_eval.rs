@@ -151,7 +151,7 @@ impl MacroResult {
                 }
             }
             Some(ComponentState::Dropped(_)) | None => {
-                self.expand(macrodef, table, Node { depth, ..node })
+                self.expand(macrodef, table, Node { depth, ..node });
             }
         }
     }

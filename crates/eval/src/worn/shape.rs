@@ -514,7 +514,7 @@ mod tests {
             Some(Numbering::RowBefore)
         );
         let scrambled = sheet.measure(&all(), |rows| {
-            rows.sort_by_key(|row| row.vertices[0] * 13 % 49)
+            rows.sort_by_key(|row| row.vertices[0] * 13 % 49);
         });
         assert!(
             scrambled

@@ -87,7 +87,8 @@ impl Asset {
         }
         if read.are_ranges_first && !drawn.is_empty() {
             let reason = format!(
-                "`{path}` has ranges of `delete_verts` above `verts`, which are counted as vertex lines"
+                "`{path}` has ranges of `delete_verts` above `verts`, which are counted as vertex \
+                    lines"
             );
             return Err(stops("KeyError", reason));
         }

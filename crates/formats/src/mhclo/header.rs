@@ -123,7 +123,7 @@ impl Header {
         match words.list {
             [(_, only)] if holds(only, b"author") => self.scanned.lone_author = rest(words, 0),
             [(_, first), ..] if first.starts_with(b"#author") => {
-                self.scanned.glued_author = rest(words, 0)
+                self.scanned.glued_author = rest(words, 0);
             }
             _ => {}
         }

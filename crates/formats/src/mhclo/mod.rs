@@ -231,7 +231,8 @@ mod tests {
     #[test]
     fn sections_and_faults() {
         let text = "# author Ann Ex\nname: a shirt\nuuid 1\nobj_file shirt.obj\nx_scale 1 2 3.5\ny_scale 1\nverts 0\n\
-            5\n0 1 2 .5 .25 .25\n0 1 2 1 0 0 .1 .2 .3\n-5\n1 2\n# note\ndelete_verts\n1 2 - 4\n- 6\nname x\n";
+            5\n0 1 2 .5 .25 .25\n0 1 2 1 0 0 .1 .2 .3\n-5\n1 2\n# note\ndelete_verts\n1 2 - 4\n- \
+            6\nname x\n";
         let clothes = of(text);
         assert_eq!(clothes.last("obj_file").unwrap().word(), "shirt.obj");
         assert_eq!(clothes.scales[0].unwrap().vertices, [1, 2]);
@@ -254,7 +255,8 @@ mod tests {
     #[test]
     fn a_library_reads_the_head_in_its_own_way() {
         let text = "# author: Ann Ex\nname a shirt\nuuid: 1\nuuid 12 3\ntag Warm Wool\ndescription vintage coat\n\
-            author someone\nobj_file shirt.obj tag\nverts 0\n5\nname other\n1 2 3 1 0 0\nname late\n";
+            author someone\nobj_file shirt.obj tag\nverts 0\n5\nname other\n1 2 3 1 0 0\nname \
+            late\n";
         let clothes = of(text);
         let text = |value: &Option<Value>| {
             value
@@ -309,7 +311,8 @@ mod tests {
     #[test]
     fn rows_are_counted_against_the_mesh() {
         let clothes = of(
-            "verts 0\n9\n10\n12\n1 -2 4294967296 1 0 0\n1 2 3 .5 .25 .2\n1 2 3 nan 0 0\n1 2 3 0.999 0 0\n",
+            "verts 0\n9\n10\n12\n1 -2 4294967296 1 0 0\n1 2 3 .5 .25 .2\n1 2 3 nan 0 0\n1 2 3 \
+                0.999 0 0\n",
         );
         let rows = &clothes.rows;
         assert_eq!(
@@ -381,7 +384,8 @@ mod tests {
         fn vertex_lines_survive(rows in prop::collection::vec((0u32..9999, -9.0f32..9.0, any::<bool>()), 0..40), noise in "[ -~\n]{0,80}") {
             let mut text = String::from("name n\nverts 0\n");
             for (vertex, weight, short) in &rows {
-                let line = if *short { format!("{vertex}\n") } else { format!("{vertex} 1 2 {weight} 0 0 0 0 0\n") };
+                let line = if *short { format!("{vertex}\n") } else { format!("{vertex} 1 2 \
+                    {weight} 0 0 0 0 0\n") };
                 text.push_str(&line);
             }
             let whole = of(&text);

@@ -129,7 +129,7 @@ impl Reader {
             "y_scale" => self.scale(1, words),
             "z_scale" => self.scale(2, words),
             "z_depth" | "version" if python_int(value.1).is_none() => {
-                self.fault(FaultKind::NotWhole, Some(value))
+                self.fault(FaultKind::NotWhole, Some(value));
             }
             _ => {}
         }

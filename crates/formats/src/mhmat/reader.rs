@@ -139,7 +139,8 @@ mod tests {
     #[test]
     fn a_picture_is_the_word_behind_its_keyword() {
         let text = "# diffuseTexture no.png\n//diffuseTexture no.png\nname diffuseTexture\n diffuseTexture\ta.png\r\n\
-            aomapTexture b c  d.png\nspecularmapTexture no.png\rDiffuseTexture no.png\remissiveTexture e.png # glow";
+            aomapTexture b c  d.png\nspecularmapTexture no.png\rDiffuseTexture \
+            no.png\remissiveTexture e.png # glow";
         let own = |word: &str, lost: &str| (word.to_owned(), lost.to_owned());
         let expected = [
             ("diffuseTexture", own("a.png", "")),

@@ -82,7 +82,8 @@ mod tests {
 
     #[test]
     fn a_line_is_a_word_and_the_rest() {
-        let text = "# a\n/b c\nname my shirt \r\n diffuseTexture a b.png # c\nshader_config x\nopacity\nsss1 2\nshadeless";
+        let text = "# a\n/b c\nname my shirt \r\n diffuseTexture a b.png # c\nshader_config \
+            x\nopacity\nsss1 2\nshadeless";
         let all: Vec<_> = statements(text.as_bytes())
             .into_iter()
             .map(|one| {

@@ -285,7 +285,7 @@ impl Machine<'_> {
         match (name, self.heap.0.get_mut(target.0)) {
             ("APPEND" | "APPENDS", Some(Node::List(own))) => own.extend(values),
             ("SETITEM" | "SETITEMS", Some(Node::Dict(own))) => {
-                own.extend(pairs(&values).ok_or(fault)?)
+                own.extend(pairs(&values).ok_or(fault)?);
             }
             ("ADDITEMS", Some(Node::Other)) => {}
             _ => return Err(fault),

@@ -91,7 +91,7 @@ impl<'b> Texts<'b> {
         let [_, last] = self.last;
         match own.name {
             "SHORT_BINUNICODE" | "BINUNICODE" | "BINUNICODE8" => {
-                self.last = [last, Some(own.argument)]
+                self.last = [last, Some(own.argument)];
             }
             "MEMOIZE" => self.keep(self.memo.len() as u64, last),
             "BINPUT" | "LONG_BINPUT" => self.keep(unsigned(own.argument), last),

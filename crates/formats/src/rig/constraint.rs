@@ -65,7 +65,7 @@ fn one(pointer: String, node: &Node, faults: &mut RigFaults) -> Option<Constrain
         match node.get(key) {
             None => faults.keys.add(&pointer, Why::Lacks(key)),
             Some(text) if text.as_str().is_none() => {
-                faults.keys.add_type(&below(&pointer, key), text, "a text")
+                faults.keys.add_type(&below(&pointer, key), text, "a text");
             }
             Some(_) => {}
         }

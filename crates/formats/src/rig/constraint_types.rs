@@ -448,9 +448,12 @@ const TRANSFORM: Properties = &[
     BONE,
     (
         "from_max_x from_max_y from_max_z from_min_x from_min_y from_min_z from_max_x_rot from_max_y_rot from_max_z_rot \
-         from_min_x_rot from_min_y_rot from_min_z_rot from_max_x_scale from_max_y_scale from_max_z_scale \
-         from_min_x_scale from_min_y_scale from_min_z_scale to_max_x to_max_y to_max_z to_min_x to_min_y to_min_z \
-         to_max_x_rot to_max_y_rot to_max_z_rot to_min_x_rot to_min_y_rot to_min_z_rot to_max_x_scale to_max_y_scale \
+         from_min_x_rot from_min_y_rot from_min_z_rot from_max_x_scale from_max_y_scale \
+         from_max_z_scale \
+         from_min_x_scale from_min_y_scale from_min_z_scale to_max_x to_max_y to_max_z to_min_x \
+         to_min_y to_min_z \
+         to_max_x_rot to_max_y_rot to_max_z_rot to_min_x_rot to_min_y_rot to_min_z_rot \
+         to_max_x_scale to_max_y_scale \
          to_max_z_scale to_min_x_scale to_min_y_scale to_min_z_scale",
         Wants::Number,
     ),

@@ -375,7 +375,8 @@ mod tests {
                 "collections", "layers", "roll_strategy", "bendy_bone", "constraints", "roll_reference_z"];
             let own = keys.get(key).copied().unwrap_or_default();
             for text in [
-                format!("{{\"version\": 110, \"rigify_ui\": {text}, \"bones\": {{\"a\": {{\"{own}\": {text}}}}}}}"),
+                format!("{{\"version\": 110, \"rigify_ui\": {text}, \"bones\": {{\"a\": \
+                    {{\"{own}\": {text}}}}}}}"),
                 format!("{{\"a\": {{\"{own}\": {text}}}, \"b\": {text}}}"),
                 text,
             ] {

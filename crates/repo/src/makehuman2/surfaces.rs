@@ -29,7 +29,7 @@ pub(super) fn surface<'a>(
             Some((_, other))
                 if picture.file.is_some() || picture.is_open || other.file.is_none() =>
             {
-                *other = picture
+                *other = picture;
             }
             Some(_) => {}
             None => pictures.push((texture.keyword, picture)),

@@ -22,7 +22,8 @@ const SCRIPT: &str = include_str!("page.js");
 
 /// What the browser may do: nothing but use the style and the script with these hashes.
 const POLICY: &str = "default-src 'none'; base-uri 'none'; form-action 'none'; img-src data:; \
-    style-src 'sha256-szzw7sx/ZqM42GxrRvugVvG4iZn9LGBcVP/Q4XngP08='; script-src 'sha256-IizRmeWnv7wyt1MgkAm2DcJ75/gnKrsLN7VJ49b0+cI='";
+    style-src 'sha256-szzw7sx/ZqM42GxrRvugVvG4iZn9LGBcVP/Q4XngP08='; script-src \
+    'sha256-IizRmeWnv7wyt1MgkAm2DcJ75/gnKrsLN7VJ49b0+cI='";
 
 /// Where the list of the findings goes. No text of an asset can hold it: there `<` is escaped.
 const LIST: &str = "<!--list-->";
@@ -58,7 +59,8 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
                     } @else {
                         (controls(&findings))
                         @if left > 0 {
-                            p .quiet { (count(left, "more finding")) " left out: the page shows the gravest, other formats list all." }
+                            p .quiet { (count(left, "more finding")) " left out: the page shows \
+                                the gravest, other formats list all." }
                         }
                         (files(&findings))
                         div #list { (PreEscaped(LIST)) }

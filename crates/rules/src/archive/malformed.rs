@@ -12,13 +12,24 @@ use mhlint_repo::View;
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "crashes at every start until the archive is deleted by hand"),
-        (Makehuman1, "takes its targets from the texts; without these it finds none"),
+        (
+            Makehuman2,
+            "crashes at every start until the archive is deleted by hand",
+        ),
+        (
+            Makehuman1,
+            "takes its targets from the texts; without these it finds none",
+        ),
         (Mpfb, "rejects the zip: nothing of it is imported"),
     ],
     docs: include_str!("malformed.md").trim_ascii_end(),
     counts: "members",
-    ..RuleInfo::new("archive-malformed", Level::Error, "an archive of targets, of a base mesh or of an asset that cannot be loaded, or a zip of assets that cannot be unpacked")
+    ..RuleInfo::new(
+        "archive-malformed",
+        Level::Error,
+        "an archive of targets, of a base mesh or \
+        of an asset that cannot be loaded, or a zip of assets that cannot be unpacked",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

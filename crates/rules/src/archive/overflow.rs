@@ -65,10 +65,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         "the archive",
     );
     let finding = finding.evidence(Evidence::of_cases(found.iter().map(|(file, ..)| &file.rel)));
-    out.push(
-        finding
-            .help("make the displacement smaller, or delete `targets.npz` and `images.list`: then the texts are read"),
-    );
+    out.push(finding.help(
+        "make the displacement smaller, or delete `targets.npz` and `images.list`: then \
+                the texts are read",
+    ));
 }
 
 /// What becomes of a number of decimetres in 16 bits of thousandths.

@@ -62,7 +62,7 @@ pub(super) fn report(
     match &archive.unused {
         Some(unused) => out.extend(of_unused(rule, view, archive, unused).filter(|_| is_malformed)),
         None if view.targets.is_foreign => {
-            out.extend(Some(of_foreign(rule, archive)).filter(|_| is_malformed))
+            out.extend(Some(of_foreign(rule, archive)).filter(|_| is_malformed));
         }
         None => members(rule, sort, view, archive, out),
     }

@@ -11,9 +11,20 @@ use mhlint_source::MemberFault;
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     cannot_be_ignored: true,
     breaks: &[
-        (Makehuman2, "strips the way out and puts the files elsewhere, or imports nothing of them"),
-        (Makehuman1, "gets none of the files: they are unpacked outside of its data folder, wherever that leads"),
-        (Mpfb, "strips the way out and puts the files elsewhere in the data of the user, or rejects the zip"),
+        (
+            Makehuman2,
+            "strips the way out and puts the files elsewhere, or imports nothing of them",
+        ),
+        (
+            Makehuman1,
+            "gets none of the files: they are unpacked outside of its data folder, \
+            wherever that leads",
+        ),
+        (
+            Mpfb,
+            "strips the way out and puts the files elsewhere in the data of the user, or \
+            rejects the zip",
+        ),
     ],
     docs: include_str!("path_escape.md").trim_ascii_end(),
     counts: "members",

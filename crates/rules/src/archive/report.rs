@@ -51,7 +51,8 @@ pub(super) fn report(
 
 fn at(rule: &Rule, file: &FileFacts, message: String) -> Finding {
     rule.at(file, Place::File, message).help(
-        "delete the archive if the `.target` files are there: MakeHuman 2 rebuilds it from them at the next start",
+        "delete the archive if the `.target` files are there: MakeHuman 2 rebuilds it from them \
+            at the next start",
     )
 }
 

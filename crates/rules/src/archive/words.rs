@@ -50,7 +50,8 @@ pub(super) fn help_with_mesh(view: &View<'_>, file: &FileFacts) -> &'static str 
     let text = format!("{}/base.obj", parent(&file.rel));
     match view.layers().first_existing(&text) {
         Some(_) => {
-            "delete the archive, so that MakeHuman 2 reads base.obj, or rebuild it with compile_meshes.py"
+            "delete the archive, so that MakeHuman 2 reads base.obj, or rebuild it with \
+                compile_meshes.py"
         }
         None => "restore it, or rebuild it from base.obj with compile_meshes.py",
     }

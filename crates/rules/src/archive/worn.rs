@@ -11,17 +11,20 @@ use mhlint_repo::{FileFacts, View};
 const NOT_ZIP: Case = &[(
     Makehuman2,
     Level::Error,
-    "crashes at start with `BadZipFile` while scanning the assets; the next start has no assets at all",
+    "crashes at start with `BadZipFile` while scanning the assets; the next start has no assets \
+        at all",
 )];
 const NO_ASSET: Case = &[(
     Makehuman2,
     Level::Error,
-    "crashes at start with `KeyError` while scanning the assets; the next start has no assets at all",
+    "crashes at start with `KeyError` while scanning the assets; the next start has no assets at \
+        all",
 )];
 const NO_HEAD: Case = &[(
     Makehuman2,
     Level::Error,
-    "crashes at start with `TypeError` while scanning the assets; the next start has no assets at all",
+    "crashes at start with `TypeError` while scanning the assets; the next start has no assets at \
+        all",
 )];
 const REFUSED: Case = &[(
     Makehuman2,
@@ -82,7 +85,8 @@ fn of_asset(asset: &PackedAsset) -> Option<(Sort, String, Case)> {
 /// What to do about it.
 pub(super) fn help(view: &View<'_>, file: &FileFacts) -> &'static str {
     if view.layers().checked.text_of_archive(&file.rel).is_some() {
-        "if the text (`.mhclo` or `.proxy`) and its mesh are up to date, delete the archive: MakeHuman 2 builds it again from them"
+        "if the text (`.mhclo` or `.proxy`) and its mesh are up to date, delete the archive: \
+            MakeHuman 2 builds it again from them"
     } else {
         "restore the archive, or move it out of the folder"
     }

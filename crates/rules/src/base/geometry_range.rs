@@ -47,9 +47,9 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     }
     let found = faults(file, base, geometry, mesh, &cx.suggestions);
     if is_opened_by_scripts(&file.rel) {
-        out.extend(found)
+        out.extend(found);
     } else {
-        out.extend(never_opened(found))
+        out.extend(never_opened(found));
     }
 }
 

@@ -24,15 +24,32 @@ pub(super) fn finding(rule: &Rule, view: &View<'_>, base: &Base<'_>) -> Option<F
         .key("base")
         .level(Level::Warning);
     let help = meant(view, checked.below(folder)).map_or_else(
-        || "rename the folder to an existing base; if the system data has the base, pass it with `--system`".to_owned(),
+        || {
+            "rename the folder to an existing base; if the system data has the base, pass it with \
+            `--system`"
+                .to_owned()
+        },
         |other| {
-            let is_direct = |file: &FileFacts| file.rel.rsplit_once('/').is_some_and(|(above, _)| above == folder);
+            let is_direct = |file: &FileFacts| {
+                file.rel
+                    .rsplit_once('/')
+                    .is_some_and(|(above, _)| above == folder)
+            };
             // Pairs of targets outside of a group stop the program.
-            if checked.below(folder).any(|file| file.target().is_some() && is_direct(file)) {
+            if checked
+                .below(folder)
+                .any(|file| file.target().is_some() && is_direct(file))
+            {
                 let name = base.name;
-                format!("move the folder to `{top}/{other}/{name}`, so that it is a group of targets of `{other}`")
+                format!(
+                    "move the folder to `{top}/{other}/{name}`, so that it is a group of \
+                    targets of `{other}`"
+                )
             } else {
-                format!("move the content of the folder to `{top}/{other}`, for which the targets are made")
+                format!(
+                    "move the content of the folder to `{top}/{other}`, for which the targets \
+                    are made"
+                )
             }
         },
     );

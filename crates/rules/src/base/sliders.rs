@@ -102,7 +102,8 @@ fn without_sliders(checked: &Layer, base: &Base<'_>, folder: &str) -> Option<Gap
         format!("add `{file}`")
     } else {
         format!(
-            "add `{file}` with its macro.json and target_cat.json; if the system data has them, pass that with `--system`"
+            "add `{file}` with its macro.json and target_cat.json; if the system data has them, \
+                pass that with `--system`"
         )
     };
     let effect =

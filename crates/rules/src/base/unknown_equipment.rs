@@ -23,7 +23,8 @@ const EQUIPMENT: [&str; 8] = [
 ];
 const ONLY_CLOTHES: &str = "offers only clothes: hair, eyes, teeth and topologies cannot be chosen";
 const MEMBER: &str = "visible groups";
-const INVISIBLE: &str = "shows no figure and a height of 0 cm, without a message; the glTF export crashes with `ValueError`";
+const INVISIBLE: &str = "shows no figure and a height of 0 cm, without a message; the glTF export \
+    crashes with `ValueError`";
 
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `KeyError` at start")],

@@ -11,10 +11,16 @@ use mhlint_repo::makehuman2::{Base, ForeignSign, UnreadMesh, View};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "cannot build binary assets, or builds them with wrong delete masks and crashes when they are put on",
+        "cannot build binary assets, or builds them with wrong delete masks and crashes when they \
+            are put on",
     )],
     docs: include_str!("vertex_count.md").trim_ascii_end(),
-    ..RuleInfo::new("base-vertex-count", Level::Error, "`numverts` differs from the base mesh, or is missing")
+    ..RuleInfo::new(
+        "base-vertex-count",
+        Level::Error,
+        "`numverts` differs from the base mesh, or \
+        is missing",
+    )
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -91,7 +97,8 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             )
         } else {
             format!(
-                "restore the right mesh; if this one is meant, write `\"numverts\": {vertices}` and rebuild the binary assets"
+                "restore the right mesh; if this one is meant, write `\"numverts\": {vertices}` \
+                    and rebuild the binary assets"
             )
         })
         .related(mesh_file.path.clone(), Place::File, format!("has {vertices} vertices"));
@@ -125,11 +132,13 @@ fn foreign(
     };
     let effect = match (is_short, is_packed) {
         (true, true) => {
-            "crashes with `IndexError` at start: targets, joints and weights use vertices that are not in the archive"
+            "crashes with `IndexError` at start: targets, joints and weights use vertices that \
+                are not in the archive"
         }
         (true, false) => "crashes with `IndexError` at start when it loads the weights",
         (false, _) => {
-            "applies targets, weights and joints to the wrong vertices, starting at the first added one"
+            "applies targets, weights and joints to the wrong vertices, starting at the first \
+                added one"
         }
     };
     let help = if is_packed {

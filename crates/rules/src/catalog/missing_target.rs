@@ -196,7 +196,8 @@ fn leftovers(catalog: &Catalog<'_>, section: &Section) -> Option<Finding> {
     let message = match left.len() {
         1 => format!("`targets` lists `{name}`, which does not exist and is not used by a slider"),
         many => format!(
-            "`targets` lists {many} files in section `{}` that do not exist and are not used by a slider",
+            "`targets` lists {many} files in section `{}` that do not exist and are not used by a \
+                slider",
             section.name
         ),
     };

@@ -34,7 +34,8 @@ fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         (1, 1) => ("the only baseline entry no longer occurs".to_owned(), PRUNE),
         (stale, checked) if stale == checked => (
             format!(
-                "none of the {checked} baseline entries occurs; it may be the baseline of another repository"
+                "none of the {checked} baseline entries occurs; it may be the baseline of another \
+                    repository"
             ),
             "use the baseline of this repository, or rewrite it with `--write-baseline`",
         ),

@@ -8,17 +8,26 @@ use mhlint_repo::FileFacts;
 use mhlint_repo::mpfb::{NamedTarget, View};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
-    breaks: &[(Mpfb, "lists and stores the expression, but nothing moves for these units; only the console says so")],
+    breaks: &[(
+        Mpfb,
+        "lists and stores the expression, but nothing moves for these units; only \
+        the console says so",
+    )],
     docs: include_str!("missing_targets.md").trim_ascii_end(),
     of_library: true,
     counts: "units",
-    ..RuleInfo::new("expression-missing-targets", Level::Warning, "a face unit without a target")
+    ..RuleInfo::new(
+        "expression-missing-targets",
+        Level::Warning,
+        "a face unit without a target",
+    )
 });
 
 /// The unit whose target shows MPFB that the pack of face units is installed
 /// (`docs/loaders/mpfb/expressions.md#application`).
 const SIGN: &str = "cheekPuff";
-const NOT_INSTALLED: &str = "stores the expressions, but moves no face with them, also where the targets of their units exist";
+const NOT_INSTALLED: &str = "stores the expressions, but moves no face with them, also where the \
+    targets of their units exist";
 
 /// A file with its units that have no target.
 type Still<'v> = (&'v FileFacts, Vec<&'v (String, String)>, usize);
@@ -70,7 +79,8 @@ fn not_taken_for_installed(view: &View<'_>) -> Option<Finding> {
     let files: Vec<&FileFacts> = view.own(Kind::FaceExpression).filter(moving).collect();
     let first = files.first()?;
     let message = format!(
-        "target `{SIGN}` does not exist, by which MPFB sees that face units are installed; {} no face",
+        "target `{SIGN}` does not exist, by which MPFB sees that face units are installed; {} no \
+            face",
         if files.len() == 1 {
             "the expression moves".to_owned()
         } else {
@@ -119,5 +129,8 @@ fn all_still(still: &[Still<'_>]) -> Option<Finding> {
     let finding = finding.parts_in(parts).evidence(Evidence::of_cases(
         still.iter().map(|(file, ..)| file.shown()),
     ));
-    Some(finding.help("install the pack with the targets of face units, or check the expressions together with it"))
+    Some(finding.help(
+        "install the pack with the targets of face units, or check the expressions \
+        together with it",
+    ))
 }

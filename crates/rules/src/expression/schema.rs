@@ -12,10 +12,16 @@ use mhlint_repo::mpfb::View;
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(
         Mpfb,
-        "lists no expression at all, and a saved character that uses this one stops half-built when it is loaded",
+        "lists no expression at all, and a saved character that uses this one stops half-built \
+            when it is loaded",
     )],
     docs: include_str!("schema.md").trim_ascii_end(),
-    ..RuleInfo::new("expression-schema", Level::Error, "an expression with values that its loader does not take")
+    ..RuleInfo::new(
+        "expression-schema",
+        Level::Error,
+        "an expression with values that its loader \
+        does not take",
+    )
 });
 
 const NO_UNIT: &str = "skips the unit, with a message on the console alone";

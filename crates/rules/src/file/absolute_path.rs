@@ -34,7 +34,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         });
         let finding = finding.map(|finding| cause.unfound(view, finding, "on other computers"));
         out.extend(finding.map(|finding| {
-            finding.help("copy the file into the data unless it is in it, and write its path relative to its folder")
+            finding.help(
+                "copy the file into the data unless it is in it, and write its path \
+                relative to its folder",
+            )
         }));
     }
 }

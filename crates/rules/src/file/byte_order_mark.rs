@@ -65,7 +65,8 @@ const NO_UUID: Case = &[
     (
         Makehuman2,
         Level::Error,
-        "does not recognise `uuid`: crashes with `IndexError` when a model saved with the asset is loaded",
+        "does not recognise `uuid`: crashes with `IndexError` when a model saved with the asset \
+            is loaded",
     ),
     (
         Makehuman1,

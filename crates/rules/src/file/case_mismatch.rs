@@ -108,7 +108,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let alike = holder.map(|layer| layer.alike(target)).unwrap_or_default();
         if let Some(others) = others(alike, target) {
             let help = format!(
-                "write the name of one of these files, and remove what is not used: `{target}`, {others}"
+                "write the name of one of these files, and remove what is not used: `{target}`, \
+                    {others}"
             );
             out.push(finding.help(help));
             continue;

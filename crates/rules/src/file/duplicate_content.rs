@@ -153,7 +153,9 @@ fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
             reference.from.file_name()
         ),
         (Some(reference), _) if reference.kind == ReferenceKind::AssetMesh => {
-            "keep both if each asset is to have its own mesh; otherwise name one of the files in both".to_owned()
+            "keep both if each asset is to have its own mesh; otherwise name one of the files in \
+                both"
+                .to_owned()
         }
         (Some(reference), 0) => format!(
             "use `{}` for `{}` in {}, then remove `{}` if nothing else names it",
@@ -170,7 +172,8 @@ fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
             reference.from.file_name()
         ),
         (None, _) => {
-            "leave them if each is in use, also by saved models; if a copy is a mistake, export what was meant"
+            "leave them if each is in use, also by saved models; if a copy is a mistake, export \
+                what was meant"
                 .to_owned()
         }
     }

@@ -38,7 +38,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let help = if moment(view, &file.rel) == Moment::Never {
         let application = view.application().title();
         format!(
-            "get the file again and unpack it, or export the target as a plain `.target`: {application} reads nothing else"
+            "get the file again and unpack it, or export the target as a plain `.target`: \
+                {application} reads nothing else"
         )
     } else {
         "pack the file again from its source".to_owned()

@@ -17,14 +17,19 @@ pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
         (
             Makehuman2,
-            "reads the pointer instead of the content: JSON is rejected, targets move nothing, pictures are not shown",
+            "reads the pointer instead of the content: JSON is rejected, targets move nothing, \
+                pictures are not shown",
         ),
         (Makehuman1, "reads the pointer instead of the content"),
         (Mpfb, "reads the pointer instead of the content"),
     ],
     docs: include_str!("lfs_pointer.md").trim_ascii_end(),
     counts: "files",
-    ..RuleInfo::new("file-lfs-pointer", Level::Warning, "a Git LFS pointer instead of the content")
+    ..RuleInfo::new(
+        "file-lfs-pointer",
+        Level::Warning,
+        "a Git LFS pointer instead of the content",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -70,11 +75,17 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.push(
         finding
             .level_in(view.application(), worst)
-            .effect_in(view.application(), own.map_or_else(|| effect(&files), str::to_owned))
+            .effect_in(
+                view.application(),
+                own.map_or_else(|| effect(&files), str::to_owned),
+            )
             .asset(layer.display(parent(&first.rel)))
             .parts_in(files.iter().map(|file| (file.file_name(), &file.path)))
             .evidence(evidence)
-            .help("run `git lfs pull`; a ZIP of the repository has only pointers, so clone it, or download these files one by one"),
+            .help(
+                "run `git lfs pull`; a ZIP of the repository has only pointers, so clone it, or \
+                download these files one by one",
+            ),
     );
 }
 

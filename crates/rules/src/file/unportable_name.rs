@@ -72,7 +72,8 @@ const NOWHERE: &str =
     "does not find it where a file names it: JSON and text files cannot contain such a name";
 const REFUSED: &str = "does not find it on Windows, where it cannot be unpacked or checked out";
 const CUT: &str = "does not find it on Windows, where it has another name";
-const LIKE: &str = "finds it only where a reference writes the accents in the same way; copies may get another name";
+const LIKE: &str = "finds it only where a reference writes the accents in the same way; copies \
+    may get another name";
 
 const UNNAMED: Case = &[
     (Makehuman2, Level::Warning, NOWHERE),

@@ -79,7 +79,8 @@ fn help(reason: &str) -> &'static str {
     match reason {
         "packed" => "unpack it with `gzip -d` and give it a slider, or keep it outside of the data",
         "icon" => {
-            "write its name in the `icon` of a slider, rename it after the first target of a slider, or keep it outside of the data"
+            "write its name in the `icon` of a slider, rename it after the first target of a \
+                slider, or keep it outside of the data"
         }
         "picture" => "if it is an icon, move it to `icons/`; otherwise keep it outside of the data",
         reason if reason.ends_with(".target") => {
@@ -89,7 +90,8 @@ fn help(reason: &str) -> &'static str {
             "rename it, with its extension in small letters"
         }
         _ => {
-            "correct the name, or keep it outside of the data: backups and sources are not needed there"
+            "correct the name, or keep it outside of the data: backups and sources are not needed \
+                there"
         }
     }
 }

@@ -91,7 +91,8 @@ fn finding(asset: &Asset<'_>, filter: &SelectionFilter) -> Option<Finding> {
         .key(format!("{one} {other}"));
     let finding = finding.evidence(Evidence::of_cases(labels.iter().map(|(path, _)| path)));
     Some(finding.help(
-        "use tags that lead to one label, or write `null` for one of them under `Translate` in selection_filter.json",
+        "use tags that lead to one label, or write `null` for one of them under `Translate` in \
+            selection_filter.json",
     ))
 }
 

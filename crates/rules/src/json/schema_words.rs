@@ -109,7 +109,7 @@ fn subject(pointer: &str) -> String {
     for step in steps(pointer) {
         match names.last_mut() {
             Some(name) if step.bytes().all(|byte| byte.is_ascii_digit()) => {
-                *name = format!("{name}[{step}]")
+                *name = format!("{name}[{step}]");
             }
             _ => names.push(step),
         }

@@ -86,7 +86,8 @@ fn help(fault: &SyntaxFault) -> &'static str {
         SyntaxKind::TrailingComma => "remove the comma",
         SyntaxKind::Comment => "remove the comment; notes can go under a key `comment`",
         SyntaxKind::Conflict => {
-            "keep one version or combine both, and remove the lines `<<<<<<<`, `=======` and `>>>>>>>`"
+            "keep one version or combine both, and remove the lines `<<<<<<<`, `=======` and \
+                `>>>>>>>`"
         }
         SyntaxKind::CutText => {
             "restore the file, which seems to be cut off, or close the string and all brackets"
@@ -108,7 +109,8 @@ fn help(fault: &SyntaxFault) -> &'static str {
             "replace it with the JSON file: this is another kind of file"
         }
         SyntaxKind::Expected { .. } if fault.invisible().is_some() => {
-            "remove all such characters: outside strings, JSON allows only spaces, tabs and line breaks"
+            "remove all such characters: outside strings, JSON allows only spaces, tabs and line \
+                breaks"
         }
         SyntaxKind::Expected { found, .. } if found.starts_with('\'') => "use double quotes",
         SyntaxKind::Expected { found, .. } if found.starts_with(TYPOGRAPHIC) => {

@@ -13,11 +13,23 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "crashes with `RecursionError` if the nesting exceeds Python's limit of about 1000 levels"),
-        (Mpfb, "fails with `RecursionError` if the nesting exceeds Python's limit of about 1000 levels"),
+        (
+            Makehuman2,
+            "crashes with `RecursionError` if the nesting exceeds Python's limit of \
+            about 1000 levels",
+        ),
+        (
+            Mpfb,
+            "fails with `RecursionError` if the nesting exceeds Python's limit of about 1000 \
+            levels",
+        ),
     ],
     docs: include_str!("too_deep.md").trim_ascii_end(),
-    ..RuleInfo::new("json-too-deep", Level::Error, "a JSON that is nested too deeply")
+    ..RuleInfo::new(
+        "json-too-deep",
+        Level::Error,
+        "a JSON that is nested too deeply",
+    )
 });
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

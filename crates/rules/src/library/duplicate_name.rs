@@ -23,7 +23,7 @@ pub(crate) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
 });
 
 pub(crate) static OF_WORN: Rule = Check::Libraries(run_worn, |view, _, out| {
-    makehuman1::same_names(&OF_WORN, view, out)
+    makehuman1::same_names(&OF_WORN, view, out);
 })
 .rule(RuleInfo {
     breaks: &[
@@ -42,21 +42,35 @@ pub(crate) static OF_WORN: Rule = Check::Libraries(run_worn, |view, _, out| {
 });
 
 pub(crate) static OF_UUID: Rule =
-    Check::LibrariesOfAll(run_uuid, run_uuid_makehuman1, |view, _, out| shelves::same_uuids(&OF_UUID, view, out)).rule(
-        RuleInfo {
-            breaks: &[
-                (Makehuman2, "keeps the user's tags by uuid, so those of one asset change the other"),
-                (Makehuman1, "lists both, but cannot wear them together, and models may wear the other one"),
-                (
-                    Mpfb,
-                    "gives one of them the materials that were saved for the other, and models may wear the other one",
-                ),
-            ],
-            levels: &[(Makehuman1, Level::Error)],
-            docs: include_str!("proxy-duplicate-uuid.md").trim_ascii_end(),
-            ..RuleInfo::new("proxy-duplicate-uuid", Level::Warning, "two assets with the same uuid")
-        },
-    );
+    Check::LibrariesOfAll(run_uuid, run_uuid_makehuman1, |view, _, out| {
+        shelves::same_uuids(&OF_UUID, view, out);
+    })
+    .rule(RuleInfo {
+        breaks: &[
+            (
+                Makehuman2,
+                "keeps the user's tags by uuid, so those of one asset change the \
+                    other",
+            ),
+            (
+                Makehuman1,
+                "lists both, but cannot wear them together, and models may wear the \
+                    other one",
+            ),
+            (
+                Mpfb,
+                "gives one of them the materials that were saved for the other, and models \
+                        may wear the other one",
+            ),
+        ],
+        levels: &[(Makehuman1, Level::Error)],
+        docs: include_str!("proxy-duplicate-uuid.md").trim_ascii_end(),
+        ..RuleInfo::new(
+            "proxy-duplicate-uuid",
+            Level::Warning,
+            "two assets with the same uuid",
+        )
+    });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let key = |asset: &Asset<'_>| {

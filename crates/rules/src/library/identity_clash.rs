@@ -9,10 +9,16 @@ use mhlint_repo::makehuman2::{Asset, View};
 pub(crate) static RULE: Rule = Check::Makehuman2Library(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "lists only one of them, whichever the file system returns first; the others cannot be chosen",
+        "lists only one of them, whichever the file system returns first; the others cannot be \
+            chosen",
     )],
     docs: include_str!("identity_clash.md").trim_ascii_end(),
-    ..RuleInfo::new("library-identity-clash", Level::Error, "two assets with the same name and uuid")
+    ..RuleInfo::new(
+        "library-identity-clash",
+        Level::Error,
+        "two assets with the same name and \
+        uuid",
+    )
 });
 
 const COPY: Case = &[(
@@ -93,7 +99,8 @@ fn words(told: &Asset<'_>, other: &Asset<'_>) -> (&'static str, &'static str) {
     if told.is_worn() || other.is_worn() {
         return (
             "the same name and uuid as",
-            "give the newer of the two a name and a uuid of its own: saved models find assets by these",
+            "give the newer of the two a name and a uuid of its own: saved models find assets by \
+                these",
         );
     }
     match told.category {

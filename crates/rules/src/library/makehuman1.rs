@@ -488,7 +488,8 @@ const REPLACED: Case = &[(
     "lists both; while one is worn the other cannot be chosen",
 )];
 
-const OWN: &str = "give the newer of the two a uuid of its own, and load and save every model that wears it; or remove one of them";
+const OWN: &str = "give the newer of the two a uuid of its own, and load and save every model \
+    that wears it; or remove one of them";
 const PACKED: &str =
     "pack the newer of the two again from a text with a uuid of its own, or remove one of them";
 

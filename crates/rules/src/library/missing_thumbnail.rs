@@ -14,7 +14,7 @@ use mhlint_repo::makehuman2::{Asset, View};
 use mhlint_repo::{FileFacts, Resolution, parent};
 
 pub(crate) static RULE: Rule = Check::LibrariesOfAll(run, of_makehuman1, |view, _, out| {
-    shelves::without_pictures(&RULE, view, out)
+    shelves::without_pictures(&RULE, view, out);
 })
 .rule(RuleInfo {
     breaks: &[
@@ -165,5 +165,8 @@ fn without(category: &str, base: &str, assets: &[&Asset<'_>]) -> Option<Finding>
     let finding = finding.parts_in(parts).evidence(Evidence::of_cases(
         assets.iter().map(|asset| asset.file.shown()),
     ));
-    Some(finding.help("add a PNG of at most 128 by 128 pixels, with the name of the asset and the suffix `.thumb`"))
+    Some(finding.help(
+        "add a PNG of at most 128 by 128 pixels, with the name of the asset and the \
+        suffix `.thumb`",
+    ))
 }

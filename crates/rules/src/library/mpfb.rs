@@ -54,7 +54,8 @@ pub(super) fn misplaced(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>) {
             counted(files.len(), "preset"),
             folder
         );
-        let help = "move them to the folder `config` beside the folder of data: `user/config` for `user/data`";
+        let help = "move them to the folder `config` beside the folder of data: `user/config` for \
+            `user/data`";
         out.extend(finding(rule, &files, folder, message, NOT_LISTED, help));
     }
     let is_other = |top: &str| {

@@ -10,12 +10,24 @@ use mhlint_formats::mhclo::Entry;
 use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(
-        Makehuman2,
-        "lists the asset by the first word at the first start and by the whole name from the second on: saved models lose it",
-    ), (Makehuman1, "saves models that lose the asset: a line of a model is split at spaces")],
+    breaks: &[
+        (
+            Makehuman2,
+            "lists the asset by the first word at the first start and by the whole name from the \
+            second on: saved models lose it",
+        ),
+        (
+            Makehuman1,
+            "saves models that lose the asset: a line of a model is split at spaces",
+        ),
+    ],
     docs: include_str!("name_cut.md").trim_ascii_end(),
-    ..RuleInfo::new("library-name-cut", Level::Warning, "a name or uuid of an asset with several words")
+    ..RuleInfo::new(
+        "library-name-cut",
+        Level::Warning,
+        "a name or uuid of an asset with several \
+        words",
+    )
 });
 
 const UUID: Case = &[(

@@ -74,7 +74,8 @@ const WORN: Case = &[
     (
         Makehuman2,
         Level::Error,
-        "lists an asset of this format without a name, and crashes with `AttributeError` when it is put on",
+        "lists an asset of this format without a name, and crashes with `AttributeError` when it \
+            is put on",
     ),
     (
         Makehuman1,
@@ -84,7 +85,8 @@ const WORN: Case = &[
     (
         Mpfb,
         Level::Error,
-        "lists an asset of this format, and fails when it is loaded: keywords behind `#` are comments",
+        "lists an asset of this format, and fails when it is loaded: keywords behind `#` are \
+            comments",
     ),
 ];
 const UNLISTED: Case = &[
@@ -250,7 +252,8 @@ pub(super) fn words(sort: Sort, files: &[(&FileFacts, Outdated)]) -> Words {
             "build the character again: no program reads these lines",
         ),
         Sort::LaterModel => {
-            let help = "write `version v1.0.0`, with which MakeHuman 1 reads a model as one of 1.0, and save it again there";
+            let help = "write `version v1.0.0`, with which MakeHuman 1 reads a model as one of \
+                1.0, and save it again there";
             new("model", MODELS, help)
         }
         Sort::Target => Words {
@@ -273,10 +276,12 @@ fn of_worn(files: &[(&FileFacts, Outdated)]) -> &'static str {
     };
     match () {
         () if has(Alpha::Seven) || has(Alpha::Other) => {
-            "export again for `hm08` from the meshes (MakeClothes, MPFB): the vertex numbers belong to another base mesh"
+            "export again for `hm08` from the meshes (MakeClothes, MPFB): the vertex numbers \
+                belong to another base mesh"
         }
         () if has(Alpha::Six) => {
-            "keep old files outside of the data, or make the asset again for `hm08` (MakeClothes, MPFB)"
+            "keep old files outside of the data, or make the asset again for `hm08` (MakeClothes, \
+                MPFB)"
         }
         () => "export again for `hm08` from the meshes (MakeClothes, MPFB)",
     }

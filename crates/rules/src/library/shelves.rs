@@ -170,10 +170,12 @@ pub(super) fn of_other_kind(rule: &Rule, view: &View<'_>, out: &mut Vec<Finding>
     for (((folder, suffix), own), files) in grouped(shelved) {
         let help = match (own, suffix) {
             ("proxy", "mhclo") => {
-                "move it to `proxymeshes` if it stands for the body; rename it to end in `.mhclo` if it is worn"
+                "move it to `proxymeshes` if it stands for the body; rename it to end in `.mhclo` \
+                    if it is worn"
             }
             ("mhclo", "proxy") => {
-                "move it to the folder of its kind; rename it to end in `.proxy` if it stands for the body"
+                "move it to the folder of its kind; rename it to end in `.proxy` if it stands for \
+                    the body"
             }
             _ => continue,
         };
@@ -219,8 +221,9 @@ pub(super) fn without_pictures(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
         let finding = rule.at(first, Place::File, message).key(folder);
         let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
         let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
-        out.push(
-            finding.help("add a PNG of at most 256 by 256 pixels, with the name of the asset and the suffix `.thumb`"),
-        );
+        out.push(finding.help(
+            "add a PNG of at most 256 by 256 pixels, with the name of the asset and \
+                the suffix `.thumb`",
+        ));
     }
 }

@@ -53,7 +53,8 @@ struct Words {
 const MAKEHUMAN2: Words = Words {
     application: Application::Makehuman2,
     what: "the same name and uuid",
-    help: "give the newer of the two a name and a uuid of its own, or say that only one of the packs can be installed",
+    help: "give the newer of the two a name and a uuid of its own, or say that only one of the \
+        packs can be installed",
     clash: &[(
         Application::Makehuman2,
         Level::Error,
@@ -69,11 +70,13 @@ const MAKEHUMAN2: Words = Words {
 const MAKEHUMAN1: Words = Words {
     application: Application::Makehuman1,
     what: "the same uuid",
-    help: "give the newer of the two a uuid of its own, or say that only one of the packs can be installed",
+    help: "give the newer of the two a uuid of its own, or say that only one of the packs can be \
+        installed",
     clash: &[(
         Application::Makehuman1,
         Level::Error,
-        "cannot wear both together once both packs are installed, and models may wear the other one",
+        "cannot wear both together once both packs are installed, and models may wear the other \
+            one",
     )],
     copy: &[(
         Application::Makehuman1,

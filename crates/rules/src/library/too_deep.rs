@@ -66,7 +66,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 deep.push(((folder, *category, *base), file));
             }
             None if parts.len() <= 4 && double(layer, file).is_some_and(is_for) => {
-                out.push(doubled(file))
+                out.push(doubled(file));
             }
             _ => {}
         }
@@ -109,7 +109,8 @@ fn of_makehuman1(view: &makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Find
 /// In the folder of another asset it is mostly an older version, or belongs there by mistake.
 fn help_in_asset(folder: &str) -> String {
     format!(
-        "move it to a folder of its own beside `{folder}`, or keep an older version outside of the data"
+        "move it to a folder of its own beside `{folder}`, or keep an older version outside of \
+            the data"
     )
 }
 

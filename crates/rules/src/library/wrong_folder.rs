@@ -59,7 +59,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 out.push(filter(file, category, &bases));
             }
             ["skins", name] if extension(name) == "mhmat" => {
-                out.push(without_base(file, "skins", name, &bases))
+                out.push(without_base(file, "skins", name, &bases));
             }
             ["skins", folder, name] if extension(name) == "mhmat" && is_no_base(file) => {
                 out.push(without_base(
@@ -137,10 +137,13 @@ fn misplaced(layer: &Layer, files: &[&FileFacts], suffix: &str, category: &str) 
     let message = format!("a `.{suffix}` in `{category}` is not listed, expected in {shown}");
     let help = match suffix {
         "mhclo" if category == "proxy" => {
-            "move it to the folder of its kind if it is worn over the skin; rename it to end in `.proxy` if it replaces it"
+            "move it to the folder of its kind if it is worn over the skin; rename it to end in \
+                `.proxy` if it replaces it"
                 .to_owned()
         }
-        "proxy" => "move it to `proxy` if it replaces the skin; rename it to end in `.mhclo` if it is worn over it".to_owned(),
+        "proxy" => "move it to `proxy` if it replaces the skin; rename it to end in `.mhclo` if \
+            it is worn over it"
+            .to_owned(),
         _ => format!("move it to {shown}"),
     };
     let finding = RULE.at(first, Place::File, message).key("kind").help(help);

@@ -39,7 +39,8 @@ pub(super) fn message(
         }
         (Kind::System, 1, 1) => {
             format!(
-                "`{first}` is not listed, which is harmless: it is neutral, or all its siblings are `null`"
+                "`{first}` is not listed, which is harmless: it is neutral, or all its siblings \
+                    are `null`"
             )
         }
         (Kind::System, ..) => {

@@ -46,13 +46,21 @@ fn crowd(file: &FileFacts, first: &Suspect<'_>, others: &[&Suspect<'_>]) -> Find
     let count = names().count();
     let more = others.len();
     let message = format!(
-        "{count} combinations use `{text}`, which is named after other values: `{name}` and {more} more"
+        "{count} combinations use `{text}`, which is named after other values: `{name}` and \
+            {more} more"
     );
     RULE.at(file, first.link.place(), message)
         .key(format!("all {text}"))
         .confidence(Confidence::Medium)
-        .help("name the file of each combination in `t`; the `t` of one entry was probably copied to the others")
-        .related(&first.better.path, Place::File, "unused file that fits better")
+        .help(
+            "name the file of each combination in `t`; the `t` of one entry was probably copied \
+            to the others",
+        )
+        .related(
+            &first.better.path,
+            Place::File,
+            "unused file that fits better",
+        )
         .evidence(Evidence::of_cases(names()))
 }
 

@@ -9,10 +9,15 @@ use std::collections::BTreeSet;
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "uses the same combinations at both slider positions, so that one of the two shapes can never be reached",
+        "uses the same combinations at both slider positions, so that one of the two shapes can \
+            never be reached",
     )],
     docs: include_str!("duplicate_value.md").trim_ascii_end(),
-    ..RuleInfo::new("macro-duplicate-value", Level::Warning, "a component has a value twice")
+    ..RuleInfo::new(
+        "macro-duplicate-value",
+        Level::Warning,
+        "a component has a value twice",
+    )
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -64,10 +64,12 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
                 .at(file, first.place(), format!("`{text}` {what}{more}; slider `{}` also uses it", slider.owner))
                 .level(Level::Warning)
                 .effect("loads the target, but the slider moves nothing")
-                .help("save the intended shape in the file; the macro could use `null`, but the slider needs the file")
+                .help("save the intended shape in the file; the macro could use `null`, but the \
+                    slider needs the file")
                 .related(&slider.from.path, slider.place.clone(), "also uses it"),
             None => RULE.at(file, first.place(), format!("`{text}` {what}{more}")).help(
-                "export the shape again; if the combination should change nothing, write `null` and remove the file",
+                "export the shape again; if the combination should change nothing, write `null` \
+                    and remove the file",
             ),
         };
         out.push(

@@ -14,7 +14,8 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
          it with `AttributeError` as soon as the sliders reach its combination",
     )],
     docs: include_str!("folder_missing.md").trim_ascii_end(),
-    ..RuleInfo::new("macro-folder-missing", Level::Error, "`folder` of a macrodef is missing, or does not exist")
+    ..RuleInfo::new("macro-folder-missing", Level::Error, "`folder` of a macrodef is missing, or \
+        does not exist")
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -35,28 +36,35 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
                     Some(targets) if holds_files(targets, folder) => {
                         let count = own.len();
                         format!(
-                            "folder `{folder}` has none of the targets of this macrodef ({count} combinations)"
+                            "folder `{folder}` has none of the targets of this macrodef ({count} \
+                                combinations)"
                         )
                     }
                     _ => format!("folder `{folder}` is missing or empty"),
                 };
                 RULE.at(file, place, message)
                     .effect(
-                        "finds no target and crashes with `AttributeError` as soon as the sliders reach a combination",
+                        "finds no target and crashes with `AttributeError` as soon as the sliders \
+                            reach a combination",
                     )
-                    .help(folder_of_files(base, own).unwrap_or_else(|| nearest_folder(base, folder, cx)))
+                    .help(
+                        folder_of_files(base, own)
+                            .unwrap_or_else(|| nearest_folder(base, folder, cx)),
+                    )
             }
             (Some(_), _) => continue,
             (None, Some(folder)) => {
                 let message = format!(
                     "the macrodef has no `folder`, so `{folder}` of the previous one is used"
                 );
-                let effect = "looks for the targets there and crashes with `AttributeError` as soon as the sliders reach a missing one";
+                let effect = "looks for the targets there and crashes with `AttributeError` as \
+                    soon as the sliders reach a missing one";
                 let finding = RULE
                     .at(file, Place::pointer(["macrodef", &index]), message)
                     .effect(effect);
                 if own.iter().all(|link| link.found().is_some()) {
-                    let effect = "finds the targets, because they are in the folder of the previous macrodef";
+                    let effect = "finds the targets, because they are in the folder of the \
+                        previous macrodef";
                     finding.level(Level::Info).effect(effect)
                 } else {
                     finding

@@ -14,7 +14,8 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "evaluates all macrodefs whatever the list holds; only readers and other programs are misled",
+        "evaluates all macrodefs whatever the list holds; only readers and other programs are \
+            misled",
     )],
     docs: include_str!("influence_mismatch.md").trim_ascii_end(),
     ..RuleInfo::new(

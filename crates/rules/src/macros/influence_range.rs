@@ -13,7 +13,8 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
          macro slider moves",
     )],
     docs: include_str!("influence_range.md").trim_ascii_end(),
-    ..RuleInfo::new("macro-influence-range", Level::Warning, "`macro_influence` lists an index without a macrodef")
+    ..RuleInfo::new("macro-influence-range", Level::Warning, "`macro_influence` lists an index \
+        without a macrodef")
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -63,7 +64,8 @@ fn finding(wrong: &[i64], sliders: &[&BoundSlider<'_>], count: i64) -> Option<Fi
     finding = finding.help(if others.is_empty() {
         "correct the index, or remove it if the list has others"
     } else {
-        "correct the index; if a macrodef was removed, restore it, or also remove its components and folder"
+        "correct the index; if a macrodef was removed, restore it, or also remove its components \
+            and folder"
     });
     finding = if others.is_empty() {
         let listed = first.slider.macro_influence.as_ref().map_or(0, Vec::len);
@@ -99,7 +101,8 @@ fn finding(wrong: &[i64], sliders: &[&BoundSlider<'_>], count: i64) -> Option<Fi
         let effect = if sliders.iter().all(in_range) {
             "ignores the index; the slider works, because another index is left"
         } else {
-            "keeps the negative index; the slider works, because MakeHuman 2 only checks whether any index is left"
+            "keeps the negative index; the slider works, because MakeHuman 2 only checks whether \
+                any index is left"
         };
         finding = finding.level(Level::Info).effect(effect);
     }

@@ -13,7 +13,8 @@ use mhlint_repo::makehuman2::{Base, View};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "applies nothing for a combination that is not listed: the shape snaps back at that corner of the sliders",
+        "applies nothing for a combination that is not listed: the shape snaps back at that \
+            corner of the sliders",
     )],
     docs: include_str!("missing_combination.md").trim_ascii_end(),
     counts: "combinations",

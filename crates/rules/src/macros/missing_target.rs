@@ -15,7 +15,8 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     )],
     docs: include_str!("missing_target.md").trim_ascii_end(),
     counts: "combinations",
-    ..RuleInfo::new("macro-missing-target", Level::Error, "a combination names a target that does not exist")
+    ..RuleInfo::new("macro-missing-target", Level::Error, "a combination names a target that does \
+        not exist")
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {

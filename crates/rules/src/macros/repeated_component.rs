@@ -8,10 +8,16 @@ use std::collections::BTreeSet;
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "generates names such as `female-female`, which no entry has, and applies none of its targets",
+        "generates names such as `female-female`, which no entry has, and applies none of its \
+            targets",
     )],
     docs: include_str!("repeated_component.md").trim_ascii_end(),
-    ..RuleInfo::new("macro-repeated-component", Level::Error, "a component occurs more than once in `comp`")
+    ..RuleInfo::new(
+        "macro-repeated-component",
+        Level::Error,
+        "a component occurs more than once \
+        in `comp`",
+    )
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

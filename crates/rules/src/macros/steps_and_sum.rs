@@ -55,7 +55,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 let (level, effect) = if dead {
                     (
                         Level::Error,
-                        "ignores `sum`, finds no slider for `pattern` and never applies the macrodefs",
+                        "ignores `sum`, finds no slider for `pattern` and never applies the \
+                            macrodefs",
                     )
                 } else {
                     (Level::Warning, "ignores `sum`")
@@ -72,11 +73,17 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             }
             (None, None) => {
                 let place = Place::key(["components", name]);
-                RULE.at(file, place, format!("component `{name}` has neither `steps` nor `sum`"))
-                    .effect("crashes at start with `KeyError`")
-                    .help(misspelt(file, name).unwrap_or_else(|| {
-                        "add `steps` with a slider position for each value, or `sum` for a triangle slider".to_owned()
-                    }))
+                RULE.at(
+                    file,
+                    place,
+                    format!("component `{name}` has neither `steps` nor `sum`"),
+                )
+                .effect("crashes at start with `KeyError`")
+                .help(misspelt(file, name).unwrap_or_else(|| {
+                    "add `steps` with a slider position for each value, or `sum` for a \
+                            triangle slider"
+                        .to_owned()
+                }))
             }
             _ => continue,
         };

@@ -45,7 +45,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             };
             let finding = finding.level(level).effect(effect);
             finding.help(
-                "add a step for every value, or remove the last values and their combinations, which are never used",
+                "add a step for every value, or remove the last values and their combinations, \
+                    which are never used",
             )
         };
         out.push(weigh(finding, macros, component));
@@ -56,7 +57,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn surplus_effect(steps: usize) -> &'static str {
     match steps {
         0 | 1 => {
-            "silently drops the component: with fewer than two steps, nothing of its macrodefs applies"
+            "silently drops the component: with fewer than two steps, nothing of its macrodefs \
+                applies"
         }
         _ => "never uses the values without a step, nor their targets",
     }

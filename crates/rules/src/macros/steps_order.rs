@@ -14,7 +14,8 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
          out of order, it uses the wrong values",
     )],
     docs: include_str!("steps_order.md").trim_ascii_end(),
-    ..RuleInfo::new("macro-steps-order", Level::Error, "`steps` of a component do not increase strictly")
+    ..RuleInfo::new("macro-steps-order", Level::Error, "`steps` of a component do not increase \
+        strictly")
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

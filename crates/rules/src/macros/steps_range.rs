@@ -14,7 +14,8 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
          the last",
     )],
     docs: include_str!("steps_range.md").trim_ascii_end(),
-    ..RuleInfo::new("macro-steps-range", Level::Warning, "`steps` of a component do not run from 0 to 1")
+    ..RuleInfo::new("macro-steps-range", Level::Warning, "`steps` of a component do not run from \
+        0 to 1")
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -83,7 +84,8 @@ fn fault(steps: &[f64], values: &[String]) -> Option<(&'static str, String, Stri
         let effect = "drops the macrodef when the slider is above the last step";
         Some(("end", format!("at {last} instead of 1"), effect.to_owned()))
     } else if first.partial_cmp(&0.0) == Some(Ordering::Greater) {
-        let effect = "applies the first value with more than its full weight when the slider is below the first step";
+        let effect = "applies the first value with more than its full weight when the slider is \
+            below the first step";
         Some((
             "begin",
             format!("at {first} instead of 0"),

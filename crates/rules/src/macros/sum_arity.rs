@@ -44,13 +44,16 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             if ends == 1 { "entry" } else { "entries" },
         );
         let message = format!(
-            "component `{name}` has {all} and {ends} {of_sum} in `sum`, but a triangle has 3 corners"
+            "component `{name}` has {all} and {ends} {of_sum} in `sum`, but a triangle has 3 \
+                corners"
         );
         let mut finding = RULE
             .at(file, Place::pointer(["components", name, "sum"]), message)
             .key(name);
-        finding =
-            finding.help("give `values` and `sum` three entries each, in the order of `barycentric` of the slider");
+        finding = finding.help(
+            "give `values` and `sum` three entries each, in the order of \
+                `barycentric` of the slider",
+        );
         if values > ends {
             finding =
                 finding.effect("crashes with `IndexError` at the first value without an entry");

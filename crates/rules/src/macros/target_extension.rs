@@ -23,7 +23,8 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     )],
     docs: include_str!("target_extension.md").trim_ascii_end(),
     counts: "entries",
-    ..RuleInfo::new("macro-target-extension", Level::Error, "`t` ends in `.target` or `.gz`, or is empty")
+    ..RuleInfo::new("macro-target-extension", Level::Error, "`t` ends in `.target` or `.gz`, or \
+        is empty")
 });
 
 const SUFFIXED: &str = "looks for `{}.target`, does not find it and crashes with `AttributeError` as soon as the \

@@ -9,7 +9,8 @@ use mhlint_repo::makehuman2::{Base, View};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "drops every combination between the steps, so that the shape of the macrodef disappears there",
+        "drops every combination between the steps, so that the shape of the macrodef disappears \
+            there",
     )],
     docs: include_str!("too_many_active.md").trim_ascii_end(),
     ..RuleInfo::new(

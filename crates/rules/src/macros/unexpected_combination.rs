@@ -18,7 +18,8 @@ use std::collections::BTreeSet;
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "never uses such entries: their targets are loaded and never applied, and the intended combinations have none",
+        "never uses such entries: their targets are loaded and never applied, and the intended \
+            combinations have none",
     )],
     docs: include_str!("unexpected_combination.md").trim_ascii_end(),
     counts: "names",

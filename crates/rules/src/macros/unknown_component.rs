@@ -11,10 +11,16 @@ use std::collections::BTreeSet;
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "skips the component; the names of the macrodef are then too short, and none of its targets is applied",
+        "skips the component; the names of the macrodef are then too short, and none of its \
+            targets is applied",
     )],
     docs: include_str!("unknown_component.md").trim_ascii_end(),
-    ..RuleInfo::new("macro-unknown-component", Level::Error, "`comp` names a component that is not defined")
+    ..RuleInfo::new(
+        "macro-unknown-component",
+        Level::Error,
+        "`comp` names a component that is \
+        not defined",
+    )
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {

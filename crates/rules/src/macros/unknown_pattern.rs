@@ -10,11 +10,17 @@ use mhlint_repo::makehuman2::{Base, View};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "drops the component; the names of its macrodefs are then too short, and none of their targets is applied",
+        "drops the component; the names of its macrodefs are then too short, and none of their \
+            targets is applied",
     )],
     docs: include_str!("unknown_pattern.md").trim_ascii_end(),
     counts: "patterns",
-    ..RuleInfo::new("macro-unknown-pattern", Level::Error, "no slider has the pattern of a component")
+    ..RuleInfo::new(
+        "macro-unknown-pattern",
+        Level::Error,
+        "no slider has the pattern of a \
+        component",
+    )
 });
 
 fn has_doubled(base: &Base<'_>) -> bool {
@@ -44,7 +50,8 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             1 => format!("component `{name}` reads the pattern `{first}`, which no slider has"),
             count => {
                 format!(
-                    "component `{name}` reads the pattern `{first}`, which no slider has ({count} such patterns)"
+                    "component `{name}` reads the pattern `{first}`, which no slider has ({count} \
+                        such patterns)"
                 )
             }
         };
@@ -66,7 +73,8 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let mut finding = RULE.at(file, place, message).key(name).help(help);
         if is_corner {
-            let effect = "silently skips this corner of the triangle; the targets of its value are never applied";
+            let effect = "silently skips this corner of the triangle; the targets of its value \
+                are never applied";
             finding = finding.effect(effect);
         }
         if let Some((sliders, _)) = base.modelling.winner() {

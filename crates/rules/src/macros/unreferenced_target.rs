@@ -74,10 +74,17 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
         let message = format!("no macrodef uses target `{}`", file.stem());
         let mut finding = RULE.at(file, Place::File, message).key(file.stem());
         finding = match fitting.as_slice() {
-            [] => finding.help("name it in `t` of its combination, or keep the file outside of the data"),
-            [one] => finding.help(format!("name it in `t` of `{one}`, which fits, or keep the file outside of the data")),
+            [] => finding.help(
+                "name it in `t` of its combination, or keep the file outside of \
+                the data",
+            ),
+            [one] => finding.help(format!(
+                "name it in `t` of `{one}`, which fits, or keep the \
+                file outside of the data"
+            )),
             [first, ..] => finding.help(format!(
-                "name it in `t` of the {} combinations that fit, such as `{first}`, or keep the file outside of the data",
+                "name it in `t` of the {} combinations that fit, such as `{first}`, or keep the \
+                    file outside of the data",
                 fitting.len()
             )),
         };

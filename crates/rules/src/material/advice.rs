@@ -51,7 +51,8 @@ impl<'v, 'a> Advice<'v, 'a> {
         };
         if let Some(name) = whole.clone().filter(|name| self.is_near(name, &folders)) {
             return format!(
-                "rename `{name}` without spaces, and write that name: a name ends at the first space"
+                "rename `{name}` without spaces, and write that name: a name ends at the first \
+                    space"
             );
         }
         let cut = whole

@@ -35,7 +35,8 @@ const OF_SKIN: Case = &[(
 const OF_ALL: Case = &[(
     Makehuman2,
     Level::Warning,
-    "offers the materials of all assets in the folder, and loses the chosen one when the model is loaded",
+    "offers the materials of all assets in the folder, and loses the chosen one when the model is \
+        loaded",
 )];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -69,7 +70,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 OF_ASSET
             });
             out.push(finding.help(
-                "rename the file without spaces, and write the new name in every `.mhclo` and `.mhm` that names it",
+                "rename the file without spaces, and write the new name in every `.mhclo` and \
+                    `.mhm` that names it",
             ));
         }
     }

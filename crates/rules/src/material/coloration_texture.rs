@@ -51,7 +51,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             loader::when(surface),
             loader::models(surface)
         );
-        let help = "save the picture as RGB, or as RGBA if parts are transparent, with 8 bits per channel; or write `colorationMethod 0`";
+        let help = "save the picture as RGB, or as RGBA if parts are transparent, with 8 bits per \
+            channel; or write `colorationMethod 0`";
         out.push(finding.effect_in(view.application(), effect).help(help));
     }
 }

@@ -9,10 +9,16 @@ use mhlint_repo::{FileFacts, View};
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "leaves the texture out of a glTF with embedded textures, where all textures after it are then mixed up",
+        "leaves the texture out of a glTF with embedded textures, where all textures after it are \
+            then mixed up",
     )],
     docs: include_str!("embedding.md").trim_ascii_end(),
-    ..RuleInfo::new("material-embedding", Level::Warning, "a texture that the glTF export cannot embed")
+    ..RuleInfo::new(
+        "material-embedding",
+        Level::Warning,
+        "a texture that the glTF export cannot \
+        embed",
+    )
 });
 
 const NOTHING: Case = &[(

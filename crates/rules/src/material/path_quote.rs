@@ -97,8 +97,14 @@ fn fault(surface: &Surface<'_>, place: &Place, text: &str, lost: &str, keyword: 
         level: Level::Warning,
         message: format!("`{keyword}` has its name in quotes: `{shown}`"),
         effect: match keyword {
-            _ if loader::is_1(surface.application) => "reads the quotes as part of the name and shows a placeholder",
-            LITSPHERE => "reads the quotes as part of the name, and silently draws the surface with the shader `phong`",
+            _ if loader::is_1(surface.application) => {
+                "reads the quotes as part of the name and \
+                shows a placeholder"
+            }
+            LITSPHERE => {
+                "reads the quotes as part of the name, and silently draws the surface \
+                with the shader `phong`"
+            }
             _ => "reads the quotes as part of the name, and ignores the line",
         }
         .to_owned(),

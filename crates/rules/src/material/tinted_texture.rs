@@ -10,11 +10,23 @@ use mhlint_repo::{Surface, View};
 
 pub(crate) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "shows the texture without the colour, on screen and in glTF; the OBJ export writes both"),
-        (Makehuman1, "hands both to the shader, which may tint the texture with the colour"),
+        (
+            Makehuman2,
+            "shows the texture without the colour, on screen and in glTF; the OBJ export \
+            writes both",
+        ),
+        (
+            Makehuman1,
+            "hands both to the shader, which may tint the texture with the colour",
+        ),
     ],
     docs: include_str!("tinted_texture.md").trim_ascii_end(),
-    ..RuleInfo::new("material-tinted-texture", Level::Info, "a texture beside a diffuse colour that is not white")
+    ..RuleInfo::new(
+        "material-tinted-texture",
+        Level::Info,
+        "a texture beside a diffuse colour \
+        that is not white",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -47,9 +59,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         tinted.iter().map(|(one, _)| one.file.shown()),
     ));
     out.push(finding.help(if view.is_makehuman1() {
-        "write `diffuseColor 1.0 1.0 1.0` to show the texture as it is; if the tint is wanted, put it into the picture"
+        "write `diffuseColor 1.0 1.0 1.0` to show the texture as it is; if the tint is wanted, \
+            put it into the picture"
     } else {
-        "write `diffuseColor 1.0 1.0 1.0` to keep the look that MakeHuman 2 shows; there only exported OBJ files change"
+        "write `diffuseColor 1.0 1.0 1.0` to keep the look that MakeHuman 2 shows; there only \
+            exported OBJ files change"
     }));
 }
 

@@ -19,7 +19,8 @@ pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
 const OF_ASSET: Case = &[(
     Makehuman2,
     Level::Error,
-    "crashes with `UnicodeEncodeError` when the asset is put on; models that wear it load only in part",
+    "crashes with `UnicodeEncodeError` when the asset is put on; models that wear it load only in \
+        part",
 )];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

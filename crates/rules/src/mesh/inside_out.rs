@@ -11,15 +11,26 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "lights the asset from its inner side, and exports it inside out"),
-        (Makehuman1, "shows the inner side of the asset, lit from the wrong side"),
+        (
+            Makehuman2,
+            "lights the asset from its inner side, and exports it inside out",
+        ),
+        (
+            Makehuman1,
+            "shows the inner side of the asset, lit from the wrong side",
+        ),
         (
             Mpfb,
-            "puts the asset on with its faces looking inwards: backface culling hides it, and exports are inside out",
+            "puts the asset on with its faces looking inwards: backface culling hides it, and \
+                exports are inside out",
         ),
     ],
     docs: include_str!("inside_out.md").trim_ascii_end(),
-    ..RuleInfo::new("mesh-inside-out", Level::Warning, "all faces of an asset look inwards")
+    ..RuleInfo::new(
+        "mesh-inside-out",
+        Level::Warning,
+        "all faces of an asset look inwards",
+    )
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -31,7 +42,8 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     };
     for (_, file, _) in meshes(body, |worn, _| is_inside_out(&worn.file.path)) {
         let finding = RULE.at(file, Place::File, "all faces look inwards");
-        let help = "turn the faces over, in Blender with Mesh > Normals > Recalculate Outside, and export the mesh again";
+        let help = "turn the faces over, in Blender with Mesh > Normals > Recalculate Outside, \
+            and export the mesh again";
         out.push(finding.confidence(Confidence::Medium).help(help));
     }
 }

@@ -36,6 +36,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     let message = format!("no group of the base mesh begins with {}", either(&missing));
-    let help = "restore the mesh, or export it with its groups (`g` lines) and in the same order of vertices";
+    let help = "restore the mesh, or export it with its groups (`g` lines) and in the same order \
+        of vertices";
     out.push(RULE.at(file, Place::File, message).help(help));
 }

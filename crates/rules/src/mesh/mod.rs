@@ -153,7 +153,8 @@ impl<'f> ReadMesh<'f> {
 const ASSET_VALUE: Case = &[(
     Makehuman2,
     Level::Error,
-    "crashes with `ValueError` or `IndexError` when the asset is put on; models that wear it load only in part",
+    "crashes with `ValueError` or `IndexError` when the asset is put on; models that wear it load \
+        only in part",
 )];
 const ASSET_INDEX: Case = &[(Makehuman2, Level::Error, STOPS_WITH_INDEX)];
 const ASSET_OVERFLOW: Case = &[(Makehuman2, Level::Error, STOPS_WITH_OVERFLOW)];

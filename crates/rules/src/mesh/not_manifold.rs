@@ -14,16 +14,22 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
         (
             Makehuman2,
-            "shows the faces as they are; smooth shading mixes sides that have nothing to do with one another",
+            "shows the faces as they are; smooth shading mixes sides that have nothing to do with \
+                one another",
         ),
         (
             Makehuman1,
-            "shows the faces as they are; smooth shading mixes sides that have nothing to do with one another",
+            "shows the faces as they are; smooth shading mixes sides that have nothing to do with \
+                one another",
         ),
     ],
     docs: include_str!("not_manifold.md").trim_ascii_end(),
     counts: "edges",
-    ..RuleInfo::new("mesh-not-manifold", Level::Info, "an edge with more than two faces")
+    ..RuleInfo::new(
+        "mesh-not-manifold",
+        Level::Info,
+        "an edge with more than two faces",
+    )
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

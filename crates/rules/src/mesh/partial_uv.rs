@@ -40,7 +40,10 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         let finding = RULE
             .at(file, Place::Line(group.line), message)
             .key(&group.name)
-            .help("unwrap only these faces and keep the other texture coordinates; do not reorder the faces")
+            .help(
+                "unwrap only these faces and keep the other texture coordinates; do not reorder \
+                the faces",
+            )
             .evidence(evidence.out_of(group.faces));
         out.push(mesh.weigh(view, file, finding, ASSET_INDEX));
     }

@@ -26,8 +26,10 @@ const VANISHING: Case = &[(
     "hides visible faces: they end up in a group that is not shown",
 )];
 
-const SHOW_THEM: &str = "give the later faces a new group name, and list it in `visible groups`; do not reorder the faces";
-const IF_SEEN: &str = "give the later faces a new group name if they show in the wrong group; among hidden groups leave them as they are";
+const SHOW_THEM: &str = "give the later faces a new group name, and list it in `visible groups`; \
+    do not reorder the faces";
+const IF_SEEN: &str = "give the later faces a new group name if they show in the wrong group; \
+    among hidden groups leave them as they are";
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, mesh)) = body.obj else { return };
@@ -81,7 +83,8 @@ fn finding(file: &FileFacts, groups: &[&Reopened], faces: usize) -> Option<Findi
             )
         }
         _ => format!(
-            "{} groups appear more than once: {strayed} faces end up elsewhere, first those of `{}` in `{lands_in}`",
+            "{} groups appear more than once: {strayed} faces end up elsewhere, first those of \
+                `{}` in `{lands_in}`",
             groups.len(),
             first.name
         ),

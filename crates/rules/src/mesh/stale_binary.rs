@@ -107,7 +107,8 @@ impl Told<'_> {
             "find out which mesh the targets and weights are for (`numverts` of base.json); then restore base.obj, or \
              rebuild base.mhbin from it with compile_meshes.py"
         } else {
-            "if base.obj is the right one, move base.mhbin away, or rebuild it with compile_meshes.py"
+            "if base.obj is the right one, move base.mhbin away, or rebuild it with \
+                compile_meshes.py"
         }
     }
 }
@@ -124,7 +125,8 @@ fn finding(at: &FileFacts, archive: &FileFacts, text: &UnreadMesh<'_>, told: &To
         ),
         Lies::Below => (
             BELOW,
-            "leave it if this mesh is intended; otherwise move base.mhbin out of the folder to use the mesh of the system data",
+            "leave it if this mesh is intended; otherwise move base.mhbin out of the folder to \
+                use the mesh of the system data",
             text.file,
         ),
     };

@@ -39,7 +39,8 @@ const LOST_FACES: Case = &[(Mpfb, Level::Warning, "drops faces that it cannot re
 const OTHER_PLACES: Case = &[(
     Mpfb,
     Level::Info,
-    "takes other numbers for those that it cannot read, and never uses them: places come from the rows of the asset",
+    "takes other numbers for those that it cannot read, and never uses them: places come from the \
+        rows of the asset",
 )];
 
 const NO_LAMP_SYMBOL: Case = &[(Makehuman2, Level::Error, NO_LAMP)];

@@ -11,9 +11,19 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "keeps and counts such vertices but never shows them"),
-        (Makehuman1, "does not put the asset on: it loads no mesh with loose vertices"),
-        (Mpfb, "drops the vertex: where the rows of the asset count it, all later ones belong to other vertices"),
+        (
+            Makehuman2,
+            "keeps and counts such vertices but never shows them",
+        ),
+        (
+            Makehuman1,
+            "does not put the asset on: it loads no mesh with loose vertices",
+        ),
+        (
+            Mpfb,
+            "drops the vertex: where the rows of the asset count it, all later ones belong to \
+            other vertices",
+        ),
     ],
     levels: &[(Makehuman1, Level::Error), (Mpfb, Level::Warning)],
     docs: include_str!("unused_vertex.md").trim_ascii_end(),
@@ -69,7 +79,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
             mesh.facts.vertices
         ),
     };
-    let help = "leave it: without the vertex all later ones have other numbers, and targets, weights and clothes no longer fit";
+    let help = "leave it: without the vertex all later ones have other numbers, and targets, \
+        weights and clothes no longer fit";
     out.push(
         RULE.at(file, Place::File, message)
             .help(help)
@@ -95,7 +106,8 @@ fn loose(view: &View<'_>, file: &FileFacts, mesh: &ReadMesh<'_>) -> Option<Findi
     };
     let help = match mesh.asset {
         Some(_) => {
-            "delete loose vertices in the 3D program, then export mesh and asset again: without the line all later vertices get other numbers"
+            "delete loose vertices in the 3D program, then export mesh and asset again: without \
+                the line all later vertices get other numbers"
         }
         None => "restore the mesh: its vertices are the same in all copies of MakeHuman 1",
     };

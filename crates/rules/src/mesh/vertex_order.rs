@@ -64,7 +64,8 @@ fn short(view: &makehuman1::View<'_>, file: &FileFacts, rig: &FileFacts, last: i
         .map(|(_, mesh)| mesh.facts.vertices)
         .unwrap_or_default();
     let message = format!(
-        "the mesh has {vertices} vertices, but the base skeleton and its weights name vertices up to {last}"
+        "the mesh has {vertices} vertices, but the base skeleton and its weights name vertices up \
+            to {last}"
     );
     let finding = RULE
         .at(file, Place::File, message)
@@ -75,7 +76,8 @@ fn short(view: &makehuman1::View<'_>, file: &FileFacts, rig: &FileFacts, last: i
         Place::File,
         "the skeleton of the missing vertices",
     );
-    let help = "restore the base mesh, or export it again with all its vertices in their order; until then nothing else is checked against it";
+    let help = "restore the base mesh, or export it again with all its vertices in their order; \
+        until then nothing else is checked against it";
     finding.help(help).against(&rig.path)
 }
 
@@ -105,6 +107,7 @@ fn finding(
         Place::File,
         "the skeleton made for the old numbers",
     );
-    let help = "restore the mesh from a copy with the old vertices in their order; until then nothing else is checked against it";
+    let help = "restore the mesh from a copy with the old vertices in their order; until then \
+        nothing else is checked against it";
     finding.help(help).against(&rig.path)
 }

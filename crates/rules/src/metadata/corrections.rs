@@ -14,7 +14,8 @@ use mhlint_repo::mpfb::{View, uuid};
 const STOPS: Case = &[(
     Mpfb,
     Level::Error,
-    "fails with `TypeError` when a saved character with the topology is loaded: the character is left half-made",
+    "fails with `TypeError` when a saved character with the topology is loaded: the character is \
+        left half-made",
 )];
 const IGNORED: Case = &[(
     Mpfb,

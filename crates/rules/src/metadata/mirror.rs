@@ -13,7 +13,8 @@ use mhlint_repo::mpfb::misplaced::is_across;
 const STOPPED: Case = &[(
     Mpfb,
     Level::Error,
-    "fails when a target is first made symmetric, and mirrors only the vertices above this row from then on",
+    "fails when a target is first made symmetric, and mirrors only the vertices above this row \
+        from then on",
 )];
 const OUT_OF_RANGE: Case = &[(
     Mpfb,

@@ -10,7 +10,8 @@ use mhlint_repo::mpfb::misplaced::{HEIGHT, Misplaced};
 const GIANT: Case = &[(
     Mpfb,
     Level::Warning,
-    "makes a figure of another size; sliders move it as far as before, which is too much or too little",
+    "makes a figure of another size; sliders move it as far as before, which is too much or too \
+        little",
 )];
 const LYING: Case = &[(
     Mpfb,
@@ -20,7 +21,8 @@ const LYING: Case = &[(
 const EXCHANGED: Case = &[(
     Mpfb,
     Level::Warning,
-    "moves the right side of the figure with sliders and bones of the left one, and the other way round",
+    "moves the right side of the figure with sliders and bones of the left one, and the other way \
+        round",
 )];
 
 fn of_cubes(
@@ -57,14 +59,16 @@ pub(super) fn fault(rule: &Rule, file: &FileFacts, misplaced: Misplaced) -> Find
         ),
         Misplaced::Mirrored(across, sided) => (
             format!(
-                "left and right are exchanged: {across} of {sided} vertices lie across from where `hm08.mirror` puts them"
+                "left and right are exchanged: {across} of {sided} vertices lie across from where \
+                    `hm08.mirror` puts them"
             ),
             "mirrored",
             "restore the base mesh",
         ),
         Misplaced::Order(strayed, rows) => (
             format!(
-                "vertices have other numbers: {strayed} of {rows} do not mirror the ones that `hm08.mirror` names"
+                "vertices have other numbers: {strayed} of {rows} do not mirror the ones that \
+                    `hm08.mirror` names"
             ),
             "order",
             "restore the base mesh, or export it with the order of its vertices kept",

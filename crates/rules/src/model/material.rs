@@ -88,7 +88,8 @@ fn stray(
     let (message, help) = match same {
         Some(_) if is_right => (
             format!(
-                "the model wears `{name}` with another uuid than this one, which is that of the asset"
+                "the model wears `{name}` with another uuid than this one, which is that of the \
+                    asset"
             ),
             format!("write `{uuid}` in the line that puts `{name}` on"),
         ),

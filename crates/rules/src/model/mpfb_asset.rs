@@ -178,7 +178,8 @@ fn finding(
             let near = cx
                 .suggestions
                 .nearest(name, assets(view, category).map(|worn| worn.file.stem()));
-            let help = "add the asset, or check it together with the pack that has it; otherwise remove the line";
+            let help = "add the asset, or check it together with the pack that has it; otherwise \
+                remove the line";
             (
                 format!("no asset in `{}` is named `{name}`{more}", folder(category)),
                 did_you_mean(near, help),

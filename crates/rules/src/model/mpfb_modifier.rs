@@ -109,7 +109,8 @@ fn broken(rule: &Rule, file: &FileFacts, lines: &[Setting]) -> Option<Finding> {
         text => format!("`{text}` is not a number"),
     };
     let message = format!("{message}{}", such(broken.len(), "lines"));
-    let help = "write the pattern without a blank, one blank, and one number; a remark needs a line of its own";
+    let help = "write the pattern without a blank, one blank, and one number; a remark needs a \
+        line of its own";
     told(
         rule,
         file,

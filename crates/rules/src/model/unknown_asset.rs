@@ -151,7 +151,8 @@ fn asset(lines: &[Line<'_>], known: &Known<'_>, cx: &RuleCx<'_>) -> Option<Findi
         let near = cx.suggestions.nearest(name, alike);
         did_you_mean(
             near,
-            "add the asset, or check it together with the pack that has it; otherwise remove the line",
+            "add the asset, or check it together with the pack that has it; otherwise remove the \
+                line",
         )
     };
     let place = |line: &WornLine| Place::Span(line.name.span.clone());

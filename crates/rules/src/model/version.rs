@@ -64,7 +64,8 @@ fn newer(model: &SavedModel<'_>, own: Option<Edition>) -> Option<Finding> {
         return None;
     }
     let message = format!("`{}` is newer than the program, {}", line.text, own.title());
-    let help = "save the model with that version of the program, or ask for the one that saved it (`--app makehuman1@1.3`)";
+    let help = "save the model with that version of the program, or ask for the one that saved it \
+        (`--app makehuman1@1.3`)";
     Some(
         RULE.at(model.file, Place::Span(line.span.clone()), message)
             .key("newer")

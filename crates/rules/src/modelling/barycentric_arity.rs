@@ -4,7 +4,8 @@ use super::super::{Check, Rule, RuleCx, counted};
 use mhlint_diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use mhlint_repo::makehuman2::{Base, BoundSlider, View};
 
-const CANNOT_MIX: &str = "crashes with `ValueError` whenever the triangle slider moves: it mixes three colours of three numbers each";
+const CANNOT_MIX: &str = "crashes with `ValueError` whenever the triangle slider moves: it mixes \
+    three colours of three numbers each";
 const MIXES_OTHERS: &str = "mixes the skin colour without the corners that have no colour";
 /// Corners of the triangle slider; also parts of a colour.
 const THREE: usize = 3;

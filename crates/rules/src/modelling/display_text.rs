@@ -29,7 +29,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let key = bound.slider.key.as_str();
         let message = format!("`display.text` of `{key}` {}", fault.what);
-        let help = "use `{}`, or a format for the result: `{:.1f}` for `val * 100`, `{:d}` for `round(val * 100)`";
+        let help = "use `{}`, or a format for the result: `{:.1f}` for `val * 100`, `{:d}` for \
+            `round(val * 100)`";
         out.push(
             RULE.at(bound.file, Place::Span(fault.span.clone()), message)
                 .key(key)

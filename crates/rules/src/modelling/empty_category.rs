@@ -66,13 +66,18 @@ fn without_user(base: &Base<'_>) -> Option<Finding> {
         .iter()
         .any(|category| category.name == USER_CATEGORY);
     (!file.is_misshapen() && !there).then(|| {
-        RULE.at(file, Place::File, "the generated target_cat.json has no category `User`")
-            .key("generated")
-            .level(Level::Error)
-            .effect("crashes at start with `KeyError`")
-            .help(
-                "save your own changes elsewhere, then delete modelling.json and target_cat.json in this folder: MakeHuman 2 writes them again",
-            )
+        RULE.at(
+            file,
+            Place::File,
+            "the generated target_cat.json has no category `User`",
+        )
+        .key("generated")
+        .level(Level::Error)
+        .effect("crashes at start with `KeyError`")
+        .help(
+            "save your own changes elsewhere, then delete modelling.json and target_cat.json \
+                    in this folder: MakeHuman 2 writes them again",
+        )
     })
 }
 

@@ -50,7 +50,8 @@ pub(super) fn hidden(rule: &Rule, base: &Base<'_>) -> Option<Finding> {
     );
     let more = such(hidden.len(), "sliders");
     let message = format!(
-        "`{key}` is never shown: no item of the generated target_cat.json has the group `{group}`{more}"
+        "`{key}` is never shown: no item of the generated target_cat.json has the group \
+            `{group}`{more}"
     );
     let finding = rule
         .at(first.file, Place::pointer([key, "group"]), message)

@@ -12,7 +12,8 @@ use mhlint_repo::{Reference, ReferenceKind};
 /// What becomes of an entry of the generated file whose target is gone.
 pub(super) const OF_GENERATED: &str = "crashes with `AttributeError` when the slider moves; if the folder is newer \
      than the file, it writes the file again and the slider disappears";
-pub(super) const ANEW: &str = "delete modelling.json and target_cat.json in this folder: MakeHuman 2 writes them again from the user targets";
+pub(super) const ANEW: &str = "delete modelling.json and target_cat.json in this folder: \
+    MakeHuman 2 writes them again from the user targets";
 
 /// Sliders of the system that say that their targets are a user's.
 pub(super) fn needless(rule: &Rule, marked: &[&Reference<'_>]) -> Option<Finding> {
@@ -27,8 +28,10 @@ pub(super) fn needless(rule: &Rule, marked: &[&Reference<'_>]) -> Option<Finding
     let finding = rule
         .at(first.from, Place::key([key, "user"]), message)
         .key("user");
-    let effect = "does not find the target in the user's folder and crashes with `AttributeError` when the slider moves";
-    let help = "remove the key `user`, whatever its value; only the file that MakeHuman 2 writes for user targets needs it";
+    let effect = "does not find the target in the user's folder and crashes with `AttributeError` \
+        when the slider moves";
+    let help = "remove the key `user`, whatever its value; only the file that MakeHuman 2 writes \
+        for user targets needs it";
     Some(
         finding
             .effect(effect)

@@ -177,9 +177,16 @@ fn open_line(
 fn finding(bound: &BoundSlider<'_>, message: &str, effect: &str) -> Finding {
     let key = bound.slider.key.as_str();
     let finding = RULE
-        .at(bound.file, Place::pointer([key, "measure"]), format!("`{key}` {message}"))
+        .at(
+            bound.file,
+            Place::pointer([key, "measure"]),
+            format!("`{key}` {message}"),
+        )
         .key(key)
-        .help("correct the vertex numbers, which start at 0; the measuring line may be from another mesh");
+        .help(
+            "correct the vertex numbers, which start at 0; the measuring line may be from \
+            another mesh",
+        );
     if effect.is_empty() {
         finding
     } else {

@@ -13,10 +13,16 @@ use mhlint_repo::{FileFacts, Reference, ReferenceKind};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "crashes with `AttributeError` when the slider moves, or at start if the start model sets it",
+        "crashes with `AttributeError` when the slider moves, or at start if the start model sets \
+            it",
     )],
     docs: include_str!("missing_target.md").trim_ascii_end(),
-    ..RuleInfo::new("modelling-missing-target", Level::Error, "`incr` or `decr` names a target that does not exist")
+    ..RuleInfo::new(
+        "modelling-missing-target",
+        Level::Error,
+        "`incr` or `decr` names a target \
+        that does not exist",
+    )
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -90,9 +96,10 @@ fn finding(
     if is_generated_for(base, first.from) {
         finding = finding.effect(marks::OF_GENERATED).help(marks::ANEW);
     } else if is_unused(base, first) {
-        finding = finding
-            .level(Level::Warning)
-            .effect("only logs a line: it never applies the targets of an entry with `macro` or `barycentric`");
+        finding = finding.level(Level::Warning).effect(
+            "only logs a line: it never applies the targets of an entry with `macro` or \
+                `barycentric`",
+        );
     }
     Some(finding)
 }

@@ -88,6 +88,7 @@ fn advice(base: &Base<'_>, name: &str, suggestions: &Suggestions) -> String {
         .map(String::as_str);
     did_you_mean(
         suggestions.nearest(name, patterns),
-        "write a pattern: the `macro` of an entry, its `incr`, or `<decr>|<ending of incr>` for a pair",
+        "write a pattern: the `macro` of an entry, its `incr`, or `<decr>|<ending of incr>` for a \
+            pair",
     )
 }

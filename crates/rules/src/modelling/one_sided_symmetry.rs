@@ -18,7 +18,8 @@ pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     )
 });
 
-const ALONE: &str = "write the pattern of the left/right counterpart, or remove the key from a slider that has none";
+const ALONE: &str = "write the pattern of the left/right counterpart, or remove the key from a \
+    slider that has none";
 const COUNTERPART: &str = "write the pattern of the left/right counterpart";
 
 const ONE_WAY: &str = "mirrors changes of this slider to its counterpart, but not back";
@@ -26,7 +27,8 @@ const TO_ITSELF: &str = "mirrors the slider to itself: no other slider follows";
 const WRONG_SIDE: &str = "copies the wrong side when the figure is made symmetric";
 
 /// What mirrors is the targets of the partner.
-const WITHOUT_TARGETS: &str = "crashes with `AttributeError` when the slider moves while symmetry is on: its counterpart has no targets";
+const WITHOUT_TARGETS: &str = "crashes with `AttributeError` when the slider moves while symmetry \
+    is on: its counterpart has no targets";
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in with_patterns(base).unwrap_or_default() {

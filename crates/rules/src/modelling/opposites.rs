@@ -94,7 +94,8 @@ fn without_pairs(
         _ => (
             Place::key(["target-opposites"]),
             format!(
-                "`target-opposites` covers none of the {count} pairs of targets, so their sliders have only one direction"
+                "`target-opposites` covers none of the {count} pairs of targets, so their sliders \
+                    have only one direction"
             ),
             match (covers(false), covers(true)) {
                 (_, true) => "write the decreasing ending first: `\"decr\": \"incr\"`",
@@ -128,7 +129,8 @@ fn of_endings(
         ),
         more => {
             format!(
-                "{} sliders have only one direction: `target-opposites` has no pair `{decr}`/`{incr}`",
+                "{} sliders have only one direction: `target-opposites` has no pair \
+                    `{decr}`/`{incr}`",
                 more.len()
             )
         }
@@ -142,7 +144,8 @@ fn of_endings(
         format!("use targets that belong together: `{decr}` goes with `{known}`")
     } else {
         format!(
-            "add `\"{decr}\": \"{incr}\"` to `target-opposites` of base.json, or correct the names{MODELS}"
+            "add `\"{decr}\": \"{incr}\"` to `target-opposites` of base.json, or correct the \
+                names{MODELS}"
         )
     };
     let finding = RULE

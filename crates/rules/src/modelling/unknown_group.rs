@@ -107,7 +107,8 @@ fn renamed_category(
     let first = renamed.sliders.first()?;
     let (count, wanted) = (renamed.sliders.len(), &renamed.wanted);
     let message = format!(
-        "{count} sliders are never shown: category `{}` has the group `{}`, but their group is `{wanted}`",
+        "{count} sliders are never shown: category `{}` has the group `{}`, but their group is \
+            `{wanted}`",
         renamed.name, renamed.group
     );
     let finding = if view.layers.is_checked(file) {

@@ -40,7 +40,8 @@ fn finding(bound: &BoundSlider<'_>, member: &str, fault: &Fault) -> Finding {
     let message = format!("`display.{member}` of `{key}` {}", fault.what);
     let effect = match fault.kind {
         FaultKind::Foreign => {
-            "runs it as Python code with all the user's rights at start, or crashes with `NameError`"
+            "runs it as Python code with all the user's rights at start, or crashes with \
+                `NameError`"
         }
         FaultKind::Endless => "may hang at start or run out of memory",
         FaultKind::Syntax => "crashes at start with `SyntaxError`",
@@ -57,7 +58,8 @@ fn finding(bound: &BoundSlider<'_>, member: &str, fault: &Fault) -> Finding {
         _ if fault.kind == FaultKind::Pair => "write numbers with a decimal point, such as `0.5`",
         "text" => "use `{}` for the result, or a format such as `{:.1f}`",
         _ => {
-            "use numbers, `val`, arithmetic, comparisons, `if`/`else`, `round`, `str` and strings joined with `+`"
+            "use numbers, `val`, arithmetic, comparisons, `if`/`else`, `round`, `str` and strings \
+                joined with `+`"
         }
     };
     RULE.at(bound.file, Place::Span(fault.span.clone()), message)

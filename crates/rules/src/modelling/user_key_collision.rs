@@ -37,8 +37,13 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let mut finding = RULE
             .at(last, Place::File, message)
             .key(key)
-            .help("rename the newer of the files, as saved models know its slider by the name; case, `-` and spaces make no difference")
-            .evidence(Evidence::of_cases(files.iter().map(|file| file.file_name())));
+            .help(
+                "rename the newer of the files, as saved models know its slider by the name; \
+                case, `-` and spaces make no difference",
+            )
+            .evidence(Evidence::of_cases(
+                files.iter().map(|file| file.file_name()),
+            ));
         for other in others {
             finding = finding.related(other.path.clone(), Place::File, "gets the same key");
         }

@@ -7,10 +7,16 @@ use mhlint_repo::makehuman1::View;
 pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
     breaks: &[(
         Makehuman1,
-        "fails with `KeyError` when the tab is opened, and at each change of the human from then on",
+        "fails with `KeyError` when the tab is opened, and at each change of the human from then \
+            on",
     )],
     docs: include_str!("missing_ruler.md").trim_ascii_end(),
-    ..RuleInfo::new("modifiers-missing-ruler", Level::Error, "a measure for which the program has no ruler")
+    ..RuleInfo::new(
+        "modifiers-missing-ruler",
+        Level::Error,
+        "a measure for which the program has \
+        no ruler",
+    )
 });
 
 /// What is measured (`docs/loaders/makehuman1/modifiers.md#rulers`).

@@ -66,7 +66,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         match &one.modifier.variable {
             Some(variable) => out.extend(macro_finding(view, one, &variable.name)),
             None if one.modifier.tails.unpaired().is_none() => {
-                out.extend(finding(view, one, &meant, &spellings, cx))
+                out.extend(finding(view, one, &meant, &spellings, cx));
             }
             None => {}
         }
@@ -78,7 +78,8 @@ fn renamed_folder(view: &View<'_>) -> Option<Finding> {
     let folder = view.targets.renamed_folder()?;
     let targets = counted(view.targets.shipped.len(), "target");
     let message = format!(
-        "`{folder}` must be named `targets`: its name is a word of the groups of all {targets} in it"
+        "`{folder}` must be named `targets`: its name is a word of the groups of all {targets} in \
+            it"
     );
     let finding = RULE
         .in_layer(view.layers.checked, folder, message)

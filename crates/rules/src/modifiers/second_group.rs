@@ -65,7 +65,8 @@ fn help(view: &View<'_>, variable: &str, group: &str) -> String {
     };
     if view.modifiers.all.iter().any(is_there) {
         format!(
-            "remove the modifier with its slider and description: group `{group}` has one for `{variable}`"
+            "remove the modifier with its slider and description: group `{group}` has one for \
+                `{variable}`"
         )
     } else {
         format!(

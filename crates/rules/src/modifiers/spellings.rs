@@ -77,7 +77,8 @@ pub(super) fn help(
     match near.and_then(|near| near.strip_prefix(&one.modifier.group)?.strip_prefix('-')) {
         Some(right) if one.parts.len() == 1 => {
             format!(
-                "write `{right}` in `target` for `{file}`, and correct the name in its slider and description"
+                "write `{right}` in `target` for `{file}`, and correct the name in its slider and \
+                    description"
             )
         }
         _ => format!("did you mean `{file}`?"),

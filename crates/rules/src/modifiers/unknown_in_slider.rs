@@ -81,7 +81,8 @@ fn of_group(
         }
         Some(near) => {
             format!(
-                "write `{group}` in place of `{near}` in the list of modifiers, or the other way around here"
+                "write `{group}` in place of `{near}` in the list of modifiers, or the other way \
+                    around here"
             )
         }
         None => "correct the group of these modifiers, or remove the sliders".to_owned(),

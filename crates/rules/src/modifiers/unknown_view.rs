@@ -20,7 +20,8 @@ pub(crate) static RULE: Rule = Check::Makehuman1(run).rule(RuleInfo {
 const CONDITION: Case = &[(
     Makehuman1,
     Level::Error,
-    "fails at start and at each change of the human; sliders behind this one are not brought up to date",
+    "fails at start and at each change of the human; sliders behind this one are not brought up \
+        to date",
 )];
 
 /// What the program has, in its short form (`docs/loaders/makehuman1/modifiers.md#sliders`).

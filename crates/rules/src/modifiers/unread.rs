@@ -68,11 +68,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .at(first, Place::File, message)
         .parts_in(lost.iter().map(|file| (file.shown(), &file.path)));
     let finding = finding.evidence(Evidence::of_cases(lost.iter().map(|file| file.shown())));
-    out.push(
-        finding.help(
-            "move what is in them to `modeling_modifiers.json` and the files beside it, in the program's own data",
-        ),
-    );
+    out.push(finding.help(
+        "move what is in them to `modeling_modifiers.json` and the files beside it, in the \
+                program's own data",
+    ));
 }
 
 /// Whether the program has the same under the same name.

@@ -25,7 +25,8 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 const NARROW: Case = &[(
     Makehuman2,
     Level::Info,
-    "fades the shape out towards this position, and applies none of the targets of the macrodef there",
+    "fades the shape out towards this position, and applies none of the targets of the macrodef \
+        there",
 )];
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -60,9 +61,15 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             .evidence(Evidence::of_cases(&parts));
         let finding = finding.parts(ranges.iter().flat_map(|range| dead_values(macros, range)));
         out.push(if is_wide {
-            finding.help("list the combinations; `null` for those where no shape is meant makes this an info")
+            finding.help(
+                "list the combinations; `null` for those where no shape is meant makes \
+                this an info",
+            )
         } else {
-            finding.case(NARROW).help("leave it if no shape is meant there; otherwise give the combinations targets")
+            finding.case(NARROW).help(
+                "leave it if no shape is meant there; otherwise give the \
+                combinations targets",
+            )
         });
     }
 }

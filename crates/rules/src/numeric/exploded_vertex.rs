@@ -54,7 +54,10 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             .key("vertices")
             .parts(seen.elements.iter().copied())
             .confidence(Confidence::Medium)
-            .help("correct the numbers; a decimal point may be missing or the unit wrong: lengths are in decimetres")
+            .help(
+                "correct the numbers; a decimal point may be missing or the unit wrong: lengths \
+                are in decimetres",
+            )
             .evidence(evidence.with_worst(seen.value, format!("vertex {}", seen.element))),
     );
 }

@@ -45,7 +45,13 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.push(
         RULE.at(file, Place::File, message)
             .confidence(Confidence::Medium)
-            .help(format!("export the mesh in decimetres, probably with scale {help}, in the same vertex order; until then nothing is measured on it"))
-            .evidence(Evidence::of_unnamed([format!("{length:.1} cm")]).with_worst(times.into(), "visible groups")),
+            .help(format!(
+                "export the mesh in decimetres, probably with scale {help}, in the same \
+                vertex order; until then nothing is measured on it"
+            ))
+            .evidence(
+                Evidence::of_unnamed([format!("{length:.1} cm")])
+                    .with_worst(times.into(), "visible groups"),
+            ),
     );
 }

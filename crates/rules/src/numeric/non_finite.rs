@@ -46,14 +46,18 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     let flat = untold(body, measures, Trouble::FlatPlane).filter(|_| !body.is_makehuman1());
     if let Some(seen) = flat.filter(|seen| !is_flat_at_rest(measures, &seen.name)) {
         let message = format!(
-            "the rotation plane of bone `{}` has no normal: its three joints are on one straight line",
+            "the rotation plane of bone `{}` has no normal: its three joints are on one straight \
+                line",
             seen.name
         );
         out.push(
             at_setting(&RULE, body, seen, &message)
                 .key("planes")
                 .parts(&seen.all)
-                .help("move the joint cubes together with the limb, so that the three joints keep an angle")
+                .help(
+                    "move the joint cubes together with the limb, so that the three joints keep \
+                    an angle",
+                )
                 .evidence(Evidence::counted(1).with_worst(1.0 / seen.value, "sine of the angle")),
         );
     }

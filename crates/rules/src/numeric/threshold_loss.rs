@@ -12,10 +12,16 @@ use mhlint_repo::Body;
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "applies that much less of the shape between the steps; no other combination makes up for it",
+        "applies that much less of the shape between the steps; no other combination makes up for \
+            it",
     )],
     docs: include_str!("threshold_loss.md").trim_ascii_end(),
-    options: &[OptionInfo { name: "percent", default: 5.0, docs: "how much weight may be lost, in per cent" }],
+    options: &[OptionInfo {
+        name: "percent",
+        default: 5.0,
+        docs: "how much weight may be lost, in \
+        per cent",
+    }],
     counts: "macrodefs",
     grows: Grows::more(MeasureKind::Share),
     ..RuleInfo::new(
@@ -59,15 +65,24 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
     };
     let cases = over().map(|(number, lost, _)| format!("{}: {}", named(number), percent(*lost)));
     out.push(
-        RULE.at(file, Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]), message)
-            .key("loss")
-            .related(&file.path, Place::File, to_see(at))
-            .parts(over().map(|(number, ..)| named(number)))
-            .help(if *lost > LARGE {
-                "use fewer components in this macrodef, or split it"
-            } else {
-                "leave it if the loss is too small to see; otherwise use fewer components in this macrodef"
-            })
-            .evidence(Evidence::of_cases(cases).out_of(macros.macrodefs.len()).with_worst(*lost, title)),
+        RULE.at(
+            file,
+            Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]),
+            message,
+        )
+        .key("loss")
+        .related(&file.path, Place::File, to_see(at))
+        .parts(over().map(|(number, ..)| named(number)))
+        .help(if *lost > LARGE {
+            "use fewer components in this macrodef, or split it"
+        } else {
+            "leave it if the loss is too small to see; otherwise use fewer components in this \
+                    macrodef"
+        })
+        .evidence(
+            Evidence::of_cases(cases)
+                .out_of(macros.macrodefs.len())
+                .with_worst(*lost, title),
+        ),
     );
 }

@@ -12,11 +12,17 @@ use mhlint_repo::Body;
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "applies the shapes of the macrodef too weakly or too strongly; it does not normalise the weights",
+        "applies the shapes of the macrodef too weakly or too strongly; it does not normalise the \
+            weights",
     )],
     docs: include_str!("weights_sum.md").trim_ascii_end(),
     grows: Grows::from_one(MeasureKind::Weight),
-    ..RuleInfo::new("numeric-weights-sum", Level::Warning, "the weights of a component do not add up to 1")
+    ..RuleInfo::new(
+        "numeric-weights-sum",
+        Level::Warning,
+        "the weights of a component do not add \
+        up to 1",
+    )
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -54,7 +60,10 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         out.push(
             RULE.at(file, Place::pointer(["components", name, member]), message)
                 .key(format!("{}/{name}", title(macrodef)))
-                .help("give the component a value for every corner of the slider; its combinations may be `null`")
+                .help(
+                    "give the component a value for every corner of the slider; its \
+                    combinations may be `null`",
+                )
                 .evidence(Evidence::counted(1).with_worst(off.sum, at)),
         );
     }

@@ -15,13 +15,23 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
         (
             Makehuman2,
-            "divides by zero: the rest matrix is not a number, and in pose mode the skin of the bone disappears",
+            "divides by zero: the rest matrix is not a number, and in pose mode the skin of the \
+                bone disappears",
         ),
-        (Makehuman1, "fails with `LinAlgError` when the pose changes, if a bone lies below this one"),
+        (
+            Makehuman1,
+            "fails with `LinAlgError` when the pose changes, if a bone lies below this \
+            one",
+        ),
     ],
     docs: include_str!("zero_length_bone.md").trim_ascii_end(),
     grows: Grows::less(MeasureKind::Length),
-    ..RuleInfo::new("numeric-zero-length-bone", Level::Error, "a bone has no length at some slider setting")
+    ..RuleInfo::new(
+        "numeric-zero-length-bone",
+        Level::Error,
+        "a bone has no length at some \
+        slider setting",
+    )
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -8,7 +8,8 @@ use mhlint_repo::makehuman2::{Base, TargetFolder, View};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "writes an empty archive at the first start, and crashes with `EOFError` at every later start",
+        "writes an empty archive at the first start, and crashes with `EOFError` at every later \
+            start",
     )],
     docs: include_str!("empty_target_folder.md").trim_ascii_end(),
     ..RuleInfo::new(
@@ -42,7 +43,13 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             folder.layer.display(&rel)
         );
         out.push(
-            RULE.in_layer(folder.layer, &rel, message).key(base.name).help("copy a target of this base into the folder; if MakeHuman 2 was started before, also delete compressedtargets.npz there"),
+            RULE.in_layer(folder.layer, &rel, message)
+                .key(base.name)
+                .help(
+                    "copy a target of this \
+                base into the folder; if MakeHuman 2 was started before, also delete \
+                compressedtargets.npz there",
+                ),
         );
     }
 }

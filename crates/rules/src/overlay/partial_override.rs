@@ -60,7 +60,8 @@ fn without_sliders(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
     let help = "add a modelling.json whose sliders fit the targets in contarget";
     if base.modelling.winner().is_some() {
         let message = format!(
-            "modelling.json is missing: the sliders of the system data use the targets in `{folder}`"
+            "modelling.json is missing: the sliders of the system data use the targets in \
+                `{folder}`"
         );
         return Some((
             Level::Info,
@@ -71,7 +72,8 @@ fn without_sliders(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
     }
     if system == SystemFolder::Unknown {
         let message = format!(
-            "modelling.json is missing: all targets of the sliders in the system data must be in `{folder}`"
+            "modelling.json is missing: all targets of the sliders in the system data must be in \
+                `{folder}`"
         );
         let effect =
             "looks for all targets of these sliders in contarget, and cannot load the missing ones";
@@ -89,9 +91,11 @@ fn without_sliders(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
 
 fn without_macros(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
     let folder = format!("target/{}", base.name);
-    let help = "add a macro.json to contarget; without macros, write `{\"components\": {}, \"macrodef\": []}`";
+    let help = "add a macro.json to contarget; without macros, write `{\"components\": {}, \
+        \"macrodef\": []}`";
     // With a macro.json nothing is read from the folder of the system data any more.
-    let whole = "remove it, or add a macro.json with all targets and icons: none are read from `target/` then";
+    let whole = "remove it, or add a macro.json with all targets and icons: none are read from \
+        `target/` then";
     let own = base
         .other_targets
         .map_or(0, |contarget| contarget.targets().count());
@@ -107,7 +111,8 @@ fn without_macros(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
                 if own == 1 { "is" } else { "are" },
             );
             let message = format!(
-                "macro.json is missing: targets come from `{folder}`, and {own} in contarget {be} never read"
+                "macro.json is missing: targets come from `{folder}`, and {own} in contarget {be} \
+                    never read"
             );
             Some((
                 Level::Warning,
@@ -133,7 +138,8 @@ fn without_macros(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
 }
 
 fn categories_alone(base: &Base<'_>, system: SystemFolder) -> Gap {
-    let help = "remove it, or add all that belongs to these categories: modelling.json, macro.json, targets and icons";
+    let help = "remove it, or add all that belongs to these categories: modelling.json, \
+        macro.json, targets and icons";
     let shown = "shows the sliders of the system data under these categories";
     if base.modelling.winner().is_some() {
         let message =
@@ -142,7 +148,9 @@ fn categories_alone(base: &Base<'_>, system: SystemFolder) -> Gap {
         (Level::Info, message, shown, help)
     } else if system == SystemFolder::Unknown {
         let message =
-            "only target_cat.json is overridden: it must match the sliders of the system data (`--system`)".to_owned();
+            "only target_cat.json is overridden: it must match the sliders of the system data \
+                (`--system`)"
+                .to_owned();
         (Level::Info, message, shown, help)
     } else {
         let message =
@@ -177,16 +185,19 @@ fn user_targets_alone<'a>(base: &Base<'a>, system: SystemFolder) -> Option<(&'a 
         .is_some_and(|(_, model)| !model.sliders.is_empty());
     let dead = system == SystemFolder::Absent && has_sliders && base.own_json.is_some();
     let message = format!(
-        "user targets exist, but neither `contarget/{0}/macro.json` nor `target/{0}` in the system data",
+        "user targets exist, but neither `contarget/{0}/macro.json` nor `target/{0}` in the \
+            system data",
         base.name
     );
     let own = base
         .user_targets
         .and_then(|folder| folder.layer.file(&format!("{}/macro.json", folder.rel())));
     let help = if own.is_some() {
-        "move the folder to `contarget/`: the user's `target/` is only for additions to a base of the system data"
+        "move the folder to `contarget/`: the user's `target/` is only for additions to a base of \
+            the system data"
     } else {
-        "add a macro.json to contarget; without macros, write `{\"components\": {}, \"macrodef\": []}`"
+        "add a macro.json to contarget; without macros, write `{\"components\": {}, \"macrodef\": \
+            []}`"
     };
     dead.then_some((file, (Level::Error, message, NO_FOLDER, help)))
 }

@@ -202,6 +202,7 @@ fn unused(view: &View<'_>, folder: &str, files: &[&FileFacts]) -> Option<Finding
         files.iter().map(|file| file.file_name()),
     ));
     Some(finding.help(
-        "remove what is not used; a changed asset needs all of its files here, with a name and a uuid of its own",
+        "remove what is not used; a changed asset needs all of its files here, with a name and a \
+            uuid of its own",
     ))
 }

@@ -78,7 +78,8 @@ fn finding_where_to_act(
     message: String,
 ) -> Finding {
     if let Some((file, _)) = base.macros.contarget.accepted() {
-        let help = "copy the missing targets to contarget: its macro.json makes it the folder for all targets";
+        let help = "copy the missing targets to contarget: its macro.json makes it the folder for \
+            all targets";
         let first = lost
             .iter()
             .find(|reference| std::ptr::eq(reference.from, file));
@@ -88,7 +89,8 @@ fn finding_where_to_act(
         );
         return RULE.at(file, place, message).help(help);
     }
-    let help = "add a macro.json to contarget, such as that of the system data: without it, contarget's targets are not read";
+    let help = "add a macro.json to contarget, such as that of the system data: without it, \
+        contarget's targets are not read";
     if let Some(first) = lost
         .iter()
         .find(|reference| view.layers.is_checked(reference.from))

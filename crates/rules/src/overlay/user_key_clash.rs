@@ -46,7 +46,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (key, ..) in clashes.iter().take(EXAMPLES) {
         finding = finding.related(file.path.clone(), Place::key([key]), "the replaced slider");
     }
-    let help = "rename the user's target file or its folder: the key is made from their names, and so are the names in saved models";
+    let help = "rename the user's target file or its folder: the key is made from their names, \
+        and so are the names in saved models";
     let evidence = Evidence::of_cases(clashes.iter().map(|(key, ..)| key.to_string()));
     out.push(finding.help(help).evidence(evidence));
 }

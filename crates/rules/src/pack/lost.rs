@@ -64,19 +64,29 @@ fn ignored_folder(rule: &Rule, pack: &Packed<'_>, folder: &str, paths: &[&str]) 
         ),
         (Some(around), _) => (
             format!("folder `{around}` is around the folders that are imported ({count})"),
-            format!("pack what is in `{around}`, so that the folders of assets are at the top of the zip"),
+            format!(
+                "pack what is in `{around}`, so that the folders of assets are at the top of \
+                the zip"
+            ),
         ),
         (None, Some("contarget")) => (
             format!("folder `{folder}` is not imported ({count})"),
-            "importing takes no targets of a user: have them copied to `target/<base mesh>/` in the user's data"
+            "importing takes no targets of a user: have them copied to `target/<base mesh>/` in \
+                the user's data"
                 .to_owned(),
         ),
-        (None, Some(right)) => {
-            (format!("folder `{folder}` is not imported ({count})"), format!("rename it to `{right}` in the zip"))
-        }
+        (None, Some(right)) => (
+            format!("folder `{folder}` is not imported ({count})"),
+            format!(
+                "rename it to \
+                `{right}` in the zip"
+            ),
+        ),
         (None, None) => (
             format!("folder `{folder}` is not imported ({count})"),
-            "put each asset into a folder of its kind at the top of the zip, such as `clothes/<asset>/`".to_owned(),
+            "put each asset into a folder of its kind at the top of the zip, such as \
+                `clothes/<asset>/`"
+                .to_owned(),
         ),
     };
     let finding = pack

@@ -51,8 +51,10 @@ pub(super) fn finding<'n>(
     let finding = rule
         .at(first.from, first.place.clone(), message)
         .key("misread");
-    let finding =
-        finding.help("use names without accents, or pack with a program that marks names as UTF-8, such as 7-Zip");
+    let finding = finding.help(
+        "use names without accents, or pack with a program that marks names as \
+            UTF-8, such as 7-Zip",
+    );
     Some(told(finding, references))
 }
 

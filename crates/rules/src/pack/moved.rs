@@ -111,7 +111,8 @@ fn of_unfound(
         Cause::Renamed(folder) => (
             format!("importing renames the folder `{folder}`, but {named}{more}"),
             format!("renamed {folder}"),
-            "put the files beside the file that names them, or in a folder called `materials`, and correct the names",
+            "put the files beside the file that names them, or in a folder called `materials`, \
+                and correct the names",
         ),
         Cause::Misread => {
             let letters = &pack.pack.names.misread;

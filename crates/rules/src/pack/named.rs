@@ -23,7 +23,8 @@ const BACKSLASHES: Case = &[
 const REFUSED: Case = &[(
     Mpfb,
     Level::Error,
-    "on Linux and macOS, rejects the zip: no name begins with `packs/`. The mode FIX cannot repair it",
+    "on Linux and macOS, rejects the zip: no name begins with `packs/`. The mode FIX cannot \
+        repair it",
 )];
 const LINKS: Case = &[
     (
@@ -52,17 +53,29 @@ const TWICE: Case = &[
 
 pub(super) fn report(rule: &Rule, layer: &Layer, pack: &Pack, out: &mut Vec<Finding>) {
     let names = &pack.names;
-    out.extend(of(rule, layer, &names.backslashes, BACKSLASHES).map(|(finding, first, count)| {
-        let first = first.replace('/', "\\");
-        let message = match count {
-            1 => format!("`{first}` has `\\` between its folders"),
-            _ => format!("{count} names have `\\` between their folders, first `{first}`"),
-        };
-        let is_refused = pack.refusal == Some(Refusal::Backslashes);
-        let finding = if is_refused { finding.case(REFUSED) } else { finding };
-        Finding { message, ..finding.key("backslash") }
-            .help("pack with a program that writes `/`, such as 7-Zip or the file manager of the system")
-    }));
+    out.extend(
+        of(rule, layer, &names.backslashes, BACKSLASHES).map(|(finding, first, count)| {
+            let first = first.replace('/', "\\");
+            let message = match count {
+                1 => format!("`{first}` has `\\` between its folders"),
+                _ => format!("{count} names have `\\` between their folders, first `{first}`"),
+            };
+            let is_refused = pack.refusal == Some(Refusal::Backslashes);
+            let finding = if is_refused {
+                finding.case(REFUSED)
+            } else {
+                finding
+            };
+            Finding {
+                message,
+                ..finding.key("backslash")
+            }
+            .help(
+                "pack with a program that writes `/`, such as 7-Zip or the file manager of the \
+                system",
+            )
+        }),
+    );
     out.extend(
         of(rule, layer, &names.links, LINKS).map(|(finding, first, count)| {
             let message = match count {
@@ -76,13 +89,22 @@ pub(super) fn report(rule: &Rule, layer: &Layer, pack: &Pack, out: &mut Vec<Find
             .help("pack the files that they lead to in their place")
         }),
     );
-    out.extend(of(rule, layer, &names.replaced, TWICE).map(|(finding, first, count)| {
-        let message = match count {
-            1 => format!("`{first}` is in the zip more than once, with different content"),
-            _ => format!("{count} names are in the zip more than once with different content, first `{first}`"),
-        };
-        Finding { message, ..finding.key("twice") }.help("pack each file once")
-    }));
+    out.extend(
+        of(rule, layer, &names.replaced, TWICE).map(|(finding, first, count)| {
+            let message = match count {
+                1 => format!("`{first}` is in the zip more than once, with different content"),
+                _ => format!(
+                    "{count} names are in the zip more than once with different content, \
+                first `{first}`"
+                ),
+            };
+            Finding {
+                message,
+                ..finding.key("twice")
+            }
+            .help("pack each file once")
+        }),
+    );
 }
 
 /// A finding without words on all of these, if there are any.

@@ -7,14 +7,19 @@ use mhlint_discover::{Refusal, extension, loss};
 use mhlint_repo::{FileFacts, Layer};
 
 /// What the other modes make of a zip that the usual one rejects.
-const FIX_STRIPS: &str = "rejects the zip. The mode FIX leaves out the folder; INSTALL unpacks it to where no list shows it";
-const FIX_STRIPS_BOTH: &str = "rejects the zip. The mode FIX leaves out the folder, and `__MACOSX`; INSTALL unpacks it to where no list shows it";
+const FIX_STRIPS: &str = "rejects the zip. The mode FIX leaves out the folder; INSTALL unpacks it \
+    to where no list shows it";
+const FIX_STRIPS_BOTH: &str = "rejects the zip. The mode FIX leaves out the folder, and \
+    `__MACOSX`; INSTALL unpacks it to where no list shows it";
 const FIX_FAILS: &str =
     "rejects the zip. The mode FIX cannot repair it; INSTALL unpacks it to where no list shows it";
 const ELSEWHERE: &str = "rejects the zip. The mode INSTALL unpacks it to where no list shows it";
-const CAPITALS: &str = "rejects the zip. The mode FIX cannot repair it; INSTALL unpacks it, and on Linux no filter knows the pack";
-const NO_FILTER: &str = "rejects the zip. The mode FIX cannot repair it; INSTALL unpacks it, but no filter knows the pack";
-const NOT_UNPACKED: &str = "rejects the zip. The mode FIX cannot repair it; INSTALL unpacks only another zip, which no list shows";
+const CAPITALS: &str = "rejects the zip. The mode FIX cannot repair it; INSTALL unpacks it, and \
+    on Linux no filter knows the pack";
+const NO_FILTER: &str = "rejects the zip. The mode FIX cannot repair it; INSTALL unpacks it, but \
+    no filter knows the pack";
+const NOT_UNPACKED: &str = "rejects the zip. The mode FIX cannot repair it; INSTALL unpacks only \
+    another zip, which no list shows";
 const NOTHING: &str = "rejects the zip: there is no folder `packs` in it";
 
 /// The finding on a pack that is refused.
@@ -100,7 +105,8 @@ fn without_lists(rule: &Rule, layer: &Layer, around: Option<&str>) -> Finding {
             "there is no folder `packs` at the top of the zip",
         )
         .key("packs");
-    let help = "add `packs/<pack>.json`, an object whose keys are the names of the assets, beside the folders of assets";
+    let help = "add `packs/<pack>.json`, an object whose keys are the names of the assets, beside \
+        the folders of assets";
     match around {
         Some(folder) => {
             let help = format!("pack what is in `{folder}`, not the folder itself; and {help}");

@@ -74,10 +74,10 @@ fn overwritten(rule: &Rule, view: &View<'_>) -> Option<Finding> {
     let finding = finding.evidence(Evidence::of_cases(
         pairs.iter().map(|(file, _)| file.rel.as_str()),
     ));
-    Some(
-        finding
-            .help("keep a copy, or give what is in the pack a folder of its own, unless it is a new version of that"),
-    )
+    Some(finding.help(
+        "keep a copy, or give what is in the pack a folder of its own, unless it is a \
+                new version of that",
+    ))
 }
 
 /// Whether two files are not the same, as far as that is known.

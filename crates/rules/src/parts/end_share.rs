@@ -83,10 +83,13 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .key("ends")
         .evidence(evidence);
     out.push(if worst.share < HALF {
-        finding.case(MOST_LOST).help("write the bounds in the range of the slider, from 0 to 1")
+        finding
+            .case(MOST_LOST)
+            .help("write the bounds in the range of the slider, from 0 to 1")
     } else {
         finding.help(
-            "leave it as it is unless the targets are made again; closer bounds, such as -0.00001, reach the full shape",
+            "leave it as it is unless the targets are made again; closer bounds, such as \
+                -0.00001, reach the full shape",
         )
     });
 }

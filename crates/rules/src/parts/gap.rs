@@ -81,7 +81,8 @@ fn finding(file: &FileFacts, setting: &Setting, gap: &Hole) -> Option<Finding> {
     } else {
         let both = unreachable_near(gap.from, gap.to);
         format!(
-            "write {both} for both `highest` of parts[{one}] and `lowest` of parts[{next}]: no slider has this value"
+            "write {both} for both `highest` of parts[{one}] and `lowest` of parts[{next}]: no \
+                slider has this value"
         )
     };
     let evidence = Evidence::counted(usize::try_from(values).unwrap_or(usize::MAX));

@@ -13,11 +13,17 @@ use mhlint_repo::{FileFacts, parent};
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(
         Mpfb,
-        "fails where a setting comes near them: the whole macro shape disappears, and no such character can be made",
+        "fails where a setting comes near them: the whole macro shape disappears, and no such \
+            character can be made",
     )],
     docs: include_str!("missing_target.md").trim_ascii_end(),
     counts: "targets",
-    ..RuleInfo::new("parts-missing-target", Level::Error, "a target that the macro settings need does not exist")
+    ..RuleInfo::new(
+        "parts-missing-target",
+        Level::Error,
+        "a target that the macro settings need \
+        does not exist",
+    )
 });
 
 const NO_CHARACTER: &str =

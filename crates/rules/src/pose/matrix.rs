@@ -90,5 +90,8 @@ fn no_rotation(units: &PoseUnits, file: &FileFacts) -> Option<Finding> {
         .key("rotation")
         .case(NO_ROTATION);
     let finding = finding.evidence(Evidence::of_cases(&places));
-    Some(finding.help("export the unit again, or write a rotation: rows of length 1 at right angles to each other"))
+    Some(finding.help(
+        "export the unit again, or write a rotation: rows of length 1 at right \
+        angles to each other",
+    ))
 }

@@ -11,18 +11,27 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "shows a torn mesh in this pose; the glTF export with animation crashes with `ValueError`"),
+        (
+            Makehuman2,
+            "shows a torn mesh in this pose; the glTF export with animation crashes with \
+            `ValueError`",
+        ),
         (Makehuman1, "shows a torn mesh in this pose"),
     ],
     levels: &[(Makehuman1, Level::Warning)],
     docs: include_str!("non_finite.md").trim_ascii_end(),
-    ..RuleInfo::new("pose-non-finite", Level::Error, "a pose has NaN or infinity")
+    ..RuleInfo::new(
+        "pose-non-finite",
+        Level::Error,
+        "a pose has NaN or infinity",
+    )
 });
 
 const UNIT: Case = &[(
     Makehuman2,
     Level::Error,
-    "shows a torn mesh with every pose that uses the unit; the glTF export with animation crashes with `ValueError`",
+    "shows a torn mesh with every pose that uses the unit; the glTF export with animation crashes \
+        with `ValueError`",
 )];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

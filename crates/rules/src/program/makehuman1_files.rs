@@ -118,7 +118,8 @@ pub(super) fn missing(rule: &Rule, view: &View<'_>, system: &Layer, out: &mut Ve
         .clone()
         .all(|(rel, folder, _)| is_missing(rel, folder));
     if has_none {
-        let message = "the pictures `skinmat_african.png`, `skinmat_asian.png` and `skinmat_caucasian.png` do not exist";
+        let message = "the pictures `skinmat_african.png`, `skinmat_asian.png` and \
+            `skinmat_caucasian.png` do not exist";
         let finding = rule.in_layer(system, LITSPHERES, message).case(NO_BLEND);
         out.push(finding.help("restore the folder from the program"));
     }

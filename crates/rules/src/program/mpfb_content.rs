@@ -33,7 +33,8 @@ const STOPPED_EYES: Case = &[(
 const STOPPED_SKIN: Case = &[(
     Mpfb,
     Level::Error,
-    "fails with an exception at the skin: this zone and all later ones keep the defaults of the shader",
+    "fails with an exception at the skin: this zone and all later ones keep the defaults of the \
+        shader",
 )];
 const UNREAD_KEY: Case = &[(
     Mpfb,
@@ -118,7 +119,8 @@ fn absent(rule: &Rule, file: &FileFacts, absent: &[&str]) -> Option<Finding> {
         .at(file, Place::File, message)
         .key("absent")
         .case(UNREAD_PART);
-    let help = "restore them from the download of the add-on; MPFB makes the user's copy again once it is deleted";
+    let help = "restore them from the download of the add-on; MPFB makes the user's copy again \
+        once it is deleted";
     Some(
         finding
             .help(help)

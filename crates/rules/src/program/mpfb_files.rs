@@ -77,7 +77,8 @@ const NO_EYES: Case = &[(
 const NO_SKIN_MAP: Case = &[(
     Mpfb,
     Level::Error,
-    "fails with `RuntimeError` at each layered skin, which is left half-made: ink layers fail after it",
+    "fails with `RuntimeError` at each layered skin, which is left half-made: ink layers fail \
+        after it",
 )];
 const NO_SCATTERING: Case = &[(
     Mpfb,

@@ -11,7 +11,8 @@ use mhlint_repo::{FileFacts, mpfb};
 const STOPPED: Case = &[(
     Mpfb,
     Level::Error,
-    "fails with an exception when the preset is loaded: it sets what comes before in the preset, and nothing else",
+    "fails with an exception when the preset is loaded: it sets what comes before in the preset, \
+        and nothing else",
 )];
 
 /// What is missing has one cause, wherever it is: the preset was not saved by the add-on as it is
@@ -73,7 +74,8 @@ fn lacking(rule: &Rule, file: &FileFacts, missing: &[&str]) -> Option<Finding> {
         .at(file, Place::pointer(["details", "sections"]), message)
         .key("sections")
         .case(STOPPED);
-    let help = "save the preset again with the add-on, or copy the settings of another section under this name";
+    let help = "save the preset again with the add-on, or copy the settings of another section \
+        under this name";
     Some(
         finding
             .help(help)

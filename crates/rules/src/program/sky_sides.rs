@@ -34,7 +34,8 @@ const CRASH_CHOSEN: Case = &[(
 const CRASH_PERHAPS: Case = &[(
     Makehuman2,
     Level::Error,
-    "crashes with a segmentation fault when the skybox is shown, at every start if `shader.json` names it",
+    "crashes with a segmentation fault when the skybox is shown, at every start if `shader.json` \
+        names it",
 )];
 const CUT_OFF: Case = &[(
     Makehuman2,

@@ -142,7 +142,8 @@ fn lacking(
         Some(file) => RULE.at(file, Place::pointer(["skyboxname"]), message),
         None => RULE.in_layer(layer, &folder, message),
     };
-    let effect = "leaves out the missing sides of the background: the folder takes the place of the program's as a whole";
+    let effect = "leaves out the missing sides of the background: the folder takes the place of \
+        the program's as a whole";
     let finding = if hides {
         finding.effect(effect)
     } else {

@@ -100,7 +100,8 @@ impl Archive<'_, '_> {
 /// What to do about an archive, with the text beside it or without.
 pub(super) const fn rebuild(has_text: bool) -> &'static str {
     if has_text {
-        "if the text (`.mhclo` or `.proxy`) and its mesh are up to date, delete the `.mhbin`: MakeHuman 2 builds it again from them"
+        "if the text (`.mhclo` or `.proxy`) and its mesh are up to date, delete the `.mhbin`: \
+            MakeHuman 2 builds it again from them"
     } else {
         "export the asset again for this base mesh, or remove the `.mhbin`"
     }

@@ -10,7 +10,11 @@ pub(crate) static RULE: Rule = Check::Body(|body, _, out| {
     }
 })
 .rule(RuleInfo {
-    breaks: &[(Mpfb, "takes the weights of the body, or of the file beside the asset, and not those that are named")],
+    breaks: &[(
+        Mpfb,
+        "takes the weights of the body, or of the file beside the asset, and not \
+        those that are named",
+    )],
     docs: include_str!("companion_weights.md").trim_ascii_end(),
     ..RuleInfo::new(
         "proxy-companion-weights",

@@ -12,13 +12,30 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "moves and bends the vertex with fewer vertices of the body than the row was meant to name"),
-        (Makehuman1, "moves and bends the vertex with fewer vertices of the body than the row was meant to name"),
-        (Mpfb, "moves and bends the vertex with fewer vertices of the body than the row was meant to name"),
+        (
+            Makehuman2,
+            "moves and bends the vertex with fewer vertices of the body than the row was \
+            meant to name",
+        ),
+        (
+            Makehuman1,
+            "moves and bends the vertex with fewer vertices of the body than the row was \
+            meant to name",
+        ),
+        (
+            Mpfb,
+            "moves and bends the vertex with fewer vertices of the body than the row was meant \
+            to name",
+        ),
     ],
     docs: include_str!("degenerate_triple.md").trim_ascii_end(),
     counts: "rows",
-    ..RuleInfo::new("proxy-degenerate-triple", Level::Warning, "three vertices of a row that make no triangle")
+    ..RuleInfo::new(
+        "proxy-degenerate-triple",
+        Level::Warning,
+        "three vertices of a row that make \
+        no triangle",
+    )
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

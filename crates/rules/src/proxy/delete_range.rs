@@ -30,7 +30,8 @@ const LEADING: Case = &[
     (
         Makehuman2,
         Level::Error,
-        "crashes with `UnboundLocalError` when the asset is put on; models that wear it load only in part",
+        "crashes with `UnboundLocalError` when the asset is put on; models that wear it load only \
+            in part",
     ),
     (
         Makehuman1,

@@ -68,6 +68,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let message = "`weights` belongs to an old format that is no longer read";
         let finding = RULE.at(text.file, Place::Span(first.span.clone()), message);
-        out.push(finding.help("keep a copy; export the weights to a `.mhw` file for `vertexboneweights_file`, or remove the section to use the weights of the body"));
+        out.push(finding.help(
+            "keep a copy; export the weights to a `.mhw` file for \
+            `vertexboneweights_file`, or remove the section to use the weights of the body",
+        ));
     }
 }

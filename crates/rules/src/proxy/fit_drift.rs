@@ -39,7 +39,8 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         let help = match measure.shape.numbering {
             Some(other) => numbering(other),
             None if is_scaled_wrongly(body, &text) => {
-                "correct the distances of the scale lines: they are not those of the base mesh; or export the asset again"
+                "correct the distances of the scale lines: they are not those of the base mesh; \
+                    or export the asset again"
             }
             None => "correct the row, or export the asset again",
         };
@@ -74,7 +75,8 @@ fn message(body: &Body<'_>, text: &Text<'_, '_>, drifts: &[Drift], worst: &Drift
         1 => format!("fitted, {vertex}{tied}, stands {away} away from where its neighbours put it"),
         count => {
             format!(
-                "fitted, {count} vertices stand away from their neighbours, at worst {vertex}{tied}, by {away}"
+                "fitted, {count} vertices stand away from their neighbours, at worst \
+                    {vertex}{tied}, by {away}"
             )
         }
     }

@@ -51,7 +51,10 @@ impl<'v> Text<'_, 'v> {
             || otherwise.to_owned(),
             |other| {
                 let (other, own) = (shown(other), self.worn.base);
-                format!("use the asset with the base mesh that it names, `{other}`, or export it again for `{own}`")
+                format!(
+                    "use the asset with the base mesh that it names, `{other}`, or export it \
+                    again for `{own}`"
+                )
             },
         )
     }

@@ -12,8 +12,15 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman1, "does not put the asset on: it reads the line as a vertex row"),
-        (Mpfb, "takes the line for the end of the rows, and fails with `KeyError` when it fits the asset"),
+        (
+            Makehuman1,
+            "does not put the asset on: it reads the line as a vertex row",
+        ),
+        (
+            Mpfb,
+            "takes the line for the end of the rows, and fails with `KeyError` when it fits \
+            the asset",
+        ),
     ],
     docs: include_str!("keyword_after_verts.md").trim_ascii_end(),
     ..RuleInfo::new(

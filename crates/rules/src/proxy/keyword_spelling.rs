@@ -22,7 +22,8 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 const COLON: Case = &[(
     Makehuman2,
     Level::Warning,
-    "does not read it for the library until the asset has been put on once; models saved before do not find the asset again",
+    "does not read it for the library until the asset has been put on once; models saved before \
+        do not find the asset again",
 )];
 const TAG: Case = &[(
     Makehuman2,

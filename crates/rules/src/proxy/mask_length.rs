@@ -8,17 +8,24 @@ use mhlint_repo::Body;
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "crashes with `ValueError` when the asset is put on, or with another one that hides vertices",
+        "crashes with `ValueError` when the asset is put on, or with another one that hides \
+            vertices",
     )],
     docs: include_str!("mask_length.md").trim_ascii_end(),
-    ..RuleInfo::new("proxy-mask-length", Level::Error, "the mask or the rows of a packed asset have another length")
+    ..RuleInfo::new(
+        "proxy-mask-length",
+        Level::Error,
+        "the mask or the rows of a packed asset \
+        have another length",
+    )
 });
 
 const SHORT: Case = VALUE;
 const LONG: Case = &[(
     Makehuman2,
     Level::Error,
-    "crashes with `ValueError` when it is worn with another asset that hides vertices, in the OBJ export, and in the glTF export if it hides all",
+    "crashes with `ValueError` when it is worn with another asset that hides vertices, in the OBJ \
+        export, and in the glTF export if it hides all",
 )];
 const ROWS: Case = &[(
     Makehuman2,

@@ -60,7 +60,10 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         out.push(
             RULE.at(text.file, place, message)
                 .evidence(evidence.out_of(bare.hidden))
-                .help("take the vertices there out of the list: name only those that lie under the asset"),
+                .help(
+                    "take the vertices there out of the list: name only those that lie under \
+                    the asset",
+                ),
         );
     }
 }

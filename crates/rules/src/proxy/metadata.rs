@@ -10,11 +10,24 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "lists the asset with what it has: no license in exports, no tags to filter by"),
-        (Makehuman1, "lists the asset with what it has; one without license counts as CC0 of the MakeHuman team"),
+        (
+            Makehuman2,
+            "lists the asset with what it has: no license in exports, no tags to filter \
+            by",
+        ),
+        (
+            Makehuman1,
+            "lists the asset with what it has; one without license counts as CC0 of the \
+            MakeHuman team",
+        ),
     ],
     docs: include_str!("metadata.md").trim_ascii_end(),
-    ..RuleInfo::new("proxy-metadata", Level::Info, "an asset without author, license, description, tag or z_depth")
+    ..RuleInfo::new(
+        "proxy-metadata",
+        Level::Info,
+        "an asset without author, license, \
+        description, tag or z_depth",
+    )
 });
 
 const WANTED: [&str; 5] = ["author", "license", "description", "tag", "z_depth"];

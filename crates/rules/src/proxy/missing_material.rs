@@ -74,9 +74,10 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = RULE
             .at(archive.file, Place::File, message)
             .key(reference.text);
-        out.push(
-            finding.help("add the material where the archive looks for it, or get the asset again from its source"),
-        );
+        out.push(finding.help(
+            "add the material where the archive looks for it, or get the asset again \
+                from its source",
+        ));
     }
 }
 

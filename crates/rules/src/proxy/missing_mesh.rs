@@ -31,7 +31,8 @@ const NO_LINE: Case = &[
     (
         Makehuman2,
         Level::Error,
-        "crashes with `AttributeError` when the asset is put on; models that wear it load only in part",
+        "crashes with `AttributeError` when the asset is put on; models that wear it load only in \
+            part",
     ),
     (
         Makehuman1,

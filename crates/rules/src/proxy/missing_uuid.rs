@@ -11,9 +11,20 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "crashes with `IndexError` when a model saved with the asset is loaded"),
-        (Makehuman1, "fails with `TypeError` when the asset is put on beside another one, and saved models lose it"),
-        (Mpfb, "does not save which material the asset has; models that know it by its uuid lose it"),
+        (
+            Makehuman2,
+            "crashes with `IndexError` when a model saved with the asset is loaded",
+        ),
+        (
+            Makehuman1,
+            "fails with `TypeError` when the asset is put on beside another one, and \
+            saved models lose it",
+        ),
+        (
+            Mpfb,
+            "does not save which material the asset has; models that know it by its uuid lose \
+            it",
+        ),
     ],
     levels: &[(Mpfb, Level::Warning)],
     docs: include_str!("missing_uuid.md").trim_ascii_end(),

@@ -75,8 +75,9 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = RULE
             .at(archive.file, Place::File, message)
             .key(reference.text);
-        out.push(
-            finding.help("add the weights where the archive looks for them, or get the asset again from its source"),
-        );
+        out.push(finding.help(
+            "add the weights where the archive looks for them, or get the asset \
+                again from its source",
+        ));
     }
 }

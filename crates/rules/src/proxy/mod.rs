@@ -306,19 +306,24 @@ fn is_scaled_wrongly(body: &Body<'_>, text: &Text<'_, '_>) -> bool {
 const fn numbering(numbering: Numbering) -> &'static str {
     match numbering {
         Numbering::Reversed => {
-            "the rows are in reverse order: with the last one first the asset has the shape of its OBJ"
+            "the rows are in reverse order: with the last one first the asset has the shape of \
+                its OBJ"
         }
         Numbering::RowBefore => {
-            "the rows are one behind: if the first one is moved to the end, the asset has the shape of its OBJ"
+            "the rows are one behind: if the first one is moved to the end, the asset has the \
+                shape of its OBJ"
         }
         Numbering::RowBehind => {
-            "the rows are one ahead: if the last one is moved to the beginning, the asset has the shape of its OBJ"
+            "the rows are one ahead: if the last one is moved to the beginning, the asset has the \
+                shape of its OBJ"
         }
         Numbering::OneLess => {
-            "the rows count the vertices of the base mesh from 1: with every number one less the asset has the shape of its OBJ"
+            "the rows count the vertices of the base mesh from 1: with every number one less the \
+                asset has the shape of its OBJ"
         }
         Numbering::OneMore => {
-            "the vertices in the rows are one too low: with every number one more the asset has the shape of its OBJ"
+            "the vertices in the rows are one too low: with every number one more the asset has \
+                the shape of its OBJ"
         }
     }
 }

@@ -196,7 +196,8 @@ pub(super) fn without_room(
     let (packed, kept, asked) = narrow_mesh(body.layers, worn)?;
     let (text, name, columns) = (reference.text, packed.file_name(), kept.columns);
     let message = format!(
-        "mesh `{text}` does not exist, and `{name}` has room for {columns} faces at a vertex, not for {asked}"
+        "mesh `{text}` does not exist, and `{name}` has room for {columns} faces at a vertex, not \
+            for {asked}"
     );
     let finding = rule
         .at(worn.file, reference.place.clone(), message)

@@ -46,7 +46,8 @@ const MIRRORED: Case = &[
     (
         Mpfb,
         Level::Warning,
-        "puts the asset on with its faces looking inwards: backface culling hides it, and exports are inside out",
+        "puts the asset on with its faces looking inwards: backface culling hides it, and exports \
+            are inside out",
     ),
 ];
 
@@ -68,7 +69,8 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             format!("fitted, the asset is the mirror image of `{mesh}`, and its faces look inwards")
         } else if longer >= 1.05 {
             format!(
-                "fitted, the faces join other places than in `{mesh}`: their edges are {longer:.1} times as long"
+                "fitted, the faces join other places than in `{mesh}`: their edges are \
+                    {longer:.1} times as long"
             )
         } else {
             format!("fitted, the asset has another shape than in `{mesh}`")

@@ -12,13 +12,27 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "does not scale the offsets: the asset is too far from small figures and cuts into large ones"),
-        (Makehuman1, "scales the offsets along the axis by another number than written"),
-        (Mpfb, "scales the offsets along the axis by another number than written"),
+        (
+            Makehuman2,
+            "does not scale the offsets: the asset is too far from small figures and \
+            cuts into large ones",
+        ),
+        (
+            Makehuman1,
+            "scales the offsets along the axis by another number than written",
+        ),
+        (
+            Mpfb,
+            "scales the offsets along the axis by another number than written",
+        ),
     ],
     levels: &[(Mpfb, Level::Warning)],
     docs: include_str!("scale.md").trim_ascii_end(),
-    ..RuleInfo::new("proxy-scale", Level::Warning, "a scale that is not applied as written")
+    ..RuleInfo::new(
+        "proxy-scale",
+        Level::Warning,
+        "a scale that is not applied as written",
+    )
 });
 
 const FLAT: Case = &[

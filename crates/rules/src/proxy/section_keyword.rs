@@ -37,7 +37,8 @@ const MORE_ROWS: Case = &[
     (
         Makehuman2,
         Level::Error,
-        "reads the list as vertex rows and crashes when the asset is put on; models that wear it load only in part",
+        "reads the list as vertex rows and crashes when the asset is put on; models that wear it \
+            load only in part",
     ),
     (
         Makehuman1,
@@ -57,7 +58,8 @@ const ABOVE: Case = &[
     (
         Makehuman2,
         Level::Warning,
-        "ignores the line: every vertex gets the row of a later one, and the last vertices have none",
+        "ignores the line: every vertex gets the row of a later one, and the last vertices have \
+            none",
     ),
     (
         Makehuman1,

@@ -11,13 +11,28 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "drops such rows, and ties every later vertex to the row of another one"),
-        (Makehuman1, "does not put the asset on: the first word of the row is not a vertex"),
-        (Mpfb, "takes the row for the end of the list, and fails with `KeyError` when it fits the asset"),
+        (
+            Makehuman2,
+            "drops such rows, and ties every later vertex to the row of another one",
+        ),
+        (
+            Makehuman1,
+            "does not put the asset on: the first word of the row is not a vertex",
+        ),
+        (
+            Mpfb,
+            "takes the row for the end of the list, and fails with `KeyError` when it fits the \
+            asset",
+        ),
     ],
     levels: &[(Makehuman1, Level::Error), (Mpfb, Level::Error)],
     docs: include_str!("shifted_rows.md").trim_ascii_end(),
-    ..RuleInfo::new("proxy-shifted-rows", Level::Warning, "a vertex row is taken for something else")
+    ..RuleInfo::new(
+        "proxy-shifted-rows",
+        Level::Warning,
+        "a vertex row is taken for something \
+        else",
+    )
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -51,8 +66,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             message
         };
         let finding = RULE.at(text.file, Place::Span(first.span.clone()), message);
-        let finding = finding
-            .help("export the asset again; by hand, begin the row with the number of a base vertex, in digits only");
+        let finding = finding.help(
+            "export the asset again; by hand, begin the row with the number of a base \
+                vertex, in digits only",
+        );
         let finding = finding.evidence(lines(&faults, count));
         out.push(if text.clothes.rows.count == 0 {
             finding.case(INDEX)

@@ -9,10 +9,15 @@ use mhlint_repo::Body;
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
         Makehuman1,
-        "fails with `TypeError` at every slider while the asset is worn without another pose, and shows the whole pose of the file",
+        "fails with `TypeError` at every slider while the asset is worn without another pose, and \
+            shows the whole pose of the file",
     )],
     docs: include_str!("special_pose.md").trim_ascii_end(),
-    ..RuleInfo::new("proxy-special-pose", Level::Warning, "an asset with a pose of its own")
+    ..RuleInfo::new(
+        "proxy-special-pose",
+        Level::Warning,
+        "an asset with a pose of its own",
+    )
 });
 
 const CUT: Case = &[(

@@ -34,7 +34,8 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 const COPY: Case = &[(
     Makehuman2,
     Level::Error,
-    "lists the archive, unless the text is newer, and of two assets with the same name and uuid only one",
+    "lists the archive, unless the text is newer, and of two assets with the same name and uuid \
+        only one",
 )];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -81,7 +82,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             ),
             None => finding,
         };
-        out.push(finding.help("if the text (`.mhclo` or `.proxy`) and its mesh are up to date, delete the `.mhbin`: MakeHuman 2 builds it again from them"));
+        out.push(finding.help(
+            "if the text (`.mhclo` or `.proxy`) and its mesh are up to date, \
+            delete the `.mhbin`: MakeHuman 2 builds it again from them",
+        ));
     }
 }
 

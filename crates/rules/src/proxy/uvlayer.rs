@@ -8,10 +8,15 @@ use mhlint_repo::Body;
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
         Makehuman1,
-        "logs a `NameError` each time the asset is loaded from the data of a user, and never uses the layer",
+        "logs a `NameError` each time the asset is loaded from the data of a user, and never uses \
+            the layer",
     )],
     docs: include_str!("uvlayer.md").trim_ascii_end(),
-    ..RuleInfo::new("proxy-uvlayer", Level::Warning, "an asset with a layer of texture coordinates")
+    ..RuleInfo::new(
+        "proxy-uvlayer",
+        Level::Warning,
+        "an asset with a layer of texture coordinates",
+    )
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -29,7 +29,8 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 const FEWER: Case = &[(
     Makehuman2,
     Level::Warning,
-    "leaves the last vertices where the OBJ has them: they follow no slider and hang on the root bone",
+    "leaves the last vertices where the OBJ has them: they follow no slider and hang on the root \
+        bone",
 )];
 
 const SINGLE: Case = &[(

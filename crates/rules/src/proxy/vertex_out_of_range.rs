@@ -11,10 +11,12 @@ use mhlint_repo::Body;
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "crashes with `IndexError` when the asset is put on, and again whenever a slider moves and in the glTF export",
+        "crashes with `IndexError` when the asset is put on, and again whenever a slider moves \
+            and in the glTF export",
     ), (Makehuman1, "does not put the asset on: `IndexError` when it is fitted"), (Mpfb, "fails with `IndexError` on a character with a rig; without one the vertex stays where the OBJ has it")],
     docs: include_str!("vertex_out_of_range.md").trim_ascii_end(),
-    ..RuleInfo::new("proxy-vertex-out-of-range", Level::Error, "an asset uses a vertex that the base mesh does not have")
+    ..RuleInfo::new("proxy-vertex-out-of-range", Level::Error, "an asset uses a vertex that the \
+        base mesh does not have")
 });
 
 const SEAM: Case = &[
@@ -118,7 +120,8 @@ fn finding(
     let finding = RULE
         .at(text.file, Place::Line(*line), message)
         .evidence(tally.evidence(text.clothes.rows.count));
-    let help = "use vertices of this base mesh, counted from 0, or the asset with the base that it was made for";
+    let help = "use vertices of this base mesh, counted from 0, or the asset with the base that \
+        it was made for";
     Some(finding.help(text.use_with_its_base(help)))
 }
 
@@ -144,10 +147,12 @@ fn seam(text: &Text<'_, '_>, tally: &Tally, vertices: usize) -> Option<Finding> 
     let (line, vertex) = tally.first.first()?;
     let message = match tally.count {
         1 => format!(
-            "a vertex row names {vertex}, a UV-seam duplicate: the base mesh has {vertices} vertices"
+            "a vertex row names {vertex}, a UV-seam duplicate: the base mesh has {vertices} \
+                vertices"
         ),
         count => format!(
-            "{count} vertex rows name UV-seam duplicates, first {vertex}; the base mesh has {vertices} vertices"
+            "{count} vertex rows name UV-seam duplicates, first {vertex}; the base mesh has \
+                {vertices} vertices"
         ),
     };
     let finding = RULE

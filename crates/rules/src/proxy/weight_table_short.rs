@@ -45,7 +45,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let finding = RULE.at(own.file, Place::pointer(["weights"]), message);
         let finding = finding.evidence(Evidence::counted(missing).out_of(own.vertices));
-        let help = "give every vertex a weight and export the weights again; without own weights remove `vertexboneweights_file`";
+        let help = "give every vertex a weight and export the weights again; without own weights \
+            remove `vertexboneweights_file`";
         let finding = finding.help(help);
         out.push(if listed == 0 {
             finding.case(WITHOUT_ANY)

@@ -141,7 +141,8 @@ fn message(count: u64, vertex: &str, sum: f64, is_slight: bool) -> String {
             "the fitting weights of {vertex} of the asset sum to {sum:.digits$} instead of 1"
         ),
         _ => format!(
-            "the fitting weights of {count} vertices of the asset do not sum to 1, at worst {sum:.digits$} ({vertex})"
+            "the fitting weights of {count} vertices of the asset do not sum to 1, at worst \
+                {sum:.digits$} ({vertex})"
         ),
     }
 }

@@ -58,7 +58,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(finding.help("write 2 or more"));
         } else if is_hat(&text, depth, lowest_hair) {
             let finding = told(format!(
-                "`z_depth {depth}` is above the hair at first, and below it (255) from the second start on"
+                "`z_depth {depth}` is above the hair at first, and below it (255) from the second \
+                    start on"
             ));
             out.push(
                 finding

@@ -12,11 +12,16 @@ use mhlint_repo::mpfb::{RigFile, View};
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(
         Mpfb,
-        "silently leaves out the last link of the circle: the rig hangs together otherwise than it is written",
+        "silently leaves out the last link of the circle: the rig hangs together otherwise than \
+            it is written",
     )],
     docs: include_str!("cycle.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("rig-cycle", Level::Warning, "parents of bones lead in a circle")
+    ..RuleInfo::new(
+        "rig-cycle",
+        Level::Warning,
+        "parents of bones lead in a circle",
+    )
 });
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

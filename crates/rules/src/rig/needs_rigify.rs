@@ -21,7 +21,8 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 const OF_ASSET: Case = &[(
     Mpfb,
     Level::Warning,
-    "fails with an exception when the asset is added to any rig, unless the Rigify add-on is enabled",
+    "fails with an exception when the asset is added to any rig, unless the Rigify add-on is \
+        enabled",
 )];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

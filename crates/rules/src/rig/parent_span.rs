@@ -117,7 +117,8 @@ fn several(
     let wrong: Vec<&str> = of_body.filter(spanned).map(|rig| rig.name).collect();
     let first = wrong.first()?;
     let message = format!(
-        "from `{head}` to `{tail}` in a constraint of bone `{}` lies more than one bone of the rig `{first}`{}",
+        "from `{head}` to `{tail}` in a constraint of bone `{}` lies more than one bone of the \
+            rig `{first}`{}",
         bone.name,
         such(wrong.len(), "rigs")
     );

@@ -127,7 +127,8 @@ fn finding(
             let near = cx.suggestions.nearest(name, known.iter().copied());
             (
                 format!(
-                    "{subject} is bound to bone `{name}` of the rig of the body, which no rig has{more}"
+                    "{subject} is bound to bone `{name}` of the rig of the body, which no rig \
+                        has{more}"
                 ),
                 did_you_mean(near, "name a bone of the rig that the asset is made for"),
             )

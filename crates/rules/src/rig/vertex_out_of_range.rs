@@ -105,7 +105,8 @@ fn finding(
         )
     } else {
         format!(
-            "vertex {vertex} of `{which}` of bone `{}` does not exist; {whose} has vertices 0 to {last}{more}",
+            "vertex {vertex} of `{which}` of bone `{}` does not exist; {whose} has vertices 0 to \
+                {last}{more}",
             bone.name
         )
     };

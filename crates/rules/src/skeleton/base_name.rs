@@ -8,11 +8,17 @@ use mhlint_repo::Body;
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
         Makehuman1,
-        "takes it for the base skeleton: its references are ignored, and exports have the weights of that",
+        "takes it for the base skeleton: its references are ignored, and exports have the weights \
+            of that",
     )],
     docs: include_str!("base_name.md").trim_ascii_end(),
     of_whole: true,
-    ..RuleInfo::new("skeleton-base-name", Level::Warning, "a skeleton with the name of the base skeleton")
+    ..RuleInfo::new(
+        "skeleton-base-name",
+        Level::Warning,
+        "a skeleton with the name of the base \
+        skeleton",
+    )
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

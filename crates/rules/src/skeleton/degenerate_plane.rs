@@ -15,7 +15,8 @@ use mhlint_repo::Body;
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "gets no normal: in pose mode all vertices of the bones that use the plane, and of those below them, disappear",
+        "gets no normal: in pose mode all vertices of the bones that use the plane, and of those \
+            below them, disappear",
     )],
     docs: include_str!("degenerate_plane.md").trim_ascii_end(),
     counts: "bones",
@@ -30,7 +31,8 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 const NOISE: Case = &[(
     Makehuman2,
     Level::Warning,
-    "takes the roll of the bones that use the plane from rounding errors, so it differs between characters",
+    "takes the roll of the bones that use the plane from rounding errors, so it differs between \
+        characters",
 )];
 
 /// Sine of the angle between the edges below which rounding of joints decides the normal.
@@ -103,7 +105,8 @@ fn finding(rig: &Measured<'_>, plane: &str, joints: &[&str], sine: f64, bones: &
         sine => {
             let angle = sine.asin().to_degrees();
             format!(
-                "has an unreliable normal: its joints {list} are only {angle:.6}° off one straight line"
+                "has an unreliable normal: its joints {list} are only {angle:.6}° off one \
+                    straight line"
             )
         }
     };

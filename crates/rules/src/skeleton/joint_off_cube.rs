@@ -127,7 +127,8 @@ fn exchanged(
     let finding = RULE
         .at(file, Place::pointer(["joints", joint]), message)
         .key("exchanged");
-    let help = "list the vertices of the group named after the joint, or restore the vertex order of base.obj";
+    let help = "list the vertices of the group named after the joint, or restore the vertex order \
+        of base.obj";
     let evidence =
         Evidence::of_cases(exchanged.iter().map(|(joint, _)| joint)).out_of(joints.len());
     Some(

@@ -77,7 +77,8 @@ pub(super) fn unknown_joints(
         };
         let more = such(unknown.len(), "joints");
         let message = format!(
-            "{owner} names joint `{joint}`, which is neither in `joints` nor a group of the mesh{more}"
+            "{owner} names joint `{joint}`, which is neither in `joints` nor a group of the \
+                mesh{more}"
         );
         let near = cx
             .suggestions

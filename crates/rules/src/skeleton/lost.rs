@@ -15,7 +15,8 @@ use mhlint_repo::Body;
 pub(super) const LOST_AND_WEIGHTED: &[(Application, &str)] = &[
     (
         Makehuman2,
-        "silently drops these bones; entering pose mode then crashes with `KeyError`, because the weights use them",
+        "silently drops these bones; entering pose mode then crashes with `KeyError`, because the \
+            weights use them",
     ),
     (
         Makehuman1,

@@ -125,7 +125,10 @@ fn finding(rig: &Rig<'_>, plane: &str, outcome: Outcome, message: String) -> Fin
     let finding = RULE
         .at(rig.file, Place::pointer(["planes", plane]), message)
         .key(plane)
-        .help("name three joints that are not on one straight line, or remove the plane and the `rotation_plane` of its bones");
+        .help(
+            "name three joints that are not on one straight line, or remove the plane and the \
+            `rotation_plane` of its bones",
+        );
     match outcome {
         Outcome::NotUsed => finding.case(NOT_USED),
         Outcome::Asked(Some(exceptions)) => rig.stops_with(exceptions, finding),

@@ -11,7 +11,11 @@ use mhlint_repo::{Body, Reference, Resolution};
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (Makehuman2, "rejects the skeleton and logs a line"),
-        (Makehuman1, "fails with `FileNotFoundError` when the skeleton is chosen, at start for the base skeleton"),
+        (
+            Makehuman1,
+            "fails with `FileNotFoundError` when the skeleton is chosen, at start for \
+            the base skeleton",
+        ),
     ],
     docs: include_str!("missing_weights.md").trim_ascii_end(),
     ..RuleInfo::new(

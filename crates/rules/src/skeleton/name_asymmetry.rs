@@ -14,12 +14,20 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "loads and poses such bones like any other; only tools that mirror by name miss the counterparts"),
+        (
+            Makehuman2,
+            "loads and poses such bones like any other; only tools that mirror by name \
+            miss the counterparts",
+        ),
         (Makehuman1, "loads and poses such bones like any other"),
     ],
     docs: include_str!("name_asymmetry.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("skeleton-name-asymmetry", Level::Info, "a bone has no left/right counterpart")
+    ..RuleInfo::new(
+        "skeleton-name-asymmetry",
+        Level::Info,
+        "a bone has no left/right counterpart",
+    )
 });
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {

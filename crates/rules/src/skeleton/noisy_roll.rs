@@ -11,14 +11,23 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "turns the bone around its own axis by a value that may change with every slider"),
-        (Makehuman1, "turns the bone around its own axis by a value that may change with every slider"),
+        (
+            Makehuman2,
+            "turns the bone around its own axis by a value that may change with every \
+            slider",
+        ),
+        (
+            Makehuman1,
+            "turns the bone around its own axis by a value that may change with every \
+            slider",
+        ),
     ],
     docs: include_str!("noisy_roll.md").trim_ascii_end(),
     options: &[OptionInfo {
         name: "cosine",
         default: 0.999,
-        docs: "cosine of the angle between bone and normal above which the roll counts as noise (0.999 is 2.6°)",
+        docs: "cosine of the angle between bone and normal above which the roll counts as noise \
+            (0.999 is 2.6°)",
     }],
     counts: "bones",
     grows: Grows::less(MeasureKind::Sine),

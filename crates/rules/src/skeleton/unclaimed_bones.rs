@@ -57,7 +57,8 @@ fn finding(rig: &Measured<'_>, vertices: usize) -> Option<Finding> {
     }
     let get = if lost == 1 { "gets" } else { "get" };
     let message = format!(
-        "{lost} of {vertices} vertices {get} no weights: no bone of this skeleton takes the weights of {}",
+        "{lost} of {vertices} vertices {get} no weights: no bone of this skeleton takes the \
+            weights of {}",
         bones_in_words(&bones)
     );
     Some(

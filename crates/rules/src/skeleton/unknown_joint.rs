@@ -16,13 +16,22 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (
             Makehuman2,
-            "crashes with `KeyError` when the skeleton is chosen, for the default skeleton while loading the base mesh",
+            "crashes with `KeyError` when the skeleton is chosen, for the default skeleton while \
+                loading the base mesh",
         ),
-        (Makehuman1, "puts the end of the bone at the origin, with a line in the log"),
+        (
+            Makehuman1,
+            "puts the end of the bone at the origin, with a line in the log",
+        ),
     ],
     levels: &[(Makehuman1, Level::Warning)],
     docs: include_str!("unknown_joint.md").trim_ascii_end(),
-    ..RuleInfo::new("skeleton-unknown-joint", Level::Error, "a bone or its plane names a joint that does not exist")
+    ..RuleInfo::new(
+        "skeleton-unknown-joint",
+        Level::Error,
+        "a bone or its plane names a joint \
+        that does not exist",
+    )
 });
 
 const STOPS: Case = &[(Makehuman2, Level::Error, "crashes with `KeyError`")];

@@ -13,8 +13,15 @@ use mhlint_repo::{self as repo, Body};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "ignores these names; the bone gets weights and poses from its other references, if any"),
-        (Makehuman1, "fails with `KeyError` when the skeleton is chosen"),
+        (
+            Makehuman2,
+            "ignores these names; the bone gets weights and poses from its other \
+            references, if any",
+        ),
+        (
+            Makehuman1,
+            "fails with `KeyError` when the skeleton is chosen",
+        ),
     ],
     levels: &[(Makehuman1, Level::Error)],
     docs: include_str!("unknown_reference.md").trim_ascii_end(),
@@ -54,7 +61,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
                     .collect();
                 match text {
                     Some((_, text)) if !names.is_empty() => {
-                        spelled.push((bone.name.as_str(), member, text.as_str()))
+                        spelled.push((bone.name.as_str(), member, text.as_str()));
                     }
                     Some(_) => {}
                     None => unknown.extend(

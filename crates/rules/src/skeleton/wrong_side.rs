@@ -16,16 +16,23 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
         (
             Makehuman2,
-            "rotates the skin around joints of its left/right counterpart: the smallest bend throws it far off",
+            "rotates the skin around joints of its left/right counterpart: the smallest bend \
+                throws it far off",
         ),
         (
             Makehuman1,
-            "rotates the skin around joints of its left/right counterpart: the smallest bend throws it far off",
+            "rotates the skin around joints of its left/right counterpart: the smallest bend \
+                throws it far off",
         ),
     ],
     docs: include_str!("wrong_side.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("skeleton-wrong-side", Level::Warning, "a bone is not on the side its name says")
+    ..RuleInfo::new(
+        "skeleton-wrong-side",
+        Level::Warning,
+        "a bone is not on the side its name \
+        says",
+    )
 });
 
 /// More bones than this are not all on the wrong side by mistake.
@@ -64,9 +71,11 @@ fn finding(rig: &Measured<'_>) -> Option<Finding> {
         .filter(|(bone, _)| side::of_bone(&bone.name).is_some())
         .count();
     let help = if bones.len() == sided && sided > MIRRORED {
-        "check whether base.obj was mirrored when it was exported: every left or right bone is wrong"
+        "check whether base.obj was mirrored when it was exported: every left or right bone is \
+            wrong"
     } else {
-        "swap the left and right joints, or name the joints of the correct side in `head` and `tail`"
+        "swap the left and right joints, or name the joints of the correct side in `head` and \
+            `tail`"
     };
     Some(
         RULE.at(rig.file, Place::key(["bones", first]), message)

@@ -16,14 +16,22 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
         (
             Makehuman2,
-            "silently divides by zero: in pose mode all vertices of the bone and of the bones below it disappear",
+            "silently divides by zero: in pose mode all vertices of the bone and of the bones \
+                below it disappear",
         ),
-        (Makehuman1, "fails with `LinAlgError` when the skeleton is chosen"),
+        (
+            Makehuman1,
+            "fails with `LinAlgError` when the skeleton is chosen",
+        ),
     ],
     docs: include_str!("zero_length_bone.md").trim_ascii_end(),
     counts: "bones",
     grows: Grows::less(MeasureKind::Length),
-    ..RuleInfo::new("skeleton-zero-length-bone", Level::Error, "head and tail of a bone coincide")
+    ..RuleInfo::new(
+        "skeleton-zero-length-bone",
+        Level::Error,
+        "head and tail of a bone coincide",
+    )
 });
 
 const OF_LEAF: Case = &[(Makehuman1, Level::Info, "loads it: no bone hangs below it")];

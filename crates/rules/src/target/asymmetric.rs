@@ -82,7 +82,8 @@ fn is_told_by_cubes(target: &TargetMeasure) -> bool {
 }
 
 const MIRROR: &str = "leave it if that is intended; otherwise make it symmetric";
-const MIRROR_OR_LIST: &str = "leave it if that is intended, and add its ending to `nonsym` under `random` of base.json; otherwise make it symmetric";
+const MIRROR_OR_LIST: &str = "leave it if that is intended, and add its ending to `nonsym` under \
+    `random` of base.json; otherwise make it symmetric";
 
 fn one_sided(body: &Body<'_>, file: &FileFacts, target: &TargetMeasure) -> Option<Finding> {
     let mirror = &target.own_mirror;
@@ -134,7 +135,8 @@ fn uneven(
     let message = match slight.len() {
         1 => format!("`{name}` is slightly asymmetric: {by}"),
         count => format!(
-            "{count} of {checked} targets without a side are slightly asymmetric, worst `{name}`: {by}"
+            "{count} of {checked} targets without a side are slightly asymmetric, worst `{name}`: \
+                {by}"
         ),
     };
     let evidence = Evidence::of_cases(slight.iter().map(|(_, target)| {

@@ -146,8 +146,15 @@ fn finding(body: &Body<'_>, pair: &PairMeasure) -> Option<Finding> {
         .parts(&difference.different)
         .between([&left.path, &right.path])
         .related(&right.path, Place::File, "its counterpart")
-        .help("leave them if the difference is intended; otherwise mirror the better one, and keep a copy of the other")
-        .evidence(evidence.out_of(difference.compared).with_worst(worst, format!("vertex {vertex}")));
+        .help(
+            "leave them if the difference is intended; otherwise mirror the better one, and \
+            keep a copy of the other",
+        )
+        .evidence(
+            evidence
+                .out_of(difference.compared)
+                .with_worst(worst, format!("vertex {vertex}")),
+        );
     let finding = with_setting(finding, body, left);
     Some(if on_body {
         finding

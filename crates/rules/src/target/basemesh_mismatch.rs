@@ -8,7 +8,8 @@ use mhlint_repo::{Body, FileFacts, Layer};
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "ignores the header and moves the vertices that have these numbers in the mesh of the folder",
+        "ignores the header and moves the vertices that have these numbers in the mesh of the \
+            folder",
     )],
     docs: include_str!("basemesh_mismatch.md").trim_ascii_end(),
     counts: "targets",

@@ -160,8 +160,12 @@ pub(super) fn finding(
     });
     let evidence = Evidence::counted(1);
     rule.at(file, place, message)
-        .help("correct the numbers; a decimal point may be missing or the unit wrong: lengths are in decimetres")
-        .evidence(
-            evidence.out_of(facts.rows).with_worst(f64::from(largest.length), format!("vertex {}", largest.index)),
+        .help(
+            "correct the numbers; a decimal point may be missing or the unit wrong: lengths are \
+            in decimetres",
         )
+        .evidence(evidence.out_of(facts.rows).with_worst(
+            f64::from(largest.length),
+            format!("vertex {}", largest.index),
+        ))
 }

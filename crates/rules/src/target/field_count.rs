@@ -11,17 +11,29 @@ use mhlint_repo::{FileFacts, View};
 
 pub(crate) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "silently skips such lines: their vertices do not move"),
-        (Makehuman1, "silently skips such lines: their vertices do not move"),
+        (
+            Makehuman2,
+            "silently skips such lines: their vertices do not move",
+        ),
+        (
+            Makehuman1,
+            "silently skips such lines: their vertices do not move",
+        ),
         (
             Mpfb,
-            "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part",
+            "fails when its slider moves first and does nothing afterwards; saved characters with \
+                it load only in part",
         ),
     ],
     levels: &[(Mpfb, Level::Error)],
     docs: include_str!("field_count.md").trim_ascii_end(),
     counts: "lines",
-    ..RuleInfo::new("target-field-count", Level::Warning, "a line of a target does not have four fields")
+    ..RuleInfo::new(
+        "target-field-count",
+        Level::Warning,
+        "a line of a target does not have four \
+        fields",
+    )
 });
 
 const NO_ROW: &str = "silently skips the line, which is not a row";

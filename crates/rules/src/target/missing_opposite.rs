@@ -12,10 +12,16 @@ use mhlint_repo::makehuman2::{Base, TargetFolder, View};
 pub(crate) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "creates a slider with one direction only; of a lone `-decr` target, the slider decreases as it moves up",
+        "creates a slider with one direction only; of a lone `-decr` target, the slider decreases \
+            as it moves up",
     )],
     docs: include_str!("missing_opposite.md").trim_ascii_end(),
-    ..RuleInfo::new("target-missing-opposite", Level::Warning, "a target for one direction has no opposite")
+    ..RuleInfo::new(
+        "target-missing-opposite",
+        Level::Warning,
+        "a target for one direction has no \
+        opposite",
+    )
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -83,7 +89,8 @@ fn finding(file: &FileFacts, opposite: &str, (decr, _): (&str, &str)) -> Finding
         INCREASES
     };
     RULE.at(file, Place::File, message).case(case).help(format!(
-        "leave it if one direction is meant; otherwise add `{opposite}.target`, before models are saved with the slider"
+        "leave it if one direction is meant; otherwise add `{opposite}.target`, before models are \
+            saved with the slider"
     ))
 }
 
@@ -91,7 +98,8 @@ fn finding(file: &FileFacts, opposite: &str, (decr, _): (&str, &str)) -> Finding
 fn renamed(finding: Finding, opposite: &str, other: &FileFacts) -> Finding {
     let name = other.file_name();
     let help = format!(
-        "rename `{name}` to `{opposite}.target` if it is the other direction, before models are saved with the slider"
+        "rename `{name}` to `{opposite}.target` if it is the other direction, before models are \
+            saved with the slider"
     );
     let related = format!("`{name}` becomes a slider of its own");
     finding

@@ -16,7 +16,8 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
             "crashes at start with `OverflowError` and leaves an empty compressedtargets.npz that crashes every later \
              start",
         ),
-        (Makehuman1, "fails with `IndexError` each time the target is applied, and stops in the middle of the update"),
+        (Makehuman1, "fails with `IndexError` each time the target is applied, and stops in the \
+            middle of the update"),
         (Mpfb, "counts from the end of the mesh: silently moves another vertex"),
     ],
     levels: &[(Mpfb, Level::Warning)],

@@ -13,15 +13,26 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
         (
             Makehuman2,
-            "loses such vertices when the target is applied, with all normals, joints and clothes that depend on them",
+            "loses such vertices when the target is applied, with all normals, joints and clothes \
+                that depend on them",
         ),
-        (Makehuman1, "silently loses the vertex when the target is applied"),
-        (Mpfb, "leaves the vertex without a position as soon as the slider moves"),
+        (
+            Makehuman1,
+            "silently loses the vertex when the target is applied",
+        ),
+        (
+            Mpfb,
+            "leaves the vertex without a position as soon as the slider moves",
+        ),
     ],
     levels: &[(Mpfb, Level::Warning), (Makehuman1, Level::Warning)],
     docs: include_str!("non_finite.md").trim_ascii_end(),
     counts: "rows, by vertex",
-    ..RuleInfo::new("target-non-finite", Level::Error, "a displacement is NaN or infinite")
+    ..RuleInfo::new(
+        "target-non-finite",
+        Level::Error,
+        "a displacement is NaN or infinite",
+    )
 });
 
 const OUTDATED: Case = &[(

@@ -74,7 +74,8 @@ impl Opposites {
             Place::File,
             "the other end of its slider, which is symmetric",
         );
-        let help = "export it again from the base mesh: its vertices have another order, or are counted from 1";
+        let help = "export it again from the base mesh: its vertices have another order, or are \
+            counted from 1";
         finding
             .case(RENUMBERED)
             .confidence(Confidence::Medium)

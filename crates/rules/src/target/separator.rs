@@ -8,11 +8,17 @@ use mhlint_repo::Body;
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
         Mpfb,
-        "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part",
+        "fails when its slider moves first and does nothing afterwards; saved characters with it \
+            load only in part",
     )],
     docs: include_str!("separator.md").trim_ascii_end(),
     counts: "rows",
-    ..RuleInfo::new("target-separator", Level::Error, "fields of a target that are not separated by one blank")
+    ..RuleInfo::new(
+        "target-separator",
+        Level::Error,
+        "fields of a target that are not separated \
+        by one blank",
+    )
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

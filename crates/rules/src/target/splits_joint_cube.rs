@@ -13,18 +13,29 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "puts the joint at the mean of the torn cube: the bone ends beside its limb"),
-        (Makehuman1, "puts the joint at the mean of the torn cube: the bone ends beside its limb"),
+        (
+            Makehuman2,
+            "puts the joint at the mean of the torn cube: the bone ends beside its limb",
+        ),
+        (
+            Makehuman1,
+            "puts the joint at the mean of the torn cube: the bone ends beside its limb",
+        ),
     ],
     docs: include_str!("splits_joint_cube.md").trim_ascii_end(),
     options: &[OptionInfo {
         name: "share",
         default: 0.05,
-        docs: "share of torn cubes (0 to 1) in all targets of a base above which nothing is reported",
+        docs: "share of torn cubes (0 to 1) in all targets of a base above which nothing is \
+            reported",
     }],
     counts: "joint cubes",
     grows: Grows::more(MeasureKind::Distance),
-    ..RuleInfo::new("target-splits-joint-cube", Level::Warning, "a target tears a joint cube")
+    ..RuleInfo::new(
+        "target-splits-joint-cube",
+        Level::Warning,
+        "a target tears a joint cube",
+    )
 });
 
 fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -63,7 +74,14 @@ fn finding(
     let evidence = Evidence::of_cases(target.torn.iter().map(|(cube, _)| name(*cube)));
     let finding = RULE
         .at(file, Place::File, message)
-        .help(format!("move all vertices of a cube by the same amount; the targets of this base do so for {rigid}"))
-        .evidence(evidence.out_of(target.torn.len() + target.rigid).with_worst(*apart, name(*cube)));
+        .help(format!(
+            "move all vertices of a cube by the same amount; the targets of this base \
+            do so for {rigid}"
+        ))
+        .evidence(
+            evidence
+                .out_of(target.torn.len() + target.rigid)
+                .with_worst(*apart, name(*cube)),
+        );
     Some(with_setting(finding, body, file))
 }

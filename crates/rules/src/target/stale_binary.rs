@@ -76,7 +76,7 @@ fn compare<'a>(layer: &'a Layer, folder: &str, archive: &'a Archive) -> Stale<'a
         match (text, &member.rows) {
             (None, _) => stale.without_text.push(&member.name),
             (Some(text), Ok(rows)) if differs(text, rows.content) => {
-                stale.differing.push(&member.name)
+                stale.differing.push(&member.name);
             }
             _ => {}
         }
@@ -128,7 +128,10 @@ fn of_makehuman1(view: &makehuman1::View<'_>) -> Option<Finding> {
     let finding = RULE.at(archive.file, Place::File, message);
     let finding =
         finding.evidence(Evidence::of_cases(&stale).out_of(archive.content.targets.len()));
-    Some(finding.help("make the archive again, or delete `targets.npz` and `images.list`: then the texts are read"))
+    Some(finding.help(
+        "make the archive again, or delete `targets.npz` and `images.list`: then \
+        the texts are read",
+    ))
 }
 
 /// A text that cannot be read completely has a finding of its own.

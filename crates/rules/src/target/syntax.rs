@@ -22,7 +22,8 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman1, "logs \"Unable to open\", and the whole target moves nothing"),
         (
             Mpfb,
-            "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part",
+            "fails when its slider moves first and does nothing afterwards; saved characters with \
+                it load only in part",
         ),
     ],
     docs: include_str!("syntax.md").trim_ascii_end(),
@@ -43,7 +44,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-const ROW: &str = "write the row as `INDEX X Y Z`: an integer and three decimal numbers with a point; remarks begin with `#`";
+const ROW: &str = "write the row as `INDEX X Y Z`: an integer and three decimal numbers with a \
+    point; remarks begin with `#`";
 const NO_MARK: &str = "save the text as UTF-8 without a byte order mark, and pack it again";
 
 /// What a loader stops at that splits at single blanks.

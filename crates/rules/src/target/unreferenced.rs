@@ -12,7 +12,7 @@ use mhlint_repo::makehuman2::{Base, View};
 use mhlint_repo::{FileFacts, Layer};
 
 pub(crate) static RULE: Rule = Check::Libraries(run, |view, cx, out| {
-    shipped_unused::unused(&RULE, view, cx, out)
+    shipped_unused::unused(&RULE, view, cx, out);
 })
 .rule(RuleInfo {
     told_apart: true,
@@ -166,8 +166,14 @@ fn in_pairs<'a>(
 }
 
 fn pair(file: &FileFacts, incr: &str, decr: &str) -> Finding {
-    RULE.at(file, Place::File, format!("no slider and no macro uses `{incr}` or `{decr}`")).help(format!(
-        "add a slider with `\"incr\": \"{incr}\"` and `\"decr\": \"{decr}\"` to modelling.json, or keep the files outside of the data"
+    RULE.at(
+        file,
+        Place::File,
+        format!("no slider and no macro uses `{incr}` or `{decr}`"),
+    )
+    .help(format!(
+        "add a slider with `\"incr\": \"{incr}\"` and `\"decr\": \"{decr}\"` to modelling.json, \
+            or keep the files outside of the data"
     ))
 }
 
@@ -214,12 +220,18 @@ fn single(
     );
     finding.help(match slider_without(base, sliders, name) {
         // A slider with a space in its name cannot be saved.
-        _ if name.contains(char::is_whitespace) => "remove the file, or remove the spaces from its name".to_owned(),
+        _ if name.contains(char::is_whitespace) => "remove the file, or remove the spaces from \
+            its name"
+            .to_owned(),
         Some(key) => format!(
-            "add `\"decr\": \"{name}\"` to the slider `{key}` in modelling.json, or keep the file outside of the data"
+            "add `\"decr\": \"{name}\"` to the slider `{key}` in modelling.json, or keep the file \
+                outside of the data"
         ),
         None => {
-            format!("add a slider with `\"incr\": \"{name}\"` to modelling.json, or keep the file outside of the data")
+            format!(
+                "add a slider with `\"incr\": \"{name}\"` to modelling.json, or keep the file \
+                outside of the data"
+            )
         }
     })
 }

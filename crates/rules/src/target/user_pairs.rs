@@ -10,7 +10,8 @@ use mhlint_repo::makehuman2::{Base, View};
 const NO_PAIR: Case = &[(
     Makehuman2,
     Level::Warning,
-    "creates two sliders with one direction each: it replaces every `incr` in the name to find the opposite",
+    "creates two sliders with one direction each: it replaces every `incr` in the name to find \
+        the opposite",
 )];
 const ONE_SIDE: Case = &[(
     Makehuman2,

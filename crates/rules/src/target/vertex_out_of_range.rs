@@ -30,12 +30,14 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     )
 });
 
-const NEVER_APPLIED: &str = "fails with `IndexError` each time the target is applied, and stops in the middle of the update";
+const NEVER_APPLIED: &str = "fails with `IndexError` each time the target is applied, and stops \
+    in the middle of the update";
 
 const OVERFLOW: Case = &[(
     Makehuman2,
     Level::Error,
-    "crashes at start with `OverflowError` and leaves an empty compressedtargets.npz that crashes every later start",
+    "crashes at start with `OverflowError` and leaves an empty compressedtargets.npz that crashes \
+        every later start",
 )];
 const OUTDATED: Case = &[(
     Makehuman2,
@@ -68,7 +70,8 @@ const OF_A_MACRO: Case = &[
     (
         Makehuman1,
         Level::Error,
-        "stops at start if the neutral figure has this target, else at the first setting that needs it",
+        "stops at start if the neutral figure has this target, else at the first setting that \
+            needs it",
     ),
 ];
 const OF_A_SLIDER: Case = &[(
@@ -79,7 +82,8 @@ const OF_A_SLIDER: Case = &[(
 const SEAM: Case = &[(
     Makehuman2,
     Level::Warning,
-    "moves this copy, which it adds where the UV map is cut, with its original: the row has no effect",
+    "moves this copy, which it adds where the UV map is cut, with its original: the row has no \
+        effect",
 )];
 
 /// First index whose triple no longer fits 32 bits: coordinate 3·index wraps
@@ -144,7 +148,10 @@ fn beyond(
         }
     };
     RULE.at(file, first_row(tally), message)
-        .help("export the target again from the base mesh of its folder; its other rows may be for another mesh, too")
+        .help(
+            "export the target again from the base mesh of its folder; its other rows may be \
+            for another mesh, too",
+        )
         .evidence(tally.evidence(facts.rows))
 }
 

@@ -30,7 +30,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let message = match facts.rows {
             _ if facts.duplicate.count > 0 => {
-                "the last row of every vertex is zero, and only that row counts: the target moves nothing".to_owned()
+                "the last row of every vertex is zero, and only that row counts: the target moves \
+                    nothing"
+                    .to_owned()
             }
             1 => "its only row is zero: the target moves nothing".to_owned(),
             2 => "both rows are zero: the target moves nothing".to_owned(),
@@ -39,7 +41,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.push(
             RULE.at(file, Place::File, message)
                 .help(
-                    "set the shape key to 1 and export the target again; keep the slider, because saved models need it",
+                    "set the shape key to 1 and export the target again; keep the slider, because \
+                        saved models need it",
                 )
                 .evidence(facts.zero.evidence(facts.rows)),
         );

@@ -50,7 +50,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             1 => format!("bone `{bone}` has weight {weight} for {vertex}, more than 1"),
             count => {
                 let all = format!(
-                    "{count} weights are larger than 1, first {weight} of bone `{bone}` for {vertex}"
+                    "{count} weights are larger than 1, first {weight} of bone `{bone}` for \
+                        {vertex}"
                 );
                 all + &at_worst(tally, first)
             }

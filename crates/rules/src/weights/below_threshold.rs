@@ -42,7 +42,8 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let message = match tally.count {
             1 => format!("bone `{bone}` has weight {weight} for {vertex}, too small to be kept"),
             count => format!(
-                "{count} of {} weights are too small to be kept, first {weight} for {vertex} in bone `{bone}`",
+                "{count} of {} weights are too small to be kept, first {weight} for {vertex} in \
+                    bone `{bone}`",
                 weights.facts.pairs
             ),
         };

@@ -22,7 +22,8 @@ pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     levels: &[(Makehuman1, Level::Info), (Mpfb, Level::Info)],
     docs: include_str!("duplicate_vertex.md").trim_ascii_end(),
     counts: "entries",
-    ..RuleInfo::new("weights-duplicate-vertex", Level::Warning, "a bone lists a vertex more than once")
+    ..RuleInfo::new("weights-duplicate-vertex", Level::Warning, "a bone lists a vertex more than \
+        once")
 });
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -10,7 +10,8 @@ pub(super) const ID: &str = "weights-lost-after-threshold";
 pub(super) const DISTANCE: OptionInfo = OptionInfo {
     name: "distance",
     default: 0.01,
-    docs: "pull from which the finding is a warning, in units of the mesh (1 = 10 cm); from a tenth of it, an info",
+    docs: "pull from which the finding is a warning, in units of the mesh (1 = 10 cm); from a \
+        tenth of it, an info",
 };
 
 /// What the weights of the default rig lose, and the vertex that it moves farthest.

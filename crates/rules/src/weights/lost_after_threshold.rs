@@ -11,17 +11,27 @@ use mhlint_repo::Body;
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "drops weights up to 0.0001, and pulls the vertices towards the origin of the scene in pose mode"),
+        (
+            Makehuman2,
+            "drops weights up to 0.0001, and pulls the vertices towards the origin of \
+            the scene in pose mode",
+        ),
         (
             Makehuman1,
-            "drops weights up to 0.0001, and pulls the vertices towards the origin of the scene in every pose",
+            "drops weights up to 0.0001, and pulls the vertices towards the origin of the scene \
+                in every pose",
         ),
     ],
     docs: include_str!("lost_after_threshold.md").trim_ascii_end(),
     options: &[DISTANCE],
     counts: "vertices",
     grows: Grows::more(MeasureKind::Distance),
-    ..RuleInfo::new(ID, Level::Warning, "vertices lose visible weight to the threshold of the loader")
+    ..RuleInfo::new(
+        ID,
+        Level::Warning,
+        "vertices lose visible weight to the threshold of the \
+        loader",
+    )
 });
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {

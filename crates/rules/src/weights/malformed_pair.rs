@@ -42,7 +42,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             1 => format!("entry {position} of bone `{bone}` is not a pair `[vertex, weight]`"),
             count => {
                 format!(
-                    "{count} entries are not pairs `[vertex, weight]`, first entry {position} of bone `{bone}`"
+                    "{count} entries are not pairs `[vertex, weight]`, first entry {position} of \
+                        bone `{bone}`"
                 )
             }
         };

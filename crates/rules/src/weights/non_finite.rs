@@ -8,7 +8,8 @@ use mhlint_diag::{
 };
 use mhlint_repo::Body;
 
-const USUAL: &str = "drops all weights of the vertex and does not move it with the root bone: in pose mode it lies at the origin";
+const USUAL: &str = "drops all weights of the vertex and does not move it with the root bone: in \
+    pose mode it lies at the origin";
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
@@ -54,7 +55,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             1 => format!("bone `{bone}` has weight {weight} for {vertex}"),
             count => {
                 format!(
-                    "{count} weights are NaN or infinite, first {weight} for {vertex} in bone `{bone}`"
+                    "{count} weights are NaN or infinite, first {weight} for {vertex} in bone \
+                        `{bone}`"
                 )
             }
         };

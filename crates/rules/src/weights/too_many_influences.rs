@@ -15,7 +15,8 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     )],
     docs: include_str!("too_many_influences.md").trim_ascii_end(),
     counts: "vertices",
-    ..RuleInfo::new("weights-too-many-influences", Level::Info, "a vertex has weights of more than four bones")
+    ..RuleInfo::new("weights-too-many-influences", Level::Info, "a vertex has weights of more \
+        than four bones")
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -36,7 +37,8 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         (1, _) => format!("{} has weights of {most} bones", body.vertex(vertex)),
         (_, Some(places)) => {
             format!(
-                "{over} vertices ({places}) have weights of more than {ENGINE_INFLUENCES} bones, up to {most}"
+                "{over} vertices ({places}) have weights of more than {ENGINE_INFLUENCES} bones, \
+                    up to {most}"
             )
         }
         (_, None) => format!(
@@ -61,7 +63,10 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         RULE.at(file, place, message)
             .parts(weights.over.iter().map(|(vertex, _)| vertex))
             .related(&file.path, Place::File, most_lost)
-            .help("for export, use fewer bones for the vertices that lose much; MakeHuman itself has no limit")
+            .help(
+                "for export, use fewer bones for the vertices that lose much; MakeHuman itself \
+                has no limit",
+            )
             .evidence(evidence.with_worst(f64::from(share), format!("vertex {vertex}"))),
     );
 }

@@ -38,7 +38,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             (
                 message,
                 format!(
-                    "name `{name}` as `weights_file` of a skeleton, or keep the file outside of the data"
+                    "name `{name}` as `weights_file` of a skeleton, or keep the file outside of \
+                        the data"
                 ),
             )
         };

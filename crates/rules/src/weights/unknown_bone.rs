@@ -13,14 +13,26 @@ use mhlint_repo::{Body, BodyWeights, FileFacts, Rig};
 
 pub(crate) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "crashes with `KeyError` when pose mode is entered"),
-        (Makehuman1, "drops the weights of the bone with a warning, which pulls their vertices towards the origin"),
+        (
+            Makehuman2,
+            "crashes with `KeyError` when pose mode is entered",
+        ),
+        (
+            Makehuman1,
+            "drops the weights of the bone with a warning, which pulls their vertices \
+            towards the origin",
+        ),
         (Mpfb, "silently drops the weights of the bone"),
     ],
     levels: &[(Makehuman1, Level::Warning), (Mpfb, Level::Warning)],
     docs: include_str!("unknown_bone.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("weights-unknown-bone", Level::Error, "weights for a bone that the skeleton does not have")
+    ..RuleInfo::new(
+        "weights-unknown-bone",
+        Level::Error,
+        "weights for a bone that the skeleton \
+        does not have",
+    )
 });
 
 const NEVER_APPLIED: Case = &[(
@@ -70,7 +82,8 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             match unknown.len() {
                 1 => {
                     format!(
-                        "name a bone of the {of} that uses these weights, or remove it if its vertices have others"
+                        "name a bone of the {of} that uses these weights, or remove it if its \
+                            vertices have others"
                     )
                 }
                 _ => format!("use the weights that were made for this {of}, or rename the bones"),

@@ -97,7 +97,8 @@ fn of_asset(own: &worn::Own<'_>) -> Option<Finding> {
         .at(own.file, Place::pointer(["weights"]), message)
         .key("asset");
     let finding = finding.help(
-        "give every vertex a weight and export the weights again; without own weights remove `vertexboneweights_file`",
+        "give every vertex a weight and export the weights again; without own weights remove \
+            `vertexboneweights_file`",
     );
     Some(finding.evidence(Evidence::counted(count).out_of(own.vertices)))
 }

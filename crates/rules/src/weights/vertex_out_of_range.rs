@@ -95,13 +95,17 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             1 => format!("bone `{bone}` has a weight for {vertex}, which does not exist{size}"),
             count => {
                 format!(
-                    "{count} entries name vertices that do not exist, first {vertex} in bone `{bone}`{size}"
+                    "{count} entries name vertices that do not exist, first {vertex} in bone \
+                        `{bone}`{size}"
                 )
             }
         };
         let mut finding = RULE
             .at(own.file, place, message)
-            .help("use vertices of the base mesh, counted from 0, or the weights that were made for this mesh")
+            .help(
+                "use vertices of the base mesh, counted from 0, or the weights that were made \
+                for this mesh",
+            )
             .evidence(tally.evidence(weights.facts.pairs));
         if weights.facts.negative_index == tally.count {
             finding = finding.case(NEGATIVE);
@@ -119,10 +123,12 @@ fn of_asset(own: &worn::Own<'_>) -> Option<Finding> {
     let (vertex, bone, last) = (outside.vertex, outside.bone, own.vertices.saturating_sub(1));
     let message = match outside.evidence.count {
         1 => format!(
-            "bone `{bone}` has a weight for vertex {vertex}, which does not exist; the asset has 0 to {last}"
+            "bone `{bone}` has a weight for vertex {vertex}, which does not exist; the asset has \
+                0 to {last}"
         ),
         count => format!(
-            "{count} entries name vertices that the asset does not have (0 to {last}), first {vertex}"
+            "{count} entries name vertices that the asset does not have (0 to {last}), first \
+                {vertex}"
         ),
     };
     let finding = RULE

@@ -12,16 +12,23 @@ pub(crate) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[
         (
             Makehuman2,
-            "rotates the skin of the left/right counterpart with the bone: the smallest bend throws it far off",
+            "rotates the skin of the left/right counterpart with the bone: the smallest bend \
+                throws it far off",
         ),
         (
             Makehuman1,
-            "rotates the skin of the left/right counterpart with the bone: the smallest bend throws it far off",
+            "rotates the skin of the left/right counterpart with the bone: the smallest bend \
+                throws it far off",
         ),
     ],
     docs: include_str!("wrong_side.md").trim_ascii_end(),
     counts: "bones",
-    ..RuleInfo::new("weights-wrong-side", Level::Warning, "weights are on the opposite half of the mesh")
+    ..RuleInfo::new(
+        "weights-wrong-side",
+        Level::Warning,
+        "weights are on the opposite half of \
+        the mesh",
+    )
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -183,7 +183,8 @@ const ROWS: &[Row] = &[
         nothing(Special),
     ]),
     row(Kind::LibraryCache, At::Single(Single::CacheFolder), Use, &[
-        cell(Closed, Error, "fails with `FileExistsError` for each library when it ends: no list is ever stored"),
+        cell(Closed, Error, "fails with `FileExistsError` for each library when it ends: no list \
+            is ever stored"),
     ]),
     anywhere(Kind::LibraryCache, Start, &[
         cell(Dangling, Info, MADE_AGAIN),
@@ -223,7 +224,8 @@ const ROWS: &[Row] = &[
         COMMENT,
     ]),
     anywhere(Kind::Material, Use, &[
-        cell(NotUtf8, Error, "lists no materials for the assets that it is offered for, and does not put on one that names it"),
+        cell(NotUtf8, Error, "lists no materials for the assets that it is offered for, and does \
+            not put on one that names it"),
         cell(Pointer, Warning, WHITE),
         cell(Empty, Warning, WHITE),
         KEYWORD,
@@ -233,7 +235,8 @@ const ROWS: &[Row] = &[
         cells(LOST_WHOLE, Error, NOT_WORN),
         cell(NotUtf8, Error, "does not put the asset on: the mesh is not UTF-8"),
         // Glued to a vertex it drops that one, and the rows of the asset fit no longer.
-        cell(MarkedWord, Error, "drops the first line, and does not put the asset on if that is a vertex"),
+        cell(MarkedWord, Error, "drops the first line, and does not put the asset on if that is a \
+            vertex"),
         COMMENT,
     ]),
     anywhere(Kind::AssetWeights, Use, &[
@@ -244,7 +247,8 @@ const ROWS: &[Row] = &[
         cell(Closed, Error, NO_POSES),
         cell(Pointer, Error, NO_POSE),
         cell(Empty, Error, NO_POSE),
-        cell(NotUtf8, Error, "does not show the pose; without a `.meta` beside it, lists no pose at all"),
+        cell(NotUtf8, Error, "does not show the pose; without a `.meta` beside it, lists no pose \
+            at all"),
         cell(MarkedWord, Error, NO_POSE),
         cell(MarkedComment, Error, NO_POSE),
     ]),
@@ -269,7 +273,8 @@ const ROWS: &[Row] = &[
         // One without faces fits no mesh, and `uvs/default.mhuv` is meant to be empty.
         nothing(Empty),
         cell(NotUtf8, Error, NO_MAP),
-        cell(MarkedWord, Warning, "drops the first line, and counts the coordinates behind it from another one"),
+        cell(MarkedWord, Warning, "drops the first line, and counts the coordinates behind it \
+            from another one"),
         COMMENT,
     ]),
     row(Kind::Image, At::Single(Single::SkinPicture), Use, &[
@@ -300,13 +305,17 @@ const AT_MOMENT: &[(Moment, Cell)] = &[
 const UNFOUND: &[(&[mhlint_repo::ReferenceKind], Consequence)] = &[
     (&[AssetMesh], Consequence::new(Error, "does not put the asset on")),
     (&[AssetWeights], Consequence::new(Error, "does not put the asset on")),
-    (&[WeightsFile], Consequence::new(Error, "fails with `FileNotFoundError` when the skeleton is chosen")),
+    (&[WeightsFile], Consequence::new(Error, "fails with `FileNotFoundError` when the skeleton is \
+        chosen")),
     (&[AssetMaterial], Consequence::new(Warning, "draws the asset with the default white material")),
-    (&[Texture], Consequence::new(Warning, "logs an error and shows a placeholder instead of the picture")),
+    (&[Texture], Consequence::new(Warning, "logs an error and shows a placeholder instead of the \
+        picture")),
     (&[Skin], Consequence::new(Warning, "loads the model with the default skin")),
     (&[ModelSkeleton], Consequence::new(Warning, "loads the model without a skeleton")),
-    (&[ModelPose], Consequence::new(Warning, "logs an error, and loads the model without its pose and in another shape")),
+    (&[ModelPose], Consequence::new(Warning, "logs an error, and loads the model without its pose \
+        and in another shape")),
     (&[ModelExpression], Consequence::new(Warning, "loads the model without the expression")),
-    (&[ModelMaterial], Consequence::new(Warning, "logs an error, and shows the asset with the default white material")),
+    (&[ModelMaterial], Consequence::new(Warning, "logs an error, and shows the asset with the \
+        default white material")),
     (&[UvMap], Consequence::new(Error, "fails with `FileNotFoundError` when the material is used")),
 ];

@@ -25,7 +25,8 @@ const NO_RIGS: &str = "lists no skeleton at all: one file that cannot be read em
 static ROWS: [Row; 29] = [
     row(Kind::ModifierFile, "/items/properties/modifiers/items/properties/defaultValue", ANY, Error, "fails with `TypeError` at each reset"),
     row(Kind::ModifierFile, "/", ANY, Error, NO_SET),
-    row(Kind::ModifierTexts, "/", ANY, Error, "fails at start: none of the tabs of this set is shown"),
+    row(Kind::ModifierTexts, "/", ANY, Error, "fails at start: none of the tabs of this set is \
+        shown"),
     row(Kind::ModifierSliders, "/additionalProperties/properties/sortOrder", ANY, Error,
         "fails with `TypeError`: the tabs of all plugins of Modelling from there on stay empty"),
     row(Kind::ModifierSliders, "/additionalProperties/properties/modifiers/additionalProperties/items/properties/label", ANY, Error, STOPS_AT_START),
@@ -40,14 +41,17 @@ static ROWS: [Row; 29] = [
     row(Kind::Pose, "/type", ANY, Error, NO_EXPRESSIONS),
     row(Kind::Pose, "/properties/name", ANY, Warning, "shows the expression without a name"),
     row(Kind::Pose, "/properties/author", ANY, Info, "does not show the author"),
-    row(Kind::Pose, "/properties/unit_poses/type", ANY, Error, "fails with `AttributeError` when the expression is chosen"),
-    row(Kind::Pose, "/properties/unit_poses/", ANY, Error, "fails with an exception when the expression is chosen"),
+    row(Kind::Pose, "/properties/unit_poses/type", ANY, Error, "fails with `AttributeError` when \
+        the expression is chosen"),
+    row(Kind::Pose, "/properties/unit_poses/", ANY, Error, "fails with an exception when the \
+        expression is chosen"),
     row(Kind::Skeleton, "/properties/tags/type", TEXT, Warning, "makes a tag of every letter"),
     row(Kind::Skeleton, "/properties/tags", ANY, Error, NO_RIGS),
     row(Kind::Skeleton, "/type", ANY, Error, NO_RIGS),
     row(Kind::Skeleton, "/properties/name", ANY, Warning, "shows the skeleton without a name"),
     row(Kind::Skeleton, "/properties/author", ANY, Info, "does not show the author"),
-    row(Kind::Skeleton, "/properties/weights_file", NULL, Info, "takes the weights through references"),
+    row(Kind::Skeleton, "/properties/weights_file", NULL, Info, "takes the weights through \
+        references"),
     row(Kind::Skeleton, "/$defs/bone/properties/parent", ANY, Warning,
         "drops the bone and all below it with a line in the log; other bones get their weights"),
     row(Kind::Skeleton, "/", ANY, Error, NO_RIG),

@@ -62,7 +62,8 @@ pub(super) const NO_WEIGHTS_LOADED: &str =
     "loads no weights: in pose mode the mesh collapses to the origin";
 /// What becomes of a base without a skeleton for poses.
 pub(crate) const NO_POSE_SKELETON: &str = "has no poses and no bone weights for assets, shows a message whenever \
-    poses or rigs are opened, and crashes with `AttributeError` in the editors, up to 2026-08-05 also in the glTF export";
+    poses or rigs are opened, and crashes with `AttributeError` in the editors, up to 2026-08-05 \
+    also in the glTF export";
 const TYPE_ERROR: &str = "crashes at start with `TypeError`";
 const NO_BASE: &str = "does not load the base mesh";
 /// What becomes of a `.mhskel` or `.mhpose` of which the scan of assets makes nothing; since
@@ -86,7 +87,8 @@ const NO_WEIGHTS: &[Cell] = &[
 ];
 const WHITE: &str = "shows the default white material";
 const NO_ATTACHMENT: Cell = cell(Empty, Error, "cannot attach the asset");
-const EMPTY_ARCHIVE: &str = "crashes at start while scanning the assets; beside a newer text it lists the asset and cannot put it on";
+const EMPTY_ARCHIVE: &str = "crashes at start while scanning the assets; beside a newer text it \
+    lists the asset and cannot put it on";
 const NO_PICTURE: &[Cell] = &[
     level(Closed, Warning),
     level(Pointer, Warning),
@@ -128,9 +130,12 @@ const ROWS: &[Row] = &[
         &[cell(Closed, Info, "treats it as missing and reads the mesh from another file")]),
     anywhere(Kind::MeshArchive, Start, &[
         cell(Absent, Error, NO_BASE),
-        cell(Closed, Error, "crashes at every start: it reads no other mesh while the archive exists"),
-        cell(Pointer, Error, "reads the pointer as a mesh and crashes with `ValueError` at every start"),
-        cell(Empty, Error, "crashes with `EOFError` at every start until the file is deleted by hand"),
+        cell(Closed, Error, "crashes at every start: it reads no other mesh while the archive \
+            exists"),
+        cell(Pointer, Error, "reads the pointer as a mesh and crashes with `ValueError` at every \
+            start"),
+        cell(Empty, Error, "crashes with `EOFError` at every start until the file is deleted by \
+            hand"),
     ]),
     row(Kind::Geometry, At::Single(ScriptedRanges), Tools, &[cell(Syntax, Warning, NOT_READ)]),
     anywhere(Kind::Geometry, Use, &[
@@ -152,7 +157,8 @@ const ROWS: &[Row] = &[
     ]),
     row(Kind::ModellingJson, Generated, Start, &[
         cell(Refused, Error, "treats it as missing with only a log line: its sliders disappear"),
-        cell(Syntax, Error, "treats it as missing with only a log line: the sliders of the user's targets disappear"),
+        cell(Syntax, Error, "treats it as missing with only a log line: the sliders of the user's \
+            targets disappear"),
     ]),
     anywhere(Kind::ModellingJson, Start, &[
         cell(Refused, Error, "treats it as missing with only a log line: its sliders disappear"),
@@ -165,7 +171,8 @@ const ROWS: &[Row] = &[
         cell(Syntax, Error, "treats it as missing with only a log line: no slider can be reached"),
     ]),
     row(Kind::Target, Generated, Start, &[
-        cell(Dangling, Error, "crashes at start with `FileNotFoundError` while it looks for user targets"),
+        cell(Dangling, Error, "crashes at start with `FileNotFoundError` while it looks for user \
+            targets"),
         cell(Empty, Warning, "loads the target, which moves nothing"),
     ]),
     anywhere(Kind::Target, Start, &[
@@ -175,7 +182,8 @@ const ROWS: &[Row] = &[
     // There is no gzip in it at all.
     anywhere(Kind::PackedTarget, Never, &[nothing(Pointer)]),
     anywhere(Kind::TargetArchive, Start,
-        &[cell(Pointer, Error, "crashes with `ValueError` at every start: a pointer is not an archive")]),
+        &[cell(Pointer, Error, "crashes with `ValueError` at every start: a pointer is not an \
+            archive")]),
     row(Kind::TargetIcon, Generated, Start, &[
         cell(Closed, Error, NO_USER_ICON),
         level(Pointer, Warning),
@@ -249,9 +257,11 @@ const ROWS: &[Row] = &[
     ]),
     anywhere(Kind::AssetMesh, Use, &[NO_ATTACHMENT]),
     row(Kind::Packed, Scanned, Scan, &[
-        cell(Pointer, Error, "crashes at start with `BadZipFile` while scanning the assets; the next start has no assets at all"),
+        cell(Pointer, Error, "crashes at start with `BadZipFile` while scanning the assets; the \
+            next start has no assets at all"),
         cell(Empty, Error, EMPTY_ARCHIVE),
-        cell(Closed, Error, "takes the folder for the archive of the asset beside it, which is no longer listed"),
+        cell(Closed, Error, "takes the folder for the archive of the asset beside it, which is no \
+            longer listed"),
     ]),
     anywhere(Kind::Packed, Use, &[BINARY]),
     row(Kind::Image, At::Single(Thumbnail), Use, &[
@@ -344,9 +354,11 @@ const UNFOUND: &[(&[ReferenceKind], Consequence)] = &[
     (&[Model], Consequence::new(Error, TYPE_ERROR)),
     (&[Skin], Consequence::new(Warning, "silently shows the default skin")),
     (&[ModelSkeleton], Consequence::new(Warning, "silently loads the model without a skeleton")),
-    (&[ModelMaterial], Consequence::new(Warning, "silently shows the asset with its default material")),
+    (&[ModelMaterial], Consequence::new(Warning, "silently shows the asset with its default \
+        material")),
     (&[AssetMesh], Consequence::new(Error, REFUSED_ASSET)),
-    (&[AssetWeights], Consequence::new(Warning, "puts the asset on without bone weights: in a pose it collapses to the origin")),
+    (&[AssetWeights], Consequence::new(Warning, "puts the asset on without bone weights: in a \
+        pose it collapses to the origin")),
     (&[AssetMaterial], Consequence::new(Warning, "silently shows the asset in plain white")),
     (&[Texture], Consequence::new(Warning, "silently shows the material without this texture")),
 ];
@@ -370,13 +382,15 @@ pub(crate) fn ignored_override(
             "ignores the override with only a log line, and uses the file of the system data"
         }
         (false, SystemFolder::Unknown) => {
-            "ignores the override with only a log line, and uses the file of the system data if it exists"
+            "ignores the override with only a log line, and uses the file of the system data if \
+                it exists"
         }
         (false, _) => "ignores the override with only a log line, and goes on without such a file",
     };
     match (name, folder) {
         ("macro.json", SystemFolder::Absent) => format!(
-            "{instead}; then crashes with `FileNotFoundError`: it looks for the targets in `target/{}` of the system data",
+            "{instead}; then crashes with `FileNotFoundError`: it looks for the targets in \
+                `target/{}` of the system data",
             base.name
         ),
         ("macro.json", _) => format!(

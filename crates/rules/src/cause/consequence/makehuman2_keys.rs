@@ -32,13 +32,15 @@ const NO_HINT: &str = "ignores the key; nothing else is lost";
 const NO_PARTNER: &str =
     "ignores the key: the slider has no left/right counterpart, so symmetry changes one side only";
 const ONE_SIDED: &str = "ignores the key: the sliders have only one direction";
-const RANDOM_STOPS: &str = "ignores the key and crashes with `KeyError` when it makes a random character; the sliders have only one direction";
+const RANDOM_STOPS: &str = "ignores the key and crashes with `KeyError` when it makes a random \
+    character; the sliders have only one direction";
 
 #[rustfmt::skip]
 static ROWS: [Row; 22] = [
     row(ModellingJson, "group", Warning, "ignores the key and never shows the slider"),
     row(ModellingJson, "macro_influence", Warning,
-        "ignores the key: hides all macro shapes when the slider is opened, until another macro slider moves"),
+        "ignores the key: hides all macro shapes when the slider is opened, until another macro \
+            slider moves"),
     row(ModellingJson, "barycentric_diffuse", Warning, "ignores the key: the skin keeps its colour"),
     row(ModellingJson, "default", Warning, "ignores the key: a reset sets the slider to 0"),
     row(ModellingJson, "measure", Warning, "ignores the key and measures nothing"),
@@ -47,17 +49,24 @@ static ROWS: [Row; 22] = [
     row(ModellingJson, "lsym", Warning, NO_PARTNER),
     row(ModellingJson, "lsym` or `rsym", Warning, NO_PARTNER),
     row(ModellingJson, "icon", Warning, "ignores the key: the button has no picture of its own"),
-    row(ModellingJson, "name", Warning, "ignores the key: the window shows the key of the slider as its name"),
+    row(ModellingJson, "name", Warning, "ignores the key: the window shows the key of the slider \
+        as its name"),
     row(ModellingJson, "tip", Info, NO_HINT),
-    row(TargetCategories, "items", Warning, "ignores the key: the category is empty, and its sliders are never shown"),
-    row(TargetCategories, "group", Warning, "ignores the key: the sliders of the category are never shown"),
-    row(BaseJson, "equipment", Error, "ignores the key and offers only clothes: no hair, eyes, teeth or topologies"),
+    row(TargetCategories, "items", Warning, "ignores the key: the category is empty, and its \
+        sliders are never shown"),
+    row(TargetCategories, "group", Warning, "ignores the key: the sliders of the category are \
+        never shown"),
+    row(BaseJson, "equipment", Error, "ignores the key and offers only clothes: no hair, eyes, \
+        teeth or topologies"),
     row(BaseJson, "pose-skeleton", Error, NO_POSE_SKELETON),
-    row(BaseJson, "mhm", Warning, "ignores the key: it shows the default material and applies no target at start"),
+    row(BaseJson, "mhm", Warning, "ignores the key: it shows the default material and applies no \
+        target at start"),
     row(BaseJson, "modifier-presets", Warning, "ignores the key: the sliders start at 0"),
     row(BaseJson, "measure", Warning, "ignores the key and shows no sizes"),
-    row(BaseJson, "head-pattern", Warning, "ignores the key: loading a head loads the whole character"),
-    row(BaseJson, "random", Warning, "ignores the key: random characters use no groups and no rules"),
+    row(BaseJson, "head-pattern", Warning, "ignores the key: loading a head loads the whole \
+        character"),
+    row(BaseJson, "random", Warning, "ignores the key: random characters use no groups and no \
+        rules"),
     row(BaseJson, "numverts", Info, NO_HINT),
 ];
 

@@ -49,38 +49,49 @@ use Level::{Error, Warning};
 #[rustfmt::skip]
 static ROWS: [Row; 86] = [
     row(Pose, "/required", ANY, Warning, "lists the pose under its whole path"),
-    row(Pose, "/type", TEXT_OR_LIST, Error, "lists it under its whole path, and crashes with `TypeError` when it is shown"),
+    row(Pose, "/type", TEXT_OR_LIST, Error, "lists it under its whole path, and crashes with \
+        `TypeError` when it is shown"),
     row(Pose, "/type", ANY, Error, SCAN_TYPE),
     row(Pose, "/properties/name/type", ANY, Error, SCAN_TYPE),
-    row(Pose, "/properties/author/type", NULL, Error, "lists the pose; each click on it crashes with `AttributeError`"),
-    row(Pose, "/properties/author/type", ANY, Error, "crashes at start with `AttributeError` when it lists the poses"),
+    row(Pose, "/properties/author/type", NULL, Error, "lists the pose; each click on it crashes \
+        with `AttributeError`"),
+    row(Pose, "/properties/author/type", ANY, Error, "crashes at start with `AttributeError` when \
+        it lists the poses"),
     row(Pose, "/properties/tags/type", TEXT, Warning, "turns every letter into a tag"),
     row(Pose, "/properties/tags/type", OBJECT, Level::Info, "uses the keys of the object as tags"),
     row(Pose, "/properties/tags/", ANY, Error, SCAN_TYPE),
     row(Pose, "/properties/unit_poses/additionalProperties/type", TRUTH, Level::Info, "counts it as 1 or 0"),
-    row(Pose, "/properties/unit_poses/type", ANY, Error, "crashes with `AttributeError` when the pose is shown"),
-    row(Pose, "/properties/unit_poses/", ANY, Error, "crashes with `TypeError` when the pose is shown"),
+    row(Pose, "/properties/unit_poses/type", ANY, Error, "crashes with `AttributeError` when the \
+        pose is shown"),
+    row(Pose, "/properties/unit_poses/", ANY, Error, "crashes with `TypeError` when the pose is \
+        shown"),
     row(PoseUnits, "/$defs/unit/type", TEXT_OR_LIST, Warning, "offers no slider for the unit"),
     row(PoseUnits, "/$defs/unit/type", ANY, Error, "crashes at start with `TypeError`"),
     row(PoseUnits, "/$defs/unit/properties/position/required", ANY, Error,
         "crashes with `KeyError` when the pose editor is opened"),
     row(PoseUnits, "/$defs/unit/properties/position/properties/direction", ANY, Warning, "moves the figure along x"),
-    row(PoseUnits, "/$defs/unit/properties/position/", ANY, Error, "crashes when the pose editor is opened"),
+    row(PoseUnits, "/$defs/unit/properties/position/", ANY, Error, "crashes when the pose editor \
+        is opened"),
     row(PoseUnits, "/$defs/unit/properties/bones", ANY, Error, "crashes at start"),
     row(PoseUnits, "/$defs/unit/properties/reverse", ANY, Error, "crashes at start"),
     row(PoseUnits, "/$defs/unit/properties/", ANY, Warning, "does not find the text"),
     row(PoseUnits, "/type", ANY, Error, "crashes at start"),
     row(SelectionFilter, "/type", ANY, Error, "crashes at start when it builds the lists"),
-    row(SelectionFilter, "/properties/Translate", ANY, Error, "crashes at start when it builds the lists"),
-    row(SelectionFilter, "/properties/GuessName", ANY, Error, "crashes with `TypeError` when a filter is used"),
-    row(SelectionFilter, "/properties/Shortcut/type", OBJECT, Warning, "shows other assets than meant"),
+    row(SelectionFilter, "/properties/Translate", ANY, Error, "crashes at start when it builds \
+        the lists"),
+    row(SelectionFilter, "/properties/GuessName", ANY, Error, "crashes with `TypeError` when a \
+        filter is used"),
+    row(SelectionFilter, "/properties/Shortcut/type", OBJECT, Warning, "shows other assets than \
+        meant"),
     row(SelectionFilter, "/properties/Shortcut/items/minItems", ANY, Error,
         "crashes with `IndexError` when the list is opened, which stays empty"),
     row(SelectionFilter, "/properties/Shortcut/items/items", ANY, Error,
         "crashes with `AttributeError` when the button is pressed"),
     row(SelectionFilter, "/properties/Shortcut", ANY, Error, "crashes when the list is opened"),
-    row(SelectionFilter, "/$defs/branch/type", TEXT, Warning, "silently drops the label: no tag leads to it"),
-    row(SelectionFilter, "/$defs/branch/type", NULL, Error, "crashes with `TypeError` every time the list is opened"),
+    row(SelectionFilter, "/$defs/branch/type", TEXT, Warning, "silently drops the label: no tag \
+        leads to it"),
+    row(SelectionFilter, "/$defs/branch/type", NULL, Error, "crashes with `TypeError` every time \
+        the list is opened"),
     row(SelectionFilter, "/$defs/branch/type", ANY, Error, "crashes when it builds the lists"),
     row(SelectionFilter, "/$defs/branch/items", ANY, Error, "crashes at start with `TypeError`"),
     row(Version, "/required", ANY, Error, "crashes with `KeyError` where it uses the key"),
@@ -96,21 +107,27 @@ static ROWS: [Row; 86] = [
     row(MacroJson, "/$defs/macrodef/properties/comp/type", TEXT, Warning,
         "reads the text letter by letter: the macrodef silently does nothing"),
     row(MacroJson, "/$defs/target/required", ANY, Warning, SKIPPED),
-    row(MacroJson, "/$defs/target/properties/name/type", LIST, Error, "crashes at start with `TypeError`"),
+    row(MacroJson, "/$defs/target/properties/name/type", LIST, Error, "crashes at start with \
+        `TypeError`"),
     row(MacroJson, "/$defs/target/properties/name/type", ANY, Warning, SKIPPED),
-    row(MacroJson, "/$defs/target/properties/t/type", ANY, Error, "crashes at start with `TypeError`"),
+    row(MacroJson, "/$defs/target/properties/t/type", ANY, Error, "crashes at start with \
+        `TypeError`"),
     row(ModellingJson, "/$defs/entry/type", TEXT_OR_LIST, Warning,
         "silently treats it as an entry without keys: the slider disappears"),
     row(ModellingJson, "/$defs/entry/type", ANY, Error, "crashes at start with `TypeError`"),
     row(ModellingJson, "/$defs/entry/properties/macro_influence/items/type", NUMBER, Level::Info,
         "ignores the value: it only checks whether the list is empty"),
-    row(ModellingJson, "/$defs/entry/properties/macro_influence", ANY, Error, "crashes at start with `TypeError`"),
+    row(ModellingJson, "/$defs/entry/properties/macro_influence", ANY, Error, "crashes at start \
+        with `TypeError`"),
     row(ModellingJson, "/$defs/entry/properties/default/type", TEXT, Error,
         "repeats the text 100 times at the next reset, and later crashes with `TypeError`"),
-    row(ModellingJson, "/$defs/entry/properties/tip/type", NULL, Level::Info, "shows the general hint instead"),
-    row(ModellingJson, "/$defs/entry/properties/name/type", NULL, Level::Info, "shows the slider without a label"),
+    row(ModellingJson, "/$defs/entry/properties/tip/type", NULL, Level::Info, "shows the general \
+        hint instead"),
+    row(ModellingJson, "/$defs/entry/properties/name/type", NULL, Level::Info, "shows the slider \
+        without a label"),
     row(ModellingJson, "/$defs/display/required", ANY, Error, "crashes at start with `KeyError`"),
-    row(ModellingJson, "/$defs/display/properties/slot/type", ANY, Error, "crashes at start with `TypeError`"),
+    row(ModellingJson, "/$defs/display/properties/slot/type", ANY, Error, "crashes at start with \
+        `TypeError`"),
     row(TargetCategories, "/type", ANY, Error, "crashes at start with `TypeError`"),
     row(TargetCategories, "/$defs/category/then/required", ANY, Error,
         "uses `default` as the group; crashes with `KeyError` if it is the first category"),
@@ -118,11 +135,15 @@ static ROWS: [Row; 86] = [
         "crashes with `KeyError` when it builds the tree of categories"),
     row(BaseJson, "/properties/equipment/type", TEXT, Error,
         "offers only the kinds whose names are part of the text: others cannot be chosen"),
-    row(BaseJson, "/properties/equipment/type", OBJECT, Warning, "offers the kinds that are keys of the object"),
-    row(BaseJson, "/properties/numverts/type", ANY, Warning, "does not read the number, but its mesh tools do"),
-    row(BaseJson, "/properties/modifier-presets/type", ANY, Error, "crashes at start with `TypeError`"),
+    row(BaseJson, "/properties/equipment/type", OBJECT, Warning, "offers the kinds that are keys \
+        of the object"),
+    row(BaseJson, "/properties/numverts/type", ANY, Warning, "does not read the number, but its \
+        mesh tools do"),
+    row(BaseJson, "/properties/modifier-presets/type", ANY, Error, "crashes at start with \
+        `TypeError`"),
     row(BaseJson, "/$defs/preset/oneOf/1/pattern", ANY, Error, "crashes at start with `ValueError`"),
-    row(BaseJson, "/$defs/measure/properties/", LIST, Error, "crashes with `TypeError` when it shows the sizes"),
+    row(BaseJson, "/$defs/measure/properties/", LIST, Error, "crashes with `TypeError` when it \
+        shows the sizes"),
     row(BaseJson, "/$defs/measure/properties/", ANY, Warning, "silently shows nothing for it"),
     row(BaseJson, "/$defs/random/properties/gender/type", ANY, Warning, "silently drops the choice"),
     row(BaseJson, "/$defs/random/properties/ideal/type", ANY, Warning, "silently drops the choice"),
@@ -135,9 +156,11 @@ static ROWS: [Row; 86] = [
     row(Skeleton, "/type", ANY, Error, "crashes at start while scanning the assets"),
     row(Skeleton, "/properties/joints/additionalProperties/items", TRUTH, Warning,
         "silently reads `true` as vertex 1 and `false` as vertex 0"),
-    row(Skeleton, "/properties/name/type", ANY, Error, "crashes at start with `TypeError` while scanning the assets"),
+    row(Skeleton, "/properties/name/type", ANY, Error, "crashes at start with `TypeError` while \
+        scanning the assets"),
     row(Skeleton, "/properties/tags/type", TEXT, Warning, "turns every letter into a tag"),
-    row(Skeleton, "/properties/tags/type", OBJECT, Level::Info, "uses the keys of the object as tags"),
+    row(Skeleton, "/properties/tags/type", OBJECT, Level::Info, "uses the keys of the object as \
+        tags"),
     row(Skeleton, "/$defs/bone/properties/reference/items", ANY, Warning, IGNORED_BONE),
     row(Skeleton, "/$defs/bone/properties/weights_reference/items", ANY, Warning, IGNORED_BONE),
     row(Skeleton, "/properties/tags/type", NULL, Error,
@@ -147,7 +170,8 @@ static ROWS: [Row; 86] = [
     row(Weights, "/required", ANY, Error, NO_WEIGHTS_LOADED),
     row(Weights, "/type", EMPTY, Error, NO_WEIGHTS_LOADED),
     row(Weights, "/type", LIST, Error, NO_WEIGHTS_LOADED),
-    row(Weights, "/properties/weights/type", LIST, Error, "crashes with `AttributeError` while loading the weights"),
+    row(Weights, "/properties/weights/type", LIST, Error, "crashes with `AttributeError` while \
+        loading the weights"),
 ];
 
 /// Whether the value is, or is in, a list of bones of the default skeleton.
@@ -207,7 +231,8 @@ pub(super) fn of_special(file: &FileFacts) -> Option<Consequence> {
         .sliders
         .iter()
         .any(|slider| slider.default.is_some_and(|default| !default.is_finite()));
-    let effect = "resets the slider to a value that is NaN or infinite; then the size information crashes with `ValueError`";
+    let effect = "resets the slider to a value that is NaN or infinite; then the size information \
+        crashes with `ValueError`";
     is_reset_to_one.then(|| Consequence::new(Error, effect))
 }
 

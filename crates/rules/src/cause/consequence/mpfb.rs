@@ -124,7 +124,8 @@ const NOT_WORN: &[Cell] = &[
     cell(
         Damage::NotUtf8,
         Error,
-        "fits the asset, and fails with an exception where the bytes are in the author or the description",
+        "fits the asset, and fails with an exception where the bytes are in the author or the \
+            description",
     ),
     cell(
         Damage::MarkedWord,
@@ -210,7 +211,8 @@ const NO_DIMENSIONS: &[Cell] = &stopped(
     "fails with an exception after it fits an asset that has a scale: this one is left half-made",
 );
 const NO_CORRECTIONS: &[Cell] = &stopped(
-    "fails with an exception when a saved character with a topology is loaded: the character is left half-made",
+    "fails with an exception when a saved character with a topology is loaded: the character is \
+        left half-made",
 );
 const NO_MIRROR: &[Cell] = &stopped("fails with an exception when a target is made symmetric");
 const NO_INK: &[Cell] = &stopped("fails with an exception when the layer is put on");
@@ -257,7 +259,8 @@ const NO_BODY: &[Cell] =
 
 /// All macro targets are set to 0 before the first one is loaded
 /// (`docs/loaders/mpfb/macros.md#faults-of-macros`).
-const MACRO_LOST: &str = "fails where a setting comes near the target: the whole macro shape disappears, and no such character can be made";
+const MACRO_LOST: &str = "fails where a setting comes near the target: the whole macro shape \
+    disappears, and no such character can be made";
 /// What a macro target comes to whose rows cannot be read.
 pub(crate) const MACRO_ROWS: Case = &[(Mpfb, Error, MACRO_LOST)];
 
@@ -275,7 +278,8 @@ pub(super) fn of_macro_target(damage: Damage) -> Option<Consequence> {
 }
 
 /// The shape key is made before the rows are read.
-const NOT_A_ROW: &str = "fails when its slider moves first and does nothing afterwards; saved characters with it load only in part";
+const NOT_A_ROW: &str = "fails when its slider moves first and does nothing afterwards; saved \
+    characters with it load only in part";
 const UNDECODABLE: &str =
     "fails whenever its slider moves; saved characters with it load only in part";
 

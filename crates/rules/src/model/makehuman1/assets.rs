@@ -288,7 +288,8 @@ fn unknown(
             let near = cx
                 .suggestions
                 .nearest(name, listed(view, category).filter_map(name_of));
-            let otherwise = "add the asset, or check it together with the pack that has it; otherwise remove the line";
+            let otherwise = "add the asset, or check it together with the pack that has it; \
+                otherwise remove the line";
             (
                 format!("no asset in `{own}` has uuid `{uuid}` (`{name}`){more}"),
                 did_you_mean(near, otherwise),

@@ -79,7 +79,8 @@ pub(in crate::proxy) fn other(rule: &Rule, body: &Body<'_>, out: &mut Vec<Findin
                     named.word
                 ),
                 format!(
-                    "call the file `{wanted}`, put it beside the asset, and write that name in the line"
+                    "call the file `{wanted}`, put it beside the asset, and write that name in \
+                        the line"
                 ),
             ),
         };

@@ -222,7 +222,8 @@ pub(in crate::proxy) fn licence(rule: &Rule, body: &Body<'_>, out: &mut Vec<Find
                 ""
             };
             let message = format!("licence `{shown}` is recorded as `{recorded}`{why}");
-            let help = "write `# license CC0` or `# license CC-BY` if it is one of these; others cannot be recorded";
+            let help = "write `# license CC0` or `# license CC-BY` if it is one of these; others \
+                cannot be recorded";
             out.push(
                 rule.at(text.file, Place::Span(entry.span.clone()), message)
                     .help(help),
