@@ -31,110 +31,18 @@ pub struct Meant<'a> {
 
 /// All data roots in a listing, sorted by path.
 pub fn find_roots(listing: &Listing<'_>, meant: Meant<'_>) -> Vec<DataRoot> {
-    let Meant { asked, at_hand, .. } = meant;
     let Signs {
         mut signs,
         confirmed,
     } = Signs::in_listing(listing);
     let shared = contest::settle(&mut signs, listing, meant);
-    // An application that shares its users' folders with another one claims none of them alone: it
-    // has to be asked for, to have a root of its own at hand, or files beside the folder that no
-    // other has.
-    let is_at_hand = |application: Application| {
-        let own = |(root, sign): (&DataRoot, &Sign)| {
-            root.application == application && *sign == Sign::Strong
-        };
-        asked.contains(&application) || at_hand.contains(&application) || signs.iter().any(own)
-    };
-    let company: Vec<Application> = Application::ALL
+    let mut search = Search::new(listing, meant, signs, confirmed);
+    search.leave_out_unclaimed();
+    leave_out_misplaced(&mut search.signs, listing);
+    let mut roots = search.outermost();
+    Application::ALL
         .into_iter()
-        .filter(|one| Layout::of(*one).shares_roots_of.is_none() || is_at_hand(*one))
-        .collect();
-    // A folder that a file beside it confirms is of none whose users' folders are not shared.
-    let is_confirmed_of_other = |root: &DataRoot| {
-        let mut others = confirmed
-            .iter()
-            .filter(|other| other.path == root.path && other.application != root.application);
-        others.any(|other| Layout::of(other.application).shares_roots_of != Some(root.application))
-    };
-    let told = Told::of(&signs, &is_at_hand);
-    signs.retain(|root, sign| {
-        let is_own = company.contains(&root.application)
-            || confirmed.contains(root)
-            || told.alone.contains(root);
-        *sign == Sign::Strong || is_own && !is_confirmed_of_other(root)
-    });
-    leave_out_misplaced(&mut signs, listing);
-    // What is of another application lies in or around the data of one to which files beside them
-    // belong.
-    let are_data = RefCell::new(BTreeMap::new());
-    let is_stray = |root: &DataRoot, other: &DataRoot| {
-        let look = || evidence(listing, &root.path, root.application).is_certain_beside;
-        let is_certain = || {
-            *are_data
-                .borrow_mut()
-                .entry(root.clone())
-                .or_insert_with(look)
-        };
-        root.application != other.application && has_beside(root.application) && is_certain()
-    };
-    // One that is near a better one does not count, unless it is as good.
-    let count = |sign, better: &[DataRoot]| -> Vec<DataRoot> {
-        let own = signs
-            .iter()
-            .filter(|(_, own)| **own == sign)
-            .map(|(root, _)| root);
-        let is_near = |root: &DataRoot, other: &DataRoot| {
-            let is_nested = nested(&other.path, &root.path);
-            let are_two = || is_beside_own(root, other, &signs) || told.are_apart(root, other);
-            is_nested && !are_two() && !is_stray(root, other)
-        };
-        own.filter(|root| !better.iter().any(|other| is_near(root, other)))
-            .cloned()
-            .collect()
-    };
-    let mut roots = count(Sign::Strong, &[]);
-    // Neither of these makes the other one near: they are as good.
-    roots.extend(
-        [Sign::OfUser, Sign::Weak]
-            .map(|sign| count(sign, &roots))
-            .concat(),
-    );
-    roots.extend(count(Sign::Faint, &roots));
-    let has_data = |application: Application| {
-        at_hand.contains(&application)
-            || signs
-                .iter()
-                .any(|(root, sign)| root.application == application && *sign == Sign::Strong)
-    };
-    for application in Application::ALL {
-        let Some(other) = Layout::of(application).shares_roots_of else {
-            continue;
-        };
-        let own = |root: &DataRoot| DataRoot {
-            path: root.path.clone(),
-            application,
-        };
-        // Signs that others have, too, are those of a user. Of an application that is asked for all
-        // but a system's are.
-        let is_users =
-            |sign: Sign| sign == Sign::Faint || sign < Sign::Strong && asked.contains(&application);
-        let is_shared = |root: &&DataRoot| {
-            let is_meant = company.contains(&application) || told.shared.contains(&own(root));
-            is_meant && root.application == other && signs.get(*root).copied().is_some_and(is_users)
-        };
-        let shared: Vec<DataRoot> = roots.iter().filter(is_shared).map(own).collect();
-        // Where files beside it confirm the one, whose data are at hand, and nothing says the
-        // other, that is not meant.
-        if has_data(application) && !has_data(other) && !asked.contains(&other) {
-            let is_confirmed = |root: &DataRoot| confirmed.contains(&own(root));
-            let is_other = |root: &DataRoot| {
-                root.application == other && signs.get(root) == Some(&Sign::Faint)
-            };
-            roots.retain(|root| !is_other(root) || !is_confirmed(root));
-        }
-        roots.extend(shared);
-    }
+        .for_each(|one| search.share(one, &mut roots));
     // What two share for certain is of both.
     let is_found = |root: &DataRoot| roots.iter().any(|other| other.path == root.path);
     let shared: Vec<DataRoot> = shared.into_iter().filter(is_found).collect();
@@ -142,6 +50,159 @@ pub fn find_roots(listing: &Listing<'_>, meant: Meant<'_>) -> Vec<DataRoot> {
     roots.sort();
     roots.dedup();
     roots
+}
+
+/// What is known while data roots are looked for.
+struct Search<'s> {
+    listing: &'s Listing<'s>,
+    meant: Meant<'s>,
+    /// The best sign of each root that is still one.
+    signs: BTreeMap<DataRoot, Sign>,
+    /// Those that a file beside them confirms.
+    confirmed: BTreeSet<DataRoot>,
+    /// The applications that claim folders by themselves.
+    company: Vec<Application>,
+    told: Told,
+    /// Of the roots that were asked for it, whether what lies beside them says for certain whose
+    /// they are.
+    are_data: RefCell<BTreeMap<DataRoot, bool>>,
+}
+
+impl<'s> Search<'s> {
+    fn new(
+        listing: &'s Listing<'s>,
+        meant: Meant<'s>,
+        signs: BTreeMap<DataRoot, Sign>,
+        confirmed: BTreeSet<DataRoot>,
+    ) -> Self {
+        // An application that shares its users' folders with another one claims none of them alone:
+        // it has to be asked for, to have a root of its own at hand, or files beside the folder
+        // that no other has.
+        let is_at_hand = |application: Application| {
+            meant.asked.contains(&application) || has_data(&signs, meant, application)
+        };
+        let claims =
+            |one: &Application| Layout::of(*one).shares_roots_of.is_none() || is_at_hand(*one);
+        let company = Application::ALL.into_iter().filter(claims).collect();
+        let told = Told::of(&signs, &is_at_hand);
+        Self {
+            listing,
+            meant,
+            signs,
+            confirmed,
+            company,
+            told,
+            are_data: RefCell::default(),
+        }
+    }
+
+    /// Takes out what nobody claims. A folder that a file beside it confirms is of none whose
+    /// users' folders are not shared.
+    fn leave_out_unclaimed(&mut self) {
+        let Self {
+            signs,
+            confirmed,
+            company,
+            told,
+            ..
+        } = self;
+        let is_confirmed_of_other = |root: &DataRoot| {
+            let is_other = |other: &&DataRoot| {
+                other.path == root.path && other.application != root.application
+            };
+            let is_foreign = |other: &DataRoot| {
+                Layout::of(other.application).shares_roots_of != Some(root.application)
+            };
+            confirmed.iter().filter(is_other).any(is_foreign)
+        };
+        signs.retain(|root, sign| {
+            let is_own = company.contains(&root.application)
+                || confirmed.contains(root)
+                || told.alone.contains(root);
+            *sign == Sign::Strong || is_own && !is_confirmed_of_other(root)
+        });
+    }
+
+    /// The roots that lie near no better one.
+    fn outermost(&self) -> Vec<DataRoot> {
+        let mut roots = self.of_sign(Sign::Strong, &[]);
+        // Neither of these makes the other one near: they are as good.
+        let [of_users, weak] = [Sign::OfUser, Sign::Weak].map(|sign| self.of_sign(sign, &roots));
+        roots.extend(of_users.into_iter().chain(weak));
+        roots.extend(self.of_sign(Sign::Faint, &roots));
+        roots
+    }
+
+    /// One that is near a better one does not count, unless it is as good.
+    fn of_sign(&self, sign: Sign, better: &[DataRoot]) -> Vec<DataRoot> {
+        let own = self
+            .signs
+            .iter()
+            .filter(|(_, own)| **own == sign)
+            .map(|(root, _)| root);
+        let is_near = |root: &DataRoot| better.iter().any(|other| self.is_near(root, other));
+        own.filter(|root| !is_near(root)).cloned().collect()
+    }
+
+    fn is_near(&self, root: &DataRoot, better: &DataRoot) -> bool {
+        let are_two =
+            || is_beside_own(root, better, &self.signs) || self.told.are_apart(root, better);
+        nested(&better.path, &root.path) && !are_two() && !self.is_stray(root, better)
+    }
+
+    /// What is of another application lies in or around the data of one to which files beside them
+    /// belong.
+    fn is_stray(&self, root: &DataRoot, other: &DataRoot) -> bool {
+        let look = || evidence(self.listing, &root.path, root.application).is_certain_beside;
+        let is_certain = || {
+            *self
+                .are_data
+                .borrow_mut()
+                .entry(root.clone())
+                .or_insert_with(look)
+        };
+        root.application != other.application && has_beside(root.application) && is_certain()
+    }
+
+    /// Adds the folders of users that an application shares with another one.
+    fn share(&self, application: Application, roots: &mut Vec<DataRoot>) {
+        let Some(other) = Layout::of(application).shares_roots_of else {
+            return;
+        };
+        let own = |root: &DataRoot| DataRoot {
+            path: root.path.clone(),
+            application,
+        };
+        let is_asked = |one: Application| self.meant.asked.contains(&one);
+        // Signs that others have, too, are those of a user. Of an application that is asked for all
+        // but a system's are.
+        let is_users =
+            |sign: Sign| sign == Sign::Faint || sign < Sign::Strong && is_asked(application);
+        let is_shared = |root: &&DataRoot| {
+            let is_meant =
+                self.company.contains(&application) || self.told.shared.contains(&own(root));
+            let sign = self.signs.get(*root).copied();
+            is_meant && root.application == other && sign.is_some_and(is_users)
+        };
+        let shared: Vec<DataRoot> = roots.iter().filter(is_shared).map(own).collect();
+        // Where files beside it confirm the one, whose data are at hand, and nothing says the
+        // other, that is not meant.
+        let has_data = |one| has_data(&self.signs, self.meant, one);
+        if has_data(application) && !has_data(other) && !is_asked(other) {
+            let is_other = |root: &DataRoot| {
+                root.application == other && self.signs.get(root) == Some(&Sign::Faint)
+            };
+            roots.retain(|root| !is_other(root) || !self.confirmed.contains(&own(root)));
+        }
+        roots.extend(shared);
+    }
+}
+
+/// Whether an application has data of its own: here, or in another listing.
+fn has_data(signs: &BTreeMap<DataRoot, Sign>, meant: Meant<'_>, application: Application) -> bool {
+    let is_own =
+        |(root, sign): (&DataRoot, &Sign)| root.application == application && *sign == Sign::Strong;
+    meant.at_hand.contains(&application) || signs.iter().any(is_own)
 }
 
 /// Takes out folders `data` that are none, and those that are no data for the sake of one.
