@@ -1,7 +1,7 @@
 //! Files that look like assets and are none: tables of add-ons, and test data
 //! (`docs/loaders/versions.md#whose-data-a-folder-is`).
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::kind::extension;
 use super::listing::{Listing, at};
@@ -20,9 +20,18 @@ pub enum Aside {
 /// The folders in a listing that hold such files.
 pub fn aside(listing: &Listing<'_>) -> BTreeMap<String, Aside> {
     let mut found = BTreeMap::new();
+    let with = |wanted: &str| -> BTreeSet<&str> {
+        let split = listing.files().map(folder_and_name);
+        let own = split.filter(|(_, name)| extension(name) == wanted);
+        own.map(|(folder, _)| folder).collect()
+    };
+    let beside = Beside {
+        mirror: with("mirror"),
+        clothes: with("mhclo"),
+    };
     for file in listing.files() {
         let (folder, name) = folder_and_name(file);
-        if is_helper(listing, folder, name) {
+        if is_helper(listing, folder, name, &beside) {
             found.insert(folder.to_owned(), Aside::Helpers);
         }
         if let Some(tests) = test_data(listing, file) {
@@ -32,20 +41,20 @@ pub fn aside(listing: &Listing<'_>) -> BTreeMap<String, Aside> {
     found
 }
 
+/// The folders with files that tell what lies beside them.
+struct Beside<'l> {
+    mirror: BTreeSet<&'l str>,
+    clothes: BTreeSet<&'l str>,
+}
+
 /// Whether a file is one that only an add-on has: what belongs to it lies beside it.
-fn is_helper(listing: &Listing<'_>, folder: &str, name: &str) -> bool {
+fn is_helper(listing: &Listing<'_>, folder: &str, name: &str, beside: &Beside<'_>) -> bool {
     let has = |wanted: &str| listing.has(&at(folder, wanted));
-    let beside = |is_wanted: &dyn Fn(&str) -> bool| {
-        listing
-            .below(folder)
-            .map(folder_and_name)
-            .any(|(own, name)| own == folder && is_wanted(name))
-    };
     match extension(name) {
         "config" => name == "hm08.config" && has("tags.json"),
-        "mhclo" if name.ends_with("helper.mhclo") => beside(&|name| extension(name) == "mirror"),
+        "mhclo" if name.ends_with("helper.mhclo") => beside.mirror.contains(folder),
         "mhclo" => name.starts_with("a8_v69_"),
-        "trg" => beside(&|name| extension(name) == "mhclo"),
+        "trg" => beside.clothes.contains(folder),
         _ => false,
     }
 }

@@ -68,10 +68,8 @@ pub fn is_of_macos(path: &str) -> bool {
 /// Everything in `tree` below `root`, the data root of the applications that `layouts` are of, and
 /// what belongs to it beside it.
 pub fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) -> Vec<Candidate<'t>> {
-    let entries = tree
-        .entries()
-        .iter()
-        .filter_map(|entry| Some((entry, inside(&entry.path, root)?)));
+    let entries = tree.entries_in(root).iter();
+    let entries = entries.filter_map(|entry| Some((entry, inside(&entry.path, root)?)));
     let entries = entries.filter(|(_, rel)| !is_below(rel, OF_MACOS));
     // What is hidden from these applications may be listed for the sake of others.
     let is_taken = |entry: &Entry| {
@@ -139,10 +137,8 @@ fn beside<'t>(tree: &'t Tree, root: &str, layout: &Layout) -> Vec<Candidate<'t>>
         } else {
             format!("{above}/{folder}")
         };
-        let below = tree
-            .entries()
-            .iter()
-            .filter(|entry| entry.kind != EntryKind::Folder);
+        let below = tree.entry(&path).into_iter().chain(tree.entries_in(&path));
+        let below = below.filter(|entry| entry.kind != EntryKind::Folder);
         // A file of that name belongs to it as well. In the data folder the same name means
         // nothing.
         let rel = |entry: &Entry| match inside(&entry.path, &path) {

@@ -79,6 +79,7 @@ pub fn loose<'t>(tree: &'t Tree, layout: &'static Layout, known: &Known<'_>) -> 
         known,
         files: files.collect(),
         homes: BTreeSet::new(),
+        taken_homes: BTreeMap::new(),
         placed: BTreeSet::new(),
         at: BTreeMap::new(),
         named: BTreeMap::new(),
@@ -116,6 +117,8 @@ struct Placing<'t, 'k> {
     files: Vec<&'t Entry>,
     /// Supposed folders of assets.
     homes: BTreeSet<String>,
+    /// How many have a name in common, or have taken it.
+    taken_homes: BTreeMap<String, usize>,
     /// Paths of the files that have a place.
     placed: BTreeSet<&'t str>,
     /// Files by their supposed paths.
@@ -235,17 +238,20 @@ impl<'t, 'k> Placing<'t, 'k> {
         let name = Some(name.trim_start_matches('.'))
             .filter(|name| !name.is_empty())
             .unwrap_or("asset");
-        let numbered = (1..).map(|number| {
-            if number == 1 {
-                name.to_owned()
+        let first = format!("{above}/{name}");
+        // Where many have one name, those that are taken are not tried again.
+        let taken = self.taken_homes.entry(first.clone()).or_default();
+        loop {
+            *taken += 1;
+            let home = if *taken == 1 {
+                first.clone()
             } else {
-                format!("{name}_{number}")
+                format!("{first}_{taken}")
+            };
+            if self.homes.insert(home.clone()) {
+                return home;
             }
-        });
-        let mut homes = numbered.map(|name| format!("{above}/{name}"));
-        homes
-            .find(|home| self.homes.insert(home.clone()))
-            .unwrap_or_default()
+        }
     }
 
     /// Where a file comes to lie that no list shows: beside the asset of its name, else with the

@@ -2,6 +2,8 @@
 //! (`docs/loaders/mpfb/base-mesh.md#vertex-groups`, `docs/loaders/mpfb/base-mesh.md#dimensions`,
 //! `docs/loaders/mpfb/base-mesh.md#the-mirror-table`).
 
+use std::collections::BTreeSet;
+
 use super::python_int;
 use super::unfit::{NamedAt, Unfits, Why, below, keep, nth};
 use mhlint_json::{Document, Node, Value};
@@ -140,6 +142,8 @@ pub fn dimensions(document: &Document) -> BodyDimensions {
 
 fn named_groups(root: &Node, found: &mut BodyDimensions) {
     let ranges = root.get("groups_by_range");
+    let members = ranges.map(Node::effective_members).unwrap_or_default();
+    let with_range: BTreeSet<&str> = members.iter().map(|member| member.key.as_str()).collect();
     let select = root
         .get("select_groups")
         .map(Node::effective_members)
@@ -149,12 +153,12 @@ fn named_groups(root: &Node, found: &mut BodyDimensions) {
         for (at, name) in member.node.elements().iter().enumerate() {
             let Some(name) = name.as_str() else { continue };
             keep(&mut found.groups, &nth(&pointer, at), name);
-            if ranges.is_some_and(|ranges| ranges.is_object() && ranges.get(name).is_none()) {
+            if ranges.is_some_and(Node::is_object) && !with_range.contains(name) {
                 keep(&mut found.without_range, &nth(&pointer, at), name);
             }
         }
     }
-    for member in ranges.map(Node::effective_members).unwrap_or_default() {
+    for member in members {
         keep(
             &mut found.groups,
             &below("/groups_by_range", &member.key),

@@ -1,6 +1,8 @@
 //! Stored poses of MPFB, `poses/<rig>_<fk|ik|partial>/<name>.json`
 //! (`docs/loaders/mpfb/poses.md#stored-poses`).
 
+use std::collections::BTreeMap;
+
 use super::unfit::{NamedAt, Unfits, Why, below, is_number, keep, nth};
 use mhlint_json::{Document, Node, Value};
 
@@ -77,11 +79,16 @@ pub fn read(document: &Document) -> StoredPose {
             pose.stops.add_type(&below("", key), length, "a number");
         }
     }
+    let modes = root
+        .get(MODES)
+        .map(Node::effective_members)
+        .unwrap_or_default();
+    let modes: BTreeMap<&str, &Node> = modes
+        .into_iter()
+        .map(|member| (member.key.as_str(), &member.node))
+        .collect();
     pose.each(root, ROTATIONS, |pose, pointer, bone, node| {
-        let mode = root
-            .get(MODES)
-            .and_then(|modes| modes.get(bone))
-            .filter(|mode| !mode.is_falsy());
+        let mode = modes.get(bone).copied().filter(|mode| !mode.is_falsy());
         pose.rotation(pointer, bone, node, mode);
     });
     pose.each(root, TRANSLATIONS, |pose, pointer, bone, node| {

@@ -24,6 +24,9 @@ pub struct BlankFacts {
     pub unreadable_lines: u64,
 }
 
+/// Letters of a field that are looked for in its line.
+const SOUGHT: usize = 64;
+
 /// Fields that are read.
 const READ: usize = 4;
 
@@ -115,9 +118,12 @@ impl BlankFacts {
         }
         self.unreadable_lines += 1;
         let field = words.get(wrong).copied().unwrap_or_default();
+        // Of a long field the beginning shows where it is.
+        let sought = field.as_bytes();
+        let sought = sought.get(..SOUGHT).unwrap_or(sought);
         let within = raw
-            .windows(field.len().max(1))
-            .position(|bytes| bytes == field.as_bytes())
+            .windows(sought.len().max(1))
+            .position(|bytes| bytes == sought)
             .unwrap_or(0);
         let start = offset + within;
         self.unreadable.get_or_insert_with(|| UnreadableField {

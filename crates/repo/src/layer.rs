@@ -55,6 +55,8 @@ pub struct Layer {
     folded_folders: OnceLock<BTreeSet<String>>,
     /// Printed paths of loose files to their supposed ones; made when first asked for.
     loose: OnceLock<BTreeMap<String, String>>,
+    /// Printed paths of what could not be walked and lies beside the root, to those below it.
+    faults_beside: OnceLock<BTreeMap<String, String>>,
 }
 
 /// Notes a path under its folded form.
@@ -93,6 +95,7 @@ impl Layer {
             identities: BTreeMap::new(),
             folded,
             folded_folders: OnceLock::new(),
+            faults_beside: OnceLock::new(),
             loose,
         }
     }
@@ -307,11 +310,14 @@ impl Layer {
 
     /// What could not be walked and lies beside the root.
     fn fault_beside(&self, path: &str) -> Option<&str> {
-        let mut beside = self
-            .walk_faults
-            .iter()
-            .map(|fault| fault.path.as_str())
-            .filter(|rel| rel.starts_with("../"));
-        beside.find(|rel| self.display(rel) == path)
+        let known = self.faults_beside.get_or_init(|| {
+            let paths = self.walk_faults.iter().map(|fault| fault.path.as_str());
+            let beside = paths.filter(|rel| rel.starts_with("../"));
+            beside
+                .map(|rel| (self.display(rel), rel.to_owned()))
+                .rev()
+                .collect()
+        });
+        known.get(path).map(String::as_str)
     }
 }

@@ -257,20 +257,22 @@ impl Tree {
                 .is_some_and(|entry| entry.kind == EntryKind::Folder)
     }
 
+    /// Everything in a folder and below it.
+    pub fn entries_in(&self, folder: &str) -> &[Entry] {
+        if folder.is_empty() {
+            return &self.entries;
+        }
+        let inside = format!("{folder}/");
+        let start = self.entries.partition_point(|entry| entry.path < inside);
+        let from = self.entries.get(start..).unwrap_or_default();
+        let count = from.partition_point(|entry| entry.path.starts_with(&inside));
+        from.get(..count).unwrap_or_default()
+    }
+
     /// The first file in a folder or below it.
     pub fn first_file_in(&self, folder: &str) -> Option<&str> {
-        let inside = if folder.is_empty() {
-            String::new()
-        } else {
-            format!("{folder}/")
-        };
-        let start = self.entries.partition_point(|entry| entry.path < inside);
-        let mut inside = self
-            .entries
-            .iter()
-            .skip(start)
-            .take_while(|entry| entry.path.starts_with(&inside));
-        inside
+        let mut files = self.entries_in(folder).iter();
+        files
             .find(|entry| entry.kind == EntryKind::File)
             .map(|entry| entry.path.as_str())
     }

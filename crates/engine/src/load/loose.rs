@@ -14,7 +14,9 @@ use mhlint_discover::{
     meant_extension,
 };
 use mhlint_formats::target::{has_broken_rows, recognise};
-use mhlint_source::{Entry, Limits, Tree, canonical, folder_and_name, is_below, lines, slashed};
+use mhlint_source::{
+    Entry, Limits, Tree, canonical, folder_and_name, folders_above, is_below, lines, slashed,
+};
 
 /// Files of an input outside of its data roots, on their way to an application.
 pub(super) struct Outside<'t, 'i> {
@@ -217,7 +219,8 @@ impl<'t> Outside<'t, '_> {
 
     /// The folders outside of data roots with files that can be recognised as targets.
     fn folders_of_targets(&self) -> BTreeSet<String> {
-        let is_outside = |path: &str| !self.roots.keys().any(|root| is_below(path, root));
+        let is_in = |path: &str| folders_above(path).any(|above| self.roots.contains_key(above));
+        let is_outside = |path: &str| !is_in(path);
         let Input { tree, .. } = self.input;
         let files = tree
             .entries()

@@ -17,7 +17,7 @@ use super::taken::Taken;
 use mhlint_config::Config;
 use mhlint_diag::{Application, Identity, NotChecked, Note, Outcome, RootSummary, Unchecked};
 use mhlint_discover::{Layout, Meant, Role, candidates, is_asset_anywhere, is_of_macos};
-use mhlint_source::{EntryKind, Tree, WalkFaultKind, is_below};
+use mhlint_source::{EntryKind, Tree, WalkFaultKind, folders_above, is_below};
 
 /// What a run reads.
 pub(crate) struct Roots<'t> {
@@ -483,8 +483,9 @@ fn note_outside<'p, 't: 'p>(
 ) {
     let (mut closed, mut others) = (BTreeSet::new(), BTreeSet::new());
     for ((input, roots), beside) in found.iter().zip(beside) {
-        let is_outside =
-            |path: &str| !beside.contains(path) && !roots.keys().any(|root| is_below(path, root));
+        let is_outside = |path: &str| {
+            !beside.contains(path) && !folders_above(path).any(|one| roots.contains_key(one))
+        };
         let faults = input
             .tree
             .faults()

@@ -7,7 +7,7 @@ use super::input::Input;
 use super::roots::Found;
 use mhlint_diag::{NotChecked, Outcome, Unchecked};
 use mhlint_discover::{Aside, aside, is_asset_anywhere, is_fitting_table};
-use mhlint_source::{EntryKind, is_below};
+use mhlint_source::{EntryKind, folders_above, is_below};
 
 /// Takes out the data roots in such folders; gives the files of each input that are left out.
 pub(super) fn set_aside(found: &mut [Found<'_>], outcome: &mut Outcome) -> Vec<BTreeSet<String>> {
@@ -15,8 +15,8 @@ pub(super) fn set_aside(found: &mut [Found<'_>], outcome: &mut Outcome) -> Vec<B
     let mut noted: BTreeMap<Aside, BTreeSet<String>> = BTreeMap::new();
     for (input, roots) in found {
         let folders = folders(input);
-        roots.retain(|path, _| !folders.keys().any(|folder| is_below(path, folder)));
-        let is_in_root = |path: &str| roots.keys().any(|root| is_below(path, root));
+        roots.retain(|path, _| !folders_above(path).any(|above| folders.contains_key(above)));
+        let is_in_root = |path: &str| folders_above(path).any(|above| roots.contains_key(above));
         let mut left = BTreeSet::new();
         for entry in input
             .tree
@@ -28,10 +28,9 @@ pub(super) fn set_aside(found: &mut [Found<'_>], outcome: &mut Outcome) -> Vec<B
             if is_in_root(path) || is_named(input, path) {
                 continue;
             }
-            let of_folder = folders
-                .iter()
-                .find(|(folder, _)| is_below(path, folder))
-                .map(|(_, why)| *why);
+            // Of folders in one another the outer one says why.
+            let around = folders_above(path).filter_map(|above| folders.get(above));
+            let of_folder = around.last().copied();
             if let Some(why) = of_folder.or_else(|| is_table(input, path).then_some(Aside::Helpers))
             {
                 left.insert(path.clone());

@@ -178,30 +178,16 @@ impl<'a> View<'a> {
         }
     }
 
-    /// Weights of a skeleton, named by one or not.
-    fn weights<'v>(&self, file: &'v FileFacts) -> BodyWeights<'v> {
-        let named = self.rigs.iter().filter_map(|rig| rig.weights.as_ref());
-        let is_named = named
-            .clone()
-            .any(|named| named.meant().is_some_and(|found| found.path == file.path));
-        // A skeleton that cannot be read, or a name that leads nowhere, may mean any.
+    /// The paths of the weights that skeletons name; nothing where nobody can tell, because a skeleton
+    /// that cannot be read, or a name that leads nowhere, may mean any.
+    fn named_weights(&self) -> Option<BTreeSet<&str>> {
         let is_clear = self.rigs.iter().all(|rig| {
             rig.skeleton()
                 .is_some_and(|one| !one.weights_file_misshapen)
         });
-        let can_tell = is_clear
-            && self.base_rig().is_some()
-            && named.into_iter().all(|one| one.meant().is_some());
-        let used = if is_named || !can_tell || file.is_loose {
-            WeightsUse::Applied
-        } else {
-            WeightsUse::Unread
-        };
-        BodyWeights {
-            file,
-            name: Some(file.rel.strip_prefix("rigs/").unwrap_or(&file.rel)),
-            used,
-        }
+        self.base_rig().filter(|_| is_clear)?;
+        let named = self.rigs.iter().filter_map(|rig| rig.weights.as_ref());
+        named.map(|one| Some(one.meant()?.path.as_str())).collect()
     }
 
     /// What is known of a target of the checked layer.
@@ -256,7 +242,10 @@ impl<'a> View<'a> {
         let weights = view
             .files()
             .filter(|file| is_sound && file.kind == Kind::Weights);
-        body.weights = weights.map(|file| self.weights(file)).collect();
+        let named = self.named_weights();
+        body.weights = weights
+            .map(|file| body_weights(file, named.as_ref()))
+            .collect();
         body.add_worn_weights(view.files().filter(|file| file.kind == Kind::AssetWeights));
         body.is_open = self.layers.system.is_none();
         let motions = view.files().filter(|file| file.kind == Kind::Motion);
@@ -315,6 +304,21 @@ fn foreign_sign(mesh: &Mesh, rig: &Rig<'_>) -> Option<ForeignSign> {
     match joints.min(weighted).filter(|lower| *lower > last) {
         Some(_) if mesh.is_sound() => joints.max(weighted).map(ForeignSign::Short),
         _ => strays_of(mesh, &skeleton.joints).map(ForeignSign::Order),
+    }
+}
+
+/// Weights of a skeleton, named by one or not.
+fn body_weights<'v>(file: &'v FileFacts, named: Option<&BTreeSet<&str>>) -> BodyWeights<'v> {
+    let is_used = named.is_none_or(|named| named.contains(file.path.as_str()));
+    let used = if is_used || file.is_loose {
+        WeightsUse::Applied
+    } else {
+        WeightsUse::Unread
+    };
+    BodyWeights {
+        file,
+        name: Some(file.rel.strip_prefix("rigs/").unwrap_or(&file.rel)),
+        used,
     }
 }
 

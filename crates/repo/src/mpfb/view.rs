@@ -81,6 +81,14 @@ pub struct Catalog<'a> {
     pub sliders: &'a TargetCatalog,
 }
 
+/// Weights of rigs.
+struct KnownWeights<'v> {
+    /// The paths of those that some rig has.
+    used: BTreeSet<&'v str>,
+    /// Those that some rig looks for in vain, in small letters.
+    wanted: BTreeSet<String>,
+}
+
 impl<'a> View<'a> {
     /// Connects layers.
     pub fn connect(layers: Layers<'a>) -> Self {
@@ -305,7 +313,8 @@ impl<'a> View<'a> {
         body.worn = &self.worn;
         body.rigs = &self.body_rigs;
         let weights = view.files().filter(|file| file.kind == Kind::Weights);
-        body.weights = weights.map(|file| self.weights(file)).collect();
+        let known = self.known_weights();
+        body.weights = weights.map(|file| self.weights(file, &known)).collect();
         let motions = view
             .files()
             .filter(|file| file.kind == Kind::Motion && file.rel.starts_with("poses/"));
@@ -320,13 +329,20 @@ impl<'a> View<'a> {
         Some(body)
     }
 
+    /// The weights that rigs have, and those that they look for in vain.
+    fn known_weights(&self) -> KnownWeights<'_> {
+        let lacking = self.rigs.iter().filter(|rig| rig.weights().is_none());
+        let wanted = lacking.flat_map(|rig| &rig.wanted_weights);
+        let used = self.rigs.iter().filter_map(RigFile::weights);
+        KnownWeights {
+            used: used.map(|own| own.path.as_str()).collect(),
+            wanted: wanted.map(|rel| rel.to_ascii_lowercase()).collect(),
+        }
+    }
+
     /// Weights of a rig, used or not.
-    fn weights<'v>(&self, file: &'v FileFacts) -> BodyWeights<'v> {
-        let is_used = self
-            .rigs
-            .iter()
-            .filter_map(RigFile::weights)
-            .any(|own| own.path == file.path);
+    fn weights<'v>(&self, file: &'v FileFacts, known: &KnownWeights<'_>) -> BodyWeights<'v> {
+        let is_used = known.used.contains(file.path.as_str());
         // Those of a rig that is not found are told there, also of one that is called as the add-on
         // calls its own.
         let has_rig = |name: &str| {
@@ -346,12 +362,7 @@ impl<'a> View<'a> {
                 .is_some_and(|system| is_of_lost_rig(system, &file.rel))
         };
         // And a rig that lacks its weights where only their capitals differ.
-        let is_misnamed = || {
-            let lacking = self.rigs.iter().filter(|rig| rig.weights().is_none());
-            lacking
-                .flat_map(|rig| &rig.wanted_weights)
-                .any(|wanted| wanted.eq_ignore_ascii_case(&file.rel))
-        };
+        let is_misnamed = || known.wanted.contains(&file.rel.to_ascii_lowercase());
         let is_used = is_used || is_of_lost() || is_misnamed();
         let used = if is_used {
             WeightsUse::Applied

@@ -1,5 +1,7 @@
 //! An asset lies where the list looks, under a name that it takes.
 
+use std::collections::BTreeSet;
+
 use super::super::cause::outdated::is_outdated;
 use super::super::{Check, Rule, RuleCx};
 use super::{SUFFIXES, custom_targets, makehuman1 as library, mpfb, shelves, suffix};
@@ -16,8 +18,10 @@ pub(crate) static RULE: Rule = Check::LibrariesOfAll(run, of_makehuman1, |view, 
     mpfb::in_capitals(&RULE, view, out);
     let layer = view.layers.checked;
     let files = layer.files.values().filter(|file| !file.is_loose);
-    let lost =
-        files.filter(|file| double(layer, file).is_some_and(|suffix| shelves::lists(file, suffix)));
+    let homes = homes(layer);
+    let lost = files.filter(|file| {
+        double(layer, &homes, file).is_some_and(|suffix| shelves::lists(file, suffix))
+    });
     out.extend(lost.map(doubled));
 })
 .rule(RuleInfo {
@@ -42,6 +46,7 @@ const UNLISTED: Case = &[(Makehuman2, Level::Error, "does not list it")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
+    let homes = homes(layer);
     let mut deep = Vec::new();
     for file in layer.files.values().filter(|file| !is_outdated(file)) {
         let parts: Vec<&str> = file.rel.split('/').collect();
@@ -65,7 +70,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 let folder = parts.get(..3).map(|top| top.join("/")).unwrap_or_default();
                 deep.push(((folder, *category, *base), file));
             }
-            None if parts.len() <= 4 && double(layer, file).is_some_and(is_for) => {
+            None if parts.len() <= 4 && double(layer, &homes, file).is_some_and(is_for) => {
                 out.push(doubled(file));
             }
             _ => {}
@@ -96,10 +101,11 @@ fn of_makehuman1(view: &makehuman1::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Find
     let of_library = |file: &FileFacts, suffix: &str| {
         file.rel.split('/').next().and_then(library_extension) == Some(suffix)
     };
+    let homes = homes(layer);
     let lost = layer
         .files
         .values()
-        .filter(|file| double(layer, file).is_some_and(|suffix| of_library(file, suffix)));
+        .filter(|file| double(layer, &homes, file).is_some_and(|suffix| of_library(file, suffix)));
     out.extend(lost.map(doubled));
     custom_targets::targets_in_capitals(&RULE, view, out);
     custom_targets::packed_targets(&RULE, view, out);
@@ -164,20 +170,29 @@ fn too_deep(folder: &str, right: &str, files: &[&FileFacts]) -> Option<Finding> 
     Some(finding.help(format!("move what is in `{folder}` to `{right}`")))
 }
 
+/// Folders with the suffixes of the assets that lie directly in them.
+type Homes<'l> = BTreeSet<(&'l str, &'l str)>;
+
+fn homes(layer: &Layer) -> Homes<'_> {
+    let all = layer.files.values();
+    all.map(|file| (parent(&file.rel), extension(&file.rel)))
+        .collect()
+}
+
 /// The suffix of an asset in front of another one, where there is no asset of that name: then it
 /// would be a copy.
-fn double(layer: &Layer, file: &FileFacts) -> Option<&'static str> {
+fn double(layer: &Layer, homes: &Homes<'_>, file: &FileFacts) -> Option<&'static str> {
     let (right, last) = file.rel.rsplit_once('.')?;
     let suffix = SUFFIXES
         .into_iter()
         .find(|suffix| *suffix == extension(right))?;
     let is_text = matches!(last, "txt" | "text" | "json" | "html");
     // Beside the asset of a folder of its own it is an older version, or a note.
-    let is_own =
-        |other: &FileFacts| parent(&other.rel) == parent(right) && extension(&other.rel) == suffix;
-    let is_worn = matches!(suffix, "mhclo" | "proxy");
-    let has_asset = || right.matches('/').count() > 1 && layer.below(parent(right)).any(is_own);
-    (is_text && layer.file(right).is_none() && !(is_worn && has_asset())).then_some(suffix)
+    let has_asset = || right.matches('/').count() > 1 && homes.contains(&(parent(right), suffix));
+    (is_text
+        && layer.file(right).is_none()
+        && !(matches!(suffix, "mhclo" | "proxy") && has_asset()))
+    .then_some(suffix)
 }
 
 /// Whether something names the file, such as `base.json` a skeleton.

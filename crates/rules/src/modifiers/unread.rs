@@ -1,5 +1,7 @@
 //! Modifiers lie where the program opens them.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx, counted};
 use mhlint_diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place, RuleInfo};
 use mhlint_discover::Kind;
@@ -33,15 +35,14 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             Kind::ModifierFile | Kind::ModifierSliders | Kind::ModifierTexts
         ) && !file.is_loose
     };
+    let names: BTreeSet<&str> = layer.below("modifiers").map(FileFacts::file_name).collect();
     let is_opened = |file: &FileFacts| {
         let (stem, ending) = file.file_name().split_once('_').unwrap_or_default();
         // One that a set lacks has a finding there: this may be it, under another name.
         let last = ending.rsplit('_').next().unwrap_or_default();
         let is_whole = |set: &str| {
-            layer.below("modifiers").any(|own| {
-                own.file_name() == format!("{set}_{last}")
-                    || own.file_name() == format!("{set}_modifiers_{last}")
-            })
+            let own = [format!("{set}_{last}"), format!("{set}_modifiers_{last}")];
+            own.iter().any(|name| names.contains(name.as_str()))
         };
         view.layers.checks_system()
             && (SETS.contains(&stem) || !SETS.iter().all(|set| is_whole(set)))

@@ -77,20 +77,19 @@ fn without_slider(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     let (with_slider, meant) = (view.modifiers.with_slider(), Meant::of(view, cx));
-    let bare = || {
-        view.modifiers
-            .all
-            .iter()
-            .map(|one| one.name.as_str())
-            .filter(|name| !with_slider.contains(name))
-    };
+    let names = view.modifiers.all.iter().map(|one| one.name.as_str());
+    let bare: Vec<&str> = names.filter(|name| !with_slider.contains(name)).collect();
+    let is_bare: BTreeSet<&str> = bare.iter().copied().collect();
     let unknown = with_slider
         .iter()
         .filter(|name| view.modifiers.called(name).next().is_none());
     let near = |name: &&str| {
         exchanged(name)
-            .filter(|other| bare().any(|own| own == other))
-            .or_else(|| cx.suggestions.nearest(name, bare()).map(str::to_owned))
+            .filter(|other| is_bare.contains(other.as_str()))
+            .or_else(|| {
+                let near = cx.suggestions.nearest(name, bare.iter().copied());
+                near.map(str::to_owned)
+            })
     };
     // What a slider means by a name with a slip in it is told there.
     let told_there: BTreeSet<String> = unknown.filter_map(near).collect();

@@ -6,6 +6,7 @@ use super::super::{Check, Rule, RuleCx, enumerated};
 use mhlint_diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo};
 use mhlint_discover::extension;
 use mhlint_repo::mpfb::{RigFile, RigPart, View, lost_rigs};
+use mhlint_repo::{FileFacts, Layer};
 
 pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(
@@ -48,14 +49,54 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             by_weights.entry(rel).or_default().push(rig);
         }
     }
-    out.extend(
-        by_weights
-            .into_iter()
-            .filter_map(|(rel, rigs)| finding(rel, &rigs, cx)),
-    );
+    let mut folders: BTreeMap<(&str, &str), Names<'_>> = BTreeMap::new();
+    for (rel, rigs) in by_weights {
+        let Some(first) = rigs.first() else { continue };
+        let names = folders
+            .entry((first.layer.path.as_str(), folder_of(rel)))
+            .or_insert_with(|| Names::of(first.layer, folder_of(rel)));
+        out.extend(finding(rel, &rigs, names, cx));
+    }
 }
 
-fn finding(rel: &str, rigs: &[&RigFile<'_>], cx: &RuleCx<'_>) -> Option<Finding> {
+fn folder_of(rel: &str) -> &str {
+    rel.rsplit_once('/').map_or("", |(folder, _)| folder)
+}
+
+/// The names of the files below a folder.
+struct Names<'l> {
+    /// All of them under their small letters; of several the first.
+    all: BTreeMap<String, &'l str>,
+    /// Those of weights that belong to no rig of that name.
+    free: Vec<&'l str>,
+}
+
+impl<'l> Names<'l> {
+    fn of(layer: &'l Layer, folder: &str) -> Self {
+        let names = || layer.below(folder).map(FileFacts::file_name);
+        let mut all = BTreeMap::new();
+        for name in names() {
+            all.entry(name.to_ascii_lowercase()).or_insert(name);
+        }
+        let is_weights = |name: &&str| name.starts_with("weight") && extension(name) == "json";
+        let is_taken = |name: &str| {
+            let rig = name.trim_start_matches("weights.");
+            layer.file(&format!("{folder}/rig.{rig}")).is_some()
+        };
+        let free = names().filter(is_weights).filter(|name| !is_taken(name));
+        Self {
+            free: free.collect(),
+            all,
+        }
+    }
+}
+
+fn finding(
+    rel: &str,
+    rigs: &[&RigFile<'_>],
+    names_of: &Names<'_>,
+    cx: &RuleCx<'_>,
+) -> Option<Finding> {
     let first = rigs.first()?;
     let file_name = |rel: &str| rel.rsplit('/').next().unwrap_or(rel).to_owned();
     let name = file_name(rel);
@@ -69,36 +110,15 @@ fn finding(rel: &str, rigs: &[&RigFile<'_>], cx: &RuleCx<'_>) -> Option<Finding>
         "`{name}` does not exist, which {word} {} {need}",
         enumerated(&names)
     );
-    let folder = rel.rsplit_once('/').map_or("", |(folder, _)| folder);
-    let others = || {
-        first
-            .layer
-            .below(folder)
-            .map(mhlint_repo::FileFacts::file_name)
-    };
-    let in_other_case = others()
-        .find(|other| other.eq_ignore_ascii_case(&name))
-        .map(str::to_owned);
-    let misnamed = others()
-        .find(|other| **other == *format!("{}.weights.json", first.name))
-        .map(str::to_owned);
+    let own = format!("{}.weights.json", first.name);
+    let in_other_case = names_of.all.get(&name.to_ascii_lowercase());
+    let misnamed = || names_of.all.get(&own.to_ascii_lowercase());
+    let misnamed = || misnamed().filter(|other| **other == own);
     // Weights of another rig have similar names.
-    let near = in_other_case.or(misnamed).or_else(|| {
-        let unused =
-            others().filter(|other| other.starts_with("weight") && extension(other) == "json");
-        let taken = |other: &str| {
-            first
-                .layer
-                .file(&format!(
-                    "{folder}/rig.{}",
-                    other.trim_start_matches("weights.")
-                ))
-                .is_some()
-        };
-        cx.suggestions
-            .nearest(&name, unused.filter(|other| !taken(other)))
-            .map(str::to_owned)
-    });
+    let near = in_other_case
+        .or_else(misnamed)
+        .copied()
+        .or_else(|| cx.suggestions.nearest(&name, names_of.free.iter().copied()));
     let help = near.map_or_else(
         || "add the weights".to_owned(),
         |near| format!("rename `{near}` to `{name}`"),

@@ -39,6 +39,7 @@ const OF_BASE: Case = &[(
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
+        let is_bare = body.is_makehuman1() && rig.skeleton.breadth_first().is_empty();
         let names = || rig.skeleton.bones.iter().map(|bone| bone.name.as_str());
         for (parent, bones) in hierarchy(rig.skeleton).unknown_parents {
             let Some(first) = bones.first() else { continue };
@@ -72,7 +73,6 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 .key(parent)
                 .help(help)
                 .evidence(Evidence::of_cases(&bones).out_of(rig.skeleton.bones.len()));
-            let is_bare = body.is_makehuman1() && rig.skeleton.breadth_first().is_empty();
             out.push(match rig.own.is_default {
                 true => finding.case(OF_BASE),
                 false if is_bare => finding.case(NO_BONE),

@@ -1,6 +1,8 @@
 //! User targets that look like the two halves of a slider and are none to the scan
 //! (`docs/loaders/makehuman2/user-targets.md#pairs`).
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::super::Rule;
 use mhlint_diag::{Application::Makehuman2, Case, Finding, Level, Place};
 use mhlint_repo::FileFacts;
@@ -19,6 +21,9 @@ const ONE_SIDE: Case = &[(
     "creates a slider with the increasing direction only, and cuts the last letters off its name",
 )];
 
+/// Targets by folder and stem.
+type Known<'t, 'f> = BTreeMap<(Option<&'t str>, &'t str), &'t UserTarget<'f>>;
+
 /// Findings on the user's pairs of which no slider with two directions is made.
 pub(super) fn findings(rule: &Rule, view: &View<'_>, base: &Base<'_>) -> Vec<Finding> {
     let is_own = base
@@ -29,16 +34,24 @@ pub(super) fn findings(rule: &Rule, view: &View<'_>, base: &Base<'_>) -> Vec<Fin
     } else {
         Vec::new()
     };
+    let all: Known<'_, '_> = targets
+        .iter()
+        .map(|one| ((one.folder, one.stem), one))
+        .collect();
+    let of_user = base.sliders.iter().filter(|bound| bound.slider.user);
+    let listed: BTreeSet<&str> = of_user
+        .filter_map(|bound| bound.slider.incr.as_deref())
+        .collect();
     targets
         .iter()
-        .filter_map(|target| of_target(rule, base, &targets, target))
+        .filter_map(|target| of_target(rule, base, (&all, &listed), target))
         .collect()
 }
 
 fn of_target(
     rule: &Rule,
     base: &Base<'_>,
-    all: &[UserTarget<'_>],
+    (all, listed): (&Known<'_, '_>, &BTreeSet<&str>),
     target: &UserTarget<'_>,
 ) -> Option<Finding> {
     let begin = target
@@ -46,9 +59,7 @@ fn of_target(
         .strip_suffix("incr")
         .filter(|begin| !begin.is_empty())?;
     let other = format!("{begin}decr");
-    let partner = all
-        .iter()
-        .find(|one| one.folder == target.folder && one.stem == other)?;
+    let partner = all.get(&(target.folder, other.as_str()))?;
     let (one, other) = (target.stem, partner.stem);
     if begin.contains("incr") {
         let looked_for = target.stem.replace("incr", "decr");
@@ -61,7 +72,7 @@ fn of_target(
                 .help(help),
         );
     }
-    if begin.ends_with('-') || is_listed(base, target.file) {
+    if begin.ends_with('-') || is_listed(base, listed, target.file) {
         return None;
     }
     let message = format!("`{one}` and `{other}` have no `-` before their ending");
@@ -75,11 +86,9 @@ fn of_target(
 }
 
 /// Whether the generated sliders have it already: `modelling-opposites` says the same of these.
-fn is_listed(base: &Base<'_>, file: &FileFacts) -> bool {
+fn is_listed(base: &Base<'_>, listed: &BTreeSet<&str>, file: &FileFacts) -> bool {
     let name = base.user_targets.and_then(|folder| folder.name_of(file));
-    base.sliders
-        .iter()
-        .any(|bound| bound.slider.user && bound.slider.incr.as_deref() == name)
+    name.is_some_and(|name| listed.contains(name))
 }
 
 fn finding(rule: &Rule, file: &FileFacts, other: &FileFacts, message: String) -> Finding {
