@@ -27,7 +27,7 @@ use mhlint_diag::{
     Case, Evidence, Finding, Level, Place,
 };
 use mhlint_discover::extension;
-use mhlint_repo::{FileFacts, Layer};
+use mhlint_repo::{FileFacts, Layer, parent};
 
 /// The rules of the family.
 pub(super) static RULES: &[&Rule] = &[
@@ -160,4 +160,13 @@ fn as_copy(file: &FileFacts) -> (bool, usize, &str) {
 /// The first folder of a path.
 fn top(file: &FileFacts) -> &str {
     file.rel.split('/').next().unwrap_or_default()
+}
+
+/// Folders with the suffixes of the assets that lie directly in them.
+type Homes<'l> = BTreeSet<(&'l str, &'l str)>;
+
+fn homes(layer: &Layer) -> Homes<'_> {
+    let all = layer.files.values();
+    all.map(|file| (parent(&file.rel), extension(&file.rel)))
+        .collect()
 }

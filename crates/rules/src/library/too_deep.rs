@@ -1,10 +1,8 @@
 //! An asset lies where the list looks, under a name that it takes.
 
-use std::collections::BTreeSet;
-
 use super::super::cause::outdated::is_outdated;
 use super::super::{Check, Rule, RuleCx};
-use super::{SUFFIXES, custom_targets, makehuman1 as library, mpfb, shelves, suffix};
+use super::{Homes, SUFFIXES, custom_targets, homes, makehuman1 as library, mpfb, shelves, suffix};
 use mhlint_diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Evidence, Finding, Level, Place, RuleInfo, grouped,
@@ -168,15 +166,6 @@ fn too_deep(folder: &str, right: &str, files: &[&FileFacts]) -> Option<Finding> 
         .parts_in(parts);
     let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
     Some(finding.help(format!("move what is in `{folder}` to `{right}`")))
-}
-
-/// Folders with the suffixes of the assets that lie directly in them.
-type Homes<'l> = BTreeSet<(&'l str, &'l str)>;
-
-fn homes(layer: &Layer) -> Homes<'_> {
-    let all = layer.files.values();
-    all.map(|file| (parent(&file.rel), extension(&file.rel)))
-        .collect()
 }
 
 /// The suffix of an asset in front of another one, where there is no asset of that name: then it
