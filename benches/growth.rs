@@ -1,5 +1,5 @@
-//! How a run grows with what it reads: `cargo bench --bench growth`, or `… --bench growth --
-//! sliders` for one row.
+//! How a run grows with what it reads: `cargo bench --bench growth`, or
+//! `cargo bench --bench growth -- sliders` for one row.
 //!
 //! Repositories of one size and of four times that size are written to a folder and checked by the
 //! program itself, as a user runs it. Four times as much may take at most [`BOUND`] times the

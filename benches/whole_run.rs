@@ -1,5 +1,5 @@
-//! A whole run without a disk, against the plain read of the same bytes: `cargo bench --bench
-//! whole_run`.
+//! A whole run without a disk, against the plain read of the same bytes:
+//! `cargo bench --bench whole_run`.
 //!
 //! On the example repository; with `MHLINT_CORPORA` set, on the data of MakeHuman 2 as well.
 #![allow(

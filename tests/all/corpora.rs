@@ -1,7 +1,7 @@
 //! Whole repositories of the applications, where `MHLINT_CORPORA` names the folder that holds them.
 //!
-//! They are not part of the project, so that the tests are ignored unless asked for (`--
-//! --ignored`).
+//! They are not part of the project, so that the tests are ignored unless asked for
+//! (`-- --ignored`).
 
 use crate::scratch::{corpus, mhlint};
 use mhlint::eval::skin::{pose_bones, skin};

@@ -131,7 +131,8 @@ pub fn stepped(
     steps: &[f64],
     value_count: usize,
 ) -> Result<ComponentState, ComponentFault> {
-    let position = slider * 100.0 / 100.0; // sliders hold percent; the two roundings can lift a position over the last step
+    // Sliders hold percent; the two roundings can lift a position over the last step.
+    let position = slider * 100.0 / 100.0;
     // `!(a > b)`, not `a <= b`: NaN takes the first interval and then passes neither limit.
     let interval = steps
         .windows(2)

@@ -89,8 +89,8 @@ enum Source {
 /// One value of a sum component: where its number is, or the fault of asking for it.
 type Corner = Result<Option<usize>, ComponentFault>;
 
-/// The combinations of one macrodef. A combination is a number: for each position 0 (left out) or 1
-/// + value number, times the stride.
+/// The combinations of one macrodef. A combination is a number: the sum over its positions of the
+/// stride, times 0 (left out) or 1 plus the number of the value.
 #[derive(Clone, Debug)]
 pub(super) struct MacrodefTable {
     pub(super) positions: Vec<Position>,

@@ -178,8 +178,8 @@ impl<'a> View<'a> {
         }
     }
 
-    /// The paths of the weights that skeletons name; nothing where nobody can tell, because a skeleton
-    /// that cannot be read, or a name that leads nowhere, may mean any.
+    /// The paths of the weights that skeletons name; `None` where this cannot be known, because a
+    /// skeleton cannot be read, or names a file that leads nowhere: either may mean any weights.
     fn named_weights(&self) -> Option<BTreeSet<&str>> {
         let is_clear = self.rigs.iter().all(|rig| {
             rig.skeleton()

@@ -103,7 +103,8 @@ pub(super) fn survey<'s>(
         holes = Absence::default();
     }
     if macrodef.links.is_empty() && !files.is_empty() {
-        files = free; // Nothing is listed, so that all files of the folder wait for one and the same reason.
+        // Nothing is listed, so that all files of the folder wait for one and the same reason.
+        files = free;
     }
     Some(Survey {
         space,
