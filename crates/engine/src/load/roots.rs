@@ -21,13 +21,15 @@ use mhlint_source::{EntryKind, Tree, WalkFaultKind, folders_above, is_below};
 
 /// What a run reads.
 pub(crate) struct Roots<'t> {
-    /// What to check, with the parts that alone are asked for.
+    /// The places to check, each with the paths in it that the user asked for; no paths means all
+    /// of it.
     pub(crate) checked: Vec<(Place<'t>, Vec<String>)>,
-    /// `--system`: one data root an application, unless it is all there is to check.
+    /// The data roots from `--system`, at most one for each application. One that is also the only
+    /// data root to check is left out here.
     pub(crate) systems: Vec<Place<'t>>,
 }
 
-/// Those of the applications of which one of the places has data.
+/// The applications, of those given, that have data in at least one of the places.
 pub(super) fn with_data(applications: &[Application], places: &[Place<'_>]) -> Vec<Application> {
     applications
         .iter()
@@ -36,8 +38,8 @@ pub(super) fn with_data(applications: &[Application], places: &[Place<'_>]) -> V
         .collect()
 }
 
-/// The data roots in a tree of the applications that are checked; `asked` are those asked for by
-/// name, or by their data.
+/// The data roots in a tree that belong to the checked `applications`. `asked` are the applications
+/// that the user named with `--app`, or gave data of.
 pub(super) fn checked_places<'t>(
     tree: &'t Tree,
     asked: &[Application],
@@ -63,8 +65,9 @@ fn places(
         .collect()
 }
 
-/// The data roots inside another one that are of other applications; inside a pack those of its own
-/// as well, since what is parked there is no part of it.
+/// The data roots inside the one at `path` that are not part of it: those of other applications.
+/// Inside a pack data roots of the same application are not part of it either, since they were only
+/// put there.
 fn inner(
     tree: &Tree,
     roots: &BTreeMap<String, Vec<&'static Layout>>,
@@ -93,7 +96,7 @@ fn inner(
         .collect()
 }
 
-/// The files that belong to a data root beside it.
+/// The files that lie beside a data root and belong to it.
 pub(super) fn beside_root(tree: &Tree, root: &str, layouts: &[&'static Layout]) -> Vec<String> {
     let own = layouts.iter().filter(|layout| !layout.beside.is_empty());
     let files = own.flat_map(|layout| candidates(tree, root, &[layout]));
@@ -103,7 +106,8 @@ pub(super) fn beside_root(tree: &Tree, root: &str, layouts: &[&'static Layout]) 
         .collect()
 }
 
-/// The places in packs, each with the applications that may be meant by what is in it.
+/// The places to check in the packs among the inputs, one for each application that the pack may be
+/// for.
 fn in_packs<'t>(
     packs: &[(&'t Input, Certain)],
     systems: &[Place<'t>],
@@ -131,7 +135,7 @@ fn in_packs<'t>(
     Ok(found)
 }
 
-/// The layouts of all roots of an input, each once.
+/// The layouts of all data roots of an input that are checked, each layout once.
 fn layouts_of(
     roots: &BTreeMap<String, Vec<&'static Layout>>,
     applications: &[Application],
@@ -142,7 +146,7 @@ fn layouts_of(
     all.into_values().filter(is_checked).collect()
 }
 
-/// The data root of all inputs, where there is one.
+/// The path of the only data root in all inputs; `None` if there are none or several.
 fn the_only_root(found: &[Found<'_>]) -> Option<String> {
     let shown = |(input, roots): &Found<'_>| -> Vec<String> {
         roots.keys().map(|root| input.tree.shown(root)).collect()
@@ -152,7 +156,7 @@ fn the_only_root(found: &[Found<'_>]) -> Option<String> {
 }
 
 impl<'t> Roots<'t> {
-    /// Looks for them: data roots, and files outside of any.
+    /// Finds what to check in the inputs: data roots, packs, and files that lie in no data root.
     pub(crate) fn of(
         inputs: &'t [Input],
         systems: &'t [Tree],
@@ -170,8 +174,8 @@ impl<'t> Roots<'t> {
             }
         }
         let mut systems = all_systems(systems, applications)?;
-        // What shares its users' folders with another application has them where its data are
-        // given.
+        // MPFB shares its users' folders with MakeHuman 1. Where the user names no application,
+        // such a folder is taken for one of MPFB only if data of MPFB are given.
         let mut at_hand = options.applications.clone();
         if at_hand.is_empty() {
             at_hand = with_data(applications, &systems);
@@ -208,7 +212,8 @@ impl<'t> Roots<'t> {
             let layouts = layouts_of(roots, applications);
             packed_places.extend(faults(input, &layouts).map(|place| (place, Vec::new())));
         }
-        // What belongs to data roots, and what is no asset.
+        // The files that lie outside of data roots and are no loose assets: those that belong to a
+        // data root beside them, and those that were set aside.
         let mut beside: Vec<BTreeSet<String>> = found
             .iter()
             .map(|(input, roots)| beside(input, roots))
@@ -254,13 +259,14 @@ impl<'t> Roots<'t> {
         for (place, narrow) in outside {
             roots.want(place, &narrow);
         }
-        // Of one zip there may be several places, each with files of its own.
+        // Added without `want`, which would join places: one zip may give several places for one
+        // path, each with other files.
         roots.checked.extend(packed_places);
         Ok(roots)
     }
 
-    /// A data root with the layouts that are asked for: of applications that are checked, and of
-    /// others.
+    /// Adds a data root. `checked` are its layouts that the user asks for and that are checked,
+    /// `others` those that the user asks for and that this program cannot check.
     fn add(
         &mut self,
         input: &'t Input,
@@ -280,7 +286,8 @@ impl<'t> Roots<'t> {
         }
     }
 
-    /// A root that two PATHs lead to is checked once, for everything that either asks for.
+    /// Adds a place to check. If two PATHs lead to the same place it is checked once, for
+    /// everything that either PATH asks for.
     fn want(&mut self, place: Place<'t>, narrow: &[String]) {
         match self
             .checked
@@ -294,8 +301,8 @@ impl<'t> Roots<'t> {
     }
 }
 
-/// The data roots of each input. What shares its users' folders has those of one input where its
-/// data are in another.
+/// The data roots of each input. MPFB shares its users' folders with MakeHuman 1: where data of
+/// MPFB are in one input, shared folders in the other inputs are looked for again with that known.
 fn found_in<'i>(
     inputs: &[&'i Input],
     meant: Meant<'_>,
@@ -330,7 +337,8 @@ fn found_in<'i>(
     found
 }
 
-/// The data roots of all of `--system`. Which of two of one application counts nobody can tell.
+/// The data roots of all `--system` folders. Two different ones for one application are an error,
+/// because nobody can tell which of them is meant.
 fn all_systems<'t>(
     trees: &'t [Tree],
     applications: &[Application],
@@ -348,7 +356,8 @@ fn all_systems<'t>(
                 .find(is_twice)
                 .and_then(|one| Some((*one, first(*one)?)))
             {
-                // The same folder, or one below the other.
+                // The same folder again, or a folder around it or in it: both lead to one data
+                // root.
                 Some((_, first)) if first == place.path() => {}
                 Some((application, first)) => {
                     return Err(Error::Path {
@@ -363,7 +372,7 @@ fn all_systems<'t>(
     Ok(all)
 }
 
-/// The data roots of `--system`: the first of each application.
+/// The data roots in one `--system` folder: for each application the first.
 pub(super) fn system_places<'t>(
     tree: &'t Tree,
     applications: &[Application],
@@ -373,7 +382,8 @@ pub(super) fn system_places<'t>(
             || (layout.role)(&candidates(tree, path, &[layout])) != Role::User
     };
     let roots = roots_of(tree, &[], |application| applications.contains(&application)).into_iter();
-    // What MPFB shares with others is a user's: its own data are not.
+    // A folder that MPFB shares with MakeHuman 1 is a user's folder and cannot be system data; the
+    // data of MPFB itself can.
     let roots = roots.map(|(path, mut layouts)| {
         layouts.retain(|layout| is_system(&path, layout));
         (path, layouts)
@@ -396,12 +406,12 @@ pub(super) fn system_places<'t>(
     }
 }
 
-/// The data roots in an input, by path.
+/// An input with its data roots: for each path the layouts of the applications whose root it is.
 pub(super) type Found<'i> = (&'i Input, BTreeMap<String, Vec<&'static Layout>>);
 
-/// The files outside of data roots as each application would have them, with the parts that alone
-/// are asked for. Where none is asked for by name, those come first whose data are at hand, and the
-/// others have what is left.
+/// The files outside of data roots, at the places where each application would have them, and for
+/// each place the paths in it that the user asked for. If the user names no application, the
+/// applications with data in this run choose first, and the others get the files that are left.
 fn places_outside<'t>(
     found: &[Found<'t>],
     beside: &[BTreeSet<String>],
@@ -458,7 +468,7 @@ fn places_outside<'t>(
     Ok(places)
 }
 
-/// The files beside data roots that belong to these.
+/// The files that lie beside the data roots of an input and belong to them.
 fn beside(input: &Input, roots: &BTreeMap<String, Vec<&'static Layout>>) -> BTreeSet<String> {
     roots
         .iter()
@@ -473,8 +483,8 @@ fn base_meshes(place: &Place<'_>) -> BTreeSet<String> {
         .collect()
 }
 
-/// Says what outside of data roots is not checked: folders that could not be listed, and assets of
-/// other kinds than those that are checked alone.
+/// Notes what outside of data roots is not checked: folders that could not be listed, and assets
+/// that are not checked without a data root.
 fn note_outside<'p, 't: 'p>(
     found: &[(&Input, BTreeMap<String, Vec<&'static Layout>>)],
     beside: &[BTreeSet<String>],
@@ -494,7 +504,8 @@ fn note_outside<'p, 't: 'p>(
         let shut = faults
             .filter(|fault| is_outside(&fault.path))
             .map(|fault| input.tree.shown(&fault.path));
-        // Around a file that alone was named more is listed than anybody asks for.
+        // If the user names a single file its whole folder is listed; faults beside the file are of
+        // no interest then.
         closed.extend(shut.filter(|path| !input.is_beside || input.asks_for(path)));
         let files = input
             .tree
@@ -544,7 +555,7 @@ fn note_unchecked(place: &Place<'_>, layout: &Layout, outcome: &mut Outcome) {
     });
 }
 
-/// A path, or what stands for the working directory.
+/// A path as it is printed: `.` for the working directory, whose path is empty.
 pub(crate) fn shown(path: &str) -> &str {
     if path.is_empty() { "." } else { path }
 }

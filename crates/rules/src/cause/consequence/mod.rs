@@ -1,7 +1,8 @@
-//! What becomes of a file that an application cannot read: one table an application, with a row for
-//! each role of files.
+//! What happens when an application cannot read a file: one table for each application, with a row
+//! for each role that a file can have.
 //!
-//! `file-*`, `json-*` and `overlay-*` ask here how bad a damage is and what a user sees of it.
+//! The rules `file-*`, `json-*` and `overlay-*` ask here how severe a damage is and what the user
+//! sees of it.
 
 mod makehuman1;
 mod makehuman1_values;
@@ -38,37 +39,38 @@ pub(crate) use mpfb::{BY_HAND, MACRO_ROWS, NO_PART};
 pub(crate) enum Moment {
     /// When it starts, or loads a base mesh.
     Start,
-    /// When it scans its assets, also at start: one bad file takes all assets along.
+    /// When it scans its assets, which it also does at start: one bad file takes all assets along.
     Scan,
     /// When somebody uses the asset.
     Use,
-    /// It does not, but tools that come with it do.
+    /// The application never opens it, but tools that come with the application do.
     Tools,
-    /// Nothing does.
+    /// Neither the application nor its tools ever open it.
     Never,
 }
 
 /// What is wrong with a file as a whole.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Damage {
-    /// It is not there, as far as a system tells capitals apart.
+    /// There is no file of this name; where the file system tells capitals apart, a file in other
+    /// capitals does not count.
     Absent,
     /// It cannot be opened.
     Closed,
-    /// It is a link to nothing, and nothing names it.
+    /// It is a symbolic link to a path that does not exist, and no other file names it.
     Dangling,
-    /// A Git LFS pointer stands for it.
+    /// A Git LFS pointer lies in place of the content.
     Pointer,
-    /// Nothing is in it.
+    /// The file is empty.
     Empty,
-    /// Nothing is in it, and nothing needs it.
+    /// The file is empty, and nothing would be missed without it.
     Needless,
-    /// A JSON that is rejected before its syntax matters: nothing is in it, or a byte order mark
-    /// before it.
+    /// A JSON that the parser rejects before it looks at any syntax: the file is empty, or begins
+    /// with a byte order mark.
     Refused,
-    /// A byte order mark before a line of data.
+    /// A byte order mark before a line of numbers.
     MarkedRow,
-    /// A byte order mark before any other word.
+    /// A byte order mark before a word, such as a keyword.
     MarkedWord,
     /// A byte order mark before a comment.
     MarkedComment,
@@ -76,16 +78,16 @@ pub(crate) enum Damage {
     NotUtf8,
     /// It is not valid JSON.
     Syntax,
-    /// A number that JSON does not have.
+    /// It contains `NaN` or an infinity, which JSON does not have.
     Special,
-    /// It is nested beyond every limit.
+    /// Its JSON is nested deeper than any parser allows.
     TooDeep,
     /// It cannot be unpacked.
     Packed,
 }
 
-/// How bad a damage is, and what the user sees where that is not what the rule says of it in
-/// general.
+/// How severe a damage is, and what the user sees of it; no effect is given where the general text
+/// of the rule is right.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Consequence {
     pub(crate) level: Level,
@@ -100,7 +102,7 @@ impl Consequence {
         }
     }
 
-    /// The finding with this level and effect in the application of the view.
+    /// The finding, with this level and effect set for the application of the view.
     pub(crate) fn of(self, view: &View<'_>, finding: Finding) -> Finding {
         let finding = finding.level_in(view.application(), self.level);
         if let Some(effect) = self.effect {
@@ -120,7 +122,8 @@ const fn table(application: Application) -> &'static Table {
     }
 }
 
-/// The table for a view, its row for a path, and when the application opens the file there.
+/// The table of the application of a view, the row in it for a path, and when the application opens
+/// the file at that path.
 fn asked(view: &View<'_>, rel: &str) -> (&'static Table, &'static Row, Moment) {
     let table = table(view.application());
     let standing = match view.is_generated(rel) {
@@ -137,13 +140,13 @@ fn asked(view: &View<'_>, rel: &str) -> (&'static Table, &'static Row, Moment) {
     (table, row, row.moment(spot))
 }
 
-/// When the application opens a file of this path.
+/// When the application opens the file at this path.
 pub(crate) fn moment(view: &View<'_>, rel: &str) -> Moment {
     asked(view, rel).2
 }
 
-/// What a damage of the file at a path comes to; `None` where nothing happens, or nobody needs what
-/// is lost.
+/// What happens if the file at a path has this damage; `None` if nothing happens, or if nobody
+/// needs what is lost.
 pub(crate) fn consequence(view: &View<'_>, rel: &str, damage: Damage) -> Option<Consequence> {
     let is_of_macros = |file: &FileFacts| view.composes_name_of(file);
     let of_macros = view
@@ -154,8 +157,9 @@ pub(crate) fn consequence(view: &View<'_>, rel: &str, damage: Damage) -> Option<
     if let Some(own) = of_macros.and_then(|_| mpfb::of_macro_target(damage)) {
         return Some(own);
     }
-    // Of macros an empty file is the shape that changes nothing; what is one is not known without
-    // the modifiers.
+    // An empty macro target is on purpose: it is the shape that changes nothing. If it is not known
+    // what uses a target, it may be a macro target; one that nothing uses is taken for a macro
+    // target by its name.
     let is_identity = |file: &FileFacts| match view.target(file) {
         Target {
             used_as: None,
@@ -185,8 +189,8 @@ pub(crate) fn consequence(view: &View<'_>, rel: &str, damage: Damage) -> Option<
     table.consequence(row, moment, damage)
 }
 
-/// Whether a path is that of the list of pictures, which MakeHuman 1 reads only beside an archive
-/// that it can open.
+/// Whether the file at this path is the list of pictures of MakeHuman 1, and the archive that goes
+/// with it is missing or cannot be opened: the program reads the list only with the archive.
 fn is_list_without_archive(view: &View<'_>, rel: &str) -> bool {
     let Some(own) = view
         .as_makehuman1()
@@ -200,8 +204,8 @@ fn is_list_without_archive(view: &View<'_>, rel: &str) -> bool {
         .is_none_or(|archive| archive.unused == Some(Unused::Closed))
 }
 
-/// Whether a byte order mark hides the version of a model, without which MakeHuman 1 does not read
-/// it.
+/// Whether a byte order mark makes the first word of a model unreadable and that word is `version`:
+/// MakeHuman 1 reads no model without a version.
 fn hides_version(view: &View<'_>, file: &FileFacts) -> bool {
     let is_version = || {
         file.encoding
@@ -212,7 +216,8 @@ fn hides_version(view: &View<'_>, file: &FileFacts) -> bool {
     view.is_makehuman1() && view.kind_at(&file.rel) == Kind::Model && is_version()
 }
 
-/// What the application does if a name leads to no file; `None` for a name that it does not have.
+/// What the application does if a name in a file leads to no file; `None` if the application has no
+/// names of this kind.
 pub(crate) fn unfound(view: &View<'_>, kind: ReferenceKind) -> Option<Consequence> {
     let names = table(view.application()).unfound;
     names
@@ -221,8 +226,8 @@ pub(crate) fn unfound(view: &View<'_>, kind: ReferenceKind) -> Option<Consequenc
         .map(|(_, consequence)| *consequence)
 }
 
-/// What a value comes to that does not fit the schema, where it is not what `json-schema` says in
-/// general.
+/// What happens if a value does not fit the schema; `None` where the general text of `json-schema`
+/// is right.
 pub(crate) fn of_value(
     view: &View<'_>,
     file: &FileFacts,
@@ -235,16 +240,18 @@ pub(crate) fn of_value(
     }
 }
 
-/// Whether the application takes a value that does not fit the schema, which is for others as well.
+/// Whether this application accepts a value that does not fit the schema, because the schema is
+/// written for other applications or versions as well.
 pub(crate) fn is_accepted(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -> bool {
-    // It came with the programs of 2026.
+    // `suffix` came with the version of 2026-08-05, the other required keys with that of 2025:
+    // older programs do without them.
     let is_later = file.kind == Kind::Version
         && (fault.missing() == Some("suffix") && view.is_before("2026-08-05")
             || fault.missing().is_some() && view.is_before("2025"));
     is_later || view.is_makehuman1() && makehuman1_values::is_accepted(file, fault)
 }
 
-/// What numbers come to that JSON does not have.
+/// What happens if a file contains `NaN` or infinities, which JSON does not have.
 pub(crate) fn of_special(view: &View<'_>, file: &FileFacts) -> Option<Consequence> {
     let own = if let View::Makehuman2(_) = view {
         makehuman2_values::of_special(file)
@@ -254,7 +261,8 @@ pub(crate) fn of_special(view: &View<'_>, file: &FileFacts) -> Option<Consequenc
     own.or_else(|| consequence(view, &file.rel, Damage::Special))
 }
 
-/// What becomes of what a misspelt key was meant for; nothing if the key is like no other.
+/// What happens because a key is misspelt, so that its value is not read; `None` if the key is like
+/// no known key.
 pub(crate) fn of_misspelt(
     view: &View<'_>,
     file: &FileFacts,
@@ -273,7 +281,7 @@ mod tests {
     use mhlint_discover::Layout;
     use mhlint_formats::FORMATS;
 
-    /// A path that no loader knows.
+    /// A path that no loader treats specially.
     fn spot(application: Application) -> Spot<'static> {
         Spot {
             layout: Layout::of(application),
@@ -298,10 +306,10 @@ mod tests {
             };
             for damage in [Damage::Closed, Damage::Pointer, Damage::NotUtf8, lost] {
                 let found = table.consequence(row, row.moment(spot), damage);
-                // It never opens a packed target.
+                // MakeHuman 2 never opens a packed target.
                 let is_never = (application, format.kind, damage)
                     == (Makehuman2, Kind::PackedTarget, Damage::Pointer);
-                // What a compiler of shaders makes of other letters is not known.
+                // It is not known what a shader compiler does with bytes that are not UTF-8.
                 let is_open = (application, format.kind, damage)
                     == (Makehuman1, Kind::ShaderSource, Damage::NotUtf8);
                 assert!(
