@@ -1,5 +1,5 @@
-//! Files that look like assets and are none: tables of add-ons, and test data
-//! (`docs/loaders/versions.md#whose-data-a-folder-is`).
+//! Files that look like assets but are not checked as assets: helper tables of add-ons, and test
+//! data (`docs/loaders/versions.md#whose-data-a-folder-is`).
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,16 +8,16 @@ use super::listing::{Listing, at};
 use mhlint_diag::Application;
 use mhlint_source::folder_and_name;
 
-/// Why files that look like assets are none.
+/// Why files that look like assets are not checked as assets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Aside {
-    /// An add-on that makes assets has them for itself.
+    /// They are helper files of an add-on for making assets.
     Helpers,
-    /// They test a program, and some are broken on purpose.
+    /// They are test data of a program; some are broken on purpose.
     Tests,
 }
 
-/// The folders in a listing that hold such files.
+/// The folders in a listing that hold files which look like assets and are not, with the reason.
 pub fn aside(listing: &Listing<'_>) -> BTreeMap<String, Aside> {
     let mut found = BTreeMap::new();
     let with = |wanted: &str| -> BTreeSet<&str> {
@@ -41,13 +41,15 @@ pub fn aside(listing: &Listing<'_>) -> BTreeMap<String, Aside> {
     found
 }
 
-/// The folders with files that tell what lies beside them.
+/// The folders with a `*.mirror` and those with a `*.mhclo`: they decide what other files in the
+/// same folder are.
 struct Beside<'l> {
     mirror: BTreeSet<&'l str>,
     clothes: BTreeSet<&'l str>,
 }
 
-/// Whether a file is one that only an add-on has: what belongs to it lies beside it.
+/// Whether a file is a helper file that only an add-on has; the other files in its folder then
+/// belong to the add-on as well.
 fn is_helper(listing: &Listing<'_>, folder: &str, name: &str, beside: &Beside<'_>) -> bool {
     let has = |wanted: &str| listing.has(&at(folder, wanted));
     match extension(name) {
@@ -61,11 +63,11 @@ fn is_helper(listing: &Listing<'_>, folder: &str, name: &str, beside: &Beside<'_
 
 /// Where an application has its test data.
 pub struct TestData {
-    /// The folder.
+    /// The folder with the test data, relative to the top of the source repository.
     pub folder: &'static str,
-    /// The source of the application, as seen from the same place.
+    /// The folder with the source of the application, relative to the top of the source repository.
     pub source: &'static str,
-    /// Whose.
+    /// The application.
     pub application: Application,
 }
 
@@ -76,7 +78,8 @@ pub const TEST_DATA: TestData = TestData {
     application: Application::Mpfb,
 };
 
-/// The folder of test data that a file lies in.
+/// The folder of test data that a file lies in, if the source of the application is beside that
+/// folder.
 fn test_data(listing: &Listing<'_>, file: &str) -> Option<String> {
     let TestData { folder, source, .. } = TEST_DATA;
     let start = format!("/{file}").find(&format!("/{folder}/"))?;
@@ -86,8 +89,8 @@ fn test_data(listing: &Listing<'_>, file: &str) -> Option<String> {
         .then(|| at(above, folder))
 }
 
-/// Whether what should be an asset is a table for fitting others: it has rows, and neither a name
-/// nor a mesh of its own, not even in a comment.
+/// Whether a file with the name of an asset is a table for fitting other assets: it has rows of
+/// numbers, but neither a name nor a mesh, not even in a comment.
 pub fn is_fitting_table(text: &[u8]) -> bool {
     let words = |line: &'_ [u8]| -> Vec<String> {
         let line = String::from_utf8_lossy(line);
@@ -109,7 +112,7 @@ pub fn is_fitting_table(text: &[u8]) -> bool {
     rows >= ROWS
 }
 
-/// Rows from which on a text is a table.
+/// A text with at least this many rows of numbers is a table.
 const ROWS: usize = 3;
 
 #[cfg(test)]

@@ -1,10 +1,11 @@
-//! What files of a kind are parts of, for whoever counts them.
+//! Which group of assets the files of a kind belong to, for counting assets.
 
 use super::Kind;
 use mhlint_diag::AssetGroup;
 
 impl Kind {
-    /// What files of this kind are parts of; `None` for those that no application is known to load.
+    /// The group of assets that files of this kind belong to; `None` for files that no application
+    /// is known to load.
     pub const fn group(self) -> Option<AssetGroup> {
         Some(match self {
             Self::BaseJson

@@ -1,4 +1,5 @@
-//! Every path of a data root with what it is for, found out once.
+//! Every path of a data root, with what each application uses the file there for. It is worked out
+//! once.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -7,37 +8,37 @@ use super::{Kind, Layout, Role};
 use mhlint_diag::Application;
 use mhlint_source::{Entry, EntryKind, Tree, inside, is_below};
 
-/// What one application has a file for.
+/// What one application uses a file for.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Use {
-    /// Whose use it is.
+    /// The application.
     pub application: Application,
-    /// What it is for.
+    /// The kind of file that it is to the application.
     pub kind: Kind,
     /// The base mesh that it belongs to.
     pub owner: Option<String>,
 }
 
-/// Something below a data root. A folder is what a file in its place would be.
+/// A file or folder below a data root. A folder has the kind that a file at its path would have.
 #[derive(Debug, Clone)]
 pub struct Candidate<'t> {
     /// Where to read it.
     pub entry: &'t Entry,
     /// Its path below the root; a loose file has only a supposed one.
     pub rel: Cow<'t, str>,
-    /// Whether that is only supposed, because it lies in no data root.
+    /// Whether `rel` is only a supposed path, because the file lies in no data root.
     pub is_loose: bool,
-    /// What it is for, to each application whose data root it is.
+    /// What each application uses it for, of those whose data root this is.
     pub uses: Vec<Use>,
 }
 
-/// The kind that a file is read as: of those that its uses give it the one that says most, which
-/// comes first.
+/// The kind that a file is read as. If its uses have several kinds, it is the one that says most
+/// about the file; this is the one that `Kind` lists first.
 pub(crate) fn kind_of(uses: &[Use]) -> Kind {
     uses.iter().map(|one| one.kind).min().unwrap_or(Kind::Other)
 }
 
-/// The base mesh that a file belongs to as what it is read as.
+/// The base mesh that a file belongs to, in the use that gives the kind as which it is read.
 pub fn owner_of(uses: &[Use]) -> Option<&str> {
     uses.iter()
         .min_by_key(|one| (one.kind, one.owner.is_none()))?
@@ -45,7 +46,7 @@ pub fn owner_of(uses: &[Use]) -> Option<&str> {
         .as_deref()
 }
 
-/// What a file is for to one application; anything to those that have no use for it.
+/// The kind of a file to one application; `Kind::Other` if the application has no use for it.
 pub fn kind_in(uses: &[Use], application: Application) -> Kind {
     uses.iter()
         .find(|one| one.application == application)
@@ -57,21 +58,21 @@ pub fn uses_of(rel: &str, layouts: &[&Layout]) -> Vec<Use> {
     layouts.iter().map(|layout| layout.use_of(rel)).collect()
 }
 
-/// What macOS puts beside the files of a zip: no application looks for it.
+/// The folder that macOS adds to a zip. No application reads it.
 const OF_MACOS: &str = "__MACOSX";
 
-/// Whether a path lies in what macOS puts beside the files of a zip.
+/// Whether a path lies in the folder that macOS adds to a zip.
 pub fn is_of_macos(path: &str) -> bool {
     path.split('/').any(|part| part == OF_MACOS)
 }
 
-/// Everything in `tree` below `root`, the data root of the applications that `layouts` are of, and
-/// what belongs to it beside it.
+/// Every file and folder in `tree` below `root`, which is a data root of the applications of
+/// `layouts`; and the files beside `root` that belong to it.
 pub fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) -> Vec<Candidate<'t>> {
     let entries = tree.entries_in(root).iter();
     let entries = entries.filter_map(|entry| Some((entry, inside(&entry.path, root)?)));
     let entries = entries.filter(|(_, rel)| !is_below(rel, OF_MACOS));
-    // What is hidden from these applications may be listed for the sake of others.
+    // The tree may list hidden files that only other applications read.
     let is_taken = |entry: &Entry| {
         layouts
             .iter()
@@ -81,8 +82,8 @@ pub fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) -> Vec<Ca
     let mut found: Vec<Candidate<'t>> = entries
         .map(|(entry, rel)| Candidate::new(entry, rel, layouts))
         .collect();
-    // Only a user has something of his own there, also one over whose data those of the program
-    // were copied.
+    // Files beside a data folder belong to it only if it is a user's folder, or one into which
+    // somebody copied the data of the program.
     let own = found.len();
     let users = layouts.iter().filter_map(|layout| {
         found.truncate(own);
@@ -98,8 +99,9 @@ pub fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) -> Vec<Ca
     found
 }
 
-/// Adds what belongs to a data folder beside it, each file once. What is in the folder itself comes
-/// first, but for models, which lie beside it: those in it have no place.
+/// Adds the files beside a data folder that belong to it, each file once. If the data folder has a
+/// file at the same path, that file counts. Models are the exception: they belong beside the data
+/// folder, so that a model inside it is in the wrong place.
 fn add_around<'t>(found: &mut Vec<Candidate<'t>>, all: Vec<Candidate<'t>>, layouts: &[&Layout]) {
     let own: BTreeMap<String, usize> = found
         .iter()
@@ -126,8 +128,8 @@ fn add_around<'t>(found: &mut Vec<Candidate<'t>>, all: Vec<Candidate<'t>>, layou
     found.extend(around.into_values());
 }
 
-/// The files that an application has beside its data root, most of them in folders. What it has no
-/// use for is somebody else's.
+/// The files beside a data root that belong to it, most of them in folders. Files that the
+/// application has no use for belong to somebody else and are left out.
 fn beside<'t>(tree: &'t Tree, root: &str, layout: &Layout) -> Vec<Candidate<'t>> {
     let (above, name) = root.rsplit_once('/').unwrap_or(("", root));
     let folders = layout.beside.iter().filter(|_| name == "data");
@@ -139,8 +141,8 @@ fn beside<'t>(tree: &'t Tree, root: &str, layout: &Layout) -> Vec<Candidate<'t>>
         };
         let below = tree.entry(&path).into_iter().chain(tree.entries_in(&path));
         let below = below.filter(|entry| entry.kind != EntryKind::Folder);
-        // A file of that name belongs to it as well. In the data folder the same name means
-        // nothing.
+        // `beside` may name a file in place of a folder. A file of the same name in the data folder
+        // means nothing, so that this one gets a path of its own.
         let rel = |entry: &Entry| match inside(&entry.path, &path) {
             Some(rel) => Some(format!("{folder}/{rel}")),
             None => (entry.path == path).then(|| format!("../{folder}")),
@@ -155,7 +157,7 @@ fn beside<'t>(tree: &'t Tree, root: &str, layout: &Layout) -> Vec<Candidate<'t>>
 }
 
 impl<'t> Candidate<'t> {
-    /// Finds out what `rel` is for.
+    /// A candidate at `rel`, with what each of the applications uses it for.
     fn new(entry: &'t Entry, rel: &'t str, layouts: &[&Layout]) -> Self {
         Self {
             entry,
@@ -165,7 +167,7 @@ impl<'t> Candidate<'t> {
         }
     }
 
-    /// The same for the place that a loose file is put to.
+    /// A candidate for a loose file; `rel` is the supposed path that it was given.
     pub(super) fn loose(entry: &'t Entry, rel: String, layout: &Layout) -> Self {
         let uses = uses_of(&rel, &[layout]);
         Self {
@@ -176,8 +178,8 @@ impl<'t> Candidate<'t> {
         }
     }
 
-    /// The same for the place that an importer puts a file of a pack to; where that is another one,
-    /// it is shown where it lies.
+    /// A candidate for a file of a pack; `rel` is the path at which the importer puts it. If that
+    /// differs from the path in the pack, findings show the path in the pack.
     pub fn imported(entry: &'t Entry, rel: String, layout: &Layout) -> Self {
         Self {
             is_loose: !entry.path.ends_with(&rel),
@@ -185,22 +187,22 @@ impl<'t> Candidate<'t> {
         }
     }
 
-    /// The kind that it is read as.
+    /// The kind of file that it is read as.
     pub fn kind(&self) -> Kind {
         kind_of(&self.uses)
     }
 
-    /// What it is for to one application.
+    /// The kind of file that it is to one application.
     pub(super) fn kind_in(&self, application: Application) -> Kind {
         kind_in(&self.uses, application)
     }
 
-    /// The base mesh that it belongs to as what it is read as.
+    /// The base mesh that it belongs to, in the use that gives the kind as which it is read.
     pub fn owner(&self) -> Option<&str> {
         owner_of(&self.uses)
     }
 
-    /// Whether it is to be read, as far as the listing can tell.
+    /// Whether it can be read as a file, as far as the listing tells.
     pub fn is_file(&self) -> bool {
         self.entry.kind != EntryKind::Folder
     }

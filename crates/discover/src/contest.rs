@@ -1,5 +1,6 @@
-//! Folders that look like data of several applications: one stray file makes nobody's data those of
-//! another program (`docs/loaders/versions.md#whose-data-a-folder-is`).
+//! Decides whose data a folder is if it looks like data of several applications. A single stray
+//! file of another program must not change whose data it is
+//! (`docs/loaders/versions.md#whose-data-a-folder-is`).
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,17 +10,20 @@ use super::roots::{DataRoot, Meant};
 use super::{Layout, Listing};
 use mhlint_diag::Application;
 
-/// What speaks for an application in a folder that others claim, too.
+/// What suggests that a folder is data of this application, while other applications have claims on
+/// the folder, too.
 struct Claim {
     application: Application,
     sign: Sign,
     evidence: Evidence,
 }
 
-/// Leaves each folder to the applications of which there is much, or something certain; of several
-/// with something certain alone to those whose data are at hand, and where there is nothing certain
-/// to these as well. One that is asked for by name keeps what it has. Gives the folders of users
-/// that two applications share for certain.
+/// Removes from `signs` the applications that lose a folder. The winners of a folder are the
+/// applications with many signs there. If there are none, they are those with certain evidence; if
+/// several are certain, or none is, only those of them whose data are at hand. An application that
+/// the user named with `--app` never loses a folder.
+///
+/// Returns the users' folders that certainly belong to two applications which share such folders.
 pub(super) fn settle(
     signs: &mut BTreeMap<DataRoot, Sign>,
     listing: &Listing<'_>,
@@ -56,7 +60,7 @@ pub(super) fn settle(
         }
     }
     for (root, winners) in lost {
-        // Who shares folders of users with a winner may have some there.
+        // An application that shares users' folders with a winner may still have files there.
         if winners
             .iter()
             .any(|winner| share_users(*winner, root.application))
@@ -69,8 +73,8 @@ pub(super) fn settle(
     shared
 }
 
-/// Whether it matters whose it is: of what two share where neither has anything better what is in
-/// it tells them apart.
+/// Whether the applications that claim a folder compete for it. Two applications that share users'
+/// folders do not compete if both have faint signs only: the files inside tell them apart later.
 fn is_contested(claims: &[(Application, Sign)]) -> bool {
     let is_faint = claims.iter().all(|(_, sign)| *sign == Sign::Faint);
     claims.len() > 1
@@ -85,7 +89,8 @@ fn share_users(one: Application, other: Application) -> bool {
     Layout::of(one).shares_roots_of == Some(other) || Layout::of(other).shares_roots_of == Some(one)
 }
 
-/// Whom a folder is left to. Beside much of one what there is little of of a third is a stray.
+/// The applications that win a folder. An application with few signs is a stray if an application
+/// that shares no folders with it has many signs.
 fn winners(claims: &[Claim], meant: Meant<'_>) -> BTreeSet<Application> {
     let is_stray = |claim: &&Claim| {
         let mut others = claims
@@ -120,8 +125,8 @@ fn winners_of(claims: &[&Claim], meant: Meant<'_>) -> BTreeSet<Application> {
         .copied()
         .filter(|claim| claim.evidence.is_certain);
     if !are_much.is_empty() {
-        // Beside much of one a single file of another program is a stray, and what users of both
-        // have is not.
+        // If one application has many signs, a single file of another program is a stray. Files
+        // that users of two applications have alike are no strays.
         let is_of_user = |claim: &&Claim| {
             claim.sign < Sign::Strong
                 && are_much
@@ -152,13 +157,15 @@ fn winners_of(claims: &[&Claim], meant: Meant<'_>) -> BTreeSet<Application> {
     }
 }
 
-/// Signs of which there are so many that no stray file made them.
+/// With this many signs, stray files cannot be the reason.
 const MUCH: usize = 3;
-/// The same of `MakeHuman` 2, which has a base mesh and folders of its name.
+/// The same for `MakeHuman` 2: two are enough, because it has a base mesh and folders with the name
+/// of that mesh.
 const MUCH_OF_MAKEHUMAN2: usize = 2;
 
 impl Claim {
-    /// Whether there is much of the application beside these others.
+    /// Whether the application has many signs. Signs that users' folders of two applications have
+    /// alike do not count if the other application is among `claims`.
     fn is_much<'c>(&self, claims: impl IntoIterator<Item = &'c Self>) -> bool {
         let has_partner = claims
             .into_iter()
@@ -167,7 +174,7 @@ impl Claim {
         found - if has_partner { alike } else { 0 } >= self.much()
     }
 
-    /// How many signs are much.
+    /// How many signs count as many.
     const fn much(&self) -> usize {
         if matches!(self.application, Application::Makehuman2) {
             MUCH_OF_MAKEHUMAN2

@@ -1,4 +1,4 @@
-//! What speaks for and against a data root being that of an application
+//! Evidence for and against a data root belonging to an application
 //! (`docs/loaders/versions.md#whose-data-a-folder-is`).
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,22 +9,22 @@ use super::listing::{Listing, at};
 use mhlint_diag::Application;
 use mhlint_source::folder_and_name;
 
-/// What speaks for an application.
+/// Evidence that a data root belongs to an application.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Evidence {
-    /// Files and folders that only this application has, or few others.
+    /// Files and folders that only this application has, or only few others have.
     pub signs: Vec<String>,
-    /// Whether nothing else could be meant.
+    /// Whether the data root can belong to no other application.
     pub is_certain: bool,
-    /// Whether it is what lies beside the data that says so.
+    /// Whether it is certain because of files beside the data folder.
     pub is_certain_beside: bool,
-    /// How many signs there are, those included that are not named.
+    /// How many signs there are, including those that `signs` leaves out.
     pub(super) found: usize,
-    /// How many of them the folders of users of two applications have alike.
+    /// How many of the signs also occur in users' folders of another application.
     pub(super) alike: usize,
 }
 
-/// Signs that the folders of users of two applications have alike.
+/// Signs that occur in users' folders of two applications.
 const OF_USERS: [&str; 6] = [
     "custom/",
     "proxymeshes/",
@@ -33,20 +33,20 @@ const OF_USERS: [&str; 6] = [
     "targets/custom/",
     "packs/",
 ];
-/// What ends the signs that lie beside the data.
+/// The words at the end of signs that lie beside the data folder.
 const BESIDE: &str = " beside it";
 const META: &str = ".meta";
 const DIRECTLY_IN_LIBRARIES: &str = "assets directly in their libraries";
 
-/// A data root in its listing.
+/// A data root and the listing that it lies in.
 struct Root<'l> {
     listing: &'l Listing<'l>,
     path: &'l str,
-    /// The files in it, by their paths below it.
+    /// The paths of the files in it, relative to the data root.
     files: Vec<&'l str>,
 }
 
-/// What speaks for the data root at a path being that of an application.
+/// The evidence that the data root at a path belongs to an application.
 pub fn evidence(listing: &Listing<'_>, path: &str, application: Application) -> Evidence {
     let start = if path.is_empty() { 0 } else { path.len() + 1 };
     let files = listing
@@ -86,7 +86,7 @@ pub fn evidence(listing: &Listing<'_>, path: &str, application: Application) -> 
     }
 }
 
-/// What speaks against it, in a word.
+/// The evidence against the data root at a path belonging to an application, in a few words.
 pub fn lacks(listing: &Listing<'_>, path: &str, application: Application) -> String {
     let start = if path.is_empty() { 0 } else { path.len() + 1 };
     let mut files = listing.below(path).filter_map(|file| file.get(start..));
@@ -113,7 +113,7 @@ pub fn lacks(listing: &Listing<'_>, path: &str, application: Application) -> Str
     }
 }
 
-/// The first two folders that are not there.
+/// A text that names the first two of these folders that do not exist.
 fn missing(listing: &Listing<'_>, path: &str, folders: &[&str]) -> String {
     let missing = folders
         .iter()
@@ -129,10 +129,10 @@ fn missing(listing: &Listing<'_>, path: &str, folders: &[&str]) -> String {
     }
 }
 
-/// Signs that are named.
+/// At most this many signs are named.
 const SIGNS: usize = 5;
 
-/// Whether something in a folder was named already.
+/// Whether the signs that were named before include a path in the folder `sign`.
 fn certain_starts(signs: &[String], sign: &str) -> bool {
     signs.iter().any(|known| known.starts_with(sign))
 }
@@ -161,7 +161,7 @@ impl Root<'_> {
         self.files.iter().any(|file| is_wanted(&parts(file)))
     }
 
-    /// Those of the folders that are there, as people write them.
+    /// The folders, of those given, that exist; spelt as given, with `/` at their ends.
     fn folders(&self, names: &[&'static str]) -> Vec<&'static str> {
         names
             .iter()
@@ -170,7 +170,7 @@ impl Root<'_> {
             .collect()
     }
 
-    /// Whether something of this kind lies beside the data folder.
+    /// Whether `folder` beside the data folder has a file whose name is wanted.
     fn has_beside(&self, folder: &str, is_wanted: impl Fn(&str) -> bool) -> bool {
         let (above, name) = folder_and_name(self.path);
         name == "data"
@@ -217,7 +217,7 @@ fn of_makehuman2(root: &Root<'_>) -> Signs {
     (certain, others)
 }
 
-/// The name of a folder that three of the libraries have: that of a base mesh.
+/// The name of a folder that at least three libraries contain: it must be that of a base mesh.
 fn base_of_many_libraries(root: &Root<'_>) -> Option<String> {
     let mut libraries: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for file in &root.files {
@@ -237,7 +237,7 @@ fn base_of_many_libraries(root: &Root<'_>) -> Option<String> {
 
 fn of_makehuman1(root: &Root<'_>) -> Signs {
     let mut certain = Vec::new();
-    // MPFB has the same, with its targets packed.
+    // MPFB has `3dobjs/base.obj` and this folder as well, but its targets are packed.
     let is_target = |file: &[&str]| matches!(file, ["targets", "macrodetails", .., name] if extension(name) == "target");
     if root.has("3dobjs/base.obj") && root.any(is_target) {
         certain.push("3dobjs/base.obj with targets/macrodetails/".to_owned());
