@@ -1,7 +1,7 @@
-//! What a file is: a format in a role.
+//! What a file is: its format, and what an application uses it for.
 
-/// Kinds of files, those that say more before those that say less. What follows from them is in the
-/// table of formats.
+/// Kinds of files. A kind that says more about a file stands before one that says less. What
+/// follows from a kind is in the table of formats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
     /// `base.json` of MakeHuman 2: settings of a base mesh.
@@ -22,7 +22,7 @@ pub enum Kind {
     ModifierFile,
     /// `*_modifiers_desc.json` of MakeHuman 1: descriptions of modifiers.
     ModifierTexts,
-    /// `*_sliders.json` of MakeHuman 1: the tabs that they are in.
+    /// `*_sliders.json` of MakeHuman 1: the tabs in which it shows its sliders.
     ModifierSliders,
     /// `mh_1-0_modifier_mapping.csv` of MakeHuman 1: names of modifiers in older models.
     ModifierMapping,
@@ -34,7 +34,8 @@ pub enum Kind {
     TargetCategories,
     /// `target.json` of MPFB: its sliders.
     TargetCatalog,
-    /// `macro.json` of MPFB: which names a setting stands for, and in which range.
+    /// `macro.json` of MPFB: for each macro setting the parts of target names that it stands for,
+    /// and the range of values of each.
     MacroParts,
     /// A JSON in `expressions/` of MPFB: face units with their strengths.
     FaceExpression,
@@ -136,8 +137,8 @@ pub enum Kind {
     LibraryCache,
     /// `*.mhbin`, `*.mhpxy`, `*.npz` of an asset, `*.zip` of assets.
     Packed,
-    /// What has the extension of something worn where no list looks, and `*.mhp`, a pose of older
-    /// versions.
+    /// A file with the extension of clothes or a proxy in a folder that no list looks into; or
+    /// `*.mhp`, a pose of older versions.
     Unlisted,
     /// Any other JSON.
     Json,
@@ -147,7 +148,8 @@ pub enum Kind {
     Other,
 }
 
-/// Kinds by extension, wherever the file lies. The hooks for pre-commit start on these.
+/// The kind of a file by its extension, whatever folder it lies in. The hooks for pre-commit start
+/// on these extensions.
 const BY_EXTENSION: [(Kind, &[&str]); 15] = [
     (Kind::Skeleton, &["mhskel"]),
     (Kind::AssetWeights, &["mhw", "jsonw"]),
@@ -172,7 +174,7 @@ const BY_EXTENSION: [(Kind, &[&str]); 15] = [
 ];
 
 impl Kind {
-    /// Whether it is a JSON of MPFB of which its loader takes more than a schema can say.
+    /// Whether it is a JSON of MPFB whose loader accepts more than a schema can describe.
     pub const fn is_judged_by_loader(self) -> bool {
         matches!(
             self,
@@ -204,14 +206,15 @@ impl Kind {
         )
     }
 
-    /// The kind of a file of which nothing but its name counts. Extensions are compared as the
-    /// applications do: `X.TARGET` is no target, but `X.OBJ` is a mesh.
+    /// The kind of a file if only its name is known. Extensions are compared as the applications do
+    /// it: `X.TARGET` is no target, but `X.OBJ` is a mesh.
     pub fn by_extension(file: &str) -> Self {
         let extension = extension(file);
         let is_own = |kind: Self, own: &str| match kind {
-            // Whatever names one opens it as it is written, in whatever capitals.
+            // Meshes and pictures are opened by the name that another file gives, whatever its
+            // capitals.
             Self::AssetMesh | Self::Image if own != "thumb" => own.eq_ignore_ascii_case(extension),
-            // Its list takes any capitals, and what it shows is loaded.
+            // The list of scenes ignores capitals, and loads the scene that the user picks.
             Self::Scene => own.eq_ignore_ascii_case(extension),
             _ => own == extension,
         };
@@ -221,7 +224,8 @@ impl Kind {
         row.map_or(Self::Other, |(kind, _)| *kind)
     }
 
-    /// A target by its name, packed or not, where an application looks for some.
+    /// The kind of a target, packed or not, by its name; for folders in which an application looks
+    /// for targets.
     pub(super) fn of_target(file: &str) -> Option<Self> {
         match extension(file) {
             "target" => Some(Self::Target),
@@ -231,14 +235,15 @@ impl Kind {
     }
 }
 
-/// What the files of a shader of MakeHuman 1 end in; a shader is any of them.
+/// Endings of the names of shader files of MakeHuman 1. A shader has one or more of these files.
 pub const SHADER_FILES: [&str; 3] = [
     "_vertex_shader.txt",
     "_fragment_shader.txt",
     "_geometry_shader.txt",
 ];
 
-/// Whether a file is an asset wherever it lies: no other program has files of its extension.
+/// Whether a file is an asset whatever folder it lies in, because no other program uses its
+/// extension.
 pub fn is_asset_anywhere(rel: &str) -> bool {
     matches!(
         extension(rel),
@@ -246,8 +251,8 @@ pub fn is_asset_anywhere(rel: &str) -> bool {
     )
 }
 
-/// The extension of an asset as its author meant it: no application lists one in capitals, and yet
-/// it is one.
+/// The extension of an asset as its author meant it: in small letters. No application lists a file
+/// with capitals in its extension, but the file is still meant as an asset.
 pub fn meant_extension(rel: &str) -> &str {
     const OF_ASSETS: [&str; 7] = ["mhclo", "proxy", "mhskel", "mhpose", "bvh", "mhm", "mhmat"];
     // Windows shows `vest.mhclo.txt` as `vest.mhclo`.
@@ -261,7 +266,7 @@ pub fn meant_extension(rel: &str) -> &str {
         .unwrap_or(written)
 }
 
-/// What is behind the last point of a name, as written.
+/// The part of a name behind its last point, as written.
 pub fn extension(rel: &str) -> &str {
     let name = rel.rsplit('/').next().unwrap_or(rel);
     name.rsplit_once('.').map_or("", |(_, extension)| extension)
@@ -271,8 +276,8 @@ pub fn extension(rel: &str) -> &str {
 mod tests {
     use super::*;
 
-    /// What changes a verdict besides `BY_EXTENSION`: targets, the configuration, sources of
-    /// shaders, the list of pictures.
+    /// Extensions that are checked besides those in `BY_EXTENSION`: of targets, of the
+    /// configuration, of shader sources, and of the list of pictures.
     const FURTHER: [&str; 5] = ["target", "gz", "toml", "txt", "list"];
 
     #[test]
@@ -304,7 +309,7 @@ mod tests {
                 .collect();
             assert_eq!(lines, vec![files.as_str(); hooks], "{file}");
         }
-        // The README has the help as it is printed.
+        // The README repeats the text of `--help`.
         let help: Vec<&str> = include_str!("../../../README.md")
             .split_whitespace()
             .collect();

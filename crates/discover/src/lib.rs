@@ -1,11 +1,12 @@
-//! What is where: data roots in a listing, what each path in them is for. Looks at paths only,
-//! opens nothing.
+//! Finds data roots in a listing, and tells what each path in them is used for. Looks at paths only
+//! and opens no files.
 //!
-//! What an application makes of paths is its [`Layout`]; nothing else here or further up matches
-//! parts of paths to find out what a file is for. The code of one application builds the paths of
-//! files that it opens by name.
+//! How an application reads paths is described by its [`Layout`]. No other code here or in the
+//! members that build on this one takes paths apart to find out what a file is for. The code of an
+//! application may build the paths of files that the application opens by name.
 
-// Files, streams and surroundings have few doors, and who may use them says so; tests are free.
+// Only a few modules may use files, streams and the environment, and they allow this lint
+// themselves; tests may use everything.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod aside;

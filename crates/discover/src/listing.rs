@@ -1,25 +1,25 @@
-//! What is in a tree, asked by path: what lies around a sign of a data root decides what it is
-//! worth.
+//! The paths in a tree. How much a sign of a data root is worth depends on the paths around it.
 
 use std::collections::BTreeSet;
 use std::ops::Bound;
 
 use super::layout::MAKEHUMAN2_BASES;
 
-/// Bytes of a file that a look into it may ask for.
+/// Reads the file at a path; `None` if it cannot be read, or is too large to be worth a look.
 type Peek<'l> = &'l dyn Fn(&str) -> Option<Vec<u8>>;
 
-/// The paths of a tree, and a look into the few files whose names do not say whose they are.
+/// The paths of a tree, and a function to look into the few files whose names do not tell which
+/// application they belong to.
 pub struct Listing<'l> {
     files: BTreeSet<&'l str>,
     folders: BTreeSet<&'l str>,
-    /// Base meshes that the run knows from elsewhere.
+    /// Names of base meshes that are known from other inputs of the run.
     bases: BTreeSet<&'l str>,
     peek: Peek<'l>,
 }
 
 impl<'l> Listing<'l> {
-    /// Of these files and folders.
+    /// A listing of these files and folders.
     pub fn of(
         files: impl IntoIterator<Item = &'l str>,
         folders: impl IntoIterator<Item = &'l str>,
@@ -33,13 +33,13 @@ impl<'l> Listing<'l> {
         }
     }
 
-    /// The same where files can be looked into.
+    /// This listing, with a function to look into files.
     #[must_use]
     pub fn with_contents(self, peek: Peek<'l>) -> Self {
         Self { peek, ..self }
     }
 
-    /// The same where the run knows base meshes of these names.
+    /// This listing, with names of base meshes that are known from other inputs.
     #[must_use]
     pub fn with_bases(self, bases: impl IntoIterator<Item = &'l str>) -> Self {
         Self {
@@ -48,7 +48,7 @@ impl<'l> Listing<'l> {
         }
     }
 
-    /// All files.
+    /// The paths of all files.
     pub(super) fn files(&self) -> impl Iterator<Item = &'l str> {
         self.files.iter().copied()
     }
@@ -58,12 +58,12 @@ impl<'l> Listing<'l> {
         self.files.contains(path)
     }
 
-    /// Whether there is a folder at a path, be it empty.
+    /// Whether there is a folder at a path; it may be empty.
     pub(super) fn has_folder(&self, path: &str) -> bool {
         self.folders.contains(path) || self.below(path).next().is_some()
     }
 
-    /// The files below a folder; of the top all.
+    /// The files below a folder; all files if the folder is the top, whose path is empty.
     pub fn below(&self, folder: &str) -> impl Iterator<Item = &'l str> + use<'_, 'l> {
         let prefix = if folder.is_empty() {
             String::new()
@@ -76,12 +76,12 @@ impl<'l> Listing<'l> {
             .take_while(move |path| path.starts_with(&prefix))
     }
 
-    /// Whether the run knows a base mesh of this name.
+    /// Whether a base mesh of this name is known.
     pub(super) fn knows_base(&self, name: &str) -> bool {
         MAKEHUMAN2_BASES.contains(&name) || self.bases.contains(name)
     }
 
-    /// Whether one of these words stands in the file at a path.
+    /// Whether the file at a path contains one of these words.
     pub(super) fn says(&self, path: &str, words: &[&str]) -> bool {
         let Some(bytes) = (self.peek)(path) else {
             return false;
@@ -94,7 +94,7 @@ impl<'l> Listing<'l> {
     }
 }
 
-/// A path below a folder; the top of a tree has no name.
+/// The path of `rel` in a folder. The top of a tree has an empty path.
 pub(super) fn at(folder: &str, rel: &str) -> String {
     if folder.is_empty() {
         rel.to_owned()

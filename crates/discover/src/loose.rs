@@ -1,45 +1,47 @@
-//! Assets outside of data roots, put where a user's data root would have them.
+//! Gives assets outside of data roots the paths that they would have in a user's data root.
 //!
-//! The folder with an asset becomes its folder in the library, with everything below it. What the
-//! asset names outside of that folder keeps its place beside it.
+//! The folder that an asset lies in is taken for the folder of the asset in its library, with
+//! everything below it. A file that the asset names and that lies outside of that folder keeps its
+//! place relative to the folder.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Candidate, Kind, Layout, extension, meant_extension};
 use mhlint_source::{Entry, EntryKind, Tree, folder_and_name, folders_above, normalized};
 
-/// The base mesh that a loose file is for, if that is known; `None` for a file that is none of
-/// ours.
+/// The base mesh that a loose file is for: `Some(None)` if it is not known which, `None` if the
+/// file is no asset but merely has the extension of one.
 pub type Binding = Option<Option<String>>;
 
-/// What a run knows of the files of a tree besides their paths.
+/// What a run knows about the files of a tree besides their paths.
 pub struct Known<'k> {
-    /// The folder that is the top of the tree, with those above it.
+    /// The path of the folder that is the top of the tree.
     pub top: &'k str,
-    /// Whether a file may be looked at.
+    /// Whether a file may be used.
     pub is_asked: &'k dyn Fn(&Entry) -> bool,
-    /// Whether only the files at the top and what these name are to be looked at.
+    /// Whether only files directly in the top folder, and the files that they name, are used.
     pub is_shallow: bool,
-    /// Asked for files with the name of an asset, with the names of the folders above it, the
-    /// nearest first.
+    /// The base mesh for a file that has the name of an asset. It also gets the names of the
+    /// folders above the file, the nearest first.
     pub bind: &'k dyn Fn(&Entry, &[&str]) -> Binding,
-    /// The list that the content of an asset speaks for, where no folder does.
+    /// The library that the content of an asset speaks for, where no folder above it has the name
+    /// of a library.
     pub list: &'k dyn Fn(&Entry) -> Option<&'static str>,
-    /// The names of files in a text.
+    /// The names of other files that a file contains.
     pub names: &'k dyn Fn(&Entry) -> Vec<String>,
 }
 
-/// The loose files of a tree as an application would have them.
+/// The loose files of a tree at the paths that they would have for an application.
 pub struct Loose<'t> {
-    /// Sorted by their supposed paths.
+    /// The files, sorted by their supposed paths.
     pub files: Vec<Candidate<'t>>,
-    /// The files that a file names, by their paths in the tree.
+    /// For each file the files that it names, as paths in the tree.
     named: BTreeMap<&'t str, BTreeSet<&'t str>>,
 }
 
 impl<'t> Loose<'t> {
-    /// What belongs to the file at a path: what it names, what that names, and what lies beside
-    /// each under the same name.
+    /// The files that belong to the file at a path: those that it names, those that these name in
+    /// turn, and those that lie beside one of them under the same name with another extension.
     pub fn belonging_to(&self, path: &'t str) -> BTreeSet<&'t str> {
         let mut all = BTreeSet::from([path]);
         let mut open = vec![path];
@@ -54,7 +56,8 @@ impl<'t> Loose<'t> {
     }
 }
 
-/// Whether a file is an asset of its own wherever it lies. A material may be a part of one.
+/// Whether a file is an asset by itself, whatever folder it lies in. Materials are left out, since
+/// they may be a part of another asset.
 fn is_asset(path: &str) -> bool {
     matches!(
         meant_extension(path),
@@ -67,7 +70,7 @@ fn stem(path: &str) -> &str {
     path.strip_suffix(extension(path)).unwrap_or(path)
 }
 
-/// Puts the loose files of a tree where `layout` has them.
+/// Gives the loose files of a tree the paths that they would have in a data root with this layout.
 pub fn loose<'t>(tree: &'t Tree, layout: &'static Layout, known: &Known<'_>) -> Loose<'t> {
     let files = tree
         .entries()
@@ -84,7 +87,7 @@ pub fn loose<'t>(tree: &'t Tree, layout: &'static Layout, known: &Known<'_>) -> 
         at: BTreeMap::new(),
         named: BTreeMap::new(),
     };
-    // What is a material of something is no skin.
+    // Other assets go first: a material that belongs to one of them is no skin.
     placing.place_assets(|extension| extension != MATERIAL);
     placing.place_assets(|extension| extension == MATERIAL);
     placing.place_single();
@@ -100,34 +103,35 @@ pub fn loose<'t>(tree: &'t Tree, layout: &'static Layout, known: &Known<'_>) -> 
 
 /// Extension of materials.
 const MATERIAL: &str = "mhmat";
-/// Extension of what MakeHuman 1 packs of something worn.
+/// Extension of the packed copy that MakeHuman 1 makes of clothes and proxies.
 const ARCHIVE: &str = "mhpxy";
 
-/// An asset that a list shows, and where its folder is put.
+/// An asset that an application would list, and the supposed path of its folder.
 struct Asset<'t> {
     entry: &'t Entry,
     home: String,
 }
 
-/// Loose files on their way.
+/// The loose files, some of which have got their supposed path.
 struct Placing<'t, 'k> {
     tree: &'t Tree,
     layout: &'static Layout,
     known: &'k Known<'k>,
     files: Vec<&'t Entry>,
-    /// Supposed folders of assets.
+    /// The supposed folders of assets.
     homes: BTreeSet<String>,
-    /// How many have a name in common, or have taken it.
+    /// For each supposed folder how many assets wanted it: the number in the name of the last one.
     taken_homes: BTreeMap<String, usize>,
-    /// Paths of the files that have a place.
+    /// Paths in the tree of the files that have got a supposed path.
     placed: BTreeSet<&'t str>,
-    /// Files by their supposed paths.
+    /// The files by their supposed paths.
     at: BTreeMap<String, &'t Entry>,
     named: BTreeMap<&'t str, BTreeSet<&'t str>>,
 }
 
 impl<'t, 'k> Placing<'t, 'k> {
-    /// Places the assets with these extensions, what lies in their folders, and what they name.
+    /// Gives paths to the assets with the wanted extensions, to the files in their folders, and to
+    /// the files that they name.
     fn place_assets(&mut self, is_wanted: impl Fn(&str) -> bool) {
         let assets = self.assets(is_wanted);
         let mut open = Vec::new();
@@ -145,7 +149,7 @@ impl<'t, 'k> Placing<'t, 'k> {
         self.follow(open);
     }
 
-    /// The assets, by the folder that they lie in.
+    /// The assets with the wanted extensions, by the folder that they lie in.
     fn assets(&mut self, is_wanted: impl Fn(&str) -> bool) -> BTreeMap<&'t str, Vec<Asset<'t>>> {
         let mut assets: BTreeMap<&str, Vec<Asset<'_>>> = BTreeMap::new();
         let mut homes: BTreeMap<(&str, String), String> = BTreeMap::new();
@@ -155,7 +159,8 @@ impl<'t, 'k> Placing<'t, 'k> {
             let is_open = is_wanted(meant_extension(&entry.path))
                 && !self.placed.contains(entry.path.as_str());
             let is_near = !self.known.is_shallow || folder.is_empty();
-            // A material below something to wear is no skin, even if that is none of ours.
+            // A material in the folder of clothes or in one below belongs to these and is no skin,
+            // even if nothing is known about the clothes.
             let is_part = || {
                 meant_extension(&entry.path) == MATERIAL
                     && folders_above(folder).any(|above| with_worn.contains(above))
@@ -191,7 +196,7 @@ impl<'t, 'k> Placing<'t, 'k> {
         assets
     }
 
-    /// Whether it is the archive of a text beside it, which is the asset then.
+    /// Whether a file is the packed copy of a text file beside it: then the text file is the asset.
     fn has_text(&self, entry: &Entry) -> bool {
         let stem = entry.path.strip_suffix(ARCHIVE);
         stem.is_some_and(|stem| {
@@ -201,7 +206,7 @@ impl<'t, 'k> Placing<'t, 'k> {
         })
     }
 
-    /// The folders with something to wear.
+    /// The folders that contain clothes or proxies.
     fn folders_with_worn(&self) -> BTreeSet<&'t str> {
         let is_worn =
             |entry: &&&Entry| matches!(meant_extension(&entry.path), "mhclo" | "proxy" | ARCHIVE);
@@ -209,12 +214,13 @@ impl<'t, 'k> Placing<'t, 'k> {
         worn.map(|entry| folder_and_name(&entry.path).0).collect()
     }
 
-    /// The names of a folder and those above it, the nearest first.
+    /// The names of a folder and of the folders above it, the nearest first.
     fn above<'p>(&self, folder: &'p str) -> Vec<&'p str>
     where
         'k: 'p,
     {
-        // Of what lies above the tree the folder that holds its top still says what this is.
+        // The last two names of the path of the tree count as well: the folder around the tree may
+        // be called after a library.
         let top = self.known.top.rsplit('/').take(2);
         folder
             .rsplit('/')
@@ -223,7 +229,8 @@ impl<'t, 'k> Placing<'t, 'k> {
             .collect()
     }
 
-    /// A folder for an asset with the name of its own, which no other asset has.
+    /// A supposed folder for an asset, called like the folder that it lies in, with a number if
+    /// another asset has that folder already.
     fn new_home(&mut self, library: &str, above: &str, folder: &str) -> String {
         if library == self.layout.flat && self.homes.insert(above.to_owned()) {
             return above.to_owned();
@@ -233,13 +240,14 @@ impl<'t, 'k> Placing<'t, 'k> {
         } else {
             folder
         };
-        // A hidden folder would be another matter.
+        // The point at the start is left out: applications treat hidden folders in another way.
         let (_, name) = folder_and_name(own.trim_end_matches('/'));
         let name = Some(name.trim_start_matches('.'))
             .filter(|name| !name.is_empty())
             .unwrap_or("asset");
         let first = format!("{above}/{name}");
-        // Where many have one name, those that are taken are not tried again.
+        // The number of the last asset with this name is kept, so that taken names are not tried
+        // again.
         let taken = self.taken_homes.entry(first.clone()).or_default();
         loop {
             *taken += 1;
@@ -254,8 +262,8 @@ impl<'t, 'k> Placing<'t, 'k> {
         }
     }
 
-    /// Where a file comes to lie that no list shows: beside the asset of its name, else with the
-    /// first of the nearest folder with assets.
+    /// The supposed path of a file that no application lists: in the folder of the asset that has
+    /// the same name, otherwise in that of the first asset of the nearest folder with assets.
     fn place_beside(
         &self,
         assets: &BTreeMap<&str, Vec<Asset<'t>>>,
@@ -277,7 +285,8 @@ impl<'t, 'k> Placing<'t, 'k> {
         Some(format!("{}/{rest}", asset.home))
     }
 
-    /// Gives a file a place, if that is free; what is there then is to be followed.
+    /// Gives a file the supposed path `rel`, unless another file has that path. Returns the file if
+    /// it got the path, so that the files it names can be placed next.
     fn put(&mut self, entry: &'t Entry, rel: String) -> Option<(&'t Entry, String)> {
         if self.at.contains_key(&rel) {
             return None;
@@ -287,7 +296,8 @@ impl<'t, 'k> Placing<'t, 'k> {
         Some((entry, rel))
     }
 
-    /// Places what these files name, each as seen from the file that names it.
+    /// Gives paths to the files that these files name, and so on. A name is resolved from the
+    /// supposed path of the file that contains it.
     fn follow(&mut self, mut open: Vec<(&'t Entry, String)>) {
         while let Some((from, rel)) = open.pop() {
             if !matches!(
@@ -312,7 +322,8 @@ impl<'t, 'k> Placing<'t, 'k> {
         }
     }
 
-    /// Places what is checked alone: targets, and weights without a skeleton.
+    /// Gives paths to files that are checked without an asset: targets, and weights without a
+    /// skeleton.
     fn place_single(&mut self) {
         let mut doubles: BTreeMap<String, usize> = BTreeMap::new();
         for entry in self.files.clone() {
@@ -333,7 +344,8 @@ impl<'t, 'k> Placing<'t, 'k> {
         }
     }
 
-    /// Folders are joined to one, and several can become the same.
+    /// Returns `rel`, or `rel` with a number behind its folder if another file has that path: files
+    /// from several folders are put into one, and may have equal names.
     fn free(&self, rel: String, doubles: &mut BTreeMap<String, usize>) -> String {
         if !self.at.contains_key(&rel) {
             return rel;
@@ -350,12 +362,12 @@ impl<'t, 'k> Placing<'t, 'k> {
     }
 }
 
-/// Stands for the base mesh where nothing says which one it is; no application has one of this
+/// The name of the base mesh where nothing says which it is. No application has a base mesh of this
 /// name.
 pub const UNKNOWN_BASE: &str = "(loose)";
 
-/// Whether a file below the folder of an asset may be a part of it: what else there is belongs to
-/// other programs.
+/// Whether a file below the folder of an asset may be a part of the asset, by its extension; other
+/// files belong to other programs.
 fn is_of_asset(name: &str) -> bool {
     matches!(
         Kind::by_extension(name),
@@ -368,7 +380,7 @@ fn is_of_asset(name: &str) -> bool {
     )
 }
 
-/// Whether it is a JSON of whatever program.
+/// Whether a file is a JSON, of any program.
 fn is_json(name: &str) -> bool {
     Kind::by_extension(name) == Kind::Json
 }

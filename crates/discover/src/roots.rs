@@ -9,23 +9,23 @@ use super::{Layout, Listing, contest};
 use mhlint_diag::Application;
 use mhlint_source::is_below;
 
-/// A folder that an application would call its data folder.
+/// A folder that looks like the data folder of an application.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct DataRoot {
-    /// Path from the top of the tree, empty for the top itself.
+    /// Path from the top of the tree; empty for the top itself.
     pub path: String,
-    /// Whose data folder it looks like.
+    /// The application.
     pub application: Application,
 }
 
-/// The applications whose data are meant.
+/// The applications whose data a run is expected to contain.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Meant<'a> {
-    /// Asked for by name, or with their data.
+    /// Applications that the user named, or gave data of with `--system`.
     pub asked: &'a [Application],
-    /// Asked for by name.
+    /// Applications that the user named.
     pub named: &'a [Application],
-    /// With data in another listing.
+    /// Applications that have data in another listing of the run.
     pub at_hand: &'a [Application],
 }
 
@@ -43,7 +43,7 @@ pub fn find_roots(listing: &Listing<'_>, meant: Meant<'_>) -> Vec<DataRoot> {
     Application::ALL
         .into_iter()
         .for_each(|one| search.share(one, &mut roots));
-    // What two share for certain is of both.
+    // A users' folder that certainly belongs to two applications is a root of both.
     let is_found = |root: &DataRoot| roots.iter().any(|other| other.path == root.path);
     let shared: Vec<DataRoot> = shared.into_iter().filter(is_found).collect();
     roots.extend(shared);
@@ -52,19 +52,19 @@ pub fn find_roots(listing: &Listing<'_>, meant: Meant<'_>) -> Vec<DataRoot> {
     roots
 }
 
-/// What is known while data roots are looked for.
+/// The state of the search for data roots.
 struct Search<'s> {
     listing: &'s Listing<'s>,
     meant: Meant<'s>,
-    /// The best sign of each root that is still one.
+    /// The roots that are left, each with the best sign for it.
     signs: BTreeMap<DataRoot, Sign>,
-    /// Those that a file beside them confirms.
+    /// The roots that a file beside them confirms.
     confirmed: BTreeSet<DataRoot>,
-    /// The applications that claim folders by themselves.
+    /// The applications that may claim a folder without further evidence.
     company: Vec<Application>,
     told: Told,
-    /// Of the roots that were asked for it, whether what lies beside them says for certain whose
-    /// they are.
+    /// For the roots that were looked at for this: whether the files beside a root make certain
+    /// whose it is.
     are_data: RefCell<BTreeMap<DataRoot, bool>>,
 }
 
@@ -75,9 +75,10 @@ impl<'s> Search<'s> {
         signs: BTreeMap<DataRoot, Sign>,
         confirmed: BTreeSet<DataRoot>,
     ) -> Self {
-        // An application that shares its users' folders with another one claims none of them alone:
-        // it has to be asked for, to have a root of its own at hand, or files beside the folder
-        // that no other has.
+        // An application that shares the users' folders of another one (MPFB those of MakeHuman 1)
+        // does not claim such a folder by itself. It claims it if the user asked for the
+        // application, if it has a data root of its own, or if files beside the folder are such as
+        // no other application has.
         let is_at_hand = |application: Application| {
             meant.asked.contains(&application) || has_data(&signs, meant, application)
         };
@@ -96,8 +97,9 @@ impl<'s> Search<'s> {
         }
     }
 
-    /// Takes out what nobody claims. A folder that a file beside it confirms is of none whose
-    /// users' folders are not shared.
+    /// Removes roots that their application may not claim. If a file beside a root confirms that it
+    /// belongs to another application, the root is removed, unless that one shares the users'
+    /// folders of the application.
     fn leave_out_unclaimed(&mut self) {
         let Self {
             signs,
@@ -123,17 +125,18 @@ impl<'s> Search<'s> {
         });
     }
 
-    /// The roots that lie near no better one.
+    /// The roots that are not inside or around a better root.
     fn outermost(&self) -> Vec<DataRoot> {
         let mut roots = self.of_sign(Sign::Strong, &[]);
-        // Neither of these makes the other one near: they are as good.
+        // These two signs are equally good: a root with the one does not exclude a root with the
+        // other.
         let [of_users, weak] = [Sign::OfUser, Sign::Weak].map(|sign| self.of_sign(sign, &roots));
         roots.extend(of_users.into_iter().chain(weak));
         roots.extend(self.of_sign(Sign::Faint, &roots));
         roots
     }
 
-    /// One that is near a better one does not count, unless it is as good.
+    /// The roots with this sign that are not inside or around one of the `better` roots.
     fn of_sign(&self, sign: Sign, better: &[DataRoot]) -> Vec<DataRoot> {
         let own = self
             .signs
@@ -150,8 +153,8 @@ impl<'s> Search<'s> {
         nested(&better.path, &root.path) && !are_two() && !self.is_stray(root, better)
     }
 
-    /// What is of another application lies in or around the data of one to which files beside them
-    /// belong.
+    /// Whether `other` is only a stray folder for `root`: it belongs to another application, and
+    /// the files beside `root` make certain that `root` is a data root.
     fn is_stray(&self, root: &DataRoot, other: &DataRoot) -> bool {
         let look = || evidence(self.listing, &root.path, root.application).is_certain_beside;
         let is_certain = || {
@@ -164,7 +167,8 @@ impl<'s> Search<'s> {
         root.application != other.application && has_beside(root.application) && is_certain()
     }
 
-    /// Adds the folders of users that an application shares with another one.
+    /// Adds the users' folders that an application shares with another one: roots of that one are
+    /// roots of this one, too.
     fn share(&self, application: Application, roots: &mut Vec<DataRoot>) {
         let Some(other) = Layout::of(application).shares_roots_of else {
             return;
@@ -174,8 +178,8 @@ impl<'s> Search<'s> {
             application,
         };
         let is_asked = |one: Application| self.meant.asked.contains(&one);
-        // Signs that others have, too, are those of a user. Of an application that is asked for all
-        // but a system's are.
+        // A faint sign, which several applications have, means a user's folder. If the user asked
+        // for the application, every sign does but a strong one, which means data of the program.
         let is_users =
             |sign: Sign| sign == Sign::Faint || sign < Sign::Strong && is_asked(application);
         let is_shared = |root: &&DataRoot| {
@@ -185,8 +189,8 @@ impl<'s> Search<'s> {
             is_meant && root.application == other && sign.is_some_and(is_users)
         };
         let shared: Vec<DataRoot> = roots.iter().filter(is_shared).map(own).collect();
-        // Where files beside it confirm the one, whose data are at hand, and nothing says the
-        // other, that is not meant.
+        // If this application has data and the other one neither has data nor was asked for, a root
+        // that files beside it confirm for this application is not one of the other application.
         let has_data = |one| has_data(&self.signs, self.meant, one);
         if has_data(application) && !has_data(other) && !is_asked(other) {
             let is_other = |root: &DataRoot| {
@@ -198,16 +202,18 @@ impl<'s> Search<'s> {
     }
 }
 
-/// Whether an application has data of its own: here, or in another listing.
+/// Whether an application has data that are certainly its own, in this listing or in another one.
 fn has_data(signs: &BTreeMap<DataRoot, Sign>, meant: Meant<'_>, application: Application) -> bool {
     let is_own =
         |(root, sign): (&DataRoot, &Sign)| root.application == application && *sign == Sign::Strong;
     meant.at_hand.contains(&application) || signs.iter().any(is_own)
 }
 
-/// Takes out folders `data` that are none, and those that are no data for the sake of one.
+/// Removes `data` folders that are no data roots, and roots that are none because a folder `data`
+/// in them is the data root.
 fn leave_out_misplaced(signs: &mut BTreeMap<DataRoot, Sign>, listing: &Listing<'_>) {
-    // What lies in data by mistake makes no folder `data` in them where there is none.
+    // Files in the wrong place in a data root may suggest a folder `data` in that root. There is no
+    // such folder.
     let is_supposed = |root: &DataRoot| {
         let above = root
             .path
@@ -222,7 +228,7 @@ fn leave_out_misplaced(signs: &mut BTreeMap<DataRoot, Sign>, listing: &Listing<'
         .cloned()
         .collect();
     signs.retain(|root, _| !supposed.contains(root));
-    // A folder `data` in one that is called so is a copy that went astray.
+    // A folder `data/data` is a copy that was put into the wrong folder.
     let astray = |root: &DataRoot| {
         let above = root
             .path
@@ -241,7 +247,7 @@ fn leave_out_misplaced(signs: &mut BTreeMap<DataRoot, Sign>, listing: &Listing<'
         .cloned()
         .collect();
     signs.retain(|root, _| !astray.contains(root));
-    // What lies beside a folder called `data` does not make a root of the one above it.
+    // Files beside a folder `data` that is a root do not make a root of the folder above it.
     let is_above_data = |root: &DataRoot| {
         let below = data_in(&root.path, root.application);
         has_beside(root.application) && signs.contains_key(&below)
@@ -254,17 +260,17 @@ fn leave_out_misplaced(signs: &mut BTreeMap<DataRoot, Sign>, listing: &Listing<'
     signs.retain(|root, _| !above_data.contains(root));
 }
 
-/// Whether a file belongs to a package that a project in another language brings along.
+/// Whether a file belongs to a package of JavaScript, which a project may contain.
 fn is_of_package(file: &str) -> bool {
     file.split('/').any(|part| part == "node_modules")
 }
 
-/// What speaks for data roots.
+/// The signs of data roots in a listing.
 #[derive(Default)]
 struct Signs {
-    /// The best sign of each.
+    /// The best sign of each root.
     signs: BTreeMap<DataRoot, Sign>,
-    /// Those that a file beside them confirms.
+    /// The roots that a file beside them confirms.
     confirmed: BTreeSet<DataRoot>,
 }
 
@@ -284,12 +290,13 @@ impl Signs {
                         sign,
                     );
                 }
-                // A user's folder may hold nothing but what lies beside the data.
+                // A user's folder may contain nothing but the files that lie beside its `data`.
                 let above = layout
                     .above_data(file)
                     .map(|above| data_in(above, application));
                 if let Some(data) = above {
-                    // And without that folder, where its content says whose it is.
+                    // This holds even without a folder `data`, if the content of the file tells the
+                    // application.
                     if listing.has_folder(&data.path) {
                         found.add(data, Sign::Faint);
                     } else if (layout.tells_without_data)(listing, file) {
@@ -307,14 +314,15 @@ impl Signs {
     }
 }
 
-/// Roots of users of an application that shares these with another one, told by what is in them
-/// where neither has data at hand.
+/// Users' folders of an application that shares those of another one, recognised by the files in
+/// them although neither application has data in this run.
 #[derive(Default)]
 struct Told {
-    /// Those with files that nobody else has: the other one is not meant.
+    /// Folders with files that only users of the application have: they do not belong to the other
+    /// application.
     alone: BTreeSet<DataRoot>,
-    /// Those with assets of both, and files that say more of the one than of the other: either may
-    /// be meant.
+    /// Folders with assets that both applications have, and with files that suggest this
+    /// application rather than the other: they belong to both.
     shared: BTreeSet<DataRoot>,
 }
 
@@ -340,7 +348,7 @@ impl Told {
                 .into_iter()
                 .filter(|one| *one != root.application && *one != partner);
             let mut is_of_third = || third.any(|other| sign_of(other).is_some());
-            // In `custom/` of the partner folders may be called anything.
+            // In `custom/` of the other application users may give folders any names.
             let is_in_custom = || root.path.split('/').any(|name| name == "custom");
             if is_at_hand(root.application)
                 || is_at_hand(partner)
@@ -362,9 +370,9 @@ impl Told {
         told
     }
 
-    /// Whether a root and a better one are two although the one lies inside the other: the better
-    /// one has files that only its application has, or the root is told and the better one is of a
-    /// third application.
+    /// Whether a root and a better one are two separate roots, although one lies inside the other.
+    /// They are if the better root has files that only its application has, or if the root is one
+    /// of `alone` or `shared` and the better one belongs to a third application.
     fn are_apart(&self, root: &DataRoot, better: &DataRoot) -> bool {
         let is_apart = |told: &DataRoot| {
             let is_third = better.application != told.application
@@ -376,7 +384,7 @@ impl Told {
     }
 }
 
-/// Whether files beside a folder called `data` belong to it.
+/// Whether the application has files beside a folder called `data` that belong to that folder.
 fn has_beside(application: Application) -> bool {
     !Layout::of(application).beside.is_empty()
 }
@@ -385,7 +393,8 @@ fn is_data(path: &str) -> bool {
     path.rsplit('/').next() == Some("data")
 }
 
-/// The data root that a file lies beside, if it is one of the application by its name.
+/// The data root that a file lies beside, if the name of the file shows that it belongs to the
+/// application.
 fn beside_of(file: &str, application: Application) -> Option<DataRoot> {
     let layout = Layout::of(application);
     let (folder, name) = file.rsplit_once('/')?;
@@ -395,7 +404,7 @@ fn beside_of(file: &str, application: Application) -> Option<DataRoot> {
     is_telling.then(|| data_in(above, application))
 }
 
-/// A folder `data` as the data root of an application.
+/// The folder `data` in the folder `above`, as a data root of the application.
 fn data_in(above: &str, application: Application) -> DataRoot {
     let path = if above.is_empty() {
         "data".to_owned()
@@ -405,8 +414,8 @@ fn data_in(above: &str, application: Application) -> DataRoot {
     DataRoot { path, application }
 }
 
-/// Whether a root inside that of another application lies beside data of its own, nearer than the
-/// top of that one.
+/// Whether a root inside a root of another application lies near certain data of its own
+/// application: both have a folder in common that is below the top of the outer root.
 fn is_beside_own(root: &DataRoot, outer: &DataRoot, signs: &BTreeMap<DataRoot, Sign>) -> bool {
     let shared = |other: &DataRoot| {
         let pairs = root.path.split('/').zip(other.path.split('/'));
@@ -549,9 +558,9 @@ mod tests {
                 .collect::<Vec<_>>(),
             both("user")
         );
-        // Without its company a folder of packs, expressions or custom targets is nobody's; with
-        // assets it is that of the other one, and of both where the other one has no use for what
-        // is in it.
+        // Without data of MPFB or MakeHuman 1 a folder of packs, expressions or custom targets is
+        // no data root. If it has assets, too, it belongs to MakeHuman 1; it belongs to both
+        // applications if MakeHuman 1 has no use for the other files.
         assert_eq!(
             found(&[
                 "src/packs/mine.json",
@@ -599,22 +608,21 @@ mod tests {
                     .collect::<Vec<_>>(),
                 [Application::Makehuman1]
             );
-            // Where there are data of MakeHuman 1 a target in such a folder is one in the wrong
-            // place.
+            // If there are data of MakeHuman 1, a target in such a folder is in the wrong place.
             let beside = found(&["data/modifiers/a_modifiers.json", path, library]);
             assert_eq!(
                 beside[1..],
                 [("user".to_owned(), Application::Makehuman1)],
                 "{path}"
             );
-            // And no file of one makes a folder of MakeHuman 2 that of another application.
+            // No such file makes a folder of MakeHuman 2 a folder of another application.
             let of_other = found(&["user/target/hm08/a/b.target", path]);
             assert_eq!(
                 of_other,
                 [("user".to_owned(), Application::Makehuman2)],
                 "{path}"
             );
-            // Those of the one inside those of the other are two.
+            // A root of MPFB inside a root of MakeHuman 1 is a root by itself.
             let around = format!("pack/{path}");
             let both = [
                 ("pack".to_owned(), Application::Makehuman1),
@@ -626,7 +634,7 @@ mod tests {
                 "{path}"
             );
         }
-        // Around the data of a third application they are roots all the same.
+        // They are roots even if data of a third application are inside.
         let third = [
             "packs/a.json",
             "hair/bob.mhclo",
@@ -661,8 +669,8 @@ mod tests {
             found(&["user/config/studio.json", "user/data/packs/mine.json"]),
             []
         );
-        // A folder at the top is as good as one below, and what lies above `data` by mistake is no
-        // root.
+        // Files at the top are as good as files in a folder. Files that lie above `data` by mistake
+        // make no root.
         let stray = [
             "config/human.ada.json",
             "data/targets/a/b.target",
