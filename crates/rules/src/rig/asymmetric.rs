@@ -23,10 +23,11 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     )
 });
 
-/// Nearer than this to each other places mirror one another, metres.
+/// Two places mirror each other if the mirror image of the one is nearer than this to the other, in
+/// metres.
 const NEAR: f64 = 5e-3;
 
-/// In what two bones differ.
+/// How a left bone and its right counterpart differ.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Unlike {
     Connected,
@@ -43,11 +44,12 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Finding> {
     let known = by_name(bones);
     let pair = |placed: &Placed<'_>| {
-        // Each pair is looked at once.
+        // Only from the left bone, so that each pair is compared once.
         let (_, partner) = pairs::of(&placed.bone.name).filter(|(side, _)| *side == Side::Left)?;
         known.get(partner.as_str()).copied()
     };
-    // What lies otherwise than it should has findings of its own.
+    // Bones on the wrong side and bones with swapped ends are reported by `rig-wrong-side` and
+    // `rig-swapped-ends`.
     let swapped = pairs::swapped(bones);
     let is_told =
         |one: &Placed<'_>| pairs::is_across(one) || swapped.contains(&one.bone.name.as_str());

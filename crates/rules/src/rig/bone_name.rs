@@ -1,4 +1,5 @@
-//! Names of bones are kept by Blender, and are not those of vertex groups.
+//! Names of bones are short enough for Blender to keep, and are not names of vertex groups of the
+//! figure.
 
 use std::collections::BTreeSet;
 
@@ -18,7 +19,7 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     )
 });
 
-/// Bytes that Blender keeps of a name.
+/// Blender keeps this many bytes of a name.
 const LONGEST: usize = 63;
 
 const MOVES: Case = &[(
@@ -27,7 +28,7 @@ const MOVES: Case = &[(
     "moves all vertices of that group with the bone, whatever the weights say",
 )];
 
-/// Groups that MPFB gives each figure besides those of its table.
+/// Vertex groups that MPFB adds to each figure, besides those in its table of groups.
 const MADE: [&str; 8] = [
     "nippleTip",
     "nipple",

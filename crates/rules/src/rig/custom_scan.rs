@@ -1,4 +1,4 @@
-//! Rigs of a user are listed.
+//! The rigs in a user's folder appear in the list of MPFB.
 
 use super::super::{Check, Rule, RuleCx};
 use mhlint_diag::{Application::Mpfb, Case, Finding, Level, Place, RuleInfo};
@@ -39,7 +39,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 fn listed(view: &View<'_>, file: &FileFacts, rig: &Rig) -> Option<Finding> {
     if let Some(found) = no_object(rig) {
-        // What is not looked at for its name does no harm.
+        // A file that MPFB does not open because of its name does no harm.
         let message = format!("the file is {found}, expected an object");
         let finding = RULE.at(file, Place::File, message).case(NONE_LISTED);
         return is_listed(file)
@@ -79,7 +79,8 @@ fn listed(view: &View<'_>, file: &FileFacts, rig: &Rig) -> Option<Finding> {
 
 const SIGN: &str = "`identifying_bones` with names of bones that no other rig has";
 
-/// How to call a rig whose name is not listed, and what becomes of its weights.
+/// Help for a rig that is not listed because of its name: the new name, and what to do with its
+/// weights.
 fn renamed(layer: &Layer, file: &FileFacts, rig: &Rig) -> String {
     let plain = |name: &str| -> String {
         name.chars()
@@ -93,7 +94,8 @@ fn renamed(layer: &Layer, file: &FileFacts, rig: &Rig) -> String {
             .collect()
     };
     let is_there = |name: &str| layer.is_there(&format!("rigs/{name}.json"));
-    // The add-on calls its own so, and their weights as those of a user are called.
+    // `rig.<name>.json` is the form of name of the rigs that come with MPFB. Their weights are
+    // called `weights.<name>.json`, which is also the form for rigs of a user.
     let own = file
         .stem()
         .strip_prefix("rig.")
@@ -105,7 +107,7 @@ fn renamed(layer: &Layer, file: &FileFacts, rig: &Rig) -> String {
         .filter(|weights| is_there(weights))
     {
         Some(weights) if free == Some(&*new) => format!("; `{weights}.json` keeps its name"),
-        // Those are of the rig that has the name.
+        // The name is taken by another rig, and these are the weights of that rig.
         Some(weights) if free.is_none() => {
             format!("; copy `{weights}.json` to `weights.{new}.json`")
         }
@@ -141,7 +143,7 @@ fn no_object(rig: &Rig) -> Option<&'static str> {
     })
 }
 
-/// Whether a file has bones, or says by which it is recognised.
+/// Whether a file is a rig: it has bones, or `identifying_bones`.
 fn is_rig(rig: &Rig) -> bool {
     rig.bones
         .iter()

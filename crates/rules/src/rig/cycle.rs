@@ -1,4 +1,4 @@
-//! No bone hangs on itself.
+//! No bone is its own parent or ancestor.
 
 use std::collections::BTreeMap;
 
@@ -75,7 +75,7 @@ fn finding(file: &RigFile<'_>, rig: &Rig) -> Option<Finding> {
     )
 }
 
-/// The bones of the circle, from the one that closes it up.
+/// The bones of a circle of parents. The first is the bone whose parent closes the circle.
 fn circle(closing: usize, parents: &[Option<usize>]) -> Vec<usize> {
     let mut circle = vec![closing];
     let mut at = closing;

@@ -1,4 +1,4 @@
-//! Default positions are where the ends of bones are found.
+//! The default position of the end of a bone is near the place that the strategy of the end finds.
 
 use super::super::{Check, Rule, RuleCx, such};
 use super::at_bones;
@@ -24,8 +24,8 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     )
 });
 
-/// Rigs in order stay within 0.078 on the base mesh, metres
-/// (`docs/loaders/mpfb/shipped-rigs.md#drift-of-default-positions`).
+/// Distance in metres from which a default position is reported. Rigs that are in order stay within
+/// 0.078 on the base mesh (`docs/loaders/mpfb/shipped-rigs.md#drift-of-default-positions`).
 const FAR: f64 = 0.1;
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -34,7 +34,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// An end with both of its places.
+/// An end of a bone with the place that its strategy finds and its default position.
 struct Known<'r> {
     bone: &'r str,
     which: &'static str,

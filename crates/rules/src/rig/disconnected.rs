@@ -23,7 +23,7 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     )
 });
 
-/// Rounding of coordinates, metres.
+/// Distances up to this come from rounded coordinates, in metres.
 const GAP: f64 = 1e-5;
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -43,7 +43,7 @@ fn finding(file: &RigFile<'_>, rig: &Rig, bones: &[Placed<'_>]) -> Option<Findin
                 .filter(|_| placed.bone.use_connect)?,
         )?;
         let ((head, tail), (_, end)) = (placed.found()?, parent.found()?);
-        // A bone that comes to nothing has a finding of its own (`rig-zero-length-bone`).
+        // A bone of no length is reported by `rig-zero-length-bone`.
         Some(apart(head, end)).filter(|_| apart(tail, end) >= NO_LENGTH)
     };
     let found: Vec<(&str, f64)> = bones

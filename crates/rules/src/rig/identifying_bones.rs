@@ -1,4 +1,4 @@
-//! A rig of a user is recognised by bones of its own.
+//! MPFB recognises a user's rig by bones that no other rig has.
 
 use std::collections::BTreeSet;
 

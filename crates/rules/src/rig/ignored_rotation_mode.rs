@@ -1,4 +1,4 @@
-//! Rotation modes are kept in rigs for Rigify and in sub-rigs only.
+//! MPFB keeps rotation modes only in rigs for Rigify and in sub-rigs.
 
 use super::super::{Check, Rule, RuleCx, such};
 use super::at_bones;
@@ -19,8 +19,8 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     )
 });
 
-/// The modes that Blender knows, without that which all bones get. Any other stops the loader
-/// (`rig-enum`).
+/// The rotation modes that Blender knows, without `XYZ`, which MPFB gives to all bones. Any other
+/// mode stops the loader (`rig-enum`).
 const OVERWRITTEN: [&str; 7] = [
     "QUATERNION",
     "XZY",

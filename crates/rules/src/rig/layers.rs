@@ -1,4 +1,4 @@
-//! Layers are read below version 110 only, and there are 32 of them.
+//! MPFB reads layers only in rigs below version 110, and there are 32 layers.
 
 use super::super::{Check, Rule, RuleCx, such};
 use super::{STOPS, stops, subject};
@@ -61,8 +61,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// The member that names collections in place of layers: of a bone, or among the parameters of
-/// Rigify.
+/// The key that names bone collections where older rigs have layers: the key of a bone, or that of
+/// a parameter of Rigify.
 fn successor(pointer: &str) -> String {
     let member = pointer
         .rsplit('/')

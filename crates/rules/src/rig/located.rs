@@ -1,4 +1,4 @@
-//! Where the bones of a rig lie on the base mesh as it stands, without a target.
+//! Where the bones of a rig lie on the base mesh, with no target applied.
 
 use std::collections::BTreeMap;
 
@@ -8,13 +8,13 @@ use mhlint_eval::vector::{Point, Vec3, length, sub};
 use mhlint_formats::rig::{DefaultPosition, End, Rig, RigBone, Strategy};
 use mhlint_repo::mpfb::{RigFile, RigPart, View};
 
-/// The base mesh in Blender's axes, metres.
+/// The vertices of the base mesh in the axes of Blender, in metres.
 pub(super) struct Figure<'v> {
     positions: Vec<Point>,
     view: &'v View<'v>,
 }
 
-/// A bone with its ends.
+/// A bone with the places of its ends.
 pub(super) struct Placed<'r> {
     pub(super) bone: &'r RigBone,
     pub(super) head: Located,
@@ -22,7 +22,7 @@ pub(super) struct Placed<'r> {
 }
 
 impl<'v> Figure<'v> {
-    /// The mesh, if it is whole, and the tables of its joints can be read.
+    /// The base mesh, if all of it and its table of vertex groups can be read.
     pub(super) fn of(view: &'v View<'v>) -> Option<Self> {
         let (_, mesh) = view
             .mesh
@@ -36,7 +36,7 @@ impl<'v> Figure<'v> {
         Some(Self { positions, view })
     }
 
-    /// Its joints.
+    /// The joints of the base mesh.
     pub(super) fn joints(&self) -> Joints<'_> {
         let groups = self.view.groups.iter().flat_map(|groups| &groups.groups);
         Joints::new(
@@ -46,7 +46,7 @@ impl<'v> Figure<'v> {
     }
 }
 
-/// A strategy as evaluation has it.
+/// A strategy in the type that `eval` takes.
 pub(super) fn how(strategy: &Strategy) -> How<'_> {
     match strategy {
         Strategy::Cube(name) => How::Cube(name),
@@ -57,7 +57,7 @@ pub(super) fn how(strategy: &Strategy) -> How<'_> {
     }
 }
 
-/// An end as evaluation has it.
+/// An end in the type that `eval` takes.
 pub(super) fn end(end: &End) -> BoneEnd<'_> {
     let default_position = match end.default_position {
         DefaultPosition::At(place) => Some(place),
@@ -70,7 +70,7 @@ pub(super) fn end(end: &End) -> BoneEnd<'_> {
     }
 }
 
-/// The scale of the usual figure by that at which a rig was recorded.
+/// The scale of the usual figure, divided by the scale at which the rig was recorded.
 pub(super) fn relative_scale(rig: &Rig) -> f64 {
     if rig.scale_factor == 0.0 {
         1.0
@@ -79,7 +79,8 @@ pub(super) fn relative_scale(rig: &Rig) -> f64 {
     }
 }
 
-/// The bones of a rig of the body where both ends could be read.
+/// The bones of a rig of the body that have two ends which can be read, with the places of the
+/// ends.
 pub(super) fn placed<'r>(rig: &'r Rig, joints: &Joints<'_>) -> Vec<Placed<'r>> {
     let scale = relative_scale(rig);
     let at = |one: &Option<End>| Some(joints.locate(&end(one.as_ref()?), scale));
@@ -95,7 +96,8 @@ pub(super) fn placed<'r>(rig: &'r Rig, joints: &Joints<'_>) -> Vec<Placed<'r>> {
         .collect()
 }
 
-/// The rigs of the body with their bones on the mesh. Those of assets refer to meshes of their own.
+/// The rigs of the body, with the places of their bones on the base mesh. Rigs of assets are left
+/// out, since they refer to the meshes of the assets.
 pub(super) fn of_body<'v>(view: &'v View<'v>) -> Vec<(&'v RigFile<'v>, &'v Rig, Vec<Placed<'v>>)> {
     let Some(figure) = Figure::of(view) else {
         return Vec::new();
@@ -109,13 +111,13 @@ pub(super) fn of_body<'v>(view: &'v View<'v>) -> Vec<(&'v RigFile<'v>, &'v Rig, 
 }
 
 impl Placed<'_> {
-    /// Both ends, if they are anywhere, finite.
+    /// The places of both ends, if both have one, also a default one, and all numbers are finite.
     pub(super) fn ends(&self) -> Option<(Vec3, Vec3)> {
         let (head, tail) = (self.head.place()?, self.tail.place()?);
         Some((head, tail)).filter(|(head, tail)| head.iter().chain(tail).all(|one| one.is_finite()))
     }
 
-    /// Both ends, if both were found by their strategies.
+    /// The places of both ends, if the strategies of both found one.
     pub(super) fn found(&self) -> Option<(Vec3, Vec3)> {
         match (self.head, self.tail) {
             (Located::Found(head), Located::Found(tail)) => Some((head, tail)),
@@ -124,7 +126,7 @@ impl Placed<'_> {
     }
 }
 
-/// Bones by their names, of equal ones the last.
+/// Bones by their names; of bones with equal names the last.
 pub(super) fn by_name<'p, 'r>(bones: &'p [Placed<'r>]) -> BTreeMap<&'r str, &'p Placed<'r>> {
     bones
         .iter()
@@ -132,12 +134,12 @@ pub(super) fn by_name<'p, 'r>(bones: &'p [Placed<'r>]) -> BTreeMap<&'r str, &'p 
         .collect()
 }
 
-/// How far two places are from each other.
+/// The distance between two places.
 pub(super) fn apart(a: Vec3, b: Vec3) -> f64 {
     length(sub(a, b))
 }
 
-/// `(0.12, -0.30, 1.45)`, metres.
+/// A place as text, in metres: `(0.12, -0.30, 1.45)`.
 pub(super) fn place_in_words(place: Vec3) -> String {
     format!("({:.2}, {:.2}, {:.2})", place[0], place[1], place[2])
 }

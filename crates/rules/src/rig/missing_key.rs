@@ -1,4 +1,4 @@
-//! Bones have all keys, of the types that Blender takes.
+//! Bones have all keys that MPFB needs, with values of the types that Blender takes.
 
 use std::collections::BTreeMap;
 

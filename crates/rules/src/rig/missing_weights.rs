@@ -31,7 +31,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 .iter()
                 .any(|rel| rig.layer.has_unusable(rel))
     };
-    // One that is not found for its capitals is told for these.
+    // A rig that is not found because of its capitals is reported for those.
     let is_lost = |rig: &RigFile<'_>| {
         lost_rigs(rig.layer).any(|lost| lost.eq_ignore_ascii_case(&rig.file.rel))
     };
@@ -44,7 +44,8 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .filter(is_without)
         .filter(|rig| !is_lost(rig))
     {
-        // What two rigs both look for comes first among their names.
+        // If two rigs look for the same file its name is the smallest among the names of both, so
+        // that they get one finding.
         if let Some(rel) = rig.wanted_weights.iter().min() {
             by_weights.entry(rel).or_default().push(rig);
         }
@@ -65,9 +66,9 @@ fn folder_of(rel: &str) -> &str {
 
 /// The names of the files below a folder.
 struct Names<'l> {
-    /// All of them under their small letters; of several the first.
+    /// All names, by their form in small letters; of several names with the same form the first.
     all: BTreeMap<String, &'l str>,
-    /// Those of weights that belong to no rig of that name.
+    /// Names of files with weights for which there is no rig of the same name.
     free: Vec<&'l str>,
 }
 
@@ -114,7 +115,7 @@ fn finding(
     let in_other_case = names_of.all.get(&name.to_ascii_lowercase());
     let misnamed = || names_of.all.get(&own.to_ascii_lowercase());
     let misnamed = || misnamed().filter(|other| **other == own);
-    // Weights of another rig have similar names.
+    // Only weights without a rig are suggested: weights of other rigs have similar names.
     let near = in_other_case
         .or_else(misnamed)
         .copied()

@@ -1,4 +1,4 @@
-//! Rules on rigs of MPFB, and what they share: words for bones, and where these lie on the base
+//! Rules on rigs of MPFB. The rules share words for bones, and the places of bones on the base
 //! mesh.
 
 mod asymmetric;
@@ -85,7 +85,7 @@ pub(super) static RULES: &[&Rule] = &[
     &zero_length_bone::RULE,
 ];
 
-/// What becomes of a rig at which the loader stops.
+/// What happens when a rig has a fault at which the loader stops.
 pub(super) const STOPS: &str =
     "fails with an exception when the rig is added: half-made objects stay in the scene";
 const OF_ASSET: Case = &[(
@@ -94,7 +94,8 @@ const OF_ASSET: Case = &[(
     "fails with an exception when the asset is added: it stays without its own rig",
 )];
 
-/// The words that fit what a rig is added to, for a finding on what stops the loader.
+/// A finding on a fault that stops the loader, with the words for a rig of an asset if the rig is
+/// one.
 fn stops(rig: &RigFile<'_>, finding: Finding) -> Finding {
     if rig.part == RigPart::Asset {
         finding.case(OF_ASSET)
@@ -103,7 +104,8 @@ fn stops(rig: &RigFile<'_>, finding: Finding) -> Finding {
     }
 }
 
-/// Whether there is an asset that a sub-rig beside it is added with; others are never read.
+/// Whether there is an asset that a sub-rig belongs to: a file beside it with the same name. MPFB
+/// reads no other sub-rigs.
 fn has_asset(rig: &RigFile<'_>) -> bool {
     let prefix = format!("{}/{}.", parent(&rig.file.rel), rig.file.stem());
     ["mhclo", "proxy"]
@@ -111,7 +113,8 @@ fn has_asset(rig: &RigFile<'_>) -> bool {
         .any(|ending| rig.layer.file(&format!("{prefix}{ending}")).is_some())
 }
 
-/// A finding on some bones of a rig, at the key of the first one.
+/// A finding on some bones of a rig, placed at `key` of the first bone, or at that bone if `key` is
+/// empty.
 fn at_bones(
     rule: &Rule,
     file: &RigFile<'_>,
@@ -135,7 +138,8 @@ fn at_bones(
     Some(rule.at(file.file, place, message).evidence(evidence))
 }
 
-/// Faults of one sort in one key are one cause, in however many bones.
+/// Findings on values in bones: faults of one sort at the same key become one finding, in however
+/// many bones they are.
 const IN_BONES: Wording = Wording { cause, subject };
 
 fn cause(one: &Unfit) -> String {
@@ -144,7 +148,8 @@ fn cause(one: &Unfit) -> String {
         .filter(is_name)
         .last()
         .unwrap_or_default();
-    // What a bone lacks stands at the bone: its name is no part of the cause.
+    // A missing key is reported at the bone. The last step is then the name of the bone, which must
+    // not divide the findings.
     let key = if is_of_bone(&one.pointer) {
         String::new()
     } else {
@@ -153,7 +158,7 @@ fn cause(one: &Unfit) -> String {
     format!("{key} {}", sort(one))
 }
 
-/// Keys at the top of a rig that are no bones.
+/// Keys at the top of a rig that are not names of bones.
 const HEADER: [&str; 6] = [
     "version",
     "scale_factor",
@@ -172,7 +177,7 @@ fn is_of_bone(pointer: &str) -> bool {
     }
 }
 
-/// The bone that a pointer leads into, and the way from there.
+/// The name of the bone that a JSON pointer leads into, and the rest of the pointer.
 fn split(pointer: &str) -> (Option<String>, &str) {
     let below = pointer
         .strip_prefix("/bones")
@@ -192,7 +197,8 @@ fn split(pointer: &str) -> (Option<String>, &str) {
     )
 }
 
-/// `roll` of bone `hand_l`, `strategy` of `head` of bone `hand_l`.
+/// The value at a JSON pointer in words, such as "`roll` of bone `hand_l`" or "`strategy` of `head`
+/// of bone `hand_l`".
 fn subject(pointer: &str) -> String {
     let (bone, rest) = split(pointer);
     let mut words: Vec<String> = names(rest)

@@ -1,4 +1,4 @@
-//! A left bone has a right one.
+//! Each left bone has a right counterpart, and each right bone a left one.
 
 use std::collections::BTreeSet;
 
@@ -27,7 +27,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .filter(|(file, _)| file.part != RigPart::Asset)
     {
         let names: BTreeSet<&str> = rig.bones.iter().map(|bone| bone.name.as_str()).collect();
-        // A partner that others name as their parent is told there.
+        // A missing counterpart that is named as a parent is reported by `rig-unknown-parent`.
         let asked: BTreeSet<&str> = rig
             .bones
             .iter()

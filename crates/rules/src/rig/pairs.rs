@@ -1,11 +1,12 @@
-//! Left and right bones of rigs, by their names, and bones that lie otherwise than they should.
+//! Left and right bones of a rig, by their names; bones on the wrong side, and bones with swapped
+//! ends.
 
 use super::located::{Placed, apart, by_name};
 use mhlint_diag::{Grouped, grouped};
 use mhlint_eval::side::{self, Side};
 
-/// The side that the name of a bone says, and the name of its partner: also `mixamorig:LeftHand`,
-/// `LThumb`.
+/// The side in the name of a bone, and the name of the bone on the other side. Also understands
+/// names such as `mixamorig:LeftHand` and `LThumb`.
 pub(super) fn of(name: &str) -> Option<(Side, String)> {
     side::of_bone(name)
         .or_else(|| behind_colon(name))
@@ -18,7 +19,7 @@ fn behind_colon(name: &str) -> Option<(Side, String)> {
     Some((side, format!("{prefix}:{partner}")))
 }
 
-/// `LThumb`, `RThumb`: a capital for the side before another one.
+/// Names such as `LThumb` and `RThumb`: a capital for the side, and another capital behind it.
 fn by_capital(name: &str) -> Option<(Side, String)> {
     let rest = name
         .get(1..)
@@ -30,7 +31,7 @@ fn by_capital(name: &str) -> Option<(Side, String)> {
     }
 }
 
-/// Nearer to the middle than this nothing lies on a side, metres.
+/// A place that is nearer than this to the middle plane is on neither side, in metres.
 const MIDDLE: f64 = 0.01;
 
 /// Whether both ends of a bone are on the side opposite to its name.
@@ -50,12 +51,14 @@ pub(super) fn is_across(placed: &Placed<'_>) -> bool {
     })
 }
 
-/// Places nearer than this are one, metres.
+/// Two places count as one if they are nearer to each other than this, in metres.
 const ONE_PLACE: f64 = 1e-4;
-/// How much farther from the head of the parent than its tail the head must be to lie beyond.
+/// The head of a bone lies beyond its parent if its distance from the head of the parent is more
+/// than this many times the length of the parent.
 const BEYOND: f64 = 1.05;
 
-/// The bones that end where their parents end, and begin beyond these.
+/// The bones whose head and tail are swapped: the tail lies at the tail of the parent, the head
+/// beyond it.
 pub(super) fn swapped<'r>(bones: &[Placed<'r>]) -> Vec<&'r str> {
     let known = by_name(bones);
     let parent = |placed: &Placed<'_>| known.get(placed.bone.parent.as_deref()?).copied();

@@ -1,4 +1,4 @@
-//! What a sub-rig names of the rig of the body is one bone of it.
+//! A constraint of a sub-rig that names two joints of the body means one bone of the body rig.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean, such};
 use super::located::{Figure, Placed, apart, placed};
@@ -26,7 +26,7 @@ const AS_WRITTEN: Case = &[(
     "silently binds the constraint to the `subtarget` as it is written",
 )];
 
-/// MPFB takes places for one that are nearer than this, metres
+/// MPFB takes two places for the same if they are nearer to each other than this, in metres
 /// (`docs/loaders/mpfb/custom-rigs.md#references-to-the-parent-rig`).
 const NEAR: f64 = 0.01;
 
@@ -55,7 +55,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         };
         for (bone, (target, subtarget)) in targets {
-            // Without a bone to replace nothing is looked for.
+            // Without a `subtarget` MPFB does not look for the bone.
             if let (Target::Span(_, head, tail), Some(_)) = (target, subtarget) {
                 out.extend(unknown(file, rig, bone, [head, tail], joints, cx));
                 out.extend(several(view, file, rig, bone, [head, tail], joints));
@@ -96,7 +96,8 @@ fn unknown(
     )
 }
 
-/// A rig of the body in which several bones lie between the joints, and not one.
+/// A finding if the rig of a body has several bones between the two joints, and no single bone from
+/// the one to the other.
 fn several(
     view: &View<'_>,
     file: &RigFile<'_>,
@@ -129,10 +130,11 @@ fn several(
     ))
 }
 
-/// Bones that are followed from joint to joint.
+/// The longest chain of bones that is followed, and the most places that are followed at once.
 const LONGEST: usize = 64;
 
-/// Whether bones lead from one place to another, one behind the other, and none does so alone.
+/// Whether several bones, each beginning where another ends, lead from one place to another, and no
+/// single bone does.
 fn is_chain(bones: &[Placed<'_>], from: Vec3, to: Vec3) -> bool {
     let ends: Vec<(Vec3, Vec3)> = bones.iter().filter_map(Placed::ends).collect();
     let next = |at: Vec3| {

@@ -1,4 +1,4 @@
-//! Vertices of ends are counted from 0.
+//! The vertices at which bones end are counted from 0, not from 1.
 
 use std::collections::BTreeMap;
 
@@ -25,9 +25,10 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     )
 });
 
-/// Nearer than this to its mirror image a place is symmetric, metres.
+/// Two ends are symmetric if the mirror image of the one is nearer than this to the other, in
+/// metres.
 const NEAR: f64 = 2e-3;
-/// So many ends in a row are not symmetric by chance.
+/// With at least this many ends the symmetry is no accident.
 const FEW: usize = 3;
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -43,7 +44,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// The strategies that name vertices: an exporter may write either of them otherwise.
+/// The strategies that name vertices. They are looked at one by one, since an exporter may count
+/// wrongly in one of them alone.
 const OF_VERTICES: [fn(&End) -> bool; 2] = [
     |end| matches!(end.strategy, Strategy::Vertex(_)),
     |end| matches!(end.strategy, Strategy::Mean(_)),
@@ -68,8 +70,9 @@ fn finding(file: &RigFile<'_>, rig: &Rig, joints: &Joints<'_>) -> Option<Finding
     )
 }
 
-/// The bones with ends of a strategy that are symmetric with the vertices before theirs alone; none
-/// if they are few, or if as many are symmetric as they are written.
+/// The bones with ends of one strategy that are symmetric only if 1 is subtracted from their
+/// vertices. Empty if there are few of these ends, or if too many others are symmetric as they are
+/// written.
 fn off_by_one<'r>(rig: &'r Rig, joints: &Joints<'_>, is_one: fn(&End) -> bool) -> Vec<&'r str> {
     let scale = relative_scale(rig);
     let bones: BTreeMap<&str, &RigBone> = rig

@@ -1,4 +1,4 @@
-//! What a rig says to Rigify is what Rigify knows.
+//! Rigify knows the types and parameters that a rig has for it.
 
 use super::super::unfit::{findings_in, is_misspelt};
 use super::super::{Check, Rule, RuleCx};
@@ -26,8 +26,8 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs() {
         let found = findings_in(IN_BONES, &RULE, file.file, &rig.faults.rigify, cx);
         out.extend(found.map(|(_, finding)| stops(file, finding)));
-        // Rigify has more parameters than those which are known: one that is like none of them is
-        // its own.
+        // Not all parameters of Rigify are known here. An unknown parameter is reported only if it
+        // looks like a known one that is misspelt.
         let found = findings_in(IN_BONES, &RULE, file.file, &rig.faults.ignored_rigify, cx);
         out.extend(
             found

@@ -1,4 +1,4 @@
-//! Rolls are angles in radians, and what they are aligned to is there.
+//! The roll of a bone is an angle in radians, or the bone has the direction that it is aligned to.
 
 use super::super::units::short;
 use super::super::{Check, Rule, RuleCx, such};

@@ -1,4 +1,4 @@
-//! Ends of bones say how their places are found.
+//! The ends of a bone have a strategy by which their places can be found.
 
 use super::super::unfit::findings_in;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
@@ -35,7 +35,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 type IsSo = fn(&Strategy) -> bool;
 
-/// Sorts of strategies that give no place, whatever the mesh.
+/// Strategies that find no place on any mesh.
 const SORTS: [(IsSo, &str); 3] = [
     (
         |strategy| matches!(strategy, Strategy::Unknown(_)),

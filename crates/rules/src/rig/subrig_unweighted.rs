@@ -1,4 +1,4 @@
-//! A sub-rig moves something.
+//! A sub-rig moves at least a part of its asset.
 
 use super::super::{Check, Rule, RuleCx};
 use super::has_asset;
@@ -41,7 +41,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .beginning_with(prefix)
             .filter(|other| other.file_name().ends_with(".mhw"))
             .collect();
-        // What cannot be read has its own finding.
+        // Weights that cannot be read are reported by another rule.
         let is_unread = weights.iter().any(|weights| weights.weights().is_none());
         let has_mask = |weights: &&FileFacts| {
             let bones = weights

@@ -24,7 +24,7 @@ const EMPTY: Case = &[(
     Level::Warning,
     "silently makes an empty reference of it",
 )];
-/// Bytes that Blender keeps of a name.
+/// Blender keeps this many bytes of a name.
 const LONGEST: usize = 63;
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -1,4 +1,4 @@
-//! Joints that bones end at are vertex groups of the base mesh.
+//! The joints at which bones end are vertex groups of the base mesh.
 
 use std::collections::BTreeSet;
 
@@ -26,7 +26,8 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     };
     let names = groups.groups.iter().map(|group| group.name.as_str());
     let joints: BTreeSet<&str> = names.filter(|name| name.contains("joint")).collect();
-    // A joint of the mesh that lost its group is told of the groups (`metadata-table`).
+    // A joint that the mesh has and the table of vertex groups lacks is reported by
+    // `metadata-table`.
     let of_mesh = view
         .mesh
         .iter()

@@ -1,4 +1,4 @@
-//! Bones hang on bones that exist.
+//! The parents of bones exist.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! Constraints are bound to bones that exist.
+//! The bones that constraints name exist.
 
 use std::collections::BTreeSet;
 
@@ -22,7 +22,7 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     )
 });
 
-/// What a constraint lacks.
+/// Why a constraint is bound to no bone.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Lack<'r> {
     Target,
@@ -36,7 +36,7 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let parents = bones_of_parents(view);
     for (file, rig) in view.own_rigs() {
         let bones = rig.bones.iter().map(|bone| bone.name.as_str());
-        // Rigify makes some of them later.
+        // Rigify makes the `extra_bones` later.
         let known: BTreeSet<&str> = bones
             .chain(rig.extra_bones.iter().map(String::as_str))
             .collect();
@@ -57,7 +57,8 @@ fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// The bones of all rigs that a sub-rig may be added to; `None` where one of them cannot be read.
+/// The names of the bones in all rigs that a sub-rig may be added to; `None` if one of the rigs
+/// cannot be read.
 fn bones_of_parents<'v>(view: &'v View<'_>) -> Option<BTreeSet<&'v str>> {
     let mut bones = BTreeSet::new();
     for file in view.rigs.iter().filter(|file| file.part != RigPart::Asset) {

@@ -1,4 +1,4 @@
-//! A rig is laid out as its version says.
+//! The keys of a rig have the layout of the version that it gives.
 
 use super::super::{Check, Rule, RuleCx};
 use super::{STOPS, stops};
@@ -18,7 +18,7 @@ pub(crate) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, rig) in view.own_rigs() {
-        // A rig of a user that is no object stops the list (`rig-custom-scan`).
+        // A user's rig that is no JSON object stops the list of rigs; `rig-custom-scan` reports it.
         let faults = rig.faults.layout.iter();
         let faults = faults.filter(|fault| {
             !(file.part == RigPart::Custom && matches!(fault, LayoutFault::NotObject(_)))

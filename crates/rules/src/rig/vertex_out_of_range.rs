@@ -1,4 +1,4 @@
-//! Vertices that bones end at exist.
+//! The vertices at which bones end exist.
 
 use super::super::{Check, Rule, RuleCx, such};
 use super::ends::{AT_DEFAULT, ends, has_place};
@@ -38,7 +38,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// What is wrong with the vertices of an end.
+/// The fault of the vertices of an end, which is part of the key of the finding.
 fn sort(end: &End, count: i64) -> Option<&'static str> {
     match (is_beyond(end, count), has_place(end)) {
         (true, false) => Some("without default"),
@@ -47,7 +47,7 @@ fn sort(end: &End, count: i64) -> Option<&'static str> {
     }
 }
 
-/// How many vertices there are to count.
+/// The number of vertices of the mesh that a rig refers to.
 fn vertices(view: &View<'_>, file: &RigFile<'_>) -> Option<usize> {
     if file.part != RigPart::Asset {
         let (_, mesh) = view

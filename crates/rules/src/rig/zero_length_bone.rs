@@ -1,4 +1,4 @@
-//! Head and tail of a bone are two places.
+//! The head and the tail of a bone are at different places.
 
 use std::collections::BTreeMap;
 
