@@ -1,4 +1,4 @@
-//! A line of a model has all its words.
+//! Each line of a model has all the words that its keyword needs.
 
 use super::super::{Check, Rule, RuleCx, such};
 use super::short_lines::finding;
@@ -43,7 +43,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     }));
 }
 
-/// A line `clothes` alone; what is short of the others has no consequence.
+/// Reports lines with nothing but `clothes`. Other lines with too few words do no harm in MPFB.
 fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, model) in view
         .own(Kind::Model)

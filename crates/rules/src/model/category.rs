@@ -59,7 +59,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     }
 }
 
-/// Keywords nobody knows are passed over; this one was meant for an asset.
+/// A finding on an unknown keyword that was meant for an asset. Applications skip unknown keywords.
 fn unknown(saved: &SavedModel<'_>, line: &WornLine, asset: Option<&Asset<'_>>) -> Option<Finding> {
     let (word, name) = (&*line.category.text, &*line.name.text);
     let near = nearest(word, CATEGORIES);
@@ -77,7 +77,8 @@ fn unknown(saved: &SavedModel<'_>, line: &WornLine, asset: Option<&Asset<'_>>) -
     )
 }
 
-/// A keyword with its value, which nobody knows as one word.
+/// A finding on a keyword that is joined with its value to one word, so that no application knows
+/// it.
 fn without_blank(saved: &SavedModel<'_>, one: &Unparted<'_>) -> Finding {
     let word = &one.line.keyword;
     let finding = RULE
@@ -91,7 +92,7 @@ fn without_blank(saved: &SavedModel<'_>, one: &Unparted<'_>) -> Finding {
     }
 }
 
-/// The panel allows one.
+/// A finding on several lines `hair`: the panel of the application allows only one hair.
 fn several_hairs(saved: &SavedModel<'_>) -> Option<Finding> {
     let hairs: Vec<&WornLine> = saved
         .model
@@ -144,7 +145,8 @@ fn misplaced(saved: &SavedModel<'_>, line: &WornLine, asset: &Asset<'_>) -> Find
         asset.category
     ));
     let help = match (word, asset.category) {
-        // The other way round it is exported otherwise.
+        // The line must not be changed to `clothes`, because the asset would be exported in another
+        // way.
         ("hair", "clothes") => "move the asset to `hair`".to_owned(),
         (_, category) => format!("write `{category}`, or move the asset to `{word}`"),
     };

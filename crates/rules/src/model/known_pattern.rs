@@ -1,18 +1,19 @@
-//! Patterns of modifiers that a slider has, or of which something else is told.
+//! Patterns of modifiers that need no finding, because a slider has them or another rule reports
+//! them.
 
 use std::collections::BTreeSet;
 
 use mhlint_formats::mhm::Modifier;
 use mhlint_repo::makehuman2::{Base, View};
 
-/// What is known of the patterns of a base.
+/// The patterns that are known for a base mesh.
 pub(super) struct Known<'v> {
     base: &'v Base<'v>,
-    /// Whether sliders of user targets can be told.
+    /// Whether the user's folder is given, so that the sliders of user targets are known.
     has_user: bool,
-    /// Targets of pairs that are none: `modelling-opposites` reports them.
+    /// Targets in patterns that look like pairs but are none: `modelling-opposites` reports them.
     pairs: BTreeSet<&'v str>,
-    /// Patterns of sliders with a misspelt key.
+    /// Patterns that sliders were meant to have, but for a misspelt key.
     meant: BTreeSet<&'v str>,
 }
 
@@ -33,7 +34,7 @@ impl<'v> Known<'v> {
         }
     }
 
-    /// Whether a modifier that can be read sets nothing, and nothing else says why.
+    /// Whether a modifier can be read but sets nothing, and no other rule says why.
     pub(super) fn lacks(&self, modifier: &Modifier) -> bool {
         let pattern = &*modifier.pattern.text;
         let is_pair = pattern
@@ -46,7 +47,8 @@ impl<'v> Known<'v> {
             && !self.meant.contains(pattern)
     }
 
-    /// Sliders of user targets are made when the program starts.
+    /// Whether the pattern belongs to a target of the user. The program makes the sliders for these
+    /// when it starts.
     fn is_users(&self, pattern: &str) -> bool {
         let Some(name) = pattern.strip_prefix("custom/") else {
             return false;

@@ -1,4 +1,5 @@
-//! A material line of a model must belong to an asset that it wears, and name a file that exists.
+//! Each material line of a model must belong to an asset that the model wears, and name a file that
+//! exists.
 
 use std::collections::BTreeSet;
 
@@ -38,8 +39,8 @@ pub(crate) static RULE: Rule = Check::EachBase(
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for saved in own(view, base) {
-        // A line under another category is reported as such, and one without a uuid ends the
-        // loading.
+        // Lines with an unknown category count as well, since `model-category` reports these. A
+        // line without a uuid stops the loader, so that then nothing is reported here.
         let lines = saved.model.worn.iter().chain(&saved.model.unknown);
         let worn: BTreeSet<(&str, &str)> = lines.map(|one| (&*one.name.text, &*one.uuid)).collect();
         let fits = |line: &MaterialLine| worn.contains(&(&*line.name.text, &*line.uuid));
@@ -73,7 +74,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     }
 }
 
-/// A line that belongs to nothing that is worn.
+/// A finding on a material line whose asset the model does not wear.
 fn stray(
     saved: &SavedModel<'_>,
     line: &MaterialLine,
@@ -136,7 +137,7 @@ fn missing(
     let below = files
         .iter()
         .filter_map(|file| file.rel.strip_prefix(folder)?.strip_prefix('/'));
-    // A name with a space cannot be written there.
+    // A model cannot name a file with a space in its name.
     let is_nameable = |name: &&str| name.ends_with(".mhmat") && !name.contains(char::is_whitespace);
     let materials: Vec<&str> = below.filter(is_nameable).collect();
     let same_name = || {

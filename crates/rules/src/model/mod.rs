@@ -34,14 +34,14 @@ pub(super) static RULES: &[&Rule] = &[
     &version::RULE,
 ];
 
-/// The characters of a base that are checked.
+/// The models of a base mesh that are checked.
 fn own<'v>(view: &'v View<'_>, base: &Base<'_>) -> impl Iterator<Item = &'v SavedModel<'v>> {
     view.models_of(base)
         .iter()
         .filter(|one| view.layers.is_checked(one.file) && !one.file.failed)
 }
 
-/// When what is wrong with a character is met.
+/// When the application meets a fault in a model, in words.
 fn when(model: &SavedModel<'_>) -> &'static str {
     if model.is_start {
         "at start"
@@ -50,8 +50,8 @@ fn when(model: &SavedModel<'_>) -> &'static str {
     }
 }
 
-/// What to write where an asset goes by another name now. The line of its material names it as
-/// well.
+/// The help for a line that names an asset which has another name now. If the model has a material
+/// line for the asset the name is in that line, too.
 fn renamed_line(saved: &SavedModel<'_>, line: &WornLine, asset: &Asset<'_>) -> String {
     let has_material = saved
         .model

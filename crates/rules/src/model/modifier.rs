@@ -1,4 +1,4 @@
-//! A modifier of a model is the pattern of a slider and a value that the slider has.
+//! Each modifier of a model is the pattern of a slider, with a value in the range of that slider.
 
 use std::collections::BTreeSet;
 
@@ -45,7 +45,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     let has_pairs = base
         .settings()
         .is_some_and(|(file, _)| !is_faulty(file, "target-opposites"));
-    // Of a slider nobody knows nothing can be said where not all sliders are at hand.
+    // Unknown patterns and wrong values can be reported only if all sliders are known.
     let can_tell = has_sliders(base) && has_pairs && !view.is_open(base);
     for saved in own(view, base) {
         out.extend(broken(saved));
@@ -118,13 +118,13 @@ fn non_finite(saved: &SavedModel<'_>) -> Option<Finding> {
     Some(finding.effect(format!("crashes with `{crash}` {}", when(saved))))
 }
 
-/// A modifier of a character.
+/// A modifier, with the model that sets it.
 type Line<'v> = (&'v SavedModel<'v>, &'v Modifier);
 
-/// Findings on patterns that no slider has: one for those that the same models set.
+/// Findings on patterns that no slider has. Patterns that the same models set are one finding.
 fn unknown(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>) -> Vec<Finding> {
     let known = Known::of(view, base);
-    // What a component reads as well is reported there.
+    // A pattern that a component of the macros names is reported there.
     let macros = base
         .macro_file()
         .into_iter()

@@ -1,4 +1,4 @@
-//! A slider that a model sets more than once.
+//! Sliders that a model sets more than once.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use mhlint_diag::{Evidence, Finding, Level, Place};
 use mhlint_formats::mhm::Modifier;
 use mhlint_repo::makehuman2::SavedModel;
 
-/// A pattern on two lines with different values.
+/// A finding on a pattern that stands in two lines with different values.
 pub(super) fn repeated(rule: &Rule, saved: &SavedModel<'_>) -> Option<Finding> {
     let mut known: BTreeMap<&str, &Modifier> = BTreeMap::new();
     let mut lost = Vec::new();

@@ -1,4 +1,4 @@
-//! Values of modifiers that their sliders do not have.
+//! Values of modifiers that are outside the range of their sliders.
 
 use mhlint_formats::mhm::Modifier;
 use mhlint_repo::makehuman2::{Base, Pattern};
@@ -8,9 +8,9 @@ pub(super) struct Faulty<'m> {
     pub(super) modifier: &'m Modifier,
     pub(super) value: f64,
     is_two_sided: bool,
-    /// Whether it is divided into steps, of which the last ends at 1.
+    /// Whether the slider is divided into steps, of which the last ends at 1.
     has_steps: bool,
-    /// Whether the slider has something for negative values, although it shows none.
+    /// Whether the slider has a target for negative values, although it shows no negative values.
     has_decr: bool,
 }
 

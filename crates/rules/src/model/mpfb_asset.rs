@@ -1,4 +1,5 @@
-//! What a model wears as MPFB imports it (`docs/loaders/mpfb/models.md#lines-of-a-model`).
+//! The assets that a model wears, as MPFB imports them
+//! (`docs/loaders/mpfb/models.md#lines-of-a-model`).
 
 use std::collections::BTreeMap;
 
@@ -36,7 +37,7 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Ve
         if let Some(uuid) = uuid(worn) {
             known.entry((folder, Some(uuid))).or_default().push(worn);
         }
-        // What cannot be read has no uuid, and of two uuids nobody knows which will stay.
+        // The uuid is not known if an asset cannot be read, or has two uuids after a merge.
         if worn.clothes().is_none() || worn.file.encoding.is_unmerged() {
             known.entry((folder, None)).or_default().push(worn);
         }
@@ -93,7 +94,7 @@ fn uuid<'v>(worn: &Worn<'v>) -> Option<&'v str> {
         .map(|entry| &*entry.value)
 }
 
-/// A name as lists compare it with that of a file.
+/// A name in the form in which the lists of MPFB compare it with the name of a file.
 fn plain(name: &str) -> String {
     name.chars()
         .filter(|one| !matches!(one, '_' | ' '))
@@ -105,8 +106,8 @@ fn is_named(worn: &Worn<'_>, line: &Wearing) -> bool {
     plain(worn.file.stem()).contains(&plain(&line.name.text))
 }
 
-/// Clothes need both name and uuid; of the rest any asset of the uuid is taken. One that cannot be
-/// read may be meant.
+/// Whether no asset fits a line. For clothes name and uuid must fit, for other assets the uuid is
+/// enough. An asset that cannot be read may be the right one.
 fn is_lost<'k>(view: &View<'_>, known: &'k Known<'k>, line: &'k Wearing) -> bool {
     let with_uuid = if line.uuid.is_empty() {
         &[][..]
@@ -118,7 +119,8 @@ fn is_lost<'k>(view: &View<'_>, known: &'k Known<'k>, line: &'k Wearing) -> bool
         .any(|worn| is_named(worn, line));
     let is_there = match line.category {
         "clothes" => with_uuid.iter().any(|worn| is_named(worn, line)),
-        // Without a uuid it is the first of the folder: right if it is the only one.
+        // Without a uuid MPFB takes the first asset in the folder. That is not reported if an asset
+        // of the name exists.
         category => {
             !with_uuid.is_empty()
                 || line.uuid.is_empty() && assets(view, category).any(|worn| is_named(worn, line))
@@ -127,8 +129,8 @@ fn is_lost<'k>(view: &View<'_>, known: &'k Known<'k>, line: &'k Wearing) -> bool
     !is_there && !is_unread
 }
 
-/// Assets by their folder and uuid: there may be thousands, and as many lines. Without a uuid those
-/// that nobody can tell.
+/// Assets by folder and uuid, since there may be thousands of assets and of lines. `None` in place
+/// of the uuid is for assets whose uuid is not known.
 type Known<'k> = BTreeMap<(&'k str, Option<&'k str>), Vec<&'k Worn<'k>>>;
 
 fn of_uuid<'k>(

@@ -21,10 +21,11 @@ const NOT_WORN: Case = &[(
 const NO_NAME: Case = &[(Mpfb, Level::Info, "imports a character with an empty name")];
 const OTHER_RIG: Case = &[(Mpfb, Level::Warning, "silently adds the rig `default`")];
 
-/// What the name of a skeleton must hold for MPFB to know its rig.
+/// MPFB picks the rig by which of these words the name of the skeleton contains.
 const RIGS: [&str; 4] = ["default", "toes", "game", "cmu"];
 
-/// A keyword counts at the first column, in its own capitals.
+/// A finding on keywords that MPFB does not see, because they are not at the start of the line or
+/// have other capitals.
 pub(super) fn displaced(rule: &Rule, file: &FileFacts, columns: &Columns) -> Option<Finding> {
     let all = &columns.displaced;
     let is_worn = |one: &&Word| {
@@ -59,7 +60,8 @@ pub(super) fn displaced(rule: &Rule, file: &FileFacts, columns: &Columns) -> Opt
     Some(finding.evidence(Evidence::of_cases(all.iter().map(|one| &*one.text))))
 }
 
-/// Keywords with their values, which are other words.
+/// A finding on keywords that are joined with their values to one word, so that MPFB does not know
+/// them.
 pub(super) fn without_blank(
     rule: &Rule,
     file: &FileFacts,
@@ -81,14 +83,14 @@ pub(super) fn without_blank(
     })
 }
 
-/// Those that MPFB reads.
+/// The lines with joined words whose keywords MPFB reads.
 pub(super) fn read_unparted(model: &Model) -> Vec<Unparted<'_>> {
     unparted(&model.lines)
         .filter(|one| SETTING.contains(&one.keyword) || one.is_worn())
         .collect()
 }
 
-/// The rig is known by a part of its name.
+/// A finding if the name of the skeleton contains no word by which MPFB picks a rig.
 pub(super) fn rig(rule: &Rule, file: &FileFacts, columns: &Columns) -> Option<Finding> {
     let name = columns.skeleton.as_ref()?;
     let lower = name.text.to_lowercase();

@@ -1,5 +1,5 @@
-//! Modifiers of a model as MPFB imports them (`docs/loaders/mpfb/models.md#lines-of-a-model`): a
-//! macro, or the name of a target.
+//! Modifiers of a model as MPFB imports them (`docs/loaders/mpfb/models.md#lines-of-a-model`): each
+//! is a macro or the name of a target.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -49,11 +49,11 @@ const TWICE: Case = &[(
     "applies a target once for each line, and a macro as the last line says",
 )];
 
-/// What a pattern stands for.
+/// What the pattern of a modifier stands for.
 enum Meant<'m> {
-    /// A macro: its setting, or the race that it is a share of.
+    /// A macro: the name of its setting, or of the race whose share the value is.
     Macro(&'static str),
-    /// An end of a slider, by the sign of the value.
+    /// A pair of targets, of which the sign of the value picks this one.
     Pair(String),
     /// A target.
     Target(&'m str),
@@ -67,14 +67,15 @@ pub(super) fn faults(rule: &Rule, view: &View<'_>, cx: &RuleCx<'_>, out: &mut Ve
         out.extend(broken(rule, file, lines));
         out.extend(values(rule, view, file, lines));
         out.extend(repeated(rule, file, lines));
-        // Any of them may lie in the system, or in the user's folder.
+        // Targets may lie in the system data or in the user's folder, so that both are needed to
+        // say that one is missing.
         if view.is_complete() {
             out.extend(names(rule, view, file, lines, cx));
         }
     }
 }
 
-/// Lines with their values.
+/// Lines with their values, for lines whose value can be read.
 type Lines<'l> = Vec<(&'l Setting, f64)>;
 
 fn meant(pattern: &str, value: f64) -> Meant<'_> {
@@ -91,7 +92,7 @@ fn meant(pattern: &str, value: f64) -> Meant<'_> {
     }
 }
 
-/// Lines of which the value can be read.
+/// The lines whose value can be read.
 fn read(lines: &[Setting]) -> impl Iterator<Item = (&Setting, f64)> {
     lines
         .iter()
@@ -130,7 +131,7 @@ fn values(rule: &Rule, view: &View<'_>, file: &FileFacts, lines: &[Setting]) -> 
         }
         Meant::Macro(setting) if !RACES.contains(&setting) => Some(("macro-range", NO_MACRO)),
         Meant::Pair(_) if value.abs() > 1.0 => Some(("range", LIMITED)),
-        // A pair that MPFB does not know is no target at all.
+        // A pair of names that MPFB does not know is not a target.
         Meant::Target(name) if name.contains('|') => None,
         Meant::Target(_) if *value < 0.0 => Some(("negative", NO_EFFECT)),
         Meant::Target(_) | Meant::Macro(_) => Some(("range", LIMITED)),
@@ -181,7 +182,8 @@ fn repeated(rule: &Rule, file: &FileFacts, lines: &[Setting]) -> Option<Finding>
     for (line, value) in read(lines) {
         let before = known.insert(&line.pattern.text, value);
         let is_macro = matches!(meant(&line.pattern.text, value), Meant::Macro(_));
-        // An equal value of a macro changes nothing; a target counts as often as it is listed.
+        // A second line with the same value changes nothing for a macro. A target is applied once
+        // for each line.
         if before.is_some_and(|before| !is_macro || (before - value).abs() > 0.0) {
             again.push(line);
         }
@@ -195,7 +197,7 @@ fn repeated(rule: &Rule, file: &FileFacts, lines: &[Setting]) -> Option<Finding>
     Some(finding.key("repeated").help("keep one of the lines"))
 }
 
-/// Names of targets that do not exist, or that begin several.
+/// Findings on names of targets that do not exist, and on names with which several targets begin.
 fn names(
     rule: &Rule,
     view: &View<'_>,
@@ -217,7 +219,7 @@ fn names(
         }
     }
     let mut findings = Vec::new();
-    // That the target of a slider is missing is told of the slider.
+    // If the missing target belongs to a slider, it is reported for the slider.
     let of_sliders = if unknown.is_empty() {
         BTreeSet::new()
     } else {
@@ -262,7 +264,7 @@ fn names(
     findings
 }
 
-/// A finding at the first of several lines.
+/// A finding on several lines, placed at the first.
 fn told<'m>(
     rule: &Rule,
     file: &FileFacts,

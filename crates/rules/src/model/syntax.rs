@@ -1,4 +1,4 @@
-//! A model has lines of models.
+//! A model has at least one line that begins with a keyword of models.
 
 use super::super::{Check, Rule, RuleCx};
 use super::{mpfb_lines, own};
@@ -33,7 +33,8 @@ pub(crate) static RULE: Rule = Check::EachBase(run, |_, _, _| {}, of_mpfb).rule(
 
 const NO_NAME: Case = &[(Mpfb, Level::Info, "imports a character with an empty name")];
 
-/// One without content, or in another encoding, has a finding of its own.
+/// Whether a model has text at all. Files without content, or in another encoding than UTF-8, are
+/// reported by other rules.
 fn has_text(encoding: &Encoding) -> bool {
     !encoding.blank
         && !encoding.only_comments
@@ -56,7 +57,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     }
 }
 
-/// Whether a byte order mark takes the line with the name away, which has a finding of its own.
+/// Whether a byte order mark hides the line `name`, which another rule reports.
 fn has_lost_name(encoding: &Encoding) -> bool {
     encoding.byte_order_mark
         && encoding
@@ -65,7 +66,7 @@ fn has_lost_name(encoding: &Encoding) -> bool {
             .is_some_and(|word| &**word == "name")
 }
 
-/// Keywords count at the first column alone.
+/// The checks for MPFB, which finds keywords only at the start of a line.
 fn of_mpfb(view: &mpfb::View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in view
         .own(Kind::Model)

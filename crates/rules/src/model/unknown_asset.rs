@@ -1,4 +1,4 @@
-//! What a model names must exist: assets, skin, skeleton.
+//! The assets, the skin and the skeleton that a model names must exist.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -45,7 +45,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
         own(view, base).flat_map(|saved| saved.model.worn.iter().map(move |line| (saved, line)));
     let known = Known::of(view, base);
     let unknown = lines.filter(|(_, line)| is_unknown(view, base, line, &known));
-    // One asset that is missing is one mistake, in however many models.
+    // A missing asset is one mistake, in however many models it is named.
     let by_asset = grouped(unknown.map(|one| {
         (
             (&*one.1.category.text, &*one.1.name.text, &*one.1.uuid),
@@ -58,7 +58,8 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
             .filter_map(|lines| asset(&lines, &known, cx)),
     );
     let files = own(view, base).flat_map(|saved| view.references.of_file(saved.file));
-    // The skeleton for poses, if it is missing, is reported by `base-missing-file`.
+    // The skeleton for poses is named by the base mesh as well: if it is missing
+    // `base-missing-file` reports it.
     let is_told = |reference: &Reference<'_>| {
         let mut named = base
             .named
@@ -77,11 +78,11 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     );
 }
 
-/// What is known of the assets of a base.
+/// What the rule knows about the assets of a base mesh.
 struct Known<'v> {
     by_uuid: BTreeMap<&'v str, &'v Asset<'v>>,
-    /// Names that assets may have of which none could be read, or two. Why that is has a finding of
-    /// its own.
+    /// Possible names of assets whose name cannot be read, or which have two names after a merge.
+    /// Other rules report why.
     unread: BTreeSet<&'v str>,
 }
 
@@ -110,8 +111,8 @@ impl<'v> Known<'v> {
 
 fn is_unknown(view: &View<'_>, base: &Base<'_>, line: &WornLine, known: &Known<'_>) -> bool {
     let name = &*line.name.text;
-    // What keeps an asset from being listed has a finding of its own, and so has one without a
-    // name.
+    // An asset that is not listed for a fault of its own, or that has no name, is reported by other
+    // rules.
     let is_nameless = || {
         known
             .by_uuid

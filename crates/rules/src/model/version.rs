@@ -1,4 +1,4 @@
-//! The version of a model decides how MakeHuman 1 reads it, and whether.
+//! MakeHuman 1 reads a model as its version says, and does not read every version.
 
 use super::super::{Check, Rule, RuleCx};
 use mhlint_diag::{
@@ -41,7 +41,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .filter(|model| view.layers.is_checked(model.file))
     {
         let encoding = &model.file.encoding;
-        // What is empty, and a version that a byte order mark hides, have findings of their own.
+        // Empty models, and a version behind a byte order mark, are reported by other rules.
         let is_hidden = encoding.byte_order_mark
             && encoding
                 .marked_words
@@ -54,8 +54,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// The version of a model that a newer program saved than the one at hand; 1.0 does not look at it
-/// (`docs/loaders/versions.md#loaders-of-makehuman-1`).
+/// A finding if a newer program than the one at hand saved the model. MakeHuman 1.0 does not
+/// compare the versions (`docs/loaders/versions.md#loaders-of-makehuman-1`).
 fn newer(model: &SavedModel<'_>, own: Option<Edition>) -> Option<Finding> {
     let own = own.filter(|own| !own.is_before("1.1"))?;
     let line = model.lines.last("version")?;

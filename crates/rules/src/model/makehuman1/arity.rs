@@ -1,4 +1,4 @@
-//! Lines with too few words: each fails and is lost alone.
+//! Lines with too few words. Each of them is lost, and the other lines are loaded.
 
 use super::super::super::Rule;
 use super::super::short_lines::finding;
@@ -24,7 +24,7 @@ pub(in super::super) fn faults(rule: &Rule, view: &View<'_>, out: &mut Vec<Findi
     }
 }
 
-/// The first six values of the camera are numbers.
+/// A finding if one of the first six values of a line `camera` is not a number.
 fn camera(rule: &Rule, file: &FileFacts, line: &Line) -> Option<Finding> {
     let numbers = line.values.get(..6)?;
     let word = numbers

@@ -1,4 +1,4 @@
-//! What a character wears and has is there.
+//! The assets and files that a model names exist.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -20,7 +20,7 @@ pub(in super::super) fn faults(
     cx: &RuleCx<'_>,
     out: &mut Vec<Finding>,
 ) {
-    // Without the system nobody knows what there is.
+    // Without the system data it is not known which assets there are.
     if view.layers.system.is_none() {
         return;
     }
@@ -42,7 +42,8 @@ pub(in super::super) fn faults(
     let missing = missing
         .into_iter()
         .filter(|one| matches!(one.resolution, Resolution::Missing));
-    // What the program misses itself, and what is there and not listed, has a finding of its own.
+    // The first skin, which the program itself needs, and files that exist but are not listed are
+    // reported by other rules.
     let missing = missing.filter(|one| {
         one.text.trim_start_matches("data/") != FIRST_SKIN && !is_unlisted_file(view, one)
     });
@@ -54,7 +55,7 @@ pub(in super::super) fn faults(
     );
 }
 
-/// The library of a category.
+/// The name of the library in which the program looks for assets of a category.
 fn library(category: &str) -> &str {
     if category == "proxy" {
         "proxymeshes"
@@ -63,14 +64,14 @@ fn library(category: &str) -> &str {
     }
 }
 
-/// The assets that are listed where a category is looked for.
+/// The assets in the library of a category.
 fn listed<'v, 'a>(view: &'v View<'a>, category: &str) -> impl Iterator<Item = &'v Worn<'a>> {
     view.worn()
         .iter()
         .filter(move |worn| shelf(worn) == Some(library(category)))
 }
 
-/// The library that lists an asset, or the archive that is all there is of it.
+/// The library that lists an asset, or that lists its packed copy if there is no text file.
 fn shelf<'a>(worn: &Worn<'a>) -> Option<&'a str> {
     library_of(&worn.file.rel).or_else(|| archive_library_of(&worn.file.rel))
 }
@@ -86,24 +87,26 @@ fn name_of<'a>(worn: &Worn<'a>) -> Option<&'a str> {
     }
 }
 
-/// Whether nobody can tell what it is known by.
+/// Whether an asset cannot be read, so that its name and uuid are not known.
 fn is_unread(worn: &Worn<'_>) -> bool {
     worn.clothes().is_none() && worn.packed_proxy().is_none()
 }
 
-/// What lines can mean, by the names that they have for it: of both there may be thousands.
+/// The assets that lines may mean, by name and by uuid, since there may be thousands of assets and
+/// of lines.
 struct Known<'v> {
-    /// What is listed, by library and uuid.
+    /// Library and uuid of each listed asset.
     uuids: BTreeSet<(&'v str, &'v str)>,
-    /// The names of assets without a uuid, and of their files.
+    /// Library and name of each asset whose uuid is missing or not certain; also with the name of
+    /// its file.
     names: BTreeSet<(&'v str, &'v str)>,
-    /// Libraries with an asset of which nobody can tell what it is known by.
+    /// Libraries with an asset that cannot be read.
     unread: BTreeSet<&'v str>,
-    /// The names of files that are not listed, in small letters.
+    /// Names of files that are not among the assets, in small letters.
     unlisted: BTreeSet<String>,
-    /// The uuid of the first asset of a library with a name.
+    /// For each library and name the uuid of the first asset with that name.
     by_name: BTreeMap<(&'v str, &'v str), Option<&'v str>>,
-    /// How many assets have a uuid, and the library of the first one.
+    /// For each uuid how many assets have it, and the library of the first.
     by_uuid: BTreeMap<&'v str, (usize, Option<&'v str>)>,
 }
 
@@ -117,7 +120,7 @@ impl<'v> Known<'v> {
             .filter_map(|worn| Some((shelf(worn)?, worn)))
         {
             let own = name_of(worn).into_iter().chain([worn.file.stem()]);
-            // Of two uuids nobody knows which will stay.
+            // After a merge an asset may have two uuids, of which either may stay.
             if worn.file.encoding.is_unmerged() {
                 names.extend(own.clone().map(|name| (shelf, name)));
             }
@@ -158,8 +161,8 @@ impl<'v> Known<'v> {
         }
     }
 
-    /// Assets are known by their uuid. One that cannot be read, or has none, has a finding of its
-    /// own.
+    /// Whether no asset fits a line. Assets are known by their uuid; those that cannot be read or
+    /// have no uuid are reported by other rules.
     fn is_lost(&self, line: &Line) -> bool {
         let (name, uuid, own) = (line.value(0), line.value(1), library(&line.keyword.text));
         let is_listed = self.uuids.contains(&(own, uuid))
@@ -169,8 +172,8 @@ impl<'v> Known<'v> {
         !is_listed && !is_first && !self.is_unlisted(name)
     }
 
-    /// Whether an asset of this name is there and not listed: in another folder, or with another
-    /// suffix.
+    /// Whether there is an asset with this file name that is not listed, because it lies in another
+    /// folder or has another suffix.
     fn is_unlisted(&self, name: &str) -> bool {
         [".mhclo", ".proxy"].iter().any(|suffix| {
             let start = format!("{name}{suffix}").to_lowercase();
@@ -182,8 +185,8 @@ impl<'v> Known<'v> {
     }
 }
 
-/// The same of a file that a character names. Materials may lie anywhere, and none has a finding
-/// for that.
+/// Whether the file that a model names exists but is not listed. A material is in no list and may
+/// lie anywhere.
 fn is_unlisted_file(view: &View<'_>, reference: &Reference<'_>) -> bool {
     if reference.kind == ReferenceKind::Skin {
         return view.layers.strongest_first().any(|layer| {
@@ -221,7 +224,8 @@ fn is_unlisted_file(view: &View<'_>, reference: &Reference<'_>) -> bool {
     })
 }
 
-/// Whether a skin lies in a folder that is called nearly as that of skins, which has a finding.
+/// Whether a file is the skin that a model names, but lies in a folder with a misspelt name, which
+/// another rule reports.
 fn is_in_misspelt(file: &FileFacts, reference: &Reference<'_>) -> bool {
     let Some((top, rest)) = file.rel.split_once('/') else {
         return false;
@@ -264,7 +268,8 @@ fn unknown(
                 |uuid| format!("write `{category} {name} {uuid}`"),
             ),
         ),
-        // Of several assets with one uuid any may be worn: that has a finding of its own.
+        // If several assets have this uuid the program may wear any of them, which another rule
+        // reports.
         (Some(same), _) if known.by_uuid.get(same).is_some_and(|(count, _)| *count > 1) => {
             let help = format!("give `{name}` a uuid of its own again: `{uuid}`");
             (format!("the asset `{name}` has another uuid{more}"), help)
@@ -323,7 +328,7 @@ const UNFIT: Case = &[(
     "fails when it reads the file, and loads the model without it",
 )];
 
-/// A file that is there and something else than the line asks for.
+/// A finding on a file that exists, but is of another kind than the line asks for.
 fn of_other_kind(rule: &Rule, reference: &Reference<'_>) -> Option<Finding> {
     let (what, suffix) = match reference.kind {
         ReferenceKind::Skin => ("a skin", "mhmat"),
@@ -347,7 +352,7 @@ fn of_other_kind(rule: &Rule, reference: &Reference<'_>) -> Option<Finding> {
     )
 }
 
-/// A file that characters name and that is not there.
+/// A finding on a file that models name and that does not exist.
 fn file(
     rule: &Rule,
     view: &View<'_>,

@@ -1,4 +1,4 @@
-//! Lines begin with a word that the program knows.
+//! Each line of a model begins with a word that the program knows.
 
 use std::collections::BTreeSet;
 
@@ -26,8 +26,8 @@ pub(in super::super) fn faults(
         known.insert(word);
     }
     for model in current(view) {
-        // A note without a blank behind its `#`, and what stands behind a byte order mark, lose
-        // nothing else.
+        // A remark without a blank behind its `#`, or a word behind a byte order mark, is an
+        // unknown word as well, but nothing is lost for that.
         let is_told = |line: &&Line| {
             let word = &*line.keyword.text;
             !known.contains(word) && !word.starts_with(['#', '\u{feff}'])

@@ -1,4 +1,4 @@
-//! A material line follows the line that puts the asset on, and names a file that exists.
+//! Each material line stands below the line that puts its asset on, and names a file that exists.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -42,8 +42,8 @@ pub(in super::super) fn faults(
     }
 }
 
-/// The uuids of several assets: whose material is meant nobody knows, and that has a finding of its
-/// own.
+/// The uuids that several assets have. It is not known which of the assets a material line means
+/// then; another rule reports the uuid.
 fn shared_uuids<'v>(view: &'v View<'_>) -> BTreeSet<&'v str> {
     let mut seen = BTreeSet::new();
     view.worn()
@@ -53,7 +53,7 @@ fn shared_uuids<'v>(view: &'v View<'_>) -> BTreeSet<&'v str> {
         .collect()
 }
 
-/// Lines for what is not worn, or not yet.
+/// Findings on material lines whose asset the model does not wear, or puts on only further below.
 fn astray(rule: &Rule, model: &SavedModel<'_>) -> Vec<Finding> {
     let lines = &model.lines.all;
     let worn = lines

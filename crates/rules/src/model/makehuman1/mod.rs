@@ -11,14 +11,14 @@ pub(super) mod tags;
 
 use mhlint_repo::makehuman1::{SavedModel, Version, View};
 
-/// The characters that are checked, as far as their version lets the program read them.
+/// The checked models whose version the program reads.
 fn own<'v, 'a>(view: &'v View<'a>) -> impl Iterator<Item = &'v SavedModel<'a>> {
     view.models
         .iter()
         .filter(|model| view.layers.is_checked(model.file) && model.version.is_read())
 }
 
-/// Those of them whose lines are those of today.
+/// The checked models whose lines have the form of the current version.
 fn current<'v, 'a>(view: &'v View<'a>) -> impl Iterator<Item = &'v SavedModel<'a>> {
     own(view).filter(|model| model.version == Version::Current)
 }

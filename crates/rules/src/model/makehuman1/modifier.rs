@@ -1,4 +1,5 @@
-//! A modifier of a model is the name of one that is loaded, and a value that it has.
+//! Each modifier of a model has the name of a modifier that the program loads, with a value in its
+//! range.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -58,16 +59,16 @@ pub(in super::super) fn faults(
     }
 }
 
-/// What modifiers there are.
+/// The modifiers that the program has.
 struct Known<'v, 'a> {
     by_name: BTreeMap<&'v str, &'v KnownModifier<'a>>,
-    /// The sliders of the user's own targets.
+    /// Names of the sliders for targets of the user.
     custom: BTreeSet<&'v str>,
-    /// Bytes of the longest of these names.
+    /// The length of the longest name in `custom`, in bytes.
     longest: usize,
-    /// Those that sliders ask for, existing or not: one that is missing there has a finding there.
+    /// Names that sliders ask for. If such a modifier does not exist it is reported for the slider.
     asked: BTreeSet<&'v str>,
-    /// Older names.
+    /// Names of modifiers in older models.
     older: BTreeSet<&'v str>,
     is_whole: bool,
 }
@@ -115,7 +116,8 @@ impl<'v, 'a> Known<'v, 'a> {
         self.by_name.contains_key(name) || self.custom.contains(name)
     }
 
-    /// Whether the name is cut at a blank of a target of the user, which has a finding of its own.
+    /// Whether a line names a target of the user with a blank in its name, at which the program
+    /// cuts the name. Another rule reports that for the target.
     fn is_cut(&self, line: &Line) -> bool {
         let mut name = String::new();
         for word in &line.values {
@@ -133,7 +135,7 @@ impl<'v, 'a> Known<'v, 'a> {
         false
     }
 
-    /// Whether a name is that of a macro whose variable is spelt in another way in its own file.
+    /// Whether the name belongs to a macro whose variable is misspelt in its own file.
     fn is_misspelt(&self, name: &str) -> bool {
         let is_bad = |one: &KnownModifier<'_>| {
             one.modifier
@@ -146,7 +148,7 @@ impl<'v, 'a> Known<'v, 'a> {
             .any(|one| one.name.eq_ignore_ascii_case(name) && is_bad(one))
     }
 
-    /// From where to where the values of a modifier go.
+    /// The least and the greatest value of a modifier.
     fn range(&self, name: &str) -> Option<[f64; 2]> {
         let of_pair = |one: &KnownModifier<'_>| {
             let is_pair = one.modifier.variable.is_none() && one.modifier.tails.sides().is_some();
@@ -157,7 +159,7 @@ impl<'v, 'a> Known<'v, 'a> {
     }
 }
 
-/// The modifiers that a character sets.
+/// The lines of a model that set modifiers.
 fn lines<'a>(model: &SavedModel<'a>) -> impl Iterator<Item = &'a Line> {
     model.lines.of("modifier")
 }
@@ -170,15 +172,16 @@ fn place(line: &Line) -> Place {
     Place::Span(line.values.first().unwrap_or(&line.keyword).span.clone())
 }
 
-/// A finding on the first of some lines of a character.
+/// A finding on some lines of a model, placed at the first.
 fn told(rule: &Rule, model: &SavedModel<'_>, faulty: &[&Line], message: String) -> Option<Finding> {
     let finding = rule.at(model.file, place(faulty.first()?), message);
     Some(finding.evidence(Evidence::of_cases(faulty.iter().map(|line| line.value(0)))))
 }
 
-/// Lines without a name, or without a number.
+/// A finding on lines without a name or without a number.
 fn broken(rule: &Rule, model: &SavedModel<'_>, known: &Known<'_, '_>) -> Option<Finding> {
-    // An unknown name is looked for first.
+    // The program looks for the name first, so that the number of an unknown modifier does not
+    // matter.
     let is_asked = |line: &&Line| {
         line.values.len() < 2
             || known.has(line.value(0))
@@ -200,8 +203,8 @@ fn broken(rule: &Rule, model: &SavedModel<'_>, known: &Known<'_, '_>) -> Option<
             "write the number with a decimal point",
         ),
     };
-    // Every modifier has a group, and `/` behind it: without both the program finds none and asks
-    // for no number.
+    // The name of every modifier is a group, `/` and a word. Without `/` the program finds no
+    // modifier and does not read the number.
     let is_none = |line: &&Line| line.values.len() > 1 && !line.value(0).contains('/');
     let case = if faulty.iter().all(is_none) {
         UNKNOWN
@@ -211,7 +214,7 @@ fn broken(rule: &Rule, model: &SavedModel<'_>, known: &Known<'_, '_>) -> Option<
     told(rule, model, &faulty, message).map(|finding| finding.case(case).help(help))
 }
 
-/// The name of a modifier in several words with a number behind them.
+/// The name of a modifier if it consists of several words, with a number behind them.
 fn name_with_blanks(line: &Line) -> Option<String> {
     let is_number = |at: &usize| python_float(line.value(*at).as_bytes()).is_some();
     let end = (1..line.values.len())
@@ -226,8 +229,8 @@ fn name_with_blanks(line: &Line) -> Option<String> {
     Some(words.join(" ")).filter(|name| name.contains('/'))
 }
 
-/// Names with blanks, of which the first word is looked for alone. Those of a target of the user
-/// have a finding of their own.
+/// A finding on names with blanks, of which the program takes the first word for the name. Names of
+/// targets of the user are reported by another rule.
 fn blanks(rule: &Rule, model: &SavedModel<'_>, known: &Known<'_, '_>) -> Option<Finding> {
     let is_blank = |line: &&Line| {
         !known.has(line.value(0)) && !known.is_cut(line) && name_with_blanks(line).is_some()
@@ -292,7 +295,7 @@ fn out_of_range(rule: &Rule, model: &SavedModel<'_>, known: &Known<'_, '_>) -> O
     Some(finding.help(help))
 }
 
-/// A modifier on two lines with different values.
+/// A finding on a modifier that stands in two lines with different values.
 fn repeated(rule: &Rule, model: &SavedModel<'_>) -> Option<Finding> {
     let mut known: BTreeMap<&str, &Line> = BTreeMap::new();
     let mut lost = Vec::new();
@@ -323,8 +326,8 @@ fn repeated(rule: &Rule, model: &SavedModel<'_>) -> Option<Finding> {
     )
 }
 
-/// The races, which the program makes add up to 1; one that is not set counts with a third
-/// (`docs/loaders/makehuman1/macros.md#races`).
+/// A finding on races that do not add up to 1: the program changes them so that they do. A race
+/// that is not set counts as a third (`docs/loaders/makehuman1/macros.md#races`).
 fn unbalanced(rule: &Rule, model: &SavedModel<'_>) -> Option<Finding> {
     let races: Vec<&str> = VARIABLES
         .iter()
@@ -371,7 +374,7 @@ fn unbalanced(rule: &Rule, model: &SavedModel<'_>) -> Option<Finding> {
     Some(finding.help(help))
 }
 
-/// Findings on modifiers that do not exist: one for those that the same characters set.
+/// Findings on modifiers that do not exist. Modifiers that the same models set are one finding.
 fn unknown(rule: &Rule, view: &View<'_>, known: &Known<'_, '_>, cx: &RuleCx<'_>) -> Vec<Finding> {
     let meant = Meant::of(view, cx);
     let all = own(view).flat_map(|model| lines(model).map(move |line| (model, line)));
@@ -385,7 +388,7 @@ fn unknown(rule: &Rule, view: &View<'_>, known: &Known<'_, '_>, cx: &RuleCx<'_>)
             && !known.is_cut(line)
             && name_with_blanks(line).is_none()
     });
-    // Where the modifier itself is what is wrong, that is told.
+    // If the name is wrong where the modifier is defined, it is reported there.
     let lost = lost.filter(|(_, line)| {
         meant.modifier(line.value(0), cx).is_none() && !known.is_misspelt(line.value(0))
     });

@@ -5,7 +5,7 @@ use super::current;
 use mhlint_diag::{Application::Makehuman1, Case, Evidence, Finding, Level, Place};
 use mhlint_repo::makehuman1::View;
 
-/// So many letters of a tag are kept.
+/// The program keeps this many letters of a tag.
 const MOST: usize = 25;
 const CUT: Case = &[(
     Makehuman1,
