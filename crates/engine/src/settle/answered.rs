@@ -1,10 +1,10 @@
-//! Answers that globs gave for a path: many findings ask the same of one file, and each glob is
-//! tried anew.
+//! Remembers for each path and rule whether globs match. Many findings ask the same about one file,
+//! and to try all globs again each time is slow.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
 
-/// What was answered so far for each path and rule.
+/// The answers so far, for each path and rule.
 pub(super) struct Answered<T> {
     known: RefCell<HashMap<String, Vec<(&'static str, T)>>>,
 }
@@ -18,7 +18,7 @@ impl<T> Default for Answered<T> {
 }
 
 impl<T: Copy> Answered<T> {
-    /// The answer for a path and a rule, worked out the first time.
+    /// The answer for a path and a rule. `answer` is called only the first time.
     pub(super) fn of(&self, path: &str, rule: &'static str, answer: impl FnOnce() -> T) -> T {
         if let Some(known) = self.known(path, rule) {
             return known;

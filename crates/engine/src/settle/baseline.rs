@@ -1,4 +1,5 @@
-//! `mhlint-baseline/1`: findings that are known, by fingerprint, and what of them is found again.
+//! The baseline file, `mhlint-baseline/1`: a list of known findings by fingerprint; and which of
+//! them occur again.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -8,11 +9,11 @@ use crate::error::{BaselineFault, Error};
 use mhlint_diag::{Baseline, Entry, grouped};
 use mhlint_source::{Folder, Limits, ReadFault, read_file};
 
-/// A finding as the baseline compares it.
+/// A finding in the form in which it is compared with the baseline.
 pub(super) struct Found {
-    /// The entry that it would be.
+    /// The entry that the baseline would have for it.
     pub(super) entry: Entry,
-    /// Path of the asset below its data root: the end of the path of the entry.
+    /// Path of the asset below its data root. The path of `entry` ends with it.
     pub(super) rel: String,
 }
 
@@ -49,13 +50,14 @@ pub(super) fn read(path: &Path) -> Result<Baseline, Error> {
     Ok(Baseline { entries })
 }
 
-/// The path at which each entry is looked for: its own, or that of a finding where the data root
-/// was moved. `roots` are the checked data roots, relative to the folder of the file; `is_there`
-/// tells whether the asset of an entry is still where it says.
+/// For each entry the path at which its finding is looked for. It is the path in the entry, or that
+/// of a finding with the same fingerprint if the data root was moved. `roots` are the checked data
+/// roots, relative to the folder of the baseline; `is_there` tells whether the asset of an entry
+/// still exists at the path in the entry.
 ///
-/// Fingerprints do not depend on where a data root lies. Where several roots hold an asset of the
-/// same name the path decides; an entry of a root that is checked, or of an asset that is still
-/// there, is not for another one.
+/// Fingerprints do not depend on the place of a data root. If several data roots have an asset of
+/// the same name the path decides between them. An entry is not taken for moved if its data root is
+/// checked in this run, or if its asset still exists.
 pub(super) fn homes<'e>(
     entries: &'e [Entry],
     found: &'e [Found],
@@ -68,7 +70,7 @@ pub(super) fn homes<'e>(
             .map(|found| (found.entry.fingerprint.as_str(), found)),
     );
     let now: BTreeSet<_> = found.iter().map(|found| found.entry.subject()).collect();
-    // Findings that have entries of their own, or that others moved to.
+    // Findings that are taken: they have an entry at their path, or an entry was moved to them.
     let own = entries
         .iter()
         .filter(|entry| now.contains(&entry.subject()));
@@ -94,7 +96,7 @@ pub(super) fn homes<'e>(
     };
     entries.iter().map(home).collect()
 }
-/// An entry as it is compared, its asset at `path`.
+/// An entry in the form in which it is compared, with `path` for the path of its asset.
 pub(super) fn claim<'e>(entry: &'e Entry, path: &'e str) -> Claim<'e> {
     let (rule, key, parts, level) = (&entry.rule, &entry.key, &entry.parts, entry.level);
     Claim {
@@ -109,19 +111,20 @@ pub(super) fn claim<'e>(entry: &'e Entry, path: &'e str) -> Claim<'e> {
     }
 }
 
-/// Whether git left the lines of both sides of a merge in a file.
+/// Whether a file contains the marks of a git merge with conflicts.
 fn is_conflict(bytes: &[u8]) -> bool {
     bytes
         .split(|byte| *byte == b'\n')
         .any(|line| line.starts_with(b"<<<<<<< "))
 }
 
-/// The data root of an asset: its path without what lies below the root.
+/// The path of the data root of an asset: `path` without `rel` at its end.
 fn root_of<'p>(path: &'p str, rel: &str) -> &'p str {
     path.strip_suffix(rel).unwrap_or(path).trim_end_matches('/')
 }
 
-/// A printed path relative to the folder of the baseline, or as it is where it lies elsewhere.
+/// A printed path, relative to the folder of the baseline; unchanged if it lies outside of that
+/// folder.
 pub(super) fn placed(folder: &Folder, path: &str) -> String {
     folder.relative(path).unwrap_or_else(|| path.to_owned())
 }

@@ -1,4 +1,4 @@
-//! Two sets of findings compared: what is new, worse, the same or gone.
+//! Compares the findings before with the findings now: which are new, worse, the same or gone.
 
 use std::cell::Cell;
 use std::cmp::Ordering;
@@ -7,40 +7,42 @@ use mhlint_diag::{
     Break, Figure, Finding, Grown, Grows, Level, Measure, NameIndex, Parts, grouped,
 };
 
-/// A finding as it is compared.
+/// A finding in the form in which it is compared.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Claim<'f> {
     pub(crate) rule: &'f str,
     pub(crate) asset: &'f str,
     pub(crate) key: &'f str,
     pub(crate) parts: &'f Parts,
-    /// How bad it is, whatever the settings make of it.
+    /// The level that the rule gave, whatever the settings change it to.
     pub(crate) level: Level,
-    /// How bad it is in each application, where that is known.
+    /// The level in each application, where it is known.
     pub(crate) breaks: &'f [Break],
-    /// How much of it there is.
+    /// The amount that the finding measures, such as a distance.
     pub(crate) value: Option<Figure>,
-    /// Which way that grows: only the finding of today knows.
+    /// In which direction the amount gets worse. A baseline does not keep this, so that only
+    /// findings of this run have it.
     pub(crate) grows: Option<Grows>,
 }
 
-/// What a finding is to those before.
+/// What a finding now is, compared with the findings before.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Standing {
-    /// There was none of its subject.
+    /// Before there was no finding on its subject.
     New,
-    /// It is of a higher level, or has parts that were not there as bad: these.
+    /// Its level is higher, or it has parts that were not reported before, or not at this level:
+    /// these parts.
     Worse(Parts),
-    /// There is more of it: it has all its parts, and was so much.
+    /// Its level and parts are as before or better, but its amount is worse: the amount before.
     Grown(Figure),
-    /// It was there, as bad.
+    /// It was there before, and was as bad.
     Same,
-    /// It was there, and there is less of it.
+    /// It was there before, and the amount is better now.
     Smaller,
 }
 
 impl Standing {
-    /// What is to be reported of a finding: of one that is worse, what is worse.
+    /// The finding to report, if any; of one that is worse only what is worse.
     pub(crate) fn of(self, mut finding: Finding) -> Option<Finding> {
         match self {
             Self::New => Some(finding),
@@ -59,21 +61,23 @@ impl Standing {
     }
 }
 
-/// What compares two sets.
+/// The result of a comparison.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Comparison {
-    /// Of each finding now.
+    /// For each finding now what it is compared with those before.
     pub(crate) now: Vec<Standing>,
-    /// Numbers of those before that no longer occur.
+    /// Indices of the findings before that no longer occur.
     pub(crate) gone: Vec<usize>,
 }
 
-/// Compares findings. Several may have asset and key in common: a rule may report each part, or all
-/// together. Together they count as one, and one counts as them. One without parts stands for one.
+/// Compares findings. Several findings may have the same rule, asset and key, because a rule may
+/// report each part by itself, or all parts together. One finding with all parts and several
+/// findings with one part each are equal. A finding without parts is compared with one other
+/// finding.
 ///
-/// First each finding takes the one that it was before, so that nothing that stayed is new,
-/// whatever else has its asset and key: each takes one that is equal, and there are as many of
-/// these as before.
+/// At first each finding now takes one equal finding before, so that no finding is new that was
+/// there before, whatever other findings have the same asset and key. If there are more equal
+/// findings now than before, some get none.
 pub(crate) fn compare(before: &[Claim<'_>], now: &[Claim<'_>]) -> Comparison {
     let met = vec![Cell::new(false); before.len()];
     let known = before.iter().zip(&met);
@@ -91,7 +95,7 @@ pub(crate) fn compare(before: &[Claim<'_>], now: &[Claim<'_>]) -> Comparison {
         .iter()
         .map(|(claim, known)| take_equal(claim, known))
         .collect();
-    // One that is the same but for how much of it there is may have taken no one's place.
+    // Then the rest take findings that are equal except for the amount and that are not taken yet.
     for ((claim, known), stayed) in now
         .iter()
         .zip(&mut stayed)
@@ -115,7 +119,7 @@ pub(crate) fn compare(before: &[Claim<'_>], now: &[Claim<'_>]) -> Comparison {
     }
 }
 
-/// Takes one that is equal and that no other finding has taken.
+/// Takes a finding that is equal, also in its amount, and that is not taken yet.
 fn take_equal(claim: &Claim<'_>, known: &[Known<'_>]) -> Option<Standing> {
     let is_as_much = |known: &&Known<'_>| known.claim.value == claim.value;
     let mut free = known
@@ -127,7 +131,8 @@ fn take_equal(claim: &Claim<'_>, known: &[Known<'_>]) -> Option<Standing> {
     })
 }
 
-/// The same for one of which there is another amount: the smallest that will do.
+/// Takes a finding that is equal except for its amount, and whose amount was not better: of several
+/// the one with the mildest amount.
 fn take_changed(claim: &Claim<'_>, known: &[Known<'_>]) -> Option<Standing> {
     let free = known
         .iter()
@@ -142,8 +147,8 @@ fn take_changed(claim: &Claim<'_>, known: &[Known<'_>]) -> Option<Standing> {
     })
 }
 
-/// Those that are new, and those that are worse with what is worse of them. Of files that are not
-/// `compared` everything is reported: what they were is not known.
+/// The findings that are new, and of those that are worse what is worse. A finding that is not
+/// `compared` is always reported: it is not known what was there before.
 pub(crate) fn new_or_worse(
     before: &[Finding],
     found: Vec<Finding>,
@@ -163,7 +168,7 @@ pub(crate) fn new_or_worse(
     told.collect()
 }
 
-/// How many of those before no longer occur, and of how many there is less.
+/// How many of the findings before no longer occur, and how many have a better amount now.
 pub(crate) fn gone_and_smaller(before: &[Finding], now: &[Finding]) -> [usize; 2] {
     let Comparison { now, gone } = compare(&claims(before), &claims(now));
     [
@@ -178,20 +183,21 @@ fn claims(findings: &[Finding]) -> Vec<Claim<'_>> {
     findings.iter().map(Claim::of).collect()
 }
 
-/// One of those before.
+/// A finding before.
 struct Known<'k> {
     claim: &'k Claim<'k>,
-    /// Whether it is still there.
+    /// Whether a finding now was matched with it.
     met: &'k Cell<bool>,
 }
 
-/// What a finding is to those of its asset and key.
+/// What a finding now is, compared with the findings before that have the same rule, asset and key.
 fn standing(claim: &Claim<'_>, known: &[Known<'_>]) -> Standing {
     let is_as_bad = |known: &Known<'_>| known.claim.is_as_bad_as(claim);
     let (whole, named): (Vec<&Known<'_>>, Vec<_>) =
         known.iter().partition(|known| known.claim.parts.is_empty());
     let unmet = || whole.iter().filter(|known| !known.met.get());
-    // The mildest that will do: a worse one may be that of another finding.
+    // The finding before with the lowest level that is still as bad: one with a higher level may
+    // belong to another finding now.
     let has_grown = |known: &Known<'_>| claim.grown_since(known.claim.value).is_some();
     let enough = unmet()
         .filter(|known| is_as_bad(known))
@@ -216,7 +222,8 @@ fn standing(claim: &Claim<'_>, known: &[Known<'_>]) -> Standing {
             .filter(|known| is_as_bad(known))
             .map(|known| known.claim.parts),
     );
-    // Of several that are one now the worst counts; of an old baseline nobody knows.
+    // If several findings before are one finding now, their worst amount counts. Old baselines have
+    // no amounts: then nothing is known.
     let most = told
         .iter()
         .map(|known| known.claim.value)
@@ -264,7 +271,7 @@ impl<'f> Claim<'f> {
         })
     }
 
-    /// What it was, if there is more of it now.
+    /// The amount before, if the amount now is worse.
     fn grown_since(&self, before: Option<Figure>) -> Option<Figure> {
         let (now, before) = self.measure().zip(before)?;
         now.is_worse_than(before).then_some(before)
@@ -276,7 +283,7 @@ impl<'f> Claim<'f> {
             .is_some_and(|(now, before)| now.is_better_than(before))
     }
 
-    /// Which of two amounts is more of it.
+    /// Which of two amounts is worse.
     fn compare(&self, one: Option<Figure>, other: Option<Figure>) -> Ordering {
         match (self.measure(), one, other) {
             (Some(now), Some(one), Some(other)) => now.compare(one, other),
@@ -284,7 +291,7 @@ impl<'f> Claim<'f> {
         }
     }
 
-    /// Whether no application is worse off with the other.
+    /// Whether it is at least as bad as the other one, for each application.
     fn is_as_bad_as(&self, other: &Self) -> bool {
         let covers =
             |own: &Break, one: &Break| own.application == one.application && own.level >= one.level;
@@ -292,7 +299,7 @@ impl<'f> Claim<'f> {
         self.level >= other.level && (self.breaks.is_empty() || other.breaks.iter().all(is_covered))
     }
 
-    /// Whether it is the same, with the same parts and as bad for each application.
+    /// Whether both have the same parts, and the same level for each application.
     fn is_equal(&self, other: &Self) -> bool {
         let levels = |claim: &Self| {
             claim
@@ -304,7 +311,7 @@ impl<'f> Claim<'f> {
         self.level == other.level && self.parts == other.parts && levels(self) == levels(other)
     }
 
-    /// What it is about, without its parts.
+    /// Its rule, asset and key: what it is about, without the parts.
     const fn subject(&self) -> (&str, &str, &str) {
         (self.rule, self.asset, self.key)
     }
@@ -430,7 +437,7 @@ mod tests {
         );
     }
 
-    /// What findings of one subject are to others of it, by how much there is of each.
+    /// Compares findings that have the same subject and differ in their amounts.
     fn measured(before: &[Option<f64>], now: &[f64]) -> Vec<Standing> {
         let none = Parts::default();
         let known = |of: &Option<f64>| Claim {
@@ -545,8 +552,7 @@ mod tests {
         );
     }
 
-    /// Rules of two applications have a finding each of one subject, and only one of them has
-    /// parts.
+    /// Two applications have a finding on the same subject each, and only one of these has parts.
     #[test]
     fn what_stayed_is_not_taken_by_another() {
         let all: [&[&[&str]]; 4] = [

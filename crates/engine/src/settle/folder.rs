@@ -1,10 +1,10 @@
-//! Findings at folders, and the files that stand in for these: code hosts and editors know only
-//! files.
+//! Findings on folders. Code hosts and editors know only files, so that a file in the folder stands
+//! for it.
 
 use mhlint_diag::{Finding, Folder};
 use mhlint_source::Tree;
 
-/// The folder at a printed path, if there is one.
+/// The folder at a printed path, if the path is that of a folder.
 pub(super) fn at(path: &str, trees: &[&Tree]) -> Option<Folder> {
     let within = |tree: &&&Tree| {
         if tree.label() == path {
@@ -13,7 +13,7 @@ pub(super) fn at(path: &str, trees: &[&Tree]) -> Option<Folder> {
             tree.below(path)
         }
     };
-    // A zip has folders in it and is none.
+    // A zip contains folders but is not a folder.
     let is_folder =
         |tree: &Tree, rel: &str| tree.is_folder(rel) && !(rel.is_empty() && tree.pack().is_some());
     let found = trees
@@ -24,7 +24,8 @@ pub(super) fn at(path: &str, trees: &[&Tree]) -> Option<Folder> {
     })
 }
 
-/// What a finding speaks for says more than the file that happens to be the first in the folder.
+/// Replaces the file that stands for the folder, which is the first one in it, with a file that the
+/// finding is about or relates to, if there is one.
 pub(super) fn stand_in(finding: &mut Finding) {
     if finding.location.folder.is_none() {
         return;

@@ -1,5 +1,4 @@
-//! What a finding is known by: the place of its asset below the data root, and the fingerprint of
-//! that.
+//! What identifies a finding: the path of its asset below the data root, and its fingerprint.
 
 use std::collections::BTreeMap;
 
@@ -7,22 +6,22 @@ use crate::catalogue::named;
 use mhlint_diag::{Finding, Level, fingerprint};
 use mhlint_repo::Layer;
 
-/// A finding with the place of its asset.
+/// A finding with the path of its asset.
 pub(crate) struct Placed {
     pub(crate) finding: Finding,
     /// Path of its asset below the data root.
     pub(crate) rel: String,
-    /// Fingerprint that a baseline knows it by.
+    /// The fingerprint that a baseline has for it.
     pub(crate) known_as: String,
-    /// How bad it is, whatever the settings make of it.
+    /// The level that the rule gave, whatever the settings change it to.
     pub(crate) consequence: Level,
 }
 
-/// Fingerprints. Keys tell findings of one rule on one asset apart; the ordinal is for those that
-/// do not.
+/// Gives each finding its fingerprint. Findings of one rule on one asset differ in their keys; if
+/// two have the same key a number in their order makes them differ.
 pub(super) fn identify(root: Root<'_>, findings: Vec<(Finding, Level)>) -> Vec<Placed> {
     let mut ordinals: BTreeMap<(&str, String, String), u32> = BTreeMap::new();
-    // What names the fault may be part of the system data, such as the mesh.
+    // The asset of a finding may belong to the system data, such as the mesh.
     let below = |asset: &str| {
         let system = || root.below.iter().find_map(|layer| layer.relative(asset));
         root.own_path(asset)
@@ -59,23 +58,24 @@ pub(super) fn identify(root: Root<'_>, findings: Vec<(Finding, Level)>) -> Vec<P
     identified.collect()
 }
 
-/// A root that is checked.
+/// A checked data root.
 #[derive(Clone, Copy)]
 pub(crate) struct Root<'r> {
     pub(crate) layer: &'r Layer,
-    /// The same files as other applications would have them, where they lie in no data root.
+    /// The layers that other applications make of the same files, if these lie in no data root.
     pub(crate) others: &'r [&'r Layer],
-    /// System data that applications see it with.
+    /// The system data that the applications read together with it.
     pub(crate) below: &'r [&'r Layer],
 }
 
 impl<'r> Root<'r> {
-    /// The layer, and the others of the same files.
+    /// The layer, and the other layers of the same files.
     pub(super) fn layers(self) -> impl Iterator<Item = &'r Layer> {
         std::iter::once(self.layer).chain(self.others.iter().copied())
     }
 
-    /// Path below the root, if the file belongs to it and not to a layer inside or beside it.
+    /// The path below this root, if the file belongs to it and not to another layer inside or
+    /// beside it.
     pub(super) fn own_path<'p>(&self, path: &'p str) -> Option<&'p str>
     where
         'r: 'p,
@@ -85,7 +85,7 @@ impl<'r> Root<'r> {
         if self.below.iter().any(is_deeper) {
             return None;
         }
-        // A zip as such is what its layer is called.
+        // The path of a zip is also the path of its layer.
         if path == self.layer.path {
             Some("")
         } else {

@@ -1,4 +1,4 @@
-//! Globs of the configuration that fit nothing: the files have gone, or they were never called so.
+//! Globs of the configuration that match no file: the files were removed, or the glob is misspelt.
 
 use std::collections::BTreeSet;
 
@@ -7,8 +7,8 @@ use mhlint_config::{Config, ConfigFile, Globs, PathGlob};
 use mhlint_diag::{IdleGlob, Place};
 use mhlint_source::{Outer, Tree};
 
-/// The globs of `[[path]]` and `exclude` that fit nothing of what there is. Of a run that looks at
-/// a part no more can be said.
+/// The globs of `[[path]]` and `exclude` that match no path in the inputs. A glob is judged only if
+/// the run looks at everything that the glob could match.
 pub(crate) fn idle<'t>(
     config: &Config,
     trees: impl Iterator<Item = &'t Tree> + Clone,
@@ -47,8 +47,8 @@ pub(crate) fn idle<'t>(
     told.collect()
 }
 
-/// Numbers of the globs that fit something of what there is. Each path is looked at once for all of
-/// them.
+/// Indices of the globs that match a path in the trees. Each path is tried once against all globs
+/// together.
 pub(super) fn reached<'t>(
     file: &ConfigFile,
     globs: &Globs,
@@ -62,8 +62,8 @@ pub(super) fn reached<'t>(
         .collect()
 }
 
-/// Those globs that fit something below another folder: they are often written as if from the data
-/// root.
+/// Those of the globs that would match with `**/` before them. People often write globs relative to
+/// the data root.
 fn elsewhere<'g, 't>(
     file: &ConfigFile,
     idle: &[(&'static str, &'g PathGlob)],
@@ -74,7 +74,7 @@ fn elsewhere<'g, 't>(
         .map(|(_, glob)| *glob)
         .partition(|glob| glob.is_plain());
     let plain: BTreeSet<&str> = plain.into_iter().map(|glob| glob.text.as_str()).collect();
-    // One that starts so already has been tried on every path.
+    // A glob that begins with `**/` was tried everywhere before.
     let wild = wild
         .into_iter()
         .filter(|glob| !glob.text.starts_with("**/"));
@@ -105,8 +105,8 @@ fn elsewhere<'g, 't>(
     found
 }
 
-/// Whether a glob is for a part of what was listed, so that it cannot fit in any run if it fits
-/// nothing of it.
+/// Whether everything that a glob could match was listed, so that a glob which matches nothing now
+/// cannot match in any other run.
 pub(super) fn is_for_listed(file: &ConfigFile, glob: &PathGlob, trees: &[Outer]) -> bool {
     !is_hidden(&glob.text)
         && trees
@@ -114,7 +114,7 @@ pub(super) fn is_for_listed(file: &ConfigFile, glob: &PathGlob, trees: &[Outer])
             .any(|tree| file.folder.lies_in(glob.folder(), tree))
 }
 
-/// Everything in a tree, as printed.
+/// The printed paths of everything in a tree.
 fn paths(tree: &Tree) -> impl Iterator<Item = String> {
     let listed = tree.entries().iter().map(|entry| &entry.path);
     let unlisted = tree.faults().iter().map(|fault| &fault.path);
@@ -123,7 +123,7 @@ fn paths(tree: &Tree) -> impl Iterator<Item = String> {
         .map(|path| tree.shown(path))
 }
 
-/// Whether a glob is for files that are not even listed.
+/// Whether a glob is for hidden files, which are not listed.
 fn is_hidden(glob: &str) -> bool {
     glob.split('/')
         .any(|part| part.starts_with('.') && part != "..")

@@ -1,4 +1,5 @@
-//! Ignores act on findings after the rules, so that those without effect are known.
+//! Ignores. They are applied to findings after the rules have run, so that ignores without effect
+//! are known.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,21 +14,21 @@ use mhlint_diag::{IgnoreState, IgnoreUse, Place, UnknownRule};
 use mhlint_repo::FileFacts;
 use mhlint_source::{Outer, Tree};
 
-/// The ignores of a run, and what became of them so far.
+/// The ignores of a run, and which of them hid something so far.
 pub(crate) struct Ignores<'c> {
     config: &'c Config,
     today: Date,
-    /// Where each `[[ignore]]` holds.
+    /// The glob of each `[[ignore]]`.
     globs: Globs,
-    /// Whether one of them hides a rule at a path.
+    /// Remembers whether an `[[ignore]]` hides a rule at a path.
     ignored: Answered<bool>,
     /// For each `[[ignore]]` whether it hid something.
     hits: Vec<bool>,
-    /// Comments of the files that were reported on.
+    /// The ignoring comments in the files that were reported on.
     inline: Vec<IgnoreUse>,
     /// File and line of the comments that hid something.
     used: BTreeSet<(String, u32)>,
-    /// Paths below the data root of the files with comments.
+    /// For each file with such comments its path below the data root.
     assets: BTreeMap<String, String>,
     named: NamedRules,
 }
@@ -49,8 +50,8 @@ impl<'c> Ignores<'c> {
         }
     }
 
-    /// Whether a rule is ignored for a file or folder, whose facts are `file`. The ignores count as
-    /// used.
+    /// Whether a rule is ignored for the file or folder at `path`; `file` has the facts on it. The
+    /// ignores that hide the rule are marked as used.
     pub(crate) fn hides(
         &mut self,
         rule: &'static str,
@@ -92,7 +93,7 @@ impl<'c> Ignores<'c> {
         hidden
     }
 
-    /// Notes the comments of a file that is reported on.
+    /// Collects the ignoring comments of a file that is reported on.
     pub(crate) fn note(&mut self, file: &FileFacts, selection: &Selection<'_>, scope: &Scope<'_>) {
         for comment in &file.ignores {
             let state = match self.standing(&comment.rule) {
@@ -118,7 +119,7 @@ impl<'c> Ignores<'c> {
         }
     }
 
-    /// All ignores with what became of them.
+    /// All ignores, each with its state: used, unused, expired and so on.
     pub(crate) fn uses<'t>(
         &self,
         selection: &Selection<'_>,
@@ -186,7 +187,7 @@ impl<'c> Ignores<'c> {
         uses
     }
 
-    /// Settings of the file for rules that do not exist.
+    /// Settings in the configuration file for rules that do not exist.
     pub(crate) fn unknown(&self) -> Vec<UnknownRule> {
         self.config
             .file
@@ -195,7 +196,7 @@ impl<'c> Ignores<'c> {
             .unwrap_or_default()
     }
 
-    /// What can be said of an ignore by its rule alone.
+    /// The state of an ignore, if it follows from its rule alone.
     fn standing(&self, rule: &str) -> Option<IgnoreState> {
         if cannot_be_ignored(rule) {
             return Some(IgnoreState::CannotBeIgnored);
@@ -210,14 +211,15 @@ impl<'c> Ignores<'c> {
         })
     }
 
-    /// Whether the command line silenced a rule that the ignore is for.
+    /// Whether the command line turned off a rule that the ignore is for, or the ignore names no
+    /// rule.
     fn is_silenced(&self, rule: &str, selection: &Selection<'_>) -> bool {
         let named = self.named.of(rule);
         named.is_empty() || named.iter().any(|rule| selection.is_silenced(rule))
     }
 
-    /// What a fingerprint calls the file of a finding on ignores: not where it lies, but what it
-    /// is.
+    /// The path for the fingerprint of a finding on an ignore: the path below the data root, or
+    /// else the name of the file. It does not depend on where the data lie.
     pub(crate) fn asset(&self, path: &str) -> String {
         let name = || path.rsplit('/').next().unwrap_or(path).to_owned();
         self.assets.get(path).cloned().unwrap_or_else(name)

@@ -1,7 +1,7 @@
-//! Which findings on some layers are reported, at which level, and which files of their fixes stay
-//! as they are.
+//! Decides which findings are reported, at which level, and which files of their fixes must not be
+//! written.
 //!
-//! Levels, exclusions and ignores are for files, a finding may be about several.
+//! Levels, exclusions and ignores are set for files, but a finding may be about several files.
 
 use std::collections::BTreeSet;
 
@@ -13,10 +13,10 @@ use mhlint_config::Config;
 use mhlint_diag::{Finding, IgnoredFiles};
 use mhlint_repo::is_unfiled;
 
-/// All that decides what is reported of some layers.
+/// Everything that decides which findings on a data root are reported.
 pub(crate) struct Keeper<'r> {
     pub(crate) root: Root<'r>,
-    /// Whether a path is one that the PATHs ask for.
+    /// Whether the PATHs of the command line include a path.
     pub(crate) is_asked_for: &'r dyn Fn(&str) -> bool,
     pub(crate) selection: &'r Selection<'r>,
     pub(crate) scope: &'r Scope<'r>,
@@ -24,8 +24,8 @@ pub(crate) struct Keeper<'r> {
 }
 
 impl Keeper<'_> {
-    /// Keeps what is to be reported for the checked layer and gives it level and fingerprint;
-    /// counts what is ignored.
+    /// Returns the findings on the checked layer that are reported, with level and fingerprint, and
+    /// how many are hidden.
     pub(crate) fn keep(
         &self,
         findings: Vec<Finding>,
@@ -64,15 +64,15 @@ impl Keeper<'_> {
         (placed, hidden)
     }
 
-    /// What becomes of a finding. Where it stays although some of its files are ignored, it says
-    /// so.
+    /// Whether a finding is reported, and at which level. If it is reported although some of its
+    /// files are ignored, the finding says so.
     fn of(&self, finding: &mut Finding, ignores: &mut Ignores<'_>) -> Verdict {
         let own = self.at(finding, &finding.path, ignores);
         let files = finding.files();
         if files.is_empty() {
             return own;
         }
-        // What is between files is gone when only one is left.
+        // A finding on a relation between files makes no sense if only one of the files is left.
         let fewest = if finding.between.is_empty() { 1 } else { 2 };
         let is_folder = !files.contains(&finding.path);
         if is_folder && matches!(own, Verdict::Hidden | Verdict::Excluded) {
@@ -111,12 +111,13 @@ impl Keeper<'_> {
         }
     }
 
-    /// What becomes of the part of a finding in one file.
+    /// Whether a finding is reported as far as it is about one file.
     fn at(&self, finding: &Finding, path: &str, ignores: &mut Ignores<'_>) -> Verdict {
         if cannot_be_ignored(finding.rule) {
             return Verdict::At(finding.level);
         }
-        // What is excluded is hidden; but what is dangerous is reported wherever the run looks.
+        // Findings in excluded files are not reported. Safety rules, which return above, are
+        // reported even there.
         if self.scope.excludes(path) {
             return Verdict::Excluded;
         }
@@ -137,8 +138,8 @@ impl Keeper<'_> {
         }
     }
 
-    /// Files of a fix that are not to be written: those for which the rule is ignored, and those
-    /// beside the PATHs.
+    /// The files of a fix that must not be written: those for which the rule is ignored, and those
+    /// outside of the PATHs.
     fn left_out(&self, finding: &Finding, ignores: &mut Ignores<'_>) -> Vec<String> {
         let steps = finding.fix.iter().flat_map(|fix| &fix.steps);
         let mut files: Vec<String> = steps.map(|step| step.path.clone()).collect();
@@ -163,13 +164,13 @@ impl Keeper<'_> {
         let is_of_asked = bases.is_empty()
             || bases.iter().any(|base| asks(base))
             || self.is_unfiled(&finding.path);
-        // One finding may be about several files; who names one of them gets it.
+        // A finding may be about several files. It is reported to whoever asks for one of them.
         let mut files = std::iter::once(&finding.path).chain(finding.files());
         files.any(|file| (self.is_asked_for)(file)) && is_of_asked
     }
 
-    /// Whether the file at a path is for a base mesh that is asked for, though it lies in the
-    /// folder of none.
+    /// Whether the file at a path is for a base mesh that the user asks for, although it does not
+    /// lie in the folder of a base mesh.
     fn is_unfiled(&self, path: &str) -> bool {
         let file = self.root.layers().find_map(|layer| layer.printed(path));
         let layers = || self.root.layers().chain(self.root.below.iter().copied());

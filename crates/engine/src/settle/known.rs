@@ -1,4 +1,5 @@
-//! The baseline of a run: what it hides, what of it is stale, what a new one holds.
+//! The baseline in a run: which findings it hides, which of its entries are stale, and what a new
+//! baseline contains.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -14,7 +15,7 @@ use mhlint_config::Config;
 use mhlint_diag::{Baseline, BaselineUse, Entry, Finding, Level, TakenOver};
 use mhlint_source::{Folder, canonical, holds, slashed};
 
-/// The baseline of a run, read before it begins.
+/// The baseline of a run. It is read before the run begins.
 pub(crate) struct Known {
     path: PathBuf,
     folder: Folder,
@@ -23,21 +24,21 @@ pub(crate) struct Known {
     is_first: bool,
 }
 
-/// What a baseline did.
+/// The result of comparing the findings with the baseline.
 pub(crate) struct Compared {
     pub(crate) kept: Vec<Finding>,
     pub(crate) hidden: usize,
     pub(crate) used: BaselineUse,
-    /// How many there are less of.
+    /// How many findings have a better amount than in the baseline.
     pub(crate) smaller: usize,
-    /// The one to write.
+    /// The baseline to write.
     pub(crate) new: Option<Baseline>,
-    /// What that one changes.
+    /// How the baseline to write differs from the old one.
     pub(crate) taken_over: Option<TakenOver>,
 }
 
 impl Known {
-    /// Reads the baseline, if there is to be one. To write the first one none need be there.
+    /// Reads the baseline, if the run has one. The file need not exist if the run is to write it.
     pub(crate) fn open(config: &Config) -> Result<Option<Self>, Error> {
         let Some(path) = config.baseline.clone() else {
             return Ok(None);
@@ -63,7 +64,8 @@ impl Known {
         }))
     }
 
-    /// Hides what is known. `roots` are printed paths of the checked data roots.
+    /// Removes the findings that the baseline has. `roots` are the printed paths of the checked
+    /// data roots.
     pub(crate) fn compare<'r>(
         &self,
         found: Vec<Placed>,
@@ -109,7 +111,7 @@ impl Known {
             .iter()
             .filter_map(|number| self.old.entries.get(*number))
             .collect();
-        // Data in memory have no places on disk to look for.
+        // Data in memory have no paths on disk at which entries could be looked for.
         let on_disk = roots.iter().any(|root| self.is_there(root));
         if on_disk && lost.len() == self.old.entries.len() && scope.is_whole() {
             self.refuse_foreign(selection)?;
@@ -137,7 +139,8 @@ impl Known {
                 errors,
                 gone: used.stale.len(),
             });
-            // Without what this run could not look at a narrower run would throw entries away.
+            // Keeps entries that this run could not check: otherwise a run on a part of the data
+            // would remove them.
             let others = self
                 .old
                 .entries
@@ -169,7 +172,8 @@ impl Known {
         })
     }
 
-    /// Whether there is something at the path of an entry, or at one beside it.
+    /// Whether something exists at the path of an entry, relative to the baseline or to the working
+    /// directory.
     fn is_there(&self, path: &str) -> bool {
         let folder = self.path.parent().unwrap_or(Path::new(""));
         [folder.join(path).as_path(), Path::new(path)]
@@ -177,8 +181,9 @@ impl Known {
             .any(|path| canonical(path).is_some())
     }
 
-    /// A file of which nothing was found, neither the faults nor the assets nor their folders, is
-    /// not for these data. Where the folder is there the asset was fixed by removing it.
+    /// Refuses a baseline that was made for other data: neither its findings nor its assets nor the
+    /// folders of these exist. If the folder exists the asset may have been removed to fix the
+    /// finding.
     fn refuse_foreign(&self, selection: &Selection<'_>) -> Result<(), Error> {
         let entries = &self.old.entries;
         let folder = |entry: &Entry| {
@@ -224,7 +229,7 @@ impl Known {
         }
     }
 
-    /// Whether this run would have found it if it were still there.
+    /// Whether this run would have found the finding of an entry if it were still there.
     fn is_checked(&self, entry: &Entry, selection: &Selection<'_>, scope: &Scope<'_>) -> bool {
         let exists = listed().any(|rule| rule.info.id == entry.rule);
         !exists || !selection.is_silenced(&entry.rule) && scope.covers(&self.folder, &entry.path)

@@ -1,4 +1,5 @@
-//! Symbolic places to lines, columns and excerpts: late, and only for what is reported.
+//! Turns the places of findings into lines, columns and excerpts. This is done last, and only for
+//! findings that are reported.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -11,22 +12,22 @@ use mhlint_diag::{FailedStep, Finding, Location, Place, Related};
 use mhlint_json::Spans;
 use mhlint_source::{Limits, Lines, Tree};
 
-/// A file that findings point into.
+/// The text of a file that findings point into.
 struct Text<'b> {
     lines: Lines<'b>,
-    /// Where in its JSON the values stand that somebody asks for.
+    /// Where the values stand in its JSON that findings point to.
     spans: Spans,
 }
 
-/// Fills the places of findings and sorts them by path, place, rule and key. `trees` are asked for
-/// each path in turn.
+/// Sets the locations of findings and sorts them by path, place, rule and key. A file is read from
+/// the first of the `trees` that has it.
 pub(crate) fn place_and_sort(
     findings: &mut [Finding],
     trees: &[&Tree],
     limits: &Limits,
     failed: &mut Vec<FailedStep>,
 ) {
-    // By keys that are made once, because then each finding is moved only once: they are large.
+    // With cached keys each finding is moved only once, which matters since findings are large.
     findings.sort_by_cached_key(|finding| {
         (
             finding.path.clone(),
@@ -56,9 +57,9 @@ pub(crate) fn place_and_sort(
     );
 }
 
-/// Fills the locations of findings and their related places.
+/// Sets the locations of findings and of their related places.
 fn locate(findings: &mut [Finding], trees: &[&Tree], limits: &Limits) {
-    // Each text is read once, whichever findings point into it.
+    // Collects the places by file, so that each file is read once.
     let mut by_path: BTreeMap<&str, Vec<(&Place, &mut Location)>> = BTreeMap::new();
     for finding in &mut *findings {
         let Finding {
@@ -109,7 +110,7 @@ fn locate(findings: &mut [Finding], trees: &[&Tree], limits: &Limits) {
     findings.iter_mut().for_each(folder::stand_in);
 }
 
-/// What is known of a place without the text.
+/// The location of a place, as far as it is known without the text.
 fn symbolic(place: &Place) -> Location {
     let mut location = Location::default();
     match place {
@@ -124,7 +125,7 @@ fn symbolic(place: &Place) -> Location {
     location
 }
 
-/// Where the values stand that places in JSON point to.
+/// Where the values stand that the places in a JSON file point to.
 fn spans(bytes: &[u8], places: &[(&Place, &mut Location)]) -> Spans {
     let pointers: Vec<&str> = places
         .iter()

@@ -1,7 +1,7 @@
-//! What becomes of findings after the rules: levels, ignores, scope, baseline, fingerprints, places
-//! and order.
+//! What is done with findings after the rules have run: levels, ignores, scope, baseline,
+//! fingerprints, places and order.
 //!
-//! Imports no other wing of the engine; what it needs of a run is handed to it.
+//! Imports no other folder of the engine; what it needs of a run comes as arguments.
 
 mod answered;
 mod baseline;

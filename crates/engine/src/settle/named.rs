@@ -1,5 +1,5 @@
-//! What the texts in ignores name: each text is looked up once, however many comments and findings
-//! there are.
+//! Finds the rules that the texts in ignores name. Each text is looked up once, however many
+//! comments and findings there are.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -10,7 +10,7 @@ use mhlint_config::Selector;
 use mhlint_diag::Suggestions;
 use mhlint_rules::RULES;
 
-/// Rules by the text that names them.
+/// The rules that were found for each text.
 #[derive(Default)]
 pub(super) struct NamedRules {
     found: RefCell<HashMap<String, Rc<[&'static str]>>>,
@@ -18,7 +18,7 @@ pub(super) struct NamedRules {
 }
 
 impl NamedRules {
-    /// The rules that a text fits; none of a text that is no glob.
+    /// The rules that match a text; none if the text is no valid glob.
     pub(super) fn of(&self, text: &str) -> Rc<[&'static str]> {
         if let Some(rules) = self.found.borrow().get(text) {
             return Rc::clone(rules);
@@ -34,7 +34,7 @@ impl NamedRules {
         rules
     }
 
-    /// A rule that may be meant.
+    /// The rule whose name is most like a text.
     pub(super) fn nearest(&self, text: &str) -> Option<&'static str> {
         self.suggestions
             .nearest(text, listed().map(|rule| rule.info.id))

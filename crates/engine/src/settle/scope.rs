@@ -1,17 +1,18 @@
-//! What a run looks at: the PATHs, without what the configuration excludes.
+//! What a run reports on: the PATHs, without what the configuration excludes.
 
 use super::answered::Answered;
 use mhlint_config::Config;
 use mhlint_source::{Folder, Outer, is_below};
 
-/// The part of the world that a run reports on.
+/// The paths that a run reports on.
 pub(crate) struct Scope<'c> {
     config: &'c Config,
-    /// PATHs as printed.
+    /// The PATHs, as printed.
     paths: Vec<Outer>,
-    /// Those of them that are excluded: who names a path wants to hear of it.
+    /// The PATHs that the configuration excludes. They are reported on nevertheless, since the user
+    /// named them.
     named: Vec<String>,
-    /// Whether a path is excluded.
+    /// Remembers whether a path is excluded.
     excluded: Answered<bool>,
 }
 
@@ -43,7 +44,8 @@ impl<'c> Scope<'c> {
         self.is_whole() && self.paths.iter().any(|path| folder.lies_in(rel, path))
     }
 
-    /// Whether nothing but PATHs narrows what is reported. What the file says holds for every run.
+    /// Whether only the PATHs narrow what is reported. Base meshes and applications that the
+    /// configuration file sets do not count, because they are the same in every run.
     pub(crate) fn is_whole(&self) -> bool {
         let by_file = |key: &str| {
             self.config

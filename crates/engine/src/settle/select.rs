@@ -1,8 +1,8 @@
 //! Which rules run and at which level their findings are reported.
 //!
-//! Three layers, each going before the one above it: what the configuration file says for all
-//! files, what it says for some (`[[path]]`), and the command line (the fields of [`Config`]
-//! itself).
+//! Three layers of settings: what the configuration file says for all files, what it says for some
+//! files (`[[path]]`), and the command line (the fields of [`Config`] itself). A later layer
+//! overrides an earlier one.
 
 use std::collections::BTreeMap;
 
@@ -13,47 +13,46 @@ use mhlint_config::{Config, ConfigFile, Globs, Selector};
 use mhlint_diag::{Level, nearest};
 use mhlint_rules::{Check, RULES};
 
-/// What the selectors of a run say.
+/// The settings for rules in a run.
 pub(crate) struct Selection<'c> {
-    /// What is said of each rule for all paths: a file may hold any number of selectors, and
-    /// findings are many.
+    /// The settings of each rule for all paths. They are worked out once, because a configuration
+    /// file may have any number of selectors and there are many findings.
     rules: BTreeMap<&'static str, Said>,
-    /// Globs of `[[path]]`.
+    /// The globs of the `[[path]]` blocks.
     blocks: Globs,
-    /// What the blocks say for a path.
+    /// Remembers what the blocks set for a rule at a path.
     here: Answered<Option<Say>>,
     file: Option<&'c ConfigFile>,
     no_eval: bool,
 }
 
-/// What is said of a rule for all paths.
+/// The settings of a rule for all paths.
 struct Said {
     command_line: Option<Say>,
     file: Say,
 }
 
-/// Compiled selectors of the command line.
+/// The selectors of the command line, compiled.
 struct CommandLine {
     only: Vec<Selector>,
     skip: Vec<Selector>,
     levels: Vec<(Selector, Option<Level>)>,
 }
 
-/// What becomes of a finding, or of its part in one file.
+/// Whether a finding is reported, or the part of it in one file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Verdict {
     /// Reported at this level.
     At(Level),
-    /// Hidden by somebody's wish, and counted: ignored, or of a rule that is off for this path
-    /// alone.
+    /// Not reported, but counted as hidden: ignored, or the rule is off for this path alone.
     Hidden,
-    /// Excluded, and not counted.
+    /// Not reported and not counted, because the path is excluded.
     Excluded,
-    /// The rule is off.
+    /// Not reported and not counted, because the rule is off.
     Off,
 }
 
-/// What a layer says on a rule.
+/// What a layer of settings says about a rule: off, or on with an optional level.
 #[derive(Clone, Copy)]
 enum Say {
     Off,
@@ -61,7 +60,7 @@ enum Say {
 }
 
 impl<'c> Selection<'c> {
-    /// Compiles the selectors; one that fits no rule is refused.
+    /// Compiles the selectors. A selector that matches no rule is an error.
     pub(crate) fn new(config: &'c Config) -> Result<Self, Error> {
         let all = |texts: &[String]| {
             texts
@@ -101,7 +100,7 @@ impl<'c> Selection<'c> {
         })
     }
 
-    /// Whether a rule runs at all: whether there is a path for which it is on.
+    /// Whether a rule has to run, because it is on for at least some paths.
     pub(crate) fn runs(&self, rule: &str) -> bool {
         let blocks = || self.file.iter().flat_map(|file| &file.blocks);
         let turned_on = || {
@@ -115,7 +114,8 @@ impl<'c> Selection<'c> {
             }
     }
 
-    /// What becomes of a finding of a rule; `rel` is its path relative to the configuration file.
+    /// Whether a finding of a rule is reported, and at which level; `rel` is the path of the
+    /// finding relative to the configuration file.
     pub(crate) fn verdict(&self, rule: &'static str, level: Level, rel: Option<&str>) -> Verdict {
         if cannot_be_ignored(rule) {
             return Verdict::At(level);
@@ -137,7 +137,8 @@ impl<'c> Selection<'c> {
         }
     }
 
-    /// Whether the command line keeps a rule from saying all that it would say.
+    /// Whether the command line turns off a rule or the evaluation that the rule needs, so that
+    /// findings may be missing.
     pub(crate) fn is_silenced(&self, rule: &str) -> bool {
         let numeric = || named(rule).is_some_and(|known| matches!(known.check, Check::Numeric(_)));
         matches!(self.command_line(rule), Some(Say::Off)) || self.no_eval && numeric()
@@ -173,7 +174,7 @@ impl CommandLine {
     }
 }
 
-/// What looks after the settings themselves is not for `select`: it would hide the slip in
+/// `select` does not turn off the rules that check the settings themselves: they report a misspelt
 /// `select`.
 fn for_all_paths(file: Option<&ConfigFile>, rule: &str) -> Say {
     let Some(file) = file else {
@@ -200,7 +201,8 @@ fn fits(selectors: &[Selector], rule: &str) -> bool {
     selectors.iter().any(|selector| selector.fits(rule))
 }
 
-/// Naming a safety rule to ignore it is refused aloud; a wide glob just does not reach it.
+/// An error if the command line turns off a safety rule by its name. A glob that would match one
+/// has no effect on it.
 fn refuse_ignored_safety(config: &Config) -> Result<(), Error> {
     let levels = config.levels.iter().map(|(text, _)| text);
     let named = config
@@ -216,7 +218,7 @@ fn refuse_ignored_safety(config: &Config) -> Result<(), Error> {
     })
 }
 
-/// A file that selects no rule at all would pass everything.
+/// An error if `select` in the configuration file matches no rule: every file would pass.
 fn refuse_empty_select(config: &Config) -> Result<(), Error> {
     let Some(file) = config.file.as_ref().filter(|_| config.only.is_empty()) else {
         return Ok(());
@@ -238,7 +240,7 @@ fn refuse_empty_select(config: &Config) -> Result<(), Error> {
     })
 }
 
-/// Whether a rule is a matter of safety.
+/// Whether a rule is a safety rule, which cannot be turned off or ignored.
 pub(crate) fn cannot_be_ignored(rule: &str) -> bool {
     named(rule).is_some_and(|known| known.info.cannot_be_ignored)
 }
@@ -262,7 +264,7 @@ fn selector(text: &str) -> Result<Selector, Error> {
     }))
 }
 
-/// A rule that may be meant.
+/// The rule whose name is most like a text.
 fn like(text: &str) -> Option<&'static str> {
     nearest(text, listed().map(|rule| rule.info.id))
 }
