@@ -47,7 +47,8 @@
 //! One way through the house: source → discover → formats → repo → eval → evaluate → rules → engine
 //! → report → cli (`docs/architecture.md`).
 
-// Files, streams and surroundings have few doors, and who may use them says so; tests are free.
+// Only a few modules may use files, streams and the environment, and they allow this lint
+// themselves; tests may use everything.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 #![warn(missing_docs)]
 

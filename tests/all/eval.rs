@@ -738,7 +738,8 @@ fn macros_of_mpfb_are_shares_of_names_and_their_products() {
         0.149_975
     ])));
     // A part with one name at both ends has the share of the end alone: of two for one name the
-    // last counts. The breast is that of a woman, whatever the gender.
+    // last counts.
+    // The breast is that of a woman, whatever the gender.
     assert!(targets.contains(&json!([
         "breast/female-child-averagemuscle-averageweight-maxcup-averagefirmness",
         0.037_493_75

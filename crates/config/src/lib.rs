@@ -3,7 +3,8 @@
 //! Gets the text of the file and the declared halves of the rules, gives a [`Config`] or all that
 //! is wrong with the file, with spans. Knows no rule by name and looks for no asset.
 
-// Files, streams and surroundings have few doors, and who may use them says so; tests are free.
+// Only a few modules may use files, streams and the environment, and they allow this lint
+// themselves; tests may use everything.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod date;

@@ -3,7 +3,8 @@
 //! A leaf of the house: imports nothing of ours, no terminal types, no borrowed sources. Rules make
 //! [`Finding`]s, the engine places and sorts them, reports only say them.
 
-// Files, streams and surroundings have few doors, and who may use them says so; tests are free.
+// Only a few modules may use files, streams and the environment, and they allow this lint
+// themselves; tests may use everything.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod baseline;

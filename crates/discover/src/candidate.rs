@@ -32,8 +32,8 @@ pub struct Candidate<'t> {
     pub uses: Vec<Use>,
 }
 
-/// The kind that a file is read as. If its uses have several kinds, it is the one that says most
-/// about the file; this is the one that `Kind` lists first.
+/// The kind that a file is read as. If its uses have several kinds, this is the kind that says most
+/// about the file, which `Kind` lists first.
 pub(crate) fn kind_of(uses: &[Use]) -> Kind {
     uses.iter().map(|one| one.kind).min().unwrap_or(Kind::Other)
 }
@@ -82,8 +82,8 @@ pub fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) -> Vec<Ca
     let mut found: Vec<Candidate<'t>> = entries
         .map(|(entry, rel)| Candidate::new(entry, rel, layouts))
         .collect();
-    // Files beside a data folder belong to it only if it is a user's folder, or one into which
-    // somebody copied the data of the program.
+    // Files beside a data folder belong to it only in a user's folder. That includes a user's
+    // folder into which somebody copied the data of the program.
     let own = found.len();
     let users = layouts.iter().filter_map(|layout| {
         found.truncate(own);

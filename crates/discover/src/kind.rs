@@ -235,7 +235,7 @@ impl Kind {
     }
 }
 
-/// Endings of the names of shader files of MakeHuman 1. A shader has one or more of these files.
+/// Endings of the names of shader files of MakeHuman 1. A shader has at least one of these files.
 pub const SHADER_FILES: [&str; 3] = [
     "_vertex_shader.txt",
     "_fragment_shader.txt",

@@ -159,8 +159,8 @@ impl<'t, 'k> Placing<'t, 'k> {
             let is_open = is_wanted(meant_extension(&entry.path))
                 && !self.placed.contains(entry.path.as_str());
             let is_near = !self.known.is_shallow || folder.is_empty();
-            // A material in the folder of clothes or in one below belongs to these and is no skin,
-            // even if nothing is known about the clothes.
+            // A material in the folder of clothes, or in a folder below, belongs to these and is no
+            // skin, even if nothing is known about the clothes.
             let is_part = || {
                 meant_extension(&entry.path) == MATERIAL
                     && folders_above(folder).any(|above| with_worn.contains(above))
@@ -230,7 +230,8 @@ impl<'t, 'k> Placing<'t, 'k> {
     }
 
     /// A supposed folder for an asset, called like the folder that it lies in, with a number if
-    /// another asset has that folder already.
+    /// another asset has that folder already. In the library `flat` of the layout the first asset
+    /// lies in the folder of the library itself.
     fn new_home(&mut self, library: &str, above: &str, folder: &str) -> String {
         if library == self.layout.flat && self.homes.insert(above.to_owned()) {
             return above.to_owned();

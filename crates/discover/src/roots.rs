@@ -75,10 +75,10 @@ impl<'s> Search<'s> {
         signs: BTreeMap<DataRoot, Sign>,
         confirmed: BTreeSet<DataRoot>,
     ) -> Self {
-        // An application that shares the users' folders of another one (MPFB those of MakeHuman 1)
-        // does not claim such a folder by itself. It claims it if the user asked for the
-        // application, if it has a data root of its own, or if files beside the folder are such as
-        // no other application has.
+        // An application that shares the users' folders of another application (MPFB those of
+        // MakeHuman 1) does not claim such a folder by itself. It claims the folder if the user
+        // asked for the application, if it has a data root of its own, or if files beside the
+        // folder are such as no other application has.
         let is_at_hand = |application: Application| {
             meant.asked.contains(&application) || has_data(&signs, meant, application)
         };
@@ -97,9 +97,9 @@ impl<'s> Search<'s> {
         }
     }
 
-    /// Removes roots that their application may not claim. If a file beside a root confirms that it
-    /// belongs to another application, the root is removed, unless that one shares the users'
-    /// folders of the application.
+    /// Removes roots that their application may not claim. If a file beside a root confirms that
+    /// the root belongs to another application, it is removed as well, unless that application
+    /// shares the users' folders of this one.
     fn leave_out_unclaimed(&mut self) {
         let Self {
             signs,
@@ -167,8 +167,8 @@ impl<'s> Search<'s> {
         root.application != other.application && has_beside(root.application) && is_certain()
     }
 
-    /// Adds the users' folders that an application shares with another one: roots of that one are
-    /// roots of this one, too.
+    /// Adds the users' folders that an application shares with another application: every root of
+    /// the other application that is a user's folder becomes a root of this application, too.
     fn share(&self, application: Application, roots: &mut Vec<DataRoot>) {
         let Some(other) = Layout::of(application).shares_roots_of else {
             return;
@@ -189,8 +189,9 @@ impl<'s> Search<'s> {
             is_meant && root.application == other && sign.is_some_and(is_users)
         };
         let shared: Vec<DataRoot> = roots.iter().filter(is_shared).map(own).collect();
-        // If this application has data and the other one neither has data nor was asked for, a root
-        // that files beside it confirm for this application is not one of the other application.
+        // If this application has data, and the other application neither has data nor was asked
+        // for, a root that files beside it confirm for this application does not belong to the
+        // other application.
         let has_data = |one| has_data(&self.signs, self.meant, one);
         if has_data(application) && !has_data(other) && !is_asked(other) {
             let is_other = |root: &DataRoot| {
@@ -314,8 +315,8 @@ impl Signs {
     }
 }
 
-/// Users' folders of an application that shares those of another one, recognised by the files in
-/// them although neither application has data in this run.
+/// Users' folders of an application that shares those of another application, recognised by the
+/// files in them although neither application has data in this run.
 #[derive(Default)]
 struct Told {
     /// Folders with files that only users of the application have: they do not belong to the other

@@ -3,7 +3,8 @@
 //!
 //! Has the threads, as `evaluate` has some. Prints nothing and checks nothing.
 
-// Files, streams and surroundings have few doors, and who may use them says so; tests are free.
+// Only a few modules may use files, streams and the environment, and they allow this lint
+// themselves; tests may use everything.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod catalogue;

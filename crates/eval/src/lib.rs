@@ -23,7 +23,8 @@
 //! # Ok::<(), mhlint_eval::error::EvalError>(())
 //! ```
 
-// Files, streams and surroundings have few doors, and who may use them says so; tests are free.
+// Only a few modules may use files, streams and the environment, and they allow this lint
+// themselves; tests may use everything.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 #![cfg_attr(
     test,

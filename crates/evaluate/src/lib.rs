@@ -5,7 +5,8 @@
 //! outcomes as plain numbers or JSON; there the first fault that stands in the way is an error with
 //! name and cause. Writes nothing, and is handed what it works on: it looks for no folders.
 
-// Files, streams and surroundings have few doors, and who may use them says so; tests are free.
+// Only a few modules may use files, streams and the environment, and they allow this lint
+// themselves; tests may use everything.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod asset_file;

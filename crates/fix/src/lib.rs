@@ -4,7 +4,8 @@
 //! Knows neither formats nor rules: it gets byte ranges. A file is replaced as a whole or left
 //! alone.
 
-// Files, streams and surroundings have few doors, and who may use them says so; tests are free.
+// Only a few modules may use files, streams and the environment, and they allow this lint
+// themselves; tests may use everything.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 #![expect(clippy::disallowed_methods, reason = "the only writer of assets")]
 

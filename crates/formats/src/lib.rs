@@ -3,7 +3,8 @@
 //! A parser returns what the application would see, and counts in the same
 //! pass everything rules ask about. Nothing is checked here; other files are not known here.
 
-// Files, streams and surroundings have few doors, and who may use them says so; tests are free.
+// Only a few modules may use files, streams and the environment, and they allow this lint
+// themselves; tests may use everything.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 #![warn(clippy::indexing_slicing)]
 

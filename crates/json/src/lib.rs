@@ -3,7 +3,8 @@
 //! Python's dialect (`NaN`, `Infinity`, duplicate keys with the last one winning) plus byte spans
 //! of every value, which `serde_json` does not keep. No asset knowledge here.
 
-// Files, streams and surroundings have few doors, and who may use them says so; tests are free.
+// Only a few modules may use files, streams and the environment, and they allow this lint
+// themselves; tests may use everything.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod document;

@@ -4,7 +4,8 @@
 //! folder targets come from, what a name leads to. Knows no bytes and gives no levels. What every
 //! application has is here, what one does in its own way is in its folder.
 
-// Files, streams and surroundings have few doors, and who may use them says so; tests are free.
+// Only a few modules may use files, streams and the environment, and they allow this lint
+// themselves; tests may use everything.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod archived;

@@ -3,7 +3,8 @@
 //! A rule reads facts and says what would happen. It reads no files, knows no report and no other
 //! rule.
 
-// Files, streams and surroundings have few doors, and who may use them says so; tests are free.
+// Only a few modules may use files, streams and the environment, and they allow this lint
+// themselves; tests may use everything.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 use std::sync::LazyLock;

@@ -3,7 +3,8 @@
 //! The only reader of assets. Gives listings, bytes, unpacked bytes and lines; knows no format and
 //! writes nothing. Everything read is bounded, because assets come from strangers.
 
-// Files, streams and surroundings have few doors, and who may use them says so; tests are free.
+// Only a few modules may use files, streams and the environment, and they allow this lint
+// themselves; tests may use everything.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 #![expect(clippy::disallowed_methods, reason = "the only reader of assets")]
 

@@ -24,8 +24,8 @@ pub(crate) struct Roots<'t> {
     /// The places to check, each with the paths in it that the user asked for; no paths means all
     /// of it.
     pub(crate) checked: Vec<(Place<'t>, Vec<String>)>,
-    /// The data roots from `--system`, at most one for each application. One that is also the only
-    /// data root to check is left out here.
+    /// The data roots from `--system`, at most one for each application. A data root that is also
+    /// the only one to check is left out here.
     pub(crate) systems: Vec<Place<'t>>,
 }
 
@@ -65,9 +65,9 @@ fn places(
         .collect()
 }
 
-/// The data roots inside the one at `path` that are not part of it: those of other applications.
-/// Inside a pack data roots of the same application are not part of it either, since they were only
-/// put there.
+/// The data roots inside the data root at `path` that are not part of it: those of other
+/// applications. Inside a pack data roots of the same application are not part of it either, since
+/// they were only put there.
 fn inner(
     tree: &Tree,
     roots: &BTreeMap<String, Vec<&'static Layout>>,

@@ -42,7 +42,7 @@ pub(crate) enum Standing {
 }
 
 impl Standing {
-    /// The finding to report, if any; of one that is worse only what is worse.
+    /// The finding to report, if any. A finding that is worse is reduced to what is worse.
     pub(crate) fn of(self, mut finding: Finding) -> Option<Finding> {
         match self {
             Self::New => Some(finding),
@@ -71,9 +71,8 @@ pub(crate) struct Comparison {
 }
 
 /// Compares findings. Several findings may have the same rule, asset and key, because a rule may
-/// report each part by itself, or all parts together. One finding with all parts and several
-/// findings with one part each are equal. A finding without parts is compared with one other
-/// finding.
+/// report each part by itself, or all parts together. A finding with all parts counts as equal to
+/// several findings with one part each. A finding without parts is compared with one other finding.
 ///
 /// At first each finding now takes one equal finding before, so that no finding is new that was
 /// there before, whatever other findings have the same asset and key. If there are more equal

@@ -164,7 +164,7 @@ impl Keeper<'_> {
         let is_of_asked = bases.is_empty()
             || bases.iter().any(|base| asks(base))
             || self.is_unfiled(&finding.path);
-        // A finding may be about several files. It is reported to whoever asks for one of them.
+        // A finding may be about several files. It is reported if the user asks for any of these.
         let mut files = std::iter::once(&finding.path).chain(finding.files());
         files.any(|file| (self.is_asked_for)(file)) && is_of_asked
     }

@@ -201,8 +201,8 @@ fn fits(selectors: &[Selector], rule: &str) -> bool {
     selectors.iter().any(|selector| selector.fits(rule))
 }
 
-/// An error if the command line turns off a safety rule by its name. A glob that would match one
-/// has no effect on it.
+/// An error if the command line turns off a safety rule by its name. A glob that matches a safety
+/// rule has no effect on it and is no error.
 fn refuse_ignored_safety(config: &Config) -> Result<(), Error> {
     let levels = config.levels.iter().map(|(text, _)| text);
     let named = config
