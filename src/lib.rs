@@ -24,7 +24,8 @@
 //!
 //! ```
 //! use std::path::Path;
-//! let mut evaluation = mhlint::open_base(Path::new("fixtures/makehuman2/data"), None, Some("figure"))?;
+//! let data = Path::new("fixtures/makehuman2/data");
+//! let mut evaluation = mhlint::open_base(data, None, Some("figure"))?;
 //! let rest = evaluation.morphed(&evaluation.setting(&[])?)?;
 //! let oval = evaluation.setting(&[("head/head-oval".to_owned(), 1.0)])?;
 //! let morphed = evaluation.morphed(&oval)?;

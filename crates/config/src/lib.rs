@@ -40,9 +40,9 @@ pub const MOST_SAMPLES: usize = 100_000;
 /// What a run is asked to do.
 ///
 /// The fields are the values in effect for the whole run. What the configuration file says on
-/// single rules and paths stays apart in [`Config::file`], because the fields
-/// [`only`](Config::only),
-/// [`skip`](Config::skip) and [`levels`](Config::levels) go before it, as the command line does.
+/// single rules and paths is kept apart in [`Config::file`], because the fields
+/// [`only`](Config::only), [`skip`](Config::skip) and [`levels`](Config::levels) override it, as the
+/// command line does.
 ///
 /// ```
 /// use mhlint_config::Config;

@@ -1,7 +1,7 @@
 //! Bytes to models and facts, one format a file.
 //!
-//! A parser returns what the application would see, and counts in the same
-//! pass everything rules ask about. Nothing is checked here; other files are not known here.
+//! A parser returns what the application would see, and counts in the same pass everything rules
+//! ask about. Nothing is checked here; other files are not known here.
 
 // Only a few modules may use files, streams and the environment, and they allow this lint
 // themselves; tests may use everything.
