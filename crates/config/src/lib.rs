@@ -41,8 +41,8 @@ pub const MOST_SAMPLES: usize = 100_000;
 ///
 /// The fields are the values in effect for the whole run. What the configuration file says on
 /// single rules and paths is kept apart in [`Config::file`], because the fields
-/// [`only`](Config::only), [`skip`](Config::skip) and [`levels`](Config::levels) override it, as the
-/// command line does.
+/// [`only`](Config::only), [`skip`](Config::skip) and [`levels`](Config::levels) override it, as
+/// the command line does.
 ///
 /// ```
 /// use mhlint_config::Config;

@@ -19,9 +19,9 @@ struct Claim {
 }
 
 /// Removes from `signs` the applications that lose a folder. The winners of a folder are the
-/// applications with many signs there. If there are none, they are those with certain evidence; if
-/// several are certain, or none is, only those of them whose data are at hand. An application that
-/// the user named with `--app` never loses a folder.
+/// applications with many signs there. If there are none, they are those with certain evidence, or
+/// all if none has it; of several winners only those whose data are at hand, if there are any. An
+/// application that the user named with `--app` never loses a folder.
 ///
 /// Returns the users' folders that certainly belong to two applications which share such folders.
 pub(super) fn settle(

@@ -623,7 +623,7 @@ mod tests {
                 [("user".to_owned(), Application::Makehuman2)],
                 "{path}"
             );
-            // A root of MPFB inside a root of MakeHuman 1 is a root by itself.
+            // A root of MPFB inside a root of MakeHuman 1 is found as a root of its own.
             let around = format!("pack/{path}");
             let both = [
                 ("pack".to_owned(), Application::Makehuman1),

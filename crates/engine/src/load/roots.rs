@@ -174,8 +174,8 @@ impl<'t> Roots<'t> {
             }
         }
         let mut systems = all_systems(systems, applications)?;
-        // MPFB shares its users' folders with MakeHuman 1. Where the user names no application,
-        // such a folder is taken for one of MPFB only if data of MPFB are given.
+        // MPFB shares the users' folders of MakeHuman 1. If the user names no application, such a
+        // folder is taken for one of MPFB only if data of MPFB are given.
         let mut at_hand = options.applications.clone();
         if at_hand.is_empty() {
             at_hand = with_data(applications, &systems);
@@ -301,8 +301,8 @@ impl<'t> Roots<'t> {
     }
 }
 
-/// The data roots of each input. MPFB shares its users' folders with MakeHuman 1: where data of
-/// MPFB are in one input, shared folders in the other inputs are looked for again with that known.
+/// The data roots of each input. MPFB shares the users' folders of MakeHuman 1: if data of MPFB are
+/// in one input, such folders are looked for again in all inputs, now as folders of MPFB, too.
 fn found_in<'i>(
     inputs: &[&'i Input],
     meant: Meant<'_>,
