@@ -58,6 +58,14 @@ pub(in super::super) fn faults(
     }
 }
 
+fn misspelt(view: &View<'_>) -> impl Iterator<Item = String> {
+    let of_macros = view.modifiers.all.iter().filter(|one| {
+        let variable = one.modifier.variable.as_ref();
+        variable.is_some_and(|variable| category(&variable.name).is_none())
+    });
+    of_macros.map(|one| one.name.to_ascii_lowercase())
+}
+
 /// What modifiers there are.
 struct Known<'v, 'a> {
     by_name: BTreeMap<&'v str, &'v KnownModifier<'a>>,
@@ -69,6 +77,8 @@ struct Known<'v, 'a> {
     asked: BTreeSet<&'v str>,
     /// Older names.
     older: BTreeSet<&'v str>,
+    /// Macros whose variable is spelt in another way in their own file, in small letters.
+    misspelt: BTreeSet<String>,
     is_whole: bool,
 }
 
@@ -107,6 +117,7 @@ impl<'v, 'a> Known<'v, 'a> {
                 .flat_map(|table| &table.rows)
                 .map(|row| row.old.as_str())
                 .collect(),
+            misspelt: misspelt(view).collect(),
             is_whole: view.modifiers.is_whole(),
         }
     }
@@ -135,15 +146,7 @@ impl<'v, 'a> Known<'v, 'a> {
 
     /// Whether a name is that of a macro whose variable is spelt in another way in its own file.
     fn is_misspelt(&self, name: &str) -> bool {
-        let is_bad = |one: &KnownModifier<'_>| {
-            one.modifier
-                .variable
-                .as_ref()
-                .is_some_and(|variable| category(&variable.name).is_none())
-        };
-        self.by_name
-            .values()
-            .any(|one| one.name.eq_ignore_ascii_case(name) && is_bad(one))
+        self.misspelt.contains(&name.to_ascii_lowercase())
     }
 
     /// From where to where the values of a modifier go.
