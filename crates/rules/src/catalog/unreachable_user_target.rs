@@ -1,5 +1,7 @@
 //! A user's target has a name under which it can be found again.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use mhlint_diag::{Application::Mpfb, Case, Finding, Level, Place, RuleInfo, grouped};
 use mhlint_repo::mpfb::{UserTarget, View, identifiers};
@@ -61,7 +63,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .catalog
         .iter()
         .flat_map(|catalog| &catalog.sliders.sections);
-    let known: Vec<String> = sections
+    let known: BTreeSet<String> = sections
         .flat_map(|section| {
             section
                 .categories
@@ -147,7 +149,11 @@ fn unknown_again(target: &UserTarget<'_>) -> Option<Finding> {
 }
 
 /// A name that leads to one of MPFB's own targets or sliders.
-fn of_shipped(view: &View<'_>, target: &UserTarget<'_>, known: &[String]) -> Option<Finding> {
+fn of_shipped(
+    view: &View<'_>,
+    target: &UserTarget<'_>,
+    known: &BTreeSet<String>,
+) -> Option<Finding> {
     let name = target.name.to_lowercase();
     let at = |message: String| RULE.at(target.file, Place::File, message).key("shipped");
     if known.contains(&target.identifier()) {

@@ -1,5 +1,7 @@
 //! What a selection filter leads to must be a label of its tree.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use mhlint_diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use mhlint_formats::selection_filter::SelectionFilter;
@@ -32,10 +34,15 @@ fn run(view: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding
         .iter()
         .map(|one| one.pointer.to_lowercase())
         .collect();
+    let repeated: BTreeSet<&str> = repeated
+        .iter()
+        .filter_map(|pointer| pointer.split('/').nth(1))
+        .collect();
     let is_lost = |path: &str| {
-        repeated
-            .iter()
-            .any(|pointer| pointer.split('/').nth(1) == path.to_lowercase().split(':').next())
+        let path = path.to_lowercase();
+        path.split(':')
+            .next()
+            .is_some_and(|first| repeated.contains(first))
     };
     let by_path = grouped(dead(filter).into_iter().filter(|(path, _)| !is_lost(path)));
     for (path, places) in by_path {

@@ -1,7 +1,7 @@
 //! Each material line of a model must belong to an asset that the model wears, and name a file that
 //! exists.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{makehuman1, own};
@@ -43,6 +43,10 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
         // line without a uuid stops the loader, so that then nothing is reported here.
         let lines = saved.model.worn.iter().chain(&saved.model.unknown);
         let worn: BTreeSet<(&str, &str)> = lines.map(|one| (&*one.name.text, &*one.uuid)).collect();
+        let mut by_uuid: BTreeMap<&str, &str> = BTreeMap::new();
+        for (name, uuid) in &worn {
+            by_uuid.entry(uuid).or_insert(name);
+        }
         let fits = |line: &MaterialLine| worn.contains(&(&*line.name.text, &*line.uuid));
         let lost = saved
             .model
@@ -54,7 +58,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
                 .worn(base.name, &line.name.text, &line.uuid)
                 .is_some_and(|asset| asset.uuid == *line.uuid)
         };
-        out.extend(lost.map(|line| stray(saved, line, &worn, is_right(line))));
+        out.extend(lost.map(|line| stray(saved, line, (&worn, &by_uuid), is_right(line))));
         if view.is_open(base) {
             continue;
         }
@@ -78,7 +82,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
 fn stray(
     saved: &SavedModel<'_>,
     line: &MaterialLine,
-    worn: &BTreeSet<(&str, &str)>,
+    (worn, by_uuid): (&BTreeSet<(&str, &str)>, &BTreeMap<&str, &str>),
     is_right: bool,
 ) -> Finding {
     let (name, uuid) = (&*line.name.text, &*line.uuid);
@@ -99,10 +103,10 @@ fn stray(
             format!("write `{other}` in place of `{uuid}`"),
         ),
         None => {
-            let renamed = worn.iter().find(|(_, other)| *other == uuid);
+            let renamed = by_uuid.get(uuid);
             let help = renamed.map_or_else(
                 || "remove the line, or put the asset on with a line of its own".to_owned(),
-                |(other, _)| format!("write `{other}` in place of `{name}`"),
+                |other| format!("write `{other}` in place of `{name}`"),
             );
             (format!("the model wears no asset `{name}`"), help)
         }

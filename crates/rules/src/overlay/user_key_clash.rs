@@ -30,7 +30,12 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     };
     let mut clashes = clashes(base);
-    clashes.retain(|(key, ..)| model.sliders.iter().any(|slider| slider.key == *key));
+    let keys: BTreeSet<&str> = model
+        .sliders
+        .iter()
+        .map(|slider| slider.key.as_str())
+        .collect();
+    clashes.retain(|(key, ..)| keys.contains(&**key));
     let Some((first, own, place)) = clashes.first() else {
         return;
     };

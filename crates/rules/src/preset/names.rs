@@ -241,13 +241,14 @@ fn unknown_rig(view: &View<'_>, rig: &NamedAt, cx: &RuleCx<'_>) -> Option<Named>
             .flat_map(|layer| layer.below("rigs/standard"))
     };
     let stem = |file: &str| Some(file.strip_prefix("rig.")?.strip_suffix(".json")?.to_owned());
-    let rigs: Vec<String> = of_system()
+    let mut rigs = of_system()
         .filter_map(|file| stem(file.file_name()))
-        .collect();
+        .peekable();
     // A part of the data without any rig says nothing.
-    if is_known || custom.is_none() && rigs.is_empty() {
+    if is_known || custom.is_none() && rigs.peek().is_none() {
         return None;
     }
+    let rigs: Vec<String> = rigs.collect();
     let near = rigs
         .iter()
         .find(|other| other.eq_ignore_ascii_case(&name.replace('-', "_")));

@@ -1,6 +1,6 @@
 //! A bone of the base skeleton gives its weights to one bone of another.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, bones_in_words};
 use super::remapped::{Remapped, remapped};
@@ -29,16 +29,14 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 fn finding(remapped: &Remapped<'_>) -> Option<Finding> {
     let bones = &remapped.rig.skeleton.bones;
+    let base: BTreeSet<&str> = remapped.base.iter().copied().collect();
     let mut lists: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     for (place, bone) in bones.iter().enumerate() {
         let (mut references, _) = bone.weight_references();
         // A name that is listed twice counts once.
         references.sort_unstable();
         references.dedup();
-        for name in references
-            .into_iter()
-            .filter(|name| remapped.base.contains(name))
-        {
+        for name in references.into_iter().filter(|name| base.contains(name)) {
             lists.entry(name).or_default().push(place);
         }
     }

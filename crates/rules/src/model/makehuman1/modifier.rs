@@ -59,6 +59,15 @@ pub(in super::super) fn faults(
     }
 }
 
+/// Names of macros whose variable is misspelt in their own file, in small letters.
+fn misspelt(view: &View<'_>) -> impl Iterator<Item = String> {
+    let of_macros = view.modifiers.all.iter().filter(|one| {
+        let variable = one.modifier.variable.as_ref();
+        variable.is_some_and(|variable| category(&variable.name).is_none())
+    });
+    of_macros.map(|one| one.name.to_ascii_lowercase())
+}
+
 /// The modifiers that the program has.
 struct Known<'v, 'a> {
     by_name: BTreeMap<&'v str, &'v KnownModifier<'a>>,
@@ -70,6 +79,8 @@ struct Known<'v, 'a> {
     asked: BTreeSet<&'v str>,
     /// Names of modifiers in older models.
     older: BTreeSet<&'v str>,
+    /// Names of macros whose variable is misspelt in their own file, in small letters.
+    misspelt: BTreeSet<String>,
     is_whole: bool,
 }
 
@@ -108,6 +119,7 @@ impl<'v, 'a> Known<'v, 'a> {
                 .flat_map(|table| &table.rows)
                 .map(|row| row.old.as_str())
                 .collect(),
+            misspelt: misspelt(view).collect(),
             is_whole: view.modifiers.is_whole(),
         }
     }
@@ -137,15 +149,7 @@ impl<'v, 'a> Known<'v, 'a> {
 
     /// Whether the name belongs to a macro whose variable is misspelt in its own file.
     fn is_misspelt(&self, name: &str) -> bool {
-        let is_bad = |one: &KnownModifier<'_>| {
-            one.modifier
-                .variable
-                .as_ref()
-                .is_some_and(|variable| category(&variable.name).is_none())
-        };
-        self.by_name
-            .values()
-            .any(|one| one.name.eq_ignore_ascii_case(name) && is_bad(one))
+        self.misspelt.contains(&name.to_ascii_lowercase())
     }
 
     /// The least and the greatest value of a modifier.
