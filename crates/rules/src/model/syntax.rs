@@ -57,7 +57,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     }
 }
 
-/// Whether a byte order mark hides the line `name`, which another rule reports.
+/// Whether a byte order mark hides the line `name`, which `file-byte-order-mark` reports.
 fn has_lost_name(encoding: &Encoding) -> bool {
     encoding.byte_order_mark
         && encoding

@@ -26,8 +26,8 @@ pub(in super::super) fn faults(
         known.insert(word);
     }
     for model in current(view) {
-        // A remark without a blank behind its `#`, or a word behind a byte order mark, is an
-        // unknown word as well, but nothing is lost for that.
+        // Not reported here: a remark without a blank behind its `#`, for which nothing is lost,
+        // and a word behind a byte order mark, which `file-byte-order-mark` reports.
         let is_told = |line: &&Line| {
             let word = &*line.keyword.text;
             !known.contains(word) && !word.starts_with(['#', '\u{feff}'])
