@@ -22,7 +22,7 @@ pub enum Kind {
     ModifierFile,
     /// `*_modifiers_desc.json` of MakeHuman 1: descriptions of modifiers.
     ModifierTexts,
-    /// `*_sliders.json` of MakeHuman 1: the tabs in which it shows its sliders.
+    /// `*_sliders.json` of MakeHuman 1: the tabs that they are in.
     ModifierSliders,
     /// `mh_1-0_modifier_mapping.csv` of MakeHuman 1: names of modifiers in older models.
     ModifierMapping,
@@ -34,8 +34,7 @@ pub enum Kind {
     TargetCategories,
     /// `target.json` of MPFB: its sliders.
     TargetCatalog,
-    /// `macro.json` of MPFB: for each macro setting the parts of target names that it stands for,
-    /// and the range of values of each.
+    /// `macro.json` of MPFB: which names a setting stands for, and in which range.
     MacroParts,
     /// A JSON in `expressions/` of MPFB: face units with their strengths.
     FaceExpression,

@@ -58,8 +58,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
             .filter_map(|lines| asset(&lines, &known, cx)),
     );
     let files = own(view, base).flat_map(|saved| view.references.of_file(saved.file));
-    // The skeleton for poses is named by the base mesh as well: if it is missing
-    // `base-missing-file` reports it.
+    // The skeleton for poses, if it is missing, is reported by `base-missing-file`.
     let is_told = |reference: &Reference<'_>| {
         let mut named = base
             .named
