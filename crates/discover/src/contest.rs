@@ -85,7 +85,7 @@ fn are_two_that_share(applications: impl Iterator<Item = Application>) -> bool {
     matches!(applications.collect::<Vec<_>>().as_slice(), [one, other] if share_users(*one, *other))
 }
 
-fn share_users(one: Application, other: Application) -> bool {
+pub(super) fn share_users(one: Application, other: Application) -> bool {
     Layout::of(one).shares_roots_of == Some(other) || Layout::of(other).shares_roots_of == Some(one)
 }
 

@@ -45,7 +45,10 @@ pub fn find_roots(listing: &Listing<'_>, meant: Meant<'_>) -> Vec<DataRoot> {
         .for_each(|one| search.share(one, &mut roots));
     // A users' folder that certainly belongs to two applications is a root of both.
     let is_found = |root: &DataRoot| roots.iter().any(|other| other.path == root.path);
-    let shared: Vec<DataRoot> = shared.into_iter().filter(is_found).collect();
+    let shared = shared.into_iter().filter(is_found);
+    let shared: Vec<DataRoot> = shared
+        .filter(|root| !search.is_left_to_partner(root))
+        .collect();
     roots.extend(shared);
     roots.sort();
     roots.dedup();
@@ -95,6 +98,16 @@ impl<'s> Search<'s> {
             told,
             are_data: RefCell::default(),
         }
+    }
+
+    /// Whether a folder of users that two applications certainly share is left to the other one: its
+    /// data are at hand, and nobody asked for this one or has its data.
+    fn is_left_to_partner(&self, root: &DataRoot) -> bool {
+        let has_data = |one| has_data(&self.signs, self.meant, one);
+        let is_partner = |one: &Application| contest::share_users(*one, root.application);
+        let mut partners = Application::ALL.into_iter().filter(is_partner);
+        let is_meant = self.meant.asked.contains(&root.application) || has_data(root.application);
+        !is_meant && partners.any(has_data)
     }
 
     /// Removes roots that their application may not claim. If a file beside a root confirms that

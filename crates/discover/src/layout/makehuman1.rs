@@ -28,7 +28,6 @@ pub(super) static LAYOUT: Layout = Layout {
     is_of_others,
     place,
     role,
-    is_system_of_two: |_| true,
     shelf,
     loose_place,
     unpacks_singly: true,

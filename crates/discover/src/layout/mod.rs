@@ -273,7 +273,7 @@ impl Layout {
         shares_roots_of: None,
         has_second_user: false,
         role: |_| Role::User,
-        is_system_of_two: |_| false,
+        is_system_of_two: |_| true,
         stands_alone: |_, _| true,
         opens: |_| true,
         scans: |_| false,

@@ -64,7 +64,6 @@ pub(super) static LAYOUT: Layout = Layout {
     shares_roots_of: Some(Application::Makehuman1),
     has_second_user: true,
     role,
-    is_system_of_two: |_| true,
     reads_hidden,
     is_folder: |rel, _| FOLDERS.contains(&rel) || WORN.contains(&rel),
     single: |rel| is_skin_picture(rel).then_some(Single::SkinPicture),

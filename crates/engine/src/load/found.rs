@@ -77,45 +77,63 @@ fn leave_to_program(
 /// An application whose user has a home of his own here reads that of another application only
 /// where it is asked for: what certainly is a home of the other one is left to that.
 pub(super) fn leave_to_homes(found: &mut [Found<'_>], named: &[Application]) {
-    for own in Application::ALL
-        .into_iter()
-        .filter(|own| !named.contains(own))
-    {
-        let Some(owner) = Layout::of(own).shares_roots_of else {
-            continue;
-        };
-        let is_certain = |tree: &Tree, path: &str, application| {
-            evidence(&listing(tree), path, application).is_certain
-        };
-        let is_of = |layouts: &[&'static Layout], one| {
-            layouts.iter().any(|layout| layout.application == one)
-        };
-        let is_home = |tree: &Tree, path: &str, layouts: &[&'static Layout]| {
-            let is_users = || {
-                (Layout::of(own).role)(&candidates(tree, path, &[Layout::of(own)])) != Role::System
-            };
-            is_of(layouts, own)
-                && !is_of(layouts, owner)
-                && is_users()
-                && is_certain(tree, path, own)
-        };
-        let has_home = |(input, roots): &Found<'_>| {
-            roots
-                .iter()
-                .any(|(path, all)| is_home(&input.tree, path, all))
-        };
-        if !found.iter().any(has_home) {
-            continue;
-        }
-        for (input, roots) in &mut *found {
-            let both = roots
-                .iter_mut()
-                .filter(|(_, layouts)| is_of(layouts, own) && is_of(layouts, owner));
-            let theirs = both.filter(|(path, _)| is_certain(&input.tree, path, owner));
-            let theirs = theirs.filter(|(path, _)| !is_certain(&input.tree, path, own));
-            theirs.for_each(|(_, layouts)| layouts.retain(|layout| layout.application != own));
+    for own in Application::ALL {
+        let owner = Layout::of(own).shares_roots_of;
+        if let Some(owner) = owner.filter(|_| !named.contains(&own)) {
+            leave_to_home(found, own, owner);
         }
     }
+}
+
+fn leave_to_home(found: &mut [Found<'_>], own: Application, owner: Application) {
+    let has =
+        |layouts: &[&'static Layout], one| layouts.iter().any(|layout| layout.application == one);
+    let are_both = |layouts: &[&'static Layout]| has(layouts, own) && has(layouts, owner);
+    let all = |found: &[Found<'_>]| {
+        found
+            .iter()
+            .flat_map(|(_, roots)| roots.values())
+            .any(|one| are_both(one))
+    };
+    if !all(found) {
+        return;
+    }
+    let certain: Vec<BTreeSet<(String, Application)>> = found
+        .iter()
+        .map(|(input, roots)| certain(&input.tree, roots))
+        .collect();
+    let is_users = |tree: &Tree, path: &str| {
+        let layout = Layout::of(own);
+        (layout.role)(&candidates(tree, path, &[layout])) != Role::System
+    };
+    let has_home = found.iter().zip(&certain).any(|((input, roots), certain)| {
+        roots.iter().any(|(path, layouts)| {
+            let is_own = has(layouts, own) && !has(layouts, owner);
+            is_own && certain.contains(&(path.clone(), own)) && is_users(&input.tree, path)
+        })
+    });
+    for ((_, roots), certain) in found.iter_mut().zip(&certain).filter(|_| has_home) {
+        let is = |path: &String, one| certain.contains(&(path.clone(), one));
+        for (path, layouts) in roots.iter_mut().filter(|(_, layouts)| are_both(layouts)) {
+            if is(path, owner) && !is(path, own) {
+                layouts.retain(|layout| layout.application != own);
+            }
+        }
+    }
+}
+
+/// The roots with the applications that certainly have them.
+fn certain(
+    tree: &Tree,
+    roots: &BTreeMap<String, Vec<&'static Layout>>,
+) -> BTreeSet<(String, Application)> {
+    let peek = |path: &str| look_into(tree, path);
+    let listing = listing(tree).with_contents(&peek);
+    let all = roots
+        .iter()
+        .flat_map(|(path, layouts)| layouts.iter().map(move |one| (path, one.application)));
+    let certain = all.filter(|(path, one)| evidence(&listing, path, *one).is_certain);
+    certain.map(|(path, one)| (path.clone(), one)).collect()
 }
 
 /// The paths of a tree.
