@@ -293,10 +293,10 @@ fn foreign_sign(mesh: &Mesh, rig: &Rig<'_>) -> Option<ForeignSign> {
         .filter_map(|joint| joint.vertices.as_ref())
         .flatten();
     let joints = named.copied().max();
-    let weights = rig.weights()?;
-    let weighted = weights
-        .bones
-        .iter()
+    let weighted = rig
+        .weights()
+        .into_iter()
+        .flat_map(|weights| &weights.bones)
         .flat_map(|bone| &bone.pairs)
         .map(|pair| pair.vertex)
         .max();

@@ -166,7 +166,10 @@ fn top(file: &FileFacts) -> &str {
 type Homes<'l> = BTreeSet<(&'l str, &'l str)>;
 
 fn homes(layer: &Layer) -> Homes<'_> {
-    let all = layer.files.values();
-    all.map(|file| (parent(&file.rel), extension(&file.rel)))
+    let all = layer
+        .files
+        .values()
+        .map(|file| (parent(&file.rel), extension(&file.rel)));
+    all.filter(|(_, suffix)| SUFFIXES.contains(suffix))
         .collect()
 }

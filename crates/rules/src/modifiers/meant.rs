@@ -4,6 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::RuleCx;
+use mhlint_diag::grouped;
 use mhlint_repo::makehuman1::{KnownModifier, View};
 
 /// Names that no modifier has, and the modifiers that seem to be meant by them.
@@ -71,22 +72,21 @@ impl<'v> Meant<'v> {
 /// seems to be meant.
 pub(super) fn meant_groups<'v>(view: &'v View<'_>, cx: &RuleCx<'_>) -> BTreeMap<&'v str, &'v str> {
     let known: BTreeSet<&str> = view.modifiers.names().map(group_of).collect();
-    let named = view
-        .modifiers
-        .sets
-        .iter()
-        .filter_map(|set| set.sliders)
-        .flat_map(|(_, sliders)| sliders.modifiers());
-    let lost = named
-        .map(|named| group_of(&named.name))
-        .filter(|group| !known.contains(group));
-    let lost: BTreeMap<&str, usize> = lost.fold(BTreeMap::new(), |mut counts, group| {
-        *counts.entry(group).or_default() += 1;
-        counts
+    let files = view.modifiers.sets.iter().filter_map(|set| set.sliders);
+    let several = files.flat_map(|(_, sliders)| {
+        let named = sliders.modifiers().map(|named| group_of(&named.name));
+        let lost = grouped(
+            named
+                .filter(|group| !known.contains(group))
+                .map(|group| (group, ())),
+        );
+        lost.into_iter()
+            .filter(|(_, all)| all.len() > 1)
+            .map(|(group, _)| group)
+            .collect::<BTreeSet<_>>()
     });
-    let several = lost.into_iter().filter(|(_, count)| *count > 1);
     several
-        .filter_map(|(group, _)| Some((group, near_group(group, &known, cx)?)))
+        .filter_map(|group| Some((group, near_group(group, &known, cx)?)))
         .collect()
 }
 
